@@ -1,0 +1,28 @@
+// Procedural models that ship with the program, each chosen for what it teaches.
+#pragma once
+
+#include "base/status.h"
+#include "input/triangle_soup.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace isoscope {
+
+/// One bundled model.
+struct GalleryEntry {
+  std::string_view name;     ///< what one types: "torus"
+  std::string_view title;    ///< what a card shows: "Torus"
+  std::string_view lesson;   ///< one sentence on what it teaches
+  double tolerance_percent;  ///< the δ it is best opened with, in percent of the longest edge
+  long euler_characteristic; ///< of the surface (all components together)
+};
+
+/// All bundled models; the first is the one the program opens by default.
+std::span<const GalleryEntry> gallery();
+
+/// Makes a bundled model; the same bits on every machine and call. Fails with bad_input on an unknown name (and lists the names).
+Result<TriangleSoup> make_gallery_model(std::string_view name);
+
+} // namespace isoscope

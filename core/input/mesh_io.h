@@ -1,0 +1,23 @@
+// Reads triangle soups from OFF, OBJ, PLY, STL files and writes triangle meshes to the same formats.
+#pragma once
+
+#include "base/status.h"
+#include "input/triangle_soup.h"
+
+#include <filesystem>
+
+namespace isoscope {
+
+/// Reads OFF, OBJ, PLY (ascii, binary) or STL (ascii, binary), by content where the name does not tell; polygons are triangulated.
+/// Fails with bad_input (file, place, remedy) on anything that is not a finite, non-empty set of triangles, and with
+/// unsupported on point sets (XYZ, or a mesh file without faces but with points).
+Result<TriangleSoup> read_mesh(const std::filesystem::path& file);
+
+/// Writes by the extension: .off, .obj, .ply (binary) or .stl (binary). Goes through a temporary file in the same folder,
+/// so that a full disk leaves no half-written file behind. OFF and OBJ keep every bit of the coordinates.
+Status write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh);
+
+/// Whether write_mesh could write there now: known extension, folder exists and is writable. To be asked before long work.
+Status check_writable_mesh(const std::filesystem::path& file);
+
+} // namespace isoscope

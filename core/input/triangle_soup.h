@@ -1,0 +1,37 @@
+// Raw triangles as they come from a file or from the gallery: no manifoldness, no orientation, no connectivity promised.
+#pragma once
+
+#include "base/geometry.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// An indexed triangle soup with finite coordinates and indices in range; degenerate triangles may occur.
+struct TriangleSoup {
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::string name; ///< what to call it in the window and the report: a file's stem or a gallery name
+
+  Triangle3 triangle(std::size_t i) const {
+    const auto& t = triangles[i];
+    return {points[t[0]], points[t[1]], points[t[2]]};
+  }
+  Box3 bounds() const {
+    Box3 b;
+    for (const auto& t : triangles)
+      for (const auto v : t) b.add(points[v]);
+    return b;
+  }
+};
+
+/// An indexed triangle mesh that we made: the zero set as it is written to a file.
+struct TriangleMesh {
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from outside (label +1)
+};
+
+} // namespace isoscope

@@ -1,0 +1,62 @@
+// Exact closest points on a triangle soup: the distance function d behind everything.
+#pragma once
+
+#include "base/geometry.h"
+#include "base/ids.h"
+#include "input/triangle_soup.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace isoscope {
+
+/// The closest point of the input to some query. `triangle` is invalid when nothing lay within the search radius.
+struct ClosestPoint {
+  Vec3 point;
+  double squared_distance = std::numeric_limits<double>::infinity();
+  TriangleId triangle;
+
+  double distance() const { return std::sqrt(squared_distance); }
+};
+
+/// Closest point on triangle abc to p, in double precision.
+Vec3 closest_point_on_triangle(Vec3 p, const Triangle3& t);
+
+/// A bounding volume hierarchy over the triangles of a soup. Immutable after construction; all queries are thread-safe.
+class ClosestPointIndex {
+public:
+  /// Needs at least one triangle. Degenerate triangles are kept as the segments or points they are.
+  explicit ClosestPointIndex(const TriangleSoup& soup);
+
+  /// The closest point within `radius` of p (ties: smallest triangle id of equal distance is not promised, but the
+  /// result depends on p and the soup only).
+  ClosestPoint closest(Vec3 p, double radius = std::numeric_limits<double>::infinity()) const;
+  /// The same, starting from a guess that is likely close: a faster query, the same distance.
+  ClosestPoint closest_near(Vec3 p, TriangleId guess) const;
+  double distance(Vec3 p) const { return closest(p).distance(); }
+
+  /// Whether p is enclosed by an odd number of layers, by majority over several rays. Meaningful for closed input only.
+  bool inside_by_parity(Vec3 p) const;
+  /// Parameters t in (0, 1) at which the open segment a + t (b - a) crosses the input, ascending.
+  std::vector<double> crossings(Vec3 a, Vec3 b) const;
+  /// Ids of the triangles whose bounding boxes meet `box`, ascending.
+  std::vector<TriangleId> triangles_in(const Box3& box) const;
+
+  const Triangle3& triangle(TriangleId id) const { return triangles_[id.index()]; }
+  std::size_t size() const { return triangles_.size(); }
+  const Box3& bounds() const { return bounds_; }
+  std::size_t memory_bytes() const;
+
+private:
+  struct Node {
+    Box3 box;
+    std::uint32_t first = 0; ///< leaf: first entry of order_; inner: left child (right child = left + 1)
+    std::uint32_t count = 0; ///< leaf: number of entries; inner: 0
+  };
+  std::vector<Triangle3> triangles_; ///< by id
+  std::vector<std::uint32_t> order_; ///< triangle ids in leaf order
+  std::vector<Node> nodes_;
+  Box3 bounds_;
+};
+
+} // namespace isoscope

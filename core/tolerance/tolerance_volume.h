@@ -1,0 +1,111 @@
+// The tolerance volume Ω = {d <= δ} of a triangle soup: its distance, the regions outside of it and their labels (§2.1, §2.2).
+#pragma once
+
+#include "base/ids.h"
+#include "base/run_control.h"
+#include "base/status.h"
+#include "input/triangle_soup.h"
+#include "tolerance/closest_point.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+class Regions;
+
+using RegionId = Id<struct RegionTag>;
+
+/// A connected component of the complement of Ω' = {d <= δ'}: what lies behind one boundary component.
+struct Region {
+  RegionId id;
+  int label = +1;         ///< F of its side: +1 outside, -1 inside (§2.2)
+  bool unbounded = false;
+  Vec3 deepest;           ///< a point of the region far from the input: the witness of its side
+  double depth = 0;       ///< d(deepest), same units as δ
+  double volume = 0;      ///< lower bound from the octree; infinite for the unbounded region
+};
+
+/// A connected component of ∂Ω', as far as the octree resolves it (thin crevices below its cells have no component).
+struct BoundaryComponent {
+  RegionId region;
+  int label = +1;
+  long euler_characteristic = 0;
+};
+
+/// Thresholds (algorithm notes §1.1): labels and samples live on d = δ', a facet is accepted below δ and rejected above δ_r.
+struct ToleranceThresholds {
+  double delta = 0;    ///< δ, what containment is proven against
+  double reject = 0;   ///< δ_r: a point farther than this is a violation; δ' < δ_r < δ
+  double boundary = 0; ///< δ': where ∂Ω is sampled. 0.95 δ in certified mode, δ in sampled mode
+};
+
+/// What the input looks like as a surface; found from Ω alone and, where it is an indexed mesh, from its connectivity.
+struct InputTopology {
+  bool closed_manifold = false;              ///< after merging equal points: every edge has two triangles, every vertex one fan
+  bool self_intersection_free = false;       ///< only tested when closed_manifold
+  std::optional<long> euler_characteristic;  ///< when closed_manifold
+  std::size_t components = 0;                ///< connected components of the input triangles
+};
+
+/// Ω with everything the algorithm asks of it. Distance queries are const and thread-safe; label_at may refine the octree
+/// and is for one thread only.
+class ToleranceVolume {
+public:
+  struct Options {
+    double delta = 0;            ///< absolute, > 0
+    double boundary_ratio = 0.95; ///< δ'/δ in (0, 1]
+  };
+
+  /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
+  /// Fails with unsupported on open surfaces (a component of Ω that touches one region only) and on non-manifold ones
+  /// (three regions or more), naming the place; with cancelled when told to.
+  static Result<ToleranceVolume> build(std::shared_ptr<const ClosestPointIndex> index, const InputTopology& input,
+                                       const Options& options, const RunControl& control);
+  ToleranceVolume(ToleranceVolume&&) noexcept;
+  ToleranceVolume& operator=(ToleranceVolume&&) noexcept;
+  ~ToleranceVolume();
+
+  const ToleranceThresholds& thresholds() const { return thresholds_; }
+  const ClosestPointIndex& index() const { return *index_; }
+  std::shared_ptr<const ClosestPointIndex> shared_index() const { return index_; }
+  const InputTopology& input() const { return input_; }
+  /// The cube that holds Ω and the octree.
+  Box3 domain() const;
+
+  /// Regions ascending by id; the first is the unbounded one. Grows when label_at meets a region too small for the octree.
+  std::span<const Region> regions() const { return regions_; }
+  std::span<const BoundaryComponent> boundary_components() const { return boundary_components_; }
+  /// Whether the boundary components of each side have the same Euler characteristic, so that Ω may be a thickening (§1.2).
+  bool thickening() const;
+  /// What Ω closes or cuts, in one sentence for the user; empty when it is a thickening.
+  std::string thickening_note() const;
+
+  /// F of the region that holds p, or 0 when p lies in Ω' or in a crevice too thin to tell. d(p) > δ_r always has a label.
+  int label_at(Vec3 p);
+  /// The region that holds p, invalid where label_at would be 0.
+  RegionId region_at(Vec3 p);
+
+  /// The octree, for the sampler.
+  const Regions& octree() const { return *octree_; }
+  Regions& octree() { return *octree_; }
+  std::size_t memory_bytes() const;
+
+private:
+  ToleranceVolume();
+  std::shared_ptr<const ClosestPointIndex> index_;
+  InputTopology input_;
+  ToleranceThresholds thresholds_;
+  std::unique_ptr<Regions> octree_;
+  std::vector<Region> regions_;
+  std::vector<BoundaryComponent> boundary_components_;
+};
+
+/// Connectivity of a soup after merging bitwise equal points; the self-intersection test is exact (CGAL).
+InputTopology analyse_input(const TriangleSoup& soup);
+
+} // namespace isoscope
