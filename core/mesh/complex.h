@@ -1,0 +1,106 @@
+// The triangulation T as plain arrays: vertices with F, tetrahedra with neighbours, and the reversible delta of an operation.
+#pragma once
+
+#include "base/geometry.h"
+#include "base/ids.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace isoscope {
+
+/// Where a vertex of T comes from.
+enum class VertexKind : std::uint8_t {
+  box,         ///< one of the eight corners of the loose bounding box (§2.2)
+  sample,      ///< a sample of S (§2.3)
+  containment, ///< placed where the facet certificate failed (algorithm notes §2)
+  witness,     ///< the deepest point of a region that Z had on the wrong side
+  topology,    ///< placed to mend a handle or a component (condition 4)
+  zero         ///< a vertex of Z, F = 0 (§2.4.2)
+};
+
+/// A vertex of T. `value` is F at the vertex: the label, scaled by the distance at box corners (§5).
+struct Vertex {
+  Vec3 position;
+  double value = 0;
+  VertexKind kind = VertexKind::sample;
+  bool alive = true;
+  std::uint16_t sample_set = 0; ///< which sample set `sample` belongs to
+  SampleId sample;              ///< valid when kind is sample
+  friend bool operator==(const Vertex&, const Vertex&) = default;
+};
+
+/// A tetrahedron: positively oriented, vertex ids ascending but for the last two (swapped where orientation asks for it),
+/// neighbour i opposite vertex i, invalid on the hull. A dead slot has invalid vertices.
+struct Tet {
+  std::array<VertexId, 4> v;
+  std::array<TetId, 4> neighbor;
+  bool alive() const { return v[0].valid(); }
+  friend bool operator==(const Tet&, const Tet&) = default;
+};
+
+/// A tetrahedron of a delta: its slot and vertices.
+struct TetRecord {
+  TetId id;
+  std::array<VertexId, 4> v;
+  friend bool operator==(const TetRecord&, const TetRecord&) = default;
+};
+
+/// What one operation changes; apply and undo are exact inverses. Slots of removed tetrahedra may be reused by added ones.
+struct Delta {
+  struct ValueChange {
+    VertexId vertex;
+    double before = 0, after = 0;
+  };
+  struct Move {
+    VertexId vertex;
+    Vec3 before, after;
+  };
+  struct SampleSetChange {
+    std::uint16_t before = 0, after = 0;
+  };
+  std::vector<Vertex> added_vertices;   ///< appended: their ids follow the last vertex
+  std::vector<VertexId> killed_vertices; ///< alive -> dead (collapses)
+  std::vector<ValueChange> values;
+  std::vector<Move> moves;
+  std::vector<TetRecord> removed, added;
+  std::optional<SampleSetChange> sample_set;
+
+  bool empty() const;
+  std::size_t memory_bytes() const;
+};
+
+/// T at one step. Equality is bitwise: replay and undo(apply) are tested with it.
+struct Complex {
+  std::vector<Vertex> vertices;
+  std::vector<Tet> tets; ///< slots; dead ones are on no list, the free list is the refiner's business
+
+  const Vec3& position(VertexId v) const { return vertices[v.index()].position; }
+  double value(VertexId v) const { return vertices[v.index()].value; }
+  const Tet& tet(TetId t) const { return tets[t.index()]; }
+  std::array<Vec3, 4> positions(TetId t) const;
+  std::array<double, 4> values(TetId t) const;
+  /// Whether t carries Z: it has vertices of both signs (F = 0 counts as neither).
+  bool heterogeneous(TetId t) const;
+  std::size_t alive_tets() const;
+  std::size_t memory_bytes() const;
+
+  /// Applies the delta and rewires neighbours across the hole's boundary. Trailing dead slots stay: undo restores the array
+  /// length recorded by the forward direction, so that undo(apply) is the identity.
+  void apply(const Delta& delta);
+  void undo(const Delta& delta);
+
+  friend bool operator==(const Complex&, const Complex&) = default;
+};
+
+/// f on a tetrahedron as an affine function: f(x) = value0 + gradient·(x − origin). Pure; degenerate input gives non-finite values.
+struct AffineFunction {
+  Vec3 origin, gradient;
+  double value0 = 0;
+  double operator()(Vec3 x) const { return value0 + dot(gradient, x - origin); }
+};
+AffineFunction interpolate(const std::array<Vec3, 4>& p, const std::array<double, 4>& f);
+
+} // namespace isoscope

@@ -1,0 +1,59 @@
+// Z, Γ and ∂Γ of a triangulation: polygons per tetrahedron, components, Euler characteristics (§2.3, Figure 5).
+#pragma once
+
+#include "input/triangle_soup.h"
+#include "mesh/complex.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace isoscope {
+
+/// The zero set of f: one triangle or quad per tetrahedron that carries it.
+struct ZeroSet {
+  struct ZeroVertex {
+    Vec3 position;
+    VertexId negative, positive; ///< the ends of the edge of T it lies on
+  };
+  struct Polygon {
+    TetId tet;
+    std::array<std::uint32_t, 4> v; ///< counter-clockwise seen from the positive side
+    std::uint8_t count = 3;         ///< 3 or 4
+    std::uint32_t component = 0;
+  };
+  struct Component {
+    std::size_t vertices = 0, edges = 0, polygons = 0;
+    long euler_characteristic() const {
+      return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(polygons);
+    }
+    long genus() const { return (2 - euler_characteristic()) / 2; }
+  };
+  std::vector<ZeroVertex> vertices;
+  std::vector<Polygon> polygons;     ///< ascending by tetrahedron slot
+  std::vector<Component> components; ///< by smallest tetrahedron slot
+  long euler_characteristic() const;
+};
+
+/// The zero polygon of one tetrahedron with values f != 0: its corners in order (3 or 4), counter-clockwise from the positive side.
+struct ZeroPolygon {
+  std::array<Vec3, 4> corner;
+  std::array<std::array<std::uint8_t, 2>, 4> edge; ///< local indices (negative, positive) of the edge each corner lies on
+  int count = 0;                                   ///< 0 when homogeneous
+};
+ZeroPolygon zero_polygon(const std::array<Vec3, 4>& p, const std::array<double, 4>& f);
+
+/// Z of the whole triangulation.
+ZeroSet extract_zero_set(const Complex& complex);
+/// Z as an oriented triangle mesh, quads split along their shorter diagonal; outward is the positive side.
+TriangleMesh triangulate(const ZeroSet& zero_set);
+
+/// A facet of ∂Γ: between a tetrahedron that carries Z and one that does not (or the hull).
+struct GammaFacet {
+  TetId tet;
+  std::array<VertexId, 3> v;
+};
+/// ∂Γ, ascending by tetrahedron slot and facet.
+std::vector<GammaFacet> gamma_boundary(const Complex& complex);
+
+} // namespace isoscope
