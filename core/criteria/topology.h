@@ -1,0 +1,34 @@
+// Condition 4: components and Euler characteristic of Z against what is expected (§2.3, §3).
+#pragma once
+
+#include "mesh/zero_set.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <optional>
+#include <string>
+
+namespace isoscope {
+
+/// What to ask of Z where Ω is no thickening of a surface (§1.2).
+enum class TopologyMode : std::uint8_t {
+  keep,    ///< the input's own topology
+  separate ///< only that Z separates the sides; any genus
+};
+
+/// What Z should look like. Where a number is absent it is not judged.
+struct ExpectedTopology {
+  std::optional<long> euler_characteristic;
+  std::optional<std::size_t> components;
+  std::string source; ///< in words: "both boundaries of Ω", "the input", "the boundary of smaller genus"
+};
+ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode mode);
+
+/// Z against the expectation.
+struct TopologyVerdict {
+  long euler_characteristic = 0;
+  std::size_t components = 0;
+  bool as_expected = false;
+};
+TopologyVerdict check_topology(const ZeroSet& zero_set, const ExpectedTopology& expected);
+
+} // namespace isoscope

@@ -1,0 +1,13 @@
+// Events in plain words, with the paper's symbols and units: captions, event lists and logs all use these.
+#pragma once
+
+#include "journal/journal.h"
+
+#include <string>
+
+namespace isoscope {
+
+/// "Refinement 37: condition 1, sample 412 with ε = 1.83 (limit 0.80) goes in."
+std::string describe(const Journal& journal, const Event& event);
+
+} // namespace isoscope

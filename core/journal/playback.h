@@ -1,0 +1,55 @@
+// The state at any step, moved forwards and backwards by deltas, from keyframes when far (architecture D4).
+#pragma once
+
+#include "journal/journal.h"
+#include "mesh/sample_sets.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace isoscope {
+
+/// A cursor over a journal that may still be growing. Not thread-safe: each watcher owns one. Memory: one Complex, one
+/// SampleSets, keyframes up to `keyframe_limit` bytes (thinned beyond: every second one is dropped).
+class Playback {
+public:
+  explicit Playback(std::shared_ptr<const Journal> journal, std::size_t keyframe_limit = std::size_t{256} << 20);
+
+  /// Goes to `step`, clamped to what the journal has; returns where it is.
+  Step seek(Step step);
+  Step step() const { return step_; }
+
+  const Complex& complex() const { return complex_; }
+  const Journal& journal() const { return *journal_; }
+  /// The sample set in force, null before the first one.
+  std::shared_ptr<const BoundarySamples> samples() const;
+  /// Brings the samples' tetrahedra up to the current step (lazily, since far seeks need not place samples in between).
+  const SampleSets& sample_sets();
+  CriteriaParameters parameters() const { return journal_->parameters_at(step_); }
+
+  /// Tetrahedra added by the last `n` operations up to the current step and still alive, ascending.
+  std::vector<TetId> changed_in_last(Step n) const;
+  std::size_t memory_bytes() const;
+
+private:
+  struct Keyframe {
+    Complex complex;
+    std::uint16_t sample_set = 0;
+  };
+  std::shared_ptr<const Journal> journal_;
+  std::size_t keyframe_limit_;
+  std::map<Step, Keyframe> keyframes_;
+  Complex complex_;
+  std::uint16_t sample_set_ = 0;
+  Step step_ = 0;
+  std::unique_ptr<SampleSets> sets_;
+  Step sets_step_ = 0;        ///< the step `sets_` is right for
+  std::uint16_t sets_set_ = 0; ///< the sample set it was made of
+
+  void forward_one();
+  void backward_one();
+  void keep_keyframe();
+};
+
+} // namespace isoscope

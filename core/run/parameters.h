@@ -1,0 +1,49 @@
+// Everything a run is asked: the options of both programs, checked, with the paper's symbols.
+#pragma once
+
+#include "base/status.h"
+#include "criteria/topology.h"
+#include "journal/event.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace isoscope {
+
+/// How containment of Z in Ω is ensured (algorithm notes §0).
+enum class Containment : std::uint8_t {
+  certified, ///< coarse S, facet certificate (default)
+  sampled    ///< the paper to the letter: dense S, α margin, condition 2
+};
+
+/// δ as given: a percentage of the longest edge of the input's bounding box, or an absolute length.
+struct Tolerance {
+  double value = 0.6;
+  bool percent = true;
+  double absolute(double longest_edge) const { return percent ? value / 100.0 * longest_edge : value; }
+  std::string text() const; ///< "0.6%" or "0.012"
+};
+
+struct RunParameters {
+  std::string input;         ///< a file, or gallery:NAME
+  Tolerance tolerance;       ///< δ > 0
+  double sigma = 0;          ///< σ/δ in (0, 1]; 0: 1/2 in certified mode, 1/8 in sampled mode
+  double alpha = 0.2;        ///< α in (0, 1)
+  double shrink = 0.7;       ///< in (0, 1]
+  Containment containment = Containment::certified;
+  TopologyMode topology = TopologyMode::keep;
+  bool condition_1 = true, condition_2 = true, condition_3 = true, condition_4 = true;
+  Stage until = Stage::refinement;
+  unsigned threads = 0;      ///< 0: all cores
+  double time_limit = 0;     ///< seconds, 0 none
+  double sigma_ratio() const { return sigma > 0 ? sigma : (containment == Containment::certified ? 0.5 : 0.125); }
+  CriteriaParameters criteria(double delta) const;
+};
+
+/// Reads "0.6%" or "0.012"; fails with usage on anything that is not a positive finite number.
+Result<Tolerance> parse_tolerance(std::string_view text);
+/// Checks every range; the error names the option, the value and the range.
+Status check(const RunParameters& parameters);
+
+} // namespace isoscope

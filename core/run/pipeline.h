@@ -1,0 +1,70 @@
+// All stages of a run in one object: input, Ω, S, refinement, certificate. Both programs and the tests run this.
+#pragma once
+
+#include "base/run_control.h"
+#include "base/status.h"
+#include "input/triangle_soup.h"
+#include "journal/recorder.h"
+#include "refine/refinement.h"
+#include "run/certificate.h"
+#include "run/parameters.h"
+#include "tolerance/parameter_check.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace isoscope {
+
+/// What is known about a run before its first operation; immutable once published.
+struct Scene {
+  std::shared_ptr<const TriangleSoup> input;
+  std::shared_ptr<const ClosestPointIndex> index;
+  double delta = 0;             ///< absolute
+  double longest_edge = 0;
+  ToleranceThresholds thresholds;
+  std::vector<Region> regions;
+  std::vector<BoundaryComponent> boundary_components;
+  InputTopology input_topology;
+  ExpectedTopology expected;
+  std::shared_ptr<const BoundarySamples> samples;
+  std::string thickening_note;
+  std::vector<ParameterWarning> warnings;
+  double input_seconds = 0, volume_seconds = 0, sampling_seconds = 0;
+};
+
+/// How a run ended.
+struct RunResult {
+  enum class End { finished, stopped, limit };
+  End end = End::finished;
+  RefinementOutcome refinement;
+  TriangleMesh mesh;        ///< the zero set
+  Certificate certificate;
+  double seconds = 0;
+  std::size_t peak_memory_bytes = 0;
+  int exit_status() const;  ///< 0 finished and certified, 1 not certified, 4 stopped
+};
+
+class Pipeline {
+public:
+  /// The journal starts empty and is filled by run().
+  Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, Gate& gate, RunControl& control);
+  ~Pipeline();
+
+  /// Reads (or takes `soup`), builds Ω and S. Fails with bad_input, unsupported or cancelled.
+  Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr);
+  /// Refines, extracts Z, certifies. May be called again after the gate's parameters changed: it goes on.
+  Result<RunResult> run();
+  const RunParameters& parameters() const { return parameters_; }
+
+private:
+  struct Impl;
+  RunParameters parameters_;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Resolves gallery:NAME or reads the file.
+Result<TriangleSoup> load_input(const std::string& input);
+
+} // namespace isoscope
