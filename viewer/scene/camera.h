@@ -1,0 +1,69 @@
+// An orbit camera: where it looks from, how the mouse moves it, how a view travels as JSON.
+#pragma once
+
+#include "base/geometry.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+
+#include <optional>
+#include <string>
+
+namespace isoscope {
+
+/// Position by target, distance and orientation; perspective or orthographic. Angles in degrees, lengths in scene units.
+struct CameraPose {
+  Vec3 target;
+  double distance = 3;
+  std::array<double, 4> orientation{0, 0, 0, 1}; ///< unit quaternion x, y, z, w: camera to world
+  double fov = 40;                               ///< vertical, degrees
+  bool orthographic = false;
+  friend bool operator==(const CameraPose&, const CameraPose&) = default;
+};
+
+class Camera {
+public:
+  const CameraPose& pose() const { return pose_; }
+  /// Jumps, or eases over 200 ms of update() time when `ease`.
+  void set(const CameraPose& pose, bool ease = false);
+  /// True once a person or a script has set the view: loading a model must not move it then.
+  bool was_set() const { return was_set_; }
+  void mark_set() { was_set_ = true; }
+
+  /// Looks at the box from the present direction so that it fills the view.
+  void frame(const Box3& box, bool ease);
+  /// Advances a transition; true while it is under way.
+  bool update(double seconds);
+
+  /// Mouse motions in pixels, in a viewport of the given size. `pivot`: the point under the cursor when the drag began.
+  void orbit(double dx, double dy, double height, Vec3 pivot);
+  void pan(double dx, double dy, double height, Vec3 pivot);
+  /// Wheel steps; keeps the point under the cursor where it is.
+  void zoom(double steps, Vec3 pivot);
+  /// Looks along an axis: 0, 1, 2 and sign.
+  void look_along(int axis, int sign, bool ease);
+
+  glm::mat4 view() const;
+  glm::mat4 projection(double aspect) const;
+  Vec3 eye() const;
+  /// World ray through a viewport position; pixels, origin top left.
+  struct Ray {
+    Vec3 origin, direction;
+  };
+  Ray ray(double x, double y, double width, double height) const;
+  void set_scene_bounds(const Box3& box) { bounds_ = box; } ///< for near and far planes
+
+private:
+  CameraPose pose_, from_, to_;
+  double transition_ = 1; ///< in [0, 1], 1 at rest
+  bool was_set_ = false;
+  Box3 bounds_;
+};
+
+/// The pose as one line of JSON and back; nullopt when the text is no pose.
+std::string to_json(const CameraPose& pose);
+std::optional<CameraPose> camera_from_json(const std::string& text);
+
+} // namespace isoscope

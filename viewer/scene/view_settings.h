@@ -1,0 +1,70 @@
+// What is shown and how, as plain data: panels and scripts edit it, the renderer reads it, view files store it.
+#pragma once
+
+#include "base/geometry.h"
+#include "base/ids.h"
+
+#include <array>
+#include <cstdint>
+
+namespace isoscope {
+
+/// One layer's visibility and opacity in [0, 1].
+struct LayerSettings {
+  bool visible = true;
+  float opacity = 1.0f;
+};
+
+/// Which tetrahedra are drawn.
+struct TetFilter {
+  bool carry_zero_set = false, violate_1 = true, violate_2 = false, violate_3 = true, changed = true;
+  bool all = false;
+  bool box = false;           ///< also those with a corner of the bounding box
+  std::uint32_t recent = 1;   ///< operations back for `changed`
+  float shrink = 0.85f;       ///< display shrink about the centroid in (0, 1]; not condition 3's factor
+};
+
+/// How the scene is clipped.
+struct ClipSettings {
+  enum class Shape : std::uint8_t { none, plane, slab, ball };
+  enum class Mode : std::uint8_t { cut, whole_cells, straddle };
+  Shape shape = Shape::none;
+  Mode mode = Mode::cut;
+  Vec3 point;                ///< on the plane, middle of the slab, centre of the ball
+  Vec3 normal{1, 0, 0};      ///< unit; what lies on its positive side is cut away (plane)
+  double radius = 0.1;       ///< ball's radius or half the slab's thickness, scene units
+  bool flipped = false;
+};
+
+enum class ThemeKind : std::uint8_t { dark, light, paper };
+enum class ViewMode : std::uint8_t { scene, section, split };
+
+struct ViewSettings {
+  LayerSettings input{false, 1.0f};      ///< the input triangles
+  LayerSettings outer{true, 0.22f};      ///< outer boundary surface of Ω
+  LayerSettings inner{true, 0.35f};      ///< inner boundary surface of Ω
+  LayerSettings samples{true, 1.0f};
+  LayerSettings good_samples{true, 1.0f}, bad_samples{true, 1.0f};
+  LayerSettings tetrahedra{true, 1.0f};
+  LayerSettings zero_set{true, 1.0f};
+  LayerSettings gamma{false, 1.0f};
+  LayerSettings highlight{true, 1.0f};   ///< what the current operation touched
+  bool zero_set_edges = true;
+  float sample_size = 5.0f;              ///< pixels at the orbit distance
+  TetFilter tets;
+  ClipSettings clip;
+  ViewMode mode = ViewMode::scene;
+  ThemeKind theme = ThemeKind::dark;
+  bool axes = true, scale_bar = true;
+};
+
+/// What is picked or selected.
+struct Pick {
+  enum class Kind : std::uint8_t { none, vertex, tet, sample };
+  Kind kind = Kind::none;
+  std::uint32_t id = 0xffffffffu;
+  Vec3 point; ///< where the ray met it
+  friend bool operator==(const Pick& a, const Pick& b) { return a.kind == b.kind && a.id == b.id; }
+};
+
+} // namespace isoscope
