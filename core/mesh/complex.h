@@ -1,4 +1,5 @@
-// The triangulation T as plain arrays: vertices with F, tetrahedra with neighbours, and the reversible delta of an operation.
+// The triangulation T as plain arrays: vertices with F, tetrahedra with neighbours, and the reversible delta
+// of an operation.
 #pragma once
 
 #include "base/geometry.h"
@@ -32,8 +33,8 @@ struct Vertex {
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
-/// A tetrahedron: positively oriented, vertex ids ascending but for the last two (swapped where orientation asks for it),
-/// neighbour i opposite vertex i, invalid on the hull. A dead slot has invalid vertices.
+/// A tetrahedron: positively oriented, vertex ids ascending but for the last two (swapped where orientation
+/// asks for it), neighbour i opposite vertex i, invalid on the hull. A dead slot has invalid vertices.
 struct Tet {
   std::array<VertexId, 4> v;
   std::array<TetId, 4> neighbor;
@@ -48,7 +49,8 @@ struct TetRecord {
   friend bool operator==(const TetRecord&, const TetRecord&) = default;
 };
 
-/// What one operation changes; apply and undo are exact inverses. Slots of removed tetrahedra may be reused by added ones.
+/// What one operation changes; apply and undo are exact inverses. Slots of removed tetrahedra may be reused
+/// by added ones.
 struct Delta {
   struct ValueChange {
     VertexId vertex;
@@ -61,11 +63,14 @@ struct Delta {
   struct SampleSetChange {
     std::uint16_t before = 0, after = 0;
   };
-  std::vector<Vertex> added_vertices;   ///< appended: their ids follow the last vertex
+  std::vector<Vertex> added_vertices;    ///< appended: their ids follow the last vertex
   std::vector<VertexId> killed_vertices; ///< alive -> dead (collapses)
   std::vector<ValueChange> values;
   std::vector<Move> moves;
   std::vector<TetRecord> removed, added;
+  /// Length of the slot array before a delta with `removed` or `added`: what undo restores. Slots added
+  /// beyond it are new.
+  std::uint32_t slots_before = 0;
   std::optional<SampleSetChange> sample_set;
 
   bool empty() const;
@@ -87,15 +92,18 @@ struct Complex {
   std::size_t alive_tets() const;
   std::size_t memory_bytes() const;
 
-  /// Applies the delta and rewires neighbours across the hole's boundary. Trailing dead slots stay: undo restores the array
-  /// length recorded by the forward direction, so that undo(apply) is the identity.
+  /// Applies the delta and rewires neighbours across the hole's boundary. Trailing dead slots stay; undo
+  /// restores the array length that the delta recorded, so that undo(apply) is the identity. A facet of an
+  /// added tetrahedron that meets neither another one nor the hole's boundary becomes hull. Time depends on
+  /// the delta only.
   void apply(const Delta& delta);
   void undo(const Delta& delta);
 
   friend bool operator==(const Complex&, const Complex&) = default;
 };
 
-/// f on a tetrahedron as an affine function: f(x) = value0 + gradient·(x − origin). Pure; degenerate input gives non-finite values.
+/// f on a tetrahedron as an affine function: f(x) = value0 + gradient·(x − origin). Pure; degenerate input
+/// gives non-finite values.
 struct AffineFunction {
   Vec3 origin, gradient;
   double value0 = 0;

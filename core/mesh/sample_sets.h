@@ -1,4 +1,5 @@
-// Which tetrahedron holds each sample, f(s) and ε(s): derived from T and S, the same from whichever side a step is reached.
+// Which tetrahedron holds each sample, f(s) and ε(s): derived from T and S, the same from whichever side a
+// step is reached.
 #pragma once
 
 #include "mesh/complex.h"
@@ -10,24 +11,34 @@
 namespace isoscope {
 
 /// ε(s) = 1 − f(s)/F(s) (§5); bad when ε >= 1 (§2.2).
-constexpr double sample_error(double f, double label) { return 1.0 - f / label; }
-constexpr bool is_bad(double error) { return error >= 1.0; }
+constexpr double sample_error(double f, double label) {
+  return 1.0 - f / label;
+}
+constexpr bool is_bad(double error) {
+  return error >= 1.0;
+}
 
-/// Per-tetrahedron sample lists over a fixed sample array. A sample on a shared face belongs to the tetrahedron that holds
-/// s + t·e for a fixed generic direction e and all small t > 0 (exact predicates decide), so the assignment depends on T only.
+/// Per-tetrahedron sample lists over a fixed sample array. A sample on a shared face belongs to the
+/// tetrahedron that holds s + t·e for a fixed generic direction e and all small t > 0 (exact predicates
+/// decide), so the assignment depends on T only.
 class SampleSets {
-public:
+ public:
   /// `positions` must outlive this object.
   explicit SampleSets(std::span<const Vec3> positions);
 
   /// Assigns every sample to the tetrahedra of T from scratch (parallel walks).
   void assign_all(const Complex& complex);
-  /// Moves the samples of the `from` tetrahedra (dead by now) into the `to` tetrahedra (alive in `complex`).
-  /// Returns how many moved. Parallel when many.
-  std::size_t redistribute(const Complex& complex, std::span<const TetRecord> from, std::span<const TetRecord> to);
+  /// Moves the samples of the `from` tetrahedra (dead by now) into the `to` tetrahedra (alive in `complex`),
+  /// for a delta that was just applied: removed to added, or undone: added to removed. Both must fill the
+  /// same space; a sample that none of `to` holds is left without tetrahedron. Returns how many moved.
+  /// Parallel when many.
+  std::size_t redistribute(const Complex& complex, std::span<const TetRecord> from,
+                           std::span<const TetRecord> to);
 
+  /// Invalid for a sample outside the hull of T.
   TetId tet_of(SampleId s) const { return tet_of_[s.index()]; }
-  /// Calls visit(SampleId) for the samples of t, in ascending id order after assign_all, otherwise in a deterministic order.
+  /// Calls visit(SampleId) for the samples of t in ascending id order, always: lists are a function of T and
+  /// S.
   template <class Visit> void for_each(TetId t, Visit&& visit) const {
     if (t.index() >= head_.size()) return;
     for (std::uint32_t s = head_[t.index()]; s != SampleId::none; s = next_[s]) visit(SampleId(s));
@@ -35,11 +46,13 @@ public:
   std::size_t size() const { return tet_of_.size(); }
   std::size_t memory_bytes() const;
 
-private:
+ private:
   std::span<const Vec3> positions_;
   std::vector<TetId> tet_of_;
   std::vector<std::uint32_t> head_; ///< by tetrahedron slot
   std::vector<std::uint32_t> next_; ///< by sample
+
+  void push_front(std::size_t s, TetId t);
 };
 
 } // namespace isoscope

@@ -1,4 +1,5 @@
-// Checks a triangulation from scratch: orientation, neighbours, links, sample assignment; for tests and "check everything".
+// Checks a triangulation from scratch: orientation, neighbours, links, sample assignment; for tests and
+// "check everything".
 #pragma once
 
 #include "mesh/complex.h"
@@ -16,11 +17,13 @@ struct Defect {
   TetId tet;
 };
 
-/// Exact positive orientation of every tetrahedron, symmetric neighbours that share their facet, one closed shell on the hull.
+/// Exact positive orientation of every tetrahedron, symmetric neighbours that share their facet, one closed
+/// shell on the hull.
 std::vector<Defect> check_complex(const Complex& complex);
 /// Every tetrahedron's circumball is empty of vertices of its neighbours (exact, locally Delaunay).
 std::vector<Defect> check_delaunay(const Complex& complex);
 /// Every sample is in the tetrahedron that an exhaustive search gives.
-std::vector<Defect> check_samples(const Complex& complex, const SampleSets& sets, std::span<const Vec3> positions);
+std::vector<Defect> check_samples(const Complex& complex, const SampleSets& sets,
+                                  std::span<const Vec3> positions);
 
 } // namespace isoscope

@@ -1,4 +1,5 @@
-// Z, Γ and ∂Γ of a triangulation: polygons per tetrahedron, components, Euler characteristics (§2.3, Figure 5).
+// Z, Γ and ∂Γ of a triangulation: polygons per tetrahedron, components, Euler characteristics (§2.3, Figure
+// 5).
 #pragma once
 
 #include "input/triangle_soup.h"
@@ -35,11 +36,15 @@ struct ZeroSet {
   long euler_characteristic() const;
 };
 
-/// The zero polygon of one tetrahedron with values f != 0: its corners in order (3 or 4), counter-clockwise from the positive side.
+/// The zero polygon of one positively oriented tetrahedron: its corners in order (3 or 4), counter-clockwise
+/// from the positive side. Corner n + w (p − n), w = f(n) / (f(n) − f(p)), from the negative to the positive
+/// end: the same bits from every tetrahedron on the edge, exact for values ±1 and 2^k − 1 on grid points. A
+/// vertex with f = 0 leaves no polygon.
 struct ZeroPolygon {
   std::array<Vec3, 4> corner;
-  std::array<std::array<std::uint8_t, 2>, 4> edge; ///< local indices (negative, positive) of the edge each corner lies on
-  int count = 0;                                   ///< 0 when homogeneous
+  std::array<std::array<std::uint8_t, 2>, 4>
+      edge;      ///< local indices (negative, positive) of the edge each corner lies on
+  int count = 0; ///< 0 when homogeneous, or where some f = 0
 };
 ZeroPolygon zero_polygon(const std::array<Vec3, 4>& p, const std::array<double, 4>& f);
 
@@ -48,7 +53,8 @@ ZeroSet extract_zero_set(const Complex& complex);
 /// Z as an oriented triangle mesh, quads split along their shorter diagonal; outward is the positive side.
 TriangleMesh triangulate(const ZeroSet& zero_set);
 
-/// A facet of ∂Γ: between a tetrahedron that carries Z and one that does not (or the hull).
+/// A facet of ∂Γ: between a tetrahedron that carries Z and one that does not (or the hull). `tet` carries Z;
+/// `v` is counter-clockwise seen from outside of it.
 struct GammaFacet {
   TetId tet;
   std::array<VertexId, 3> v;

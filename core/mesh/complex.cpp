@@ -1,0 +1,143 @@
+// Applies and undoes deltas on the plain arrays; neighbours are found again across the hole's boundary only.
+#include "mesh/complex.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace isoscope {
+
+namespace {
+
+/// A facet of a tetrahedron, ordered by its sorted vertices so that its two sides become neighbours in a
+/// sorted list.
+struct FacetSide {
+  std::uint64_t low = 0;  ///< smallest and middle vertex
+  std::uint32_t high = 0; ///< largest vertex
+  TetId tet;
+  std::uint8_t facet = 0;
+
+  bool same_facet(const FacetSide& o) const { return low == o.low && high == o.high; }
+  bool operator<(const FacetSide& o) const { return low != o.low ? low < o.low : high < o.high; }
+};
+
+FacetSide facet_side(const std::array<VertexId, 4>& v, TetId tet, int facet) {
+  std::uint32_t a = v[(facet + 1) & 3].value, b = v[(facet + 2) & 3].value, c = v[(facet + 3) & 3].value;
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  return {std::uint64_t{a} << 32 | b, c, tet, static_cast<std::uint8_t>(facet)};
+}
+
+/// Replaces the tetrahedra `out` by `in`. What bounded the hole on its outer side is found through the
+/// neighbours of `out`.
+void exchange(std::vector<Tet>& tets, const std::vector<TetRecord>& out, const std::vector<TetRecord>& in) {
+  std::vector<FacetSide> sides;
+  sides.reserve(4 * in.size() + 2 * out.size() + 16);
+  for (const TetRecord& r : out) tets[r.id.index()].v = {};
+  for (const TetRecord& r : out) {
+    const Tet& old = tets[r.id.index()];
+    for (int i = 0; i < 4; ++i) {
+      const TetId n = old.neighbor[static_cast<std::size_t>(i)];
+      if (!n.valid() || !tets[n.index()].alive()) continue;
+      auto& back = tets[n.index()].neighbor;
+      const auto at = std::find(back.begin(), back.end(), r.id);
+      assert(at != back.end());
+      sides.push_back(facet_side(r.v, n, i));
+      sides.back().facet = static_cast<std::uint8_t>(at - back.begin());
+    }
+  }
+  for (const FacetSide& s : sides) tets[s.tet.index()].neighbor[s.facet] = TetId{};
+  for (const TetRecord& r : out) tets[r.id.index()] = Tet{};
+  for (const TetRecord& r : in) {
+    assert(!tets[r.id.index()].alive());
+    tets[r.id.index()].v = r.v;
+    for (int i = 0; i < 4; ++i) sides.push_back(facet_side(r.v, r.id, i));
+  }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const FacetSide &a = sides[i], &b = sides[i + 1];
+    if (!a.same_facet(b)) continue;
+    tets[a.tet.index()].neighbor[a.facet] = b.tet;
+    tets[b.tet.index()].neighbor[b.facet] = a.tet;
+    ++i;
+  }
+}
+
+} // namespace
+
+bool Delta::empty() const {
+  return added_vertices.empty() && killed_vertices.empty() && values.empty() && moves.empty() &&
+         removed.empty() && added.empty() && !sample_set;
+}
+
+std::size_t Delta::memory_bytes() const {
+  return sizeof(Delta) + added_vertices.capacity() * sizeof(Vertex) +
+         killed_vertices.capacity() * sizeof(VertexId) + values.capacity() * sizeof(ValueChange) +
+         moves.capacity() * sizeof(Move) + (removed.capacity() + added.capacity()) * sizeof(TetRecord);
+}
+
+std::array<Vec3, 4> Complex::positions(TetId t) const {
+  const auto& v = tet(t).v;
+  return {position(v[0]), position(v[1]), position(v[2]), position(v[3])};
+}
+
+std::array<double, 4> Complex::values(TetId t) const {
+  const auto& v = tet(t).v;
+  return {value(v[0]), value(v[1]), value(v[2]), value(v[3])};
+}
+
+bool Complex::heterogeneous(TetId t) const {
+  bool negative = false, positive = false;
+  for (const double f : values(t)) {
+    negative |= f < 0;
+    positive |= f > 0;
+  }
+  return negative && positive;
+}
+
+std::size_t Complex::alive_tets() const {
+  return static_cast<std::size_t>(
+      std::count_if(tets.begin(), tets.end(), [](const Tet& t) { return t.alive(); }));
+}
+
+std::size_t Complex::memory_bytes() const {
+  return sizeof(Complex) + vertices.capacity() * sizeof(Vertex) + tets.capacity() * sizeof(Tet);
+}
+
+void Complex::apply(const Delta& delta) {
+  vertices.insert(vertices.end(), delta.added_vertices.begin(), delta.added_vertices.end());
+  for (const VertexId v : delta.killed_vertices) vertices[v.index()].alive = false;
+  for (const auto& c : delta.values) vertices[c.vertex.index()].value = c.after;
+  for (const auto& m : delta.moves) vertices[m.vertex.index()].position = m.after;
+  if (delta.removed.empty() && delta.added.empty()) return;
+  assert(delta.slots_before == tets.size());
+  std::size_t slots = tets.size();
+  for (const TetRecord& r : delta.added) slots = std::max(slots, r.id.index() + 1);
+  tets.resize(slots);
+  exchange(tets, delta.removed, delta.added);
+}
+
+void Complex::undo(const Delta& delta) {
+  if (!delta.removed.empty() || !delta.added.empty()) {
+    exchange(tets, delta.added, delta.removed);
+    tets.resize(delta.slots_before);
+  }
+  for (auto m = delta.moves.rbegin(); m != delta.moves.rend(); ++m) {
+    vertices[m->vertex.index()].position = m->before;
+  }
+  for (auto c = delta.values.rbegin(); c != delta.values.rend(); ++c) {
+    vertices[c->vertex.index()].value = c->before;
+  }
+  for (const VertexId v : delta.killed_vertices) vertices[v.index()].alive = true;
+  vertices.resize(vertices.size() - delta.added_vertices.size());
+}
+
+AffineFunction interpolate(const std::array<Vec3, 4>& p, const std::array<double, 4>& f) {
+  const Vec3 a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
+  const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+  const Vec3 sum = (f[1] - f[0]) * bc + (f[2] - f[0]) * ca + (f[3] - f[0]) * ab;
+  return {p[0], sum / dot(a, bc), f[0]};
+}
+
+} // namespace isoscope

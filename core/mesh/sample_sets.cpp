@@ -1,0 +1,213 @@
+// Places samples in tetrahedra: plane filters with a proven margin first, exact predicates for the rest.
+#include "mesh/sample_sets.h"
+
+#include "base/parallel.h"
+#include "mesh/predicates.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace isoscope {
+
+namespace {
+
+/// Samples per parallel block: walks inside a block start from the previous sample's tetrahedron.
+constexpr std::size_t block_size = 2048;
+constexpr std::uint16_t no_candidate = 0xffff;
+
+constexpr std::array<std::array<std::uint8_t, 3>, 4> facet_corners{
+    {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+
+/// Four planes of a tetrahedron, positive inside, relative to a common origin.
+struct Planes {
+  std::array<double, 4> nx, ny, nz, c;
+
+  /// Smallest of the four values at x, which is relative to the origin.
+  double lowest(Vec3 x) const {
+    std::array<double, 4> h;
+    for (std::size_t i = 0; i < 4; ++i) h[i] = nx[i] * x.x + ny[i] * x.y + nz[i] * x.z + c[i];
+    return std::min(std::min(h[0], h[1]), std::min(h[2], h[3]));
+  }
+};
+
+/// The tetrahedra among which samples are distributed, with filters whose error is below `margin` inside
+/// `box`.
+class Candidates {
+ public:
+  Candidates(const Complex& complex, std::span<const TetRecord> tets) {
+    corners_.reserve(tets.size());
+    for (const TetRecord& t : tets) {
+      corners_.push_back({complex.position(t.v[0]), complex.position(t.v[1]), complex.position(t.v[2]),
+                          complex.position(t.v[3])});
+      for (const Vec3 p : corners_.back()) box_.add(p);
+    }
+    origin_ = box_.center();
+    const Vec3 e = box_.extent();
+    // At most 60 roundings of products bounded by the box's volume; see filtered_det in predicates.cpp for
+    // the pattern.
+    margin_ = 2e-14 * e.x * e.y * e.z + 1e-280;
+    planes_.reserve(tets.size());
+    for (const auto& p : corners_) planes_.push_back(planes_of(p));
+  }
+
+  /// The candidate that holds x, tried from `guess` on; no_candidate when none does.
+  std::uint16_t find(Vec3 x, std::uint16_t guess) const {
+    const Vec3 local = x - origin_;
+    const bool filtered = inside_box(x);
+    const auto n = static_cast<std::uint16_t>(corners_.size());
+    for (std::uint16_t k = 0, i = guess; k < n; ++k, i = static_cast<std::uint16_t>(i + 1 == n ? 0 : i + 1)) {
+      if (filtered) {
+        const double low = planes_[i].lowest(local);
+        if (low > margin_) return i;
+        if (low < -margin_) continue;
+      }
+      if (holds_perturbed(corners_[i], x)) return i;
+    }
+    return no_candidate;
+  }
+
+ private:
+  std::vector<std::array<Vec3, 4>> corners_;
+  std::vector<Planes> planes_;
+  Box3 box_;
+  Vec3 origin_;
+  double margin_ = 0;
+
+  bool inside_box(Vec3 x) const {
+    return x.x >= box_.lo.x && x.x <= box_.hi.x && x.y >= box_.lo.y && x.y <= box_.hi.y && x.z >= box_.lo.z &&
+           x.z <= box_.hi.z;
+  }
+
+  Planes planes_of(const std::array<Vec3, 4>& p) const {
+    Planes planes{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 a = p[facet_corners[i][0]], b = p[facet_corners[i][1]], c = p[facet_corners[i][2]];
+      const Vec3 n = cross(b - a, c - a);
+      planes.nx[i] = n.x;
+      planes.ny[i] = n.y;
+      planes.nz[i] = n.z;
+      planes.c[i] = -dot(n, a - origin_);
+    }
+    return planes;
+  }
+};
+
+/// Walks from `start` towards x across facets that have x on their far side. Invalid when x lies outside the
+/// hull.
+TetId walk(const Complex& complex, TetId start, Vec3 x) {
+  // Delaunay walks end; those in other triangulations may circle, so the first facet tried varies and the
+  // length is bounded.
+  const std::size_t most_steps =
+      1000 + 4 * static_cast<std::size_t>(std::cbrt(double(complex.tets.size()))) * 16;
+  std::uint32_t turn = 0;
+  TetId t = start;
+  for (std::size_t step = 0; step < most_steps; ++step) {
+    const auto p = complex.positions(t);
+    bool moved = false;
+    turn = turn * 1664525u + 1013904223u;
+    for (std::uint32_t k = 0; k < 4 && !moved; ++k) {
+      const std::size_t i = ((turn >> 24) + k) & 3;
+      const auto& f = facet_corners[i];
+      if (orientation_perturbed(p[f[0]], p[f[1]], p[f[2]], x) > 0) continue;
+      t = complex.tet(t).neighbor[i];
+      if (!t.valid()) return {};
+      moved = true;
+    }
+    if (!moved) return t;
+  }
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    const TetId c(i);
+    if (complex.tet(c).alive() && holds_perturbed(complex.positions(c), x)) return c;
+  }
+  return {};
+}
+
+/// Sorts distinct ids: by a bit set over their range where that is short, which it is for samples that lie
+/// together.
+void sort_ids(std::vector<std::uint32_t>& ids) {
+  if (ids.size() < 2) return;
+  const auto [lo, hi] = std::minmax_element(ids.begin(), ids.end());
+  const std::uint32_t first = *lo, words = (*hi - *lo) / 64 + 1;
+  if (ids.size() < 64 || words > 4 * ids.size()) {
+    std::sort(ids.begin(), ids.end());
+    return;
+  }
+  std::vector<std::uint64_t> bits(words, 0);
+  for (const std::uint32_t id : ids) bits[(id - first) / 64] |= std::uint64_t{1} << ((id - first) % 64);
+  std::size_t n = 0;
+  for (std::uint32_t w = 0; w < words; ++w) {
+    for (std::uint64_t b = bits[w]; b != 0; b &= b - 1) {
+      ids[n++] = first + 64 * w + static_cast<std::uint32_t>(std::countr_zero(b));
+    }
+  }
+}
+
+} // namespace
+
+SampleSets::SampleSets(std::span<const Vec3> positions)
+    : positions_(positions), tet_of_(positions.size()), next_(positions.size(), SampleId::none) {}
+
+void SampleSets::assign_all(const Complex& complex) {
+  head_.assign(complex.tets.size(), SampleId::none);
+  const auto first =
+      std::find_if(complex.tets.begin(), complex.tets.end(), [](const Tet& t) { return t.alive(); });
+  if (first == complex.tets.end()) {
+    std::fill(tet_of_.begin(), tet_of_.end(), TetId{});
+  } else {
+    const TetId start(static_cast<std::size_t>(first - complex.tets.begin()));
+    parallel_ranges(positions_.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      TetId at = start;
+      for (std::size_t s = begin; s < end; ++s) {
+        tet_of_[s] = walk(complex, at, positions_[s]);
+        if (tet_of_[s].valid()) at = tet_of_[s];
+      }
+    });
+  }
+  for (std::size_t s = tet_of_.size(); s-- > 0;) push_front(s, tet_of_[s]);
+}
+
+std::size_t SampleSets::redistribute(const Complex& complex, std::span<const TetRecord> from,
+                                     std::span<const TetRecord> to) {
+  if (head_.size() < complex.tets.size()) head_.resize(complex.tets.size(), SampleId::none);
+  std::vector<std::uint32_t> moving;
+  for (const TetRecord& r : from) {
+    if (r.id.index() >= head_.size()) continue;
+    for (std::uint32_t s = head_[r.id.index()]; s != SampleId::none; s = next_[s]) moving.push_back(s);
+    head_[r.id.index()] = SampleId::none;
+  }
+  if (moving.empty()) return 0;
+  sort_ids(moving);
+
+  const Candidates candidates(complex, to);
+  std::vector<std::uint16_t> target(moving.size(), no_candidate);
+  const auto place = [&](std::size_t begin, std::size_t end) {
+    std::uint16_t guess = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      target[i] = candidates.find(positions_[moving[i]], guess);
+      if (target[i] != no_candidate) guess = target[i];
+    }
+  };
+  if (moving.size() <= block_size) {
+    place(0, moving.size());
+  } else {
+    parallel_ranges(moving.size(), block_size / 2, place);
+  }
+  for (std::size_t i = moving.size(); i-- > 0;) {
+    push_front(moving[i], target[i] == no_candidate ? TetId{} : to[target[i]].id);
+  }
+  return moving.size();
+}
+
+void SampleSets::push_front(std::size_t s, TetId t) {
+  tet_of_[s] = t;
+  next_[s] = t.valid() ? head_[t.index()] : SampleId::none;
+  if (t.valid()) head_[t.index()] = static_cast<std::uint32_t>(s);
+}
+
+std::size_t SampleSets::memory_bytes() const {
+  return sizeof(SampleSets) + tet_of_.capacity() * sizeof(TetId) +
+         (head_.capacity() + next_.capacity()) * sizeof(std::uint32_t);
+}
+
+} // namespace isoscope

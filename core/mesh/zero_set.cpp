@@ -1,0 +1,204 @@
+// Extracts Z and ∂Γ; numbering follows sorted edges of T, so that it depends on T alone.
+#include "mesh/zero_set.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace isoscope {
+
+namespace {
+
+/// For each vertex of a positively oriented tetrahedron the other three, counter-clockwise seen from outside
+/// of its facet.
+constexpr std::array<std::array<std::uint8_t, 3>, 4> others{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+/// Even permutations (i, j, k, l) for each pair i < j.
+constexpr std::array<std::array<std::uint8_t, 4>, 6> even_pairs{
+    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
+
+using LocalEdge = std::array<std::uint8_t, 2>;
+
+/// The zero of f between n (f < 0) and p (f > 0): always in this order, so that every tetrahedron gets the
+/// same bits.
+Vec3 zero_point(Vec3 n, double f_negative, Vec3 p, double f_positive) {
+  return n + (f_negative / (f_negative - f_positive)) * (p - n);
+}
+
+/// Local edges of the zero polygon in order; returns how many.
+int polygon_edges(const std::array<double, 4>& f, std::array<LocalEdge, 4>& edge) {
+  unsigned negative = 0, count = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    if (f[i] == 0) return 0;
+    if (f[i] < 0) {
+      negative |= 1u << i;
+      ++count;
+    }
+  }
+  if (count == 0 || count == 4) return 0;
+  if (count == 2) {
+    for (const auto& [i, j, k, l] : even_pairs) {
+      if (negative == ((1u << i) | (1u << j))) {
+        edge = {LocalEdge{i, k}, LocalEdge{i, l}, LocalEdge{j, l}, LocalEdge{j, k}};
+        return 4;
+      }
+    }
+  }
+  const unsigned lone_mask = count == 1 ? negative : ~negative & 15u;
+  std::uint8_t lone = 0;
+  while (lone_mask != (1u << lone)) ++lone;
+  const auto& o = others[lone];
+  if (count == 1) {
+    edge = {LocalEdge{lone, o[0]}, LocalEdge{lone, o[1]}, LocalEdge{lone, o[2]}, LocalEdge{}};
+  } else {
+    edge = {LocalEdge{o[2], lone}, LocalEdge{o[1], lone}, LocalEdge{o[0], lone}, LocalEdge{}};
+  }
+  return 3;
+}
+
+std::uint64_t pack(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t{a} << 32 | b;
+}
+
+/// Union by smallest member: the representative of a set is its smallest vertex.
+class Sets {
+ public:
+  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void unite(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Numbers the components in the order of the polygons and counts their parts.
+void find_components(ZeroSet& z) {
+  Sets sets(z.vertices.size());
+  std::vector<std::uint64_t> edges;
+  edges.reserve(4 * z.polygons.size());
+  for (const auto& p : z.polygons) {
+    for (std::size_t i = 0; i < p.count; ++i) {
+      const std::uint32_t a = p.v[i], b = p.v[(i + 1) % p.count];
+      edges.push_back(pack(std::min(a, b), std::max(a, b)));
+      sets.unite(a, b);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+
+  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint32_t> number(z.vertices.size(), none);
+  for (auto& p : z.polygons) {
+    std::uint32_t& n = number[sets.find(p.v[0])];
+    if (n == none) {
+      n = static_cast<std::uint32_t>(z.components.size());
+      z.components.emplace_back();
+    }
+    p.component = n;
+    ++z.components[n].polygons;
+  }
+  for (std::uint32_t v = 0; v < z.vertices.size(); ++v) ++z.components[number[sets.find(v)]].vertices;
+  for (const std::uint64_t e : edges) {
+    ++z.components[number[sets.find(static_cast<std::uint32_t>(e >> 32))]].edges;
+  }
+}
+
+} // namespace
+
+long ZeroSet::euler_characteristic() const {
+  long sum = 0;
+  for (const Component& c : components) sum += c.euler_characteristic();
+  return sum;
+}
+
+ZeroPolygon zero_polygon(const std::array<Vec3, 4>& p, const std::array<double, 4>& f) {
+  ZeroPolygon polygon;
+  polygon.count = polygon_edges(f, polygon.edge);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
+    const auto [n, q] = polygon.edge[i];
+    polygon.corner[i] = zero_point(p[n], f[n], p[q], f[q]);
+  }
+  return polygon;
+}
+
+ZeroSet extract_zero_set(const Complex& complex) {
+  ZeroSet z;
+  std::vector<std::uint64_t> keys;
+  std::vector<std::array<std::uint64_t, 4>> corner_keys;
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    const TetId t(i);
+    if (!complex.tet(t).alive()) continue;
+    std::array<LocalEdge, 4> edge{};
+    const int count = polygon_edges(complex.values(t), edge);
+    if (count == 0) continue;
+    const auto& v = complex.tet(t).v;
+    ZeroSet::Polygon polygon{t, {}, static_cast<std::uint8_t>(count), 0};
+    auto& corners = corner_keys.emplace_back();
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+      corners[k] = pack(v[edge[k][0]].value, v[edge[k][1]].value);
+      keys.push_back(corners[k]);
+    }
+    z.polygons.push_back(polygon);
+  }
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  z.vertices.reserve(keys.size());
+  for (const std::uint64_t key : keys) {
+    const VertexId n(static_cast<std::uint32_t>(key >> 32)), p(static_cast<std::uint32_t>(key));
+    z.vertices.push_back(
+        {zero_point(complex.position(n), complex.value(n), complex.position(p), complex.value(p)), n, p});
+  }
+  for (std::size_t i = 0; i < z.polygons.size(); ++i) {
+    for (std::size_t k = 0; k < z.polygons[i].count; ++k) {
+      const auto at = std::lower_bound(keys.begin(), keys.end(), corner_keys[i][k]);
+      z.polygons[i].v[k] = static_cast<std::uint32_t>(at - keys.begin());
+    }
+  }
+  find_components(z);
+  return z;
+}
+
+TriangleMesh triangulate(const ZeroSet& zero_set) {
+  TriangleMesh mesh;
+  mesh.points.reserve(zero_set.vertices.size());
+  for (const auto& v : zero_set.vertices) mesh.points.push_back(v.position);
+  for (const auto& p : zero_set.polygons) {
+    const auto& v = p.v;
+    if (p.count == 3) {
+      mesh.triangles.push_back({v[0], v[1], v[2]});
+      continue;
+    }
+    const double d02 = squared_length(mesh.points[v[2]] - mesh.points[v[0]]);
+    const double d13 = squared_length(mesh.points[v[3]] - mesh.points[v[1]]);
+    if (d02 <= d13) {
+      mesh.triangles.push_back({v[0], v[1], v[2]});
+      mesh.triangles.push_back({v[0], v[2], v[3]});
+    } else {
+      mesh.triangles.push_back({v[0], v[1], v[3]});
+      mesh.triangles.push_back({v[1], v[2], v[3]});
+    }
+  }
+  return mesh;
+}
+
+std::vector<GammaFacet> gamma_boundary(const Complex& complex) {
+  std::vector<GammaFacet> facets;
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    const TetId t(i);
+    const Tet& tet = complex.tet(t);
+    if (!tet.alive() || !complex.heterogeneous(t)) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const TetId n = tet.neighbor[k];
+      if (n.valid() && complex.heterogeneous(n)) continue;
+      facets.push_back({t, {tet.v[others[k][0]], tet.v[others[k][1]], tet.v[others[k][2]]}});
+    }
+  }
+  return facets;
+}
+
+} // namespace isoscope
