@@ -43,7 +43,7 @@ Det filtered_det(Vec3 u, Vec3 v, Vec3 w) {
 }
 
 int exact_det_sign(Vec3 a, Vec3 b, Vec3 c, Vec3 direction) {
-  const auto diff = [](double p, double q) { return Exact(p) - Exact(q); };
+  const auto diff = [](double p, double q) -> Exact { return Exact(p) - Exact(q); };
   return static_cast<int>(CGAL::sign(
       CGAL::determinant(diff(b.x, a.x), diff(b.y, a.y), diff(b.z, a.z), diff(c.x, a.x), diff(c.y, a.y),
                         diff(c.z, a.z), Exact(direction.x), Exact(direction.y), Exact(direction.z))));

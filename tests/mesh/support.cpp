@@ -1,0 +1,94 @@
+// Fixed random numbers and point sets.
+#include "mesh/support.h"
+
+#include <algorithm>
+
+namespace isoscope::test {
+
+namespace {
+
+void shuffle(std::vector<Vec3>& points, std::uint64_t seed) {
+  Random random(seed);
+  for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
+}
+
+} // namespace
+
+std::uint64_t Random::next() {
+  state_ += 0x9e3779b97f4a7c15u;
+  std::uint64_t z = state_;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+Vec3 Random::in(const Box3& box) {
+  const Vec3 e = box.extent();
+  const double x = uniform(), y = uniform(), z = uniform();
+  return {box.lo.x + x * e.x, box.lo.y + y * e.y, box.lo.z + z * e.z};
+}
+
+std::vector<Vertex> box_corners(const Box3& box) {
+  std::vector<Vertex> corners;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 p{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
+    corners.push_back({p, 1.0, VertexKind::box, true, 0, {}});
+  }
+  return corners;
+}
+
+std::vector<Vec3> random_points(std::size_t n, const Box3& box, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> points(n);
+  for (Vec3& p : points) p = random.in(box);
+  return points;
+}
+
+std::vector<Vec3> lattice_points(int n, std::uint64_t seed) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < n * n * n; ++i)
+    points.push_back({double(i % n), double(i / n % n), double(i / (n * n))});
+  shuffle(points, seed);
+  return points;
+}
+
+std::vector<Vec3> cospherical_points(std::uint64_t seed) {
+  std::vector<Vec3> points;
+  for (int x = -25; x <= 25; ++x) {
+    for (int y = -25; y <= 25; ++y) {
+      for (int z = -25; z <= 25; ++z) {
+        if (x * x + y * y + z * z == 625) points.push_back({double(x), double(y), double(z)});
+      }
+    }
+  }
+  shuffle(points, seed);
+  return points;
+}
+
+Grown::Grown(const Box3& box) {
+  deltas.push_back(delaunay.start(box_corners(box)));
+  complex.apply(deltas.back());
+}
+
+bool Grown::insert(Vec3 p, double value) {
+  auto delta = delaunay.insert({p, value, VertexKind::sample, true, 0, {}}, some_tet());
+  if (!delta) {
+    ++refused;
+    return false;
+  }
+  complex.apply(*delta);
+  deltas.push_back(std::move(*delta));
+  return true;
+}
+
+TetId Grown::some_tet() const {
+  return deltas.back().added.front().id;
+}
+
+Grown grow(const Box3& box, const std::vector<Vec3>& points, const std::function<double(Vec3)>& label) {
+  Grown g(box);
+  for (const Vec3 p : points) g.insert(p, label(p));
+  return g;
+}
+
+} // namespace isoscope::test

@@ -1,0 +1,137 @@
+// Deltas on hand-made stars: neighbours, undo as the identity, growth from nothing and back.
+#include "mesh/complex.h"
+#include "mesh/validity.h"
+
+#include <doctest/doctest.h>
+
+using namespace isoscope;
+
+namespace {
+
+VertexId vertex(int i) {
+  return VertexId(i);
+}
+TetId tet(int i) {
+  return TetId(i);
+}
+TetRecord record(int id, int a, int b, int c, int d) {
+  return {tet(id), {vertex(a), vertex(b), vertex(c), vertex(d)}};
+}
+Vertex at(double x, double y, double z) {
+  return {{x, y, z}, 1, VertexKind::box, true, 0, {}};
+}
+
+/// One tetrahedron from nothing.
+Delta one_tet() {
+  Delta d;
+  d.added_vertices = {at(0, 0, 0), at(4, 0, 0), at(0, 4, 0), at(0, 0, 4)};
+  d.added = {record(0, 0, 1, 2, 3)};
+  return d;
+}
+
+/// Splits it in four about (1, 1, 1); slot 0 is reused.
+Delta split() {
+  Delta d;
+  d.slots_before = 1;
+  d.added_vertices = {at(1, 1, 1)};
+  d.removed = {record(0, 0, 1, 2, 3)};
+  d.added = {record(0, 0, 1, 2, 4), record(1, 0, 1, 4, 3), record(2, 0, 2, 3, 4), record(3, 1, 2, 4, 3)};
+  return d;
+}
+
+} // namespace
+
+TEST_CASE("a complex grows from nothing, and undo gives nothing back") {
+  Complex c;
+  c.apply(one_tet());
+  CHECK(check_complex(c).empty());
+  CHECK(c.alive_tets() == 1);
+  CHECK(c.tet(tet(0)).neighbor == std::array<TetId, 4>{});
+  c.undo(one_tet());
+  CHECK(c == Complex{});
+}
+
+TEST_CASE("a star of four has its neighbours across the facets about its centre") {
+  Complex c;
+  c.apply(one_tet());
+  const Complex before = c;
+  const Delta d = split();
+  c.apply(d);
+  CHECK(check_complex(c).empty());
+  CHECK(c.alive_tets() == 4);
+  int inner = 0, hull = 0;
+  for (const Tet& t : c.tets) {
+    for (const TetId n : t.neighbor) (n.valid() ? inner : hull) += 1;
+  }
+  CHECK(inner == 12);
+  CHECK(hull == 4);
+  c.undo(d);
+  CHECK(c == before);
+}
+
+TEST_CASE("clearing everything and undoing it is the identity") {
+  Complex c;
+  c.apply(one_tet());
+  const Complex before = c;
+  Delta clear;
+  clear.slots_before = 1;
+  clear.removed = {record(0, 0, 1, 2, 3)};
+  clear.killed_vertices = {vertex(0), vertex(1), vertex(2), vertex(3)};
+  c.apply(clear);
+  CHECK(c.alive_tets() == 0);
+  CHECK(check_complex(c).empty());
+  CHECK_FALSE(c.vertices[2].alive);
+  c.undo(clear);
+  CHECK(c == before);
+}
+
+TEST_CASE("values and moves go there and back, also when one vertex changes twice") {
+  Complex c;
+  c.apply(one_tet());
+  const Complex before = c;
+  Delta d;
+  d.values = {{vertex(1), 1, -3}, {vertex(1), -3, 7}};
+  d.moves = {{vertex(3), {0, 0, 4}, {0, 0, 5}}, {vertex(3), {0, 0, 5}, {0, 1, 5}}};
+  c.apply(d);
+  CHECK(c.value(vertex(1)) == 7);
+  CHECK(c.position(vertex(3)) == Vec3{0, 1, 5});
+  CHECK(c.tets == before.tets);
+  c.undo(d);
+  CHECK(c == before);
+}
+
+TEST_CASE("the checks find what is wrong") {
+  Complex c;
+  c.apply(one_tet());
+  Complex flipped = c;
+  std::swap(flipped.tets[0].v[2], flipped.tets[0].v[3]);
+  CHECK(check_complex(flipped).size() == 1);
+  Complex lonely = c;
+  lonely.tets[0].neighbor[1] = tet(0);
+  CHECK_FALSE(check_complex(lonely).empty());
+  Complex dead = c;
+  dead.vertices[1].alive = false;
+  CHECK_FALSE(check_complex(dead).empty());
+  Complex dirty = c;
+  dirty.tets.emplace_back().neighbor[0] = tet(0);
+  CHECK_FALSE(check_complex(dirty).empty());
+}
+
+TEST_CASE("interpolation is affine and exact at simple corners") {
+  const AffineFunction f =
+      interpolate({Vec3{1, 0, 0}, Vec3{3, 0, 0}, Vec3{1, 2, 0}, Vec3{1, 0, 2}}, {1, 5, -3, 3});
+  CHECK(f.gradient == Vec3{2, -2, 1});
+  CHECK(f(Vec3{1, 0, 0}) == 1);
+  CHECK(f(Vec3{3, 0, 0}) == 5);
+  CHECK(f(Vec3{2, 1, 1}) == 2);
+}
+
+TEST_CASE("a vertex with F = 0 has no sign") {
+  Complex c;
+  c.apply(one_tet());
+  CHECK_FALSE(c.heterogeneous(tet(0)));
+  c.vertices[0].value = 0;
+  CHECK_FALSE(c.heterogeneous(tet(0)));
+  c.vertices[1].value = -1;
+  CHECK(c.heterogeneous(tet(0)));
+}
