@@ -1,8 +1,52 @@
-# Finds everything we link against; the reasons are in third_party/README.md.
+# Finds everything we link against, from the system alone; the reasons are in third_party/README.md.
+#
+# Targets for the rest of the build: CGAL::CGAL, TBB::tbb, nlohmann_json::nlohmann_json, CLI11::CLI11;
+# with ISOSCOPE_VIEWER: glfw, imgui::imgui (with its GLFW, OpenGL 3 and FreeType parts), glm::glm, glad::glad, stb::stb;
+# with ISOSCOPE_TESTS: doctest::doctest.
+
+# isoscope_need(LABEL FOUND WHERE PACKAGE): logs where a dependency came from, or names the package that brings it.
+function(isoscope_need label found where package)
+  if(NOT found)
+    message(FATAL_ERROR "${label} was not found. On Debian and Ubuntu: apt install ${package} (scripts/run does it).")
+  endif()
+  message(STATUS "Dependency ${label}: ${where}")
+endfunction()
+
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
+
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
-find_package(CGAL 5.4 REQUIRED)
-find_package(TBB REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(CLI11 REQUIRED)
+find_package(CGAL 5.4 QUIET)
+isoscope_need("CGAL ${CGAL_VERSION}" "${CGAL_FOUND}" "${CGAL_DIR}" libcgal-dev)
+find_package(TBB 2021 QUIET)
+isoscope_need("oneTBB ${TBB_VERSION}" "${TBB_FOUND}" "${TBB_DIR}" libtbb-dev)
+find_package(nlohmann_json QUIET)
+isoscope_need("nlohmann-json ${nlohmann_json_VERSION}" "${nlohmann_json_FOUND}" "${nlohmann_json_DIR}" nlohmann-json3-dev)
+find_package(CLI11 QUIET)
+isoscope_need("CLI11 ${CLI11_VERSION}" "${CLI11_FOUND}" "${CLI11_DIR}" libcli11-dev)
+
+if(ISOSCOPE_TESTS)
+  find_package(doctest QUIET)
+  isoscope_need("doctest ${doctest_VERSION}" "${doctest_FOUND}" "${doctest_DIR}" doctest-dev)
+endif()
+
+if(ISOSCOPE_VIEWER)
+  find_package(glfw3 3.3 QUIET)
+  isoscope_need("GLFW ${glfw3_VERSION}" "${glfw3_FOUND}" "${glfw3_DIR}" libglfw3-dev)
+  # OpenGL is declared by glad alone, whatever the order of includes.
+  set_property(TARGET glfw APPEND PROPERTY INTERFACE_COMPILE_DEFINITIONS GLFW_INCLUDE_NONE)
+
+  find_package(glm QUIET)
+  isoscope_need("GLM ${glm_VERSION}" "${glm_FOUND}" "${glm_DIR}" libglm-dev)
+  if(NOT TARGET glm::glm)
+    add_library(glm::glm ALIAS glm)
+  endif()
+
+  include(${CMAKE_CURRENT_LIST_DIR}/imgui.cmake)
+  include(${CMAKE_CURRENT_LIST_DIR}/glad.cmake)
+endif()
+
+include(${CMAKE_CURRENT_LIST_DIR}/embed.cmake)
+if(ISOSCOPE_VIEWER)
+  include(${CMAKE_CURRENT_LIST_DIR}/fonts.cmake)
+endif()
