@@ -33,12 +33,22 @@ struct Vertex {
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
+/// Local vertices of the facet opposite each vertex of a positively oriented tetrahedron, counter-clockwise
+/// seen from outside.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 4> outward_facets{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
 /// A tetrahedron: positively oriented, vertex ids ascending but for the last two (swapped where orientation
 /// asks for it), neighbour i opposite vertex i, invalid on the hull. A dead slot has invalid vertices.
 struct Tet {
   std::array<VertexId, 4> v;
   std::array<TetId, 4> neighbor;
   bool alive() const { return v[0].valid(); }
+  /// The facet opposite vertex i, counter-clockwise seen from outside.
+  std::array<VertexId, 3> facet(std::size_t i) const {
+    const auto& f = outward_facets[i];
+    return {v[f[0]], v[f[1]], v[f[2]]};
+  }
   friend bool operator==(const Tet&, const Tet&) = default;
 };
 

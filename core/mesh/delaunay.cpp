@@ -135,7 +135,7 @@ Delta Delaunay::start(std::span<const Vertex> corners) {
 
 std::optional<Delta> Delaunay::insert(const Vertex& vertex, TetId hint) {
   Impl& m = *impl_;
-  if (m.triangulation.dimension() < 3) return std::nullopt;
+  if (m.triangulation.dimension() < 3 || !is_finite(vertex.position)) return std::nullopt;
   const Point p = point(vertex.position);
   Triangulation::Locate_type type{};
   int i = 0, j = 0;
@@ -193,7 +193,7 @@ Vec3 Delaunay::circumcenter(TetId t) const {
 
 TetId Delaunay::locate(Vec3 p, TetId hint) const {
   const Impl& m = *impl_;
-  if (m.triangulation.dimension() < 3) return {};
+  if (m.triangulation.dimension() < 3 || !is_finite(p)) return {};
   Triangulation::Locate_type type{};
   int i = 0, j = 0;
   const Cell c = m.triangulation.locate(point(p), type, i, j, m.cell(hint));
@@ -203,7 +203,7 @@ TetId Delaunay::locate(Vec3 p, TetId hint) const {
 
 VertexId Delaunay::nearest_vertex(Vec3 p, TetId hint) const {
   const Impl& m = *impl_;
-  if (m.triangulation.number_of_vertices() == 0) return {};
+  if (m.triangulation.number_of_vertices() == 0 || !is_finite(p)) return {};
   const Point q = point(p);
   // Vertices at the same distance form one connected part of the Delaunay graph: visit it and take the
   // smallest id.

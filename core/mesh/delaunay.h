@@ -25,8 +25,8 @@ class Delaunay {
   Delta start(std::span<const Vertex> corners);
 
   /// What inserting `vertex` would do, applied to the triangulation. `hint` is a tetrahedron at or near the
-  /// point. nullopt when the point is a vertex already, or lies outside the hull: nothing is changed then.
-  /// The new vertex's id follows the last one.
+  /// point. nullopt when the point is a vertex already, lies outside the hull or is not finite: nothing is
+  /// changed then. The new vertex's id follows the last one.
   std::optional<Delta> insert(const Vertex& vertex, TetId hint);
 
   /// Whether p lies strictly inside the circumscribed ball of the tetrahedron (exact).

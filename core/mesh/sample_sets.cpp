@@ -14,10 +14,7 @@ namespace {
 
 /// Samples per parallel block: walks inside a block start from the previous sample's tetrahedron.
 constexpr std::size_t block_size = 2048;
-constexpr std::uint16_t no_candidate = 0xffff;
-
-constexpr std::array<std::array<std::uint8_t, 3>, 4> facet_corners{
-    {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+constexpr std::uint32_t no_candidate = 0xffffffffu;
 
 /// Four planes of a tetrahedron, positive inside, relative to a common origin.
 struct Planes {
@@ -52,11 +49,11 @@ class Candidates {
   }
 
   /// The candidate that holds x, tried from `guess` on; no_candidate when none does.
-  std::uint16_t find(Vec3 x, std::uint16_t guess) const {
+  std::uint32_t find(Vec3 x, std::uint32_t guess) const {
     const Vec3 local = x - origin_;
     const bool filtered = inside_box(x);
-    const auto n = static_cast<std::uint16_t>(corners_.size());
-    for (std::uint16_t k = 0, i = guess; k < n; ++k, i = static_cast<std::uint16_t>(i + 1 == n ? 0 : i + 1)) {
+    const auto n = static_cast<std::uint32_t>(corners_.size());
+    for (std::uint32_t k = 0, i = guess; k < n; ++k, i = i + 1 == n ? 0 : i + 1) {
       if (filtered) {
         const double low = planes_[i].lowest(local);
         if (low > margin_) return i;
@@ -82,8 +79,8 @@ class Candidates {
   Planes planes_of(const std::array<Vec3, 4>& p) const {
     Planes planes{};
     for (std::size_t i = 0; i < 4; ++i) {
-      const Vec3 a = p[facet_corners[i][0]], b = p[facet_corners[i][1]], c = p[facet_corners[i][2]];
-      const Vec3 n = cross(b - a, c - a);
+      const auto& f = outward_facets[i];
+      const Vec3 a = p[f[0]], n = cross(p[f[2]] - a, p[f[1]] - a);
       planes.nx[i] = n.x;
       planes.ny[i] = n.y;
       planes.nz[i] = n.z;
@@ -99,7 +96,7 @@ TetId walk(const Complex& complex, TetId start, Vec3 x) {
   // Delaunay walks end; those in other triangulations may circle, so the first facet tried varies and the
   // length is bounded.
   const std::size_t most_steps =
-      1000 + 4 * static_cast<std::size_t>(std::cbrt(double(complex.tets.size()))) * 16;
+      1000 + 64 * static_cast<std::size_t>(std::cbrt(static_cast<double>(complex.tets.size())));
   std::uint32_t turn = 0;
   TetId t = start;
   for (std::size_t step = 0; step < most_steps; ++step) {
@@ -108,8 +105,8 @@ TetId walk(const Complex& complex, TetId start, Vec3 x) {
     turn = turn * 1664525u + 1013904223u;
     for (std::uint32_t k = 0; k < 4 && !moved; ++k) {
       const std::size_t i = ((turn >> 24) + k) & 3;
-      const auto& f = facet_corners[i];
-      if (orientation_perturbed(p[f[0]], p[f[1]], p[f[2]], x) > 0) continue;
+      const auto& f = outward_facets[i];
+      if (orientation_perturbed(p[f[0]], p[f[2]], p[f[1]], x) > 0) continue;
       t = complex.tet(t).neighbor[i];
       if (!t.valid()) return {};
       moved = true;
@@ -180,9 +177,9 @@ std::size_t SampleSets::redistribute(const Complex& complex, std::span<const Tet
   sort_ids(moving);
 
   const Candidates candidates(complex, to);
-  std::vector<std::uint16_t> target(moving.size(), no_candidate);
+  std::vector<std::uint32_t> target(moving.size(), no_candidate);
   const auto place = [&](std::size_t begin, std::size_t end) {
-    std::uint16_t guess = 0;
+    std::uint32_t guess = 0;
     for (std::size_t i = begin; i < end; ++i) {
       target[i] = candidates.find(positions_[moving[i]], guess);
       if (target[i] != no_candidate) guess = target[i];

@@ -10,14 +10,7 @@ namespace isoscope {
 
 namespace {
 
-/// Facets counter-clockwise seen from outside, opposite each vertex.
-constexpr std::array<std::array<std::uint8_t, 3>, 4> outward{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-
 using FacetKey = std::array<VertexId, 3>;
-
-FacetKey outward_facet(const Tet& t, std::size_t i) {
-  return {t.v[outward[i][0]], t.v[outward[i][1]], t.v[outward[i][2]]};
-}
 
 FacetKey sorted(FacetKey f) {
   std::sort(f.begin(), f.end());
@@ -61,7 +54,7 @@ void check_neighbors(const Complex& complex, TetId t, std::vector<Defect>& defec
       continue;
     }
     const auto j = static_cast<std::size_t>(back - other.neighbor.begin());
-    if (sorted(outward_facet(tet, i)) != sorted(outward_facet(other, j))) {
+    if (sorted(tet.facet(i)) != sorted(other.facet(j))) {
       defects.push_back({name(t) + " and its neighbour " + name(n) + " do not share that facet", t});
     }
   }
@@ -72,7 +65,7 @@ void check_facets(const Complex& complex, const std::vector<TetId>& alive, std::
   std::vector<std::pair<FacetKey, std::pair<TetId, bool>>> sides;
   for (const TetId t : alive) {
     for (std::size_t i = 0; i < 4; ++i) {
-      sides.push_back({sorted(outward_facet(complex.tet(t), i)), {t, complex.tet(t).neighbor[i].valid()}});
+      sides.push_back({sorted(complex.tet(t).facet(i)), {t, complex.tet(t).neighbor[i].valid()}});
     }
   }
   std::sort(sides.begin(), sides.end());
@@ -105,7 +98,7 @@ void check_hull(const Complex& complex, const std::vector<TetId>& alive, std::ve
       if (complex.tet(t).neighbor[i].valid()) continue;
       ++facets;
       somewhere = t;
-      const FacetKey f = outward_facet(complex.tet(t), i);
+      const FacetKey f = complex.tet(t).facet(i);
       for (const VertexId v : f) parent.emplace(v, v);
       for (std::size_t k = 0; k < 3; ++k) {
         ++halfedges[{f[k], f[(k + 1) % 3]}];

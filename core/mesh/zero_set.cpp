@@ -8,9 +8,6 @@ namespace isoscope {
 
 namespace {
 
-/// For each vertex of a positively oriented tetrahedron the other three, counter-clockwise seen from outside
-/// of its facet.
-constexpr std::array<std::array<std::uint8_t, 3>, 4> others{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 /// Even permutations (i, j, k, l) for each pair i < j.
 constexpr std::array<std::array<std::uint8_t, 4>, 6> even_pairs{
     {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
@@ -45,7 +42,7 @@ int polygon_edges(const std::array<double, 4>& f, std::array<LocalEdge, 4>& edge
   const unsigned lone_mask = count == 1 ? negative : ~negative & 15u;
   std::uint8_t lone = 0;
   while (lone_mask != (1u << lone)) ++lone;
-  const auto& o = others[lone];
+  const auto& o = outward_facets[lone];
   if (count == 1) {
     edge = {LocalEdge{lone, o[0]}, LocalEdge{lone, o[1]}, LocalEdge{lone, o[2]}, LocalEdge{}};
   } else {
@@ -195,7 +192,7 @@ std::vector<GammaFacet> gamma_boundary(const Complex& complex) {
     for (std::size_t k = 0; k < 4; ++k) {
       const TetId n = tet.neighbor[k];
       if (n.valid() && complex.heterogeneous(n)) continue;
-      facets.push_back({t, {tet.v[others[k][0]], tet.v[others[k][1]], tet.v[others[k][2]]}});
+      facets.push_back({t, tet.facet(k)});
     }
   }
   return facets;

@@ -101,7 +101,8 @@ TEST_CASE("exhaustive search agrees, with samples on vertices, edges and facets"
 TEST_CASE("every sample inside the hull has a tetrahedron, those outside have none") {
   const Box3 box{{0, 0, 0}, {8, 8, 8}};
   const Grown g = grow(box, lattice_points(9, 5));
-  const std::vector<Vec3> samples{{4, 4, 4}, {4.5, 4, 4}, {4.5, 4.5, 4}, {1.25, 2.5, 3.125}, {9, 4, 4}, {4, 4, -1e-30}};
+  const std::vector<Vec3> samples{{4, 4, 4},          {4.5, 4, 4}, {4.5, 4.5, 4},
+                                  {1.25, 2.5, 3.125}, {9, 4, 4},   {4, 4, -1e-30}};
   SampleSets sets(samples);
   sets.assign_all(g.complex);
   for (int s = 0; s < 4; ++s) CHECK(sets.tet_of(SampleId(s)).valid());
@@ -155,8 +156,8 @@ TEST_CASE("speed of assignment and of the first insertions") {
   const auto before = Clock::now();
   fresh.assign_all(g.complex);
   const double all = std::chrono::duration<double, std::nano>(Clock::now() - before).count();
-  MESSAGE(samples.size() << " samples: redistribute " << nanoseconds / static_cast<double>(moves) << " ns a move ("
-                         << moves << " moves), assign_all " << all / static_cast<double>(samples.size())
-                         << " ns a sample");
+  MESSAGE(samples.size() << " samples: redistribute " << nanoseconds / static_cast<double>(moves)
+                         << " ns a move (" << moves << " moves), assign_all "
+                         << all / static_cast<double>(samples.size()) << " ns a sample");
   CHECK(same(g.complex, sets, fresh));
 }

@@ -13,16 +13,21 @@ using namespace isoscope::test;
 
 namespace {
 
-double sign(double d) { return d < 0 ? -1.0 : 1.0; }
+double sign(double d) {
+  return d < 0 ? -1.0 : 1.0;
+}
 
-/// Random points of a box except within `gap` of the surface, labelled by the side of the distance-like function.
+/// Random points of a box except within `gap` of the surface, labelled by the side of the distance-like
+/// function.
 Grown label_field(const Box3& box, std::size_t n, double gap, const std::function<double(Vec3)>& d) {
   std::vector<Vec3> points = random_points(n, box.grown(-0.02), 7);
   std::erase_if(points, [&](Vec3 p) { return std::abs(d(p)) < gap; });
   return grow(box, points, [&](Vec3 p) { return sign(d(p)); });
 }
 
-double ball(Vec3 p, Vec3 center, double radius) { return distance(p, center) - radius; }
+double ball(Vec3 p, Vec3 center, double radius) {
+  return distance(p, center) - radius;
+}
 
 double torus(Vec3 p) {
   const double around = std::hypot(p.x, p.y) - 0.7;
@@ -53,7 +58,8 @@ double volume(const TriangleMesh& mesh) {
 
 } // namespace
 
-TEST_CASE("the zero polygon of each of the 14 sign patterns separates the signs and faces the positive side") {
+TEST_CASE(
+    "the zero polygon of each of the 14 sign patterns separates the signs and faces the positive side") {
   const std::array<Vec3, 4> p{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0.2, 1, 0}, Vec3{0.1, 0.3, 1}};
   for (unsigned negative = 0; negative < 16; ++negative) {
     std::array<double, 4> f{};
@@ -90,7 +96,8 @@ TEST_CASE("zeros are midpoints and dyadic fractions to the last bit, and F = 0 l
     const Vec3 c = eighth.corner[static_cast<std::size_t>(k)];
     CHECK(c.x + c.y + c.z == 7);
   }
-  for (const std::array<double, 4>& f : {std::array<double, 4>{0, 0, 0, 0}, {0, -1, 1, 1}, {0, 0, -1, 1}, {0, 1, 1, 1}}) {
+  for (const std::array<double, 4>& f :
+       {std::array<double, 4>{0, 0, 0, 0}, {0, -1, 1, 1}, {0, 0, -1, 1}, {0, 1, 1, 1}}) {
     CHECK(zero_polygon(p, f).count == 0);
   }
 }
@@ -154,7 +161,8 @@ TEST_CASE("the polygons of Z are those of its tetrahedra, bit by bit") {
   CHECK(same);
 }
 
-TEST_CASE("the boundary of Gamma has all facets between carrying and other tetrahedra, facing outward, and is closed") {
+TEST_CASE("the boundary of Gamma has all facets between carrying and other tetrahedra, facing outward, and "
+          "is closed") {
   const Grown g = label_field(box, 3000, 0.05, [](Vec3 p) { return ball(p, {}, 0.8); });
   const Complex& c = g.complex;
   std::size_t expected = 0;
