@@ -1,0 +1,180 @@
+// The tables of allowed includes and the checks over one file's text.
+#include "layering/layering_rules.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+namespace isoscope::layering {
+namespace {
+
+using Names = std::set<std::string, std::less<>>;
+
+constexpr int longest_file = 600;
+
+// The folders that a folder's files may include, besides their own. Architecture, section 3.
+const std::map<std::string, Names, std::less<>>& allowed_folders() {
+  static const Names core = {"base",    "input",  "tolerance", "mesh", "criteria",
+                             "journal", "refine", "simplify",  "run"};
+  static const auto with_core = [](Names more) {
+    more.insert(core.begin(), core.end());
+    return more;
+  };
+  static const std::map<std::string, Names, std::less<>> table = {
+      {"core/base", {}},
+      {"core/input", {"base"}},
+      {"core/tolerance", {"base", "input"}},
+      {"core/mesh", {"base", "input"}},
+      {"core/criteria", {"base", "input", "tolerance", "mesh"}},
+      {"core/journal", {"base", "input", "tolerance", "mesh"}},
+      {"core/refine", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
+      {"core/simplify", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
+      {"core/run", {"base", "input", "tolerance", "mesh", "criteria", "journal", "refine", "simplify"}},
+      {"core/cli", core},
+      {"viewer/gl", {"base"}},
+      {"viewer/platform", {"base"}},
+      {"viewer/scene", with_core({"gl", "embedded"})},
+      {"viewer/panels", with_core({"scene", "app", "embedded"})},
+      {"viewer/app", with_core({"gl", "platform", "scene", "panels", "embedded"})},
+  };
+  return table;
+}
+
+// Headers of libraries: the beginning of the include, and the places (beginnings of paths) that may include
+// it.
+struct LibraryRule {
+  std::string_view header;
+  std::vector<std::string_view> places;
+  bool sources_only; // only in .cpp files
+};
+
+const std::vector<LibraryRule>& library_rules() {
+  static const std::vector<LibraryRule> rules = {
+      {"CGAL/", {"core/", "tests/"}, true},
+      {"tbb/", {"core/base/parallel.cpp"}, true},
+      {"oneapi/", {"core/base/parallel.cpp"}, true},
+      {"glad/", {"viewer/gl/", "viewer/scene/", "viewer/platform/", "viewer/app/", "tests/"}, false},
+      {"GL/", {}, false},
+      {"GLFW/", {"viewer/platform/", "viewer/app/", "tests/"}, false},
+      {"imgui", {"viewer/app/", "viewer/panels/", "tests/"}, false},
+      {"backends/imgui", {"viewer/app/", "tests/"}, false},
+      {"glm/", {"viewer/", "tests/"}, false},
+      {"stb_", {"viewer/platform/", "tests/"}, false},
+      {"CLI/", {"core/cli/", "core/run/", "viewer/app/", "tests/"}, true},
+      {"viewer/", {}, false},
+      {"core/", {}, false},
+  };
+  return rules;
+}
+
+bool ends_with_any(std::string_view text, std::initializer_list<std::string_view> endings) {
+  return std::any_of(endings.begin(), endings.end(), [&](auto e) { return text.ends_with(e); });
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
+  return text;
+}
+
+// The name between the quotes or angle brackets of an include line, else empty.
+std::string_view included_name(std::string_view line) {
+  line = trimmed(line);
+  if (!line.starts_with("#")) return {};
+  line = trimmed(line.substr(1));
+  if (!line.starts_with("include")) return {};
+  const std::size_t begin = line.find_first_of("\"<");
+  const std::size_t end = line.find_last_of("\">");
+  return begin == line.npos || end <= begin ? std::string_view{} : line.substr(begin + 1, end - begin - 1);
+}
+
+bool holds_word(std::string_view line, std::string_view word) {
+  const auto is_letter = [&](std::size_t i) {
+    return i < line.size() && (std::isalnum(static_cast<unsigned char>(line[i])) != 0 || line[i] == '_');
+  };
+  for (std::size_t at = line.find(word); at != line.npos; at = line.find(word, at + 1))
+    if (!(at > 0 && is_letter(at - 1)) && !is_letter(at + word.size())) return true;
+  return false;
+}
+
+// "core/mesh" of "core/mesh/complex.cpp".
+std::string_view room_of(std::string_view path) {
+  const std::size_t first = path.find('/');
+  const std::size_t second = first == path.npos ? path.npos : path.find('/', first + 1);
+  return second == path.npos ? std::string_view{} : path.substr(0, second);
+}
+
+std::string check_include(std::string_view path, std::string_view name) {
+  for (const LibraryRule& rule : library_rules()) {
+    if (!name.starts_with(rule.header)) continue;
+    const bool here = std::any_of(rule.places.begin(), rule.places.end(),
+                                  [&](std::string_view place) { return path.starts_with(place); });
+    if (!here) return "may not include " + std::string(name);
+    if (rule.sources_only && !path.ends_with(".cpp")) return "includes " + std::string(name) + " in a header";
+    return {};
+  }
+
+  if (!path.starts_with("core/") && !path.starts_with("viewer/")) return {};
+  const auto allowed = allowed_folders().find(room_of(path));
+  if (allowed == allowed_folders().end()) return "lies in a folder that the table of layers does not know";
+  const std::size_t slash = name.find('/');
+  if (slash == name.npos) return {};
+  const std::string_view folder = name.substr(0, slash);
+  const bool ours = folder == "embedded" ||
+                    std::any_of(allowed_folders().begin(), allowed_folders().end(), [&](const auto& row) {
+                      return std::string_view(row.first).substr(row.first.find('/') + 1) == folder;
+                    });
+  const std::string_view own = allowed->first;
+  if (!ours || own.substr(own.find('/') + 1) == folder || allowed->second.contains(folder)) return {};
+  return "may not include " + std::string(name);
+}
+
+bool begins_with_purpose(std::string_view path, const std::vector<std::string_view>& lines) {
+  const bool c_like = ends_with_any(path, {".h", ".cpp", ".vert", ".frag", ".glsl", ".geom"});
+  const std::string_view mark = c_like ? "// " : "# ";
+  // A shebang or a shader's #version has to be first.
+  const std::size_t first =
+      !lines.empty() && (lines[0].starts_with("#!") || lines[0].starts_with("#version"));
+  return lines.size() > first && lines[first].starts_with(mark) && lines[first].size() > mark.size() + 10;
+}
+
+} // namespace
+
+std::vector<std::string> broken_rules(std::string_view path, std::string_view text) {
+  std::vector<std::string> broken;
+  const std::vector<std::string_view> lines = lines_of(text);
+  const auto say = [&](std::size_t line, const std::string& what) {
+    broken.push_back(std::string(path) + ":" + std::to_string(line) + ": " + what);
+  };
+
+  // A folder's build list says what it is by its name.
+  if (!path.ends_with("CMakeLists.txt") && !begins_with_purpose(path, lines))
+    say(1, "does not begin with a sentence of purpose");
+  if (lines.size() > longest_file) say(lines.size(), "is longer than 600 lines");
+
+  // This test spells the forbidden words in order to forbid them.
+  if (path.starts_with("tests/layering/")) return broken;
+  const bool is_source = ends_with_any(path, {".h", ".cpp"});
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (const std::string_view name = included_name(lines[i]); is_source && !name.empty())
+      if (const std::string what = check_include(path, name); !what.empty()) say(i + 1, what);
+    for (const std::string_view word : {"TODO", "FIXME", "XXX"})
+      if (holds_word(lines[i], word)) say(i + 1, "says " + std::string(word));
+    if (trimmed(lines[i]).starts_with("#if 0")) say(i + 1, "keeps dead code");
+    for (const std::string_view place : {"/work/", "/home/", "/root/"})
+      if (lines[i].find(place) != std::string_view::npos) say(i + 1, "names a place of one machine");
+  }
+  return broken;
+}
+
+} // namespace isoscope::layering
