@@ -1,0 +1,207 @@
+// Buffered reading, words and numbers without locale.
+#include "input/file_scanner.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::size_t buffer_size = 1 << 18;
+constexpr std::size_t head_size = 1 << 12;
+
+bool is_blank(int c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+const char* kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
+
+std::string reason(int error) {
+  return std::error_code(error, std::generic_category()).message();
+}
+
+std::uint64_t physical_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+  return pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page)
+                               : ~std::uint64_t{0};
+}
+
+} // namespace
+
+std::string printable(std::string_view text, std::size_t limit) {
+  std::string shown;
+  for (const char c : text.substr(0, limit)) shown += (c >= ' ' && c <= '~') ? c : '?';
+  return text.size() > limit ? shown + "..." : shown;
+}
+
+FileScanner::FileScanner(const std::filesystem::path& file) : file_(file) {
+  struct stat info {};
+  const std::string give = "Give the path of an OFF, OBJ, PLY or STL file.";
+  // Asked before opening, since opening a pipe or a device may wait or have effects.
+  if (::stat(file.c_str(), &info) != 0) fail("cannot be opened (" + reason(errno) + ")", give);
+  if (!S_ISREG(info.st_mode)) fail(std::string("is ") + kind_of(info.st_mode) + ", not a file", give);
+  descriptor_ = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor_ < 0) {
+    const int error = errno;
+    fail("cannot be read (" + reason(error) + ")", error == EACCES ? "Check its permissions." : give);
+  }
+  size_ = static_cast<std::uint64_t>(std::max<off_t>(0, info.st_size));
+  if (size_ == 0) {
+    ::close(descriptor_);
+    fail("is empty", give);
+  }
+  buffer_.resize(buffer_size);
+}
+
+FileScanner::~FileScanner() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+bool FileScanner::refill() {
+  base_ += filled_;
+  position_ = filled_ = 0;
+  ssize_t got = 0;
+  do got = ::read(descriptor_, buffer_.data(), buffer_.size());
+  while (got < 0 && errno == EINTR);
+  if (got < 0) fail("cannot be read on (" + reason(errno) + ")", "Check the disk or the network share.");
+  filled_ = static_cast<std::size_t>(got);
+  return got > 0;
+}
+
+std::string_view FileScanner::head() {
+  peek();
+  return {buffer_.data(), std::min(filled_, head_size)};
+}
+
+bool FileScanner::read(void* target, std::size_t count) {
+  char* out = static_cast<char*>(target);
+  while (count > 0) {
+    if (position_ == filled_ && !refill()) return false;
+    const std::size_t n = std::min(count, filled_ - position_);
+    std::memcpy(out, buffer_.data() + position_, n);
+    position_ += n;
+    out += n;
+    count -= n;
+  }
+  return true;
+}
+
+bool FileScanner::skip(std::uint64_t count) {
+  while (count > 0) {
+    if (position_ == filled_ && !refill()) return false;
+    const std::uint64_t n = std::min<std::uint64_t>(count, filled_ - position_);
+    position_ += n;
+    count -= n;
+  }
+  return true;
+}
+
+void FileScanner::skip_blanks(char comment) {
+  while (is_blank(peek())) ++position_;
+  if (comment != 0 && peek() == comment)
+    while (peek() != '\n' && peek() != end_of_file) ++position_;
+}
+
+bool FileScanner::at_line_end(char comment) {
+  skip_blanks(comment);
+  return peek() == '\n' || peek() == end_of_file;
+}
+
+void FileScanner::next_line() {
+  for (int c = get(); c != '\n' && c != end_of_file; c = get()) {}
+}
+
+void FileScanner::skip_empty_lines(char comment) {
+  while (at_line_end(comment) && peek() != end_of_file) next_line();
+}
+
+std::string_view FileScanner::word(char comment) {
+  skip_blanks(comment);
+  std::size_t length = 0;
+  for (int c = peek(); c != end_of_file && c != '\n' && !is_blank(c) && !(comment != 0 && c == comment);
+       c = peek()) {
+    if (length == word_.size())
+      fail_here("a word of more than 200 characters stands where a number or keyword is expected",
+                "Is this the right file?");
+    word_[length++] = static_cast<char>(c);
+    ++position_;
+  }
+  return {word_.data(), length};
+}
+
+std::string_view FileScanner::word_across_lines(std::string_view what, char comment) {
+  skip_empty_lines(comment);
+  const std::string_view w = word(comment);
+  if (w.empty())
+    fail_here("the file ends before " + std::string(what),
+              "It seems cut off: get it again or export it anew.");
+  return w;
+}
+
+double FileScanner::to_number(std::string_view text) const {
+  std::string_view digits = text;
+  if (!digits.empty() && digits[0] == '+') digits.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::result_out_of_range && digits.find_first_of("eE") != std::string_view::npos &&
+      digits.find("-", digits.find_first_of("eE")) != std::string_view::npos)
+    return 0; // too small for a double
+  if (error == std::errc::result_out_of_range)
+    fail_here("the number " + printable(text) + " is too large", "Rescale the model.");
+  if (error != std::errc{} || end != digits.data() + digits.size()) {
+    const bool comma = text.find(',') != std::string_view::npos;
+    fail_here("\"" + printable(text) + "\" is not a number",
+              comma ? "Write numbers with a decimal point and separate them by blanks."
+                    : "Repair or export it anew.");
+  }
+  if (!std::isfinite(value))
+    fail_here("the coordinate " + printable(text) + " is not finite",
+              "Remove such vertices or export it anew.");
+  return value;
+}
+
+std::int64_t FileScanner::to_integer(std::string_view text) const {
+  std::string_view digits = text;
+  if (!digits.empty() && digits[0] == '+') digits.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size())
+    fail_here("\"" + printable(text) + "\" is not a whole number", "Repair or export it anew.");
+  return value;
+}
+
+void FileScanner::fail_here(const std::string& what, const std::string& remedy) const {
+  const std::string place = printable(file_.native(), 1000) + ", line " + std::to_string(line_);
+  throw MeshFileFailure{Error{ErrorCode::bad_input, place + ": " + what + ".", remedy}};
+}
+
+void FileScanner::fail(const std::string& what, const std::string& remedy, ErrorCode code) const {
+  throw MeshFileFailure{Error{code, printable(file_.native(), 1000) + ": " + what + ".", remedy}};
+}
+
+void FileScanner::check_count(std::uint64_t count, std::string_view things, std::uint64_t bytes_each,
+                              std::uint64_t memory_each) const {
+  const std::string announced = "announces " + std::to_string(count) + " " + std::string(things);
+  // One byte of grace: the last line needs no line feed.
+  if (bytes_each > 0 && count > (remaining() + 1) / bytes_each)
+    fail(announced + ", but only " + std::to_string(remaining()) + " bytes follow",
+         "It seems cut off or damaged: get it again or export it anew.");
+  if (memory_each > 0 && count > physical_memory() / 2 / memory_each)
+    fail(announced + ", more than this machine's memory can hold", "Simplify or split the model.");
+}
+
+} // namespace isoscope

@@ -1,0 +1,110 @@
+// The list of bundled models and how each is put together.
+#include "input/gallery.h"
+
+#include "input/gallery_shapes.h"
+
+#include <array>
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::array<GalleryEntry, 9> entries{{
+    {"bracket", "Angle bracket",
+     "Long thin triangles, sharp edges and drilled holes do not matter: only the volume around them does, "
+     "and refinement "
+     "finds all three holes.",
+     2.0, -4},
+    {"knot", "Trefoil knot",
+     "The zero set is tied into the same knot as the input, which no count of components and holes could "
+     "tell apart "
+     "from a ring: isotopy is more than topology.",
+     1.5, 0},
+    {"sphere", "Sphere",
+     "The simplest case: watch how the first insertions turn a box into a ball, and how the margin α decides "
+     "when to stop.",
+     4.0, 2},
+    {"torus", "Torus",
+     "A single tunnel: the moment at which the zero set opens it is one step of the journal.", 3.0, 0},
+    {"double-torus", "Double torus",
+     "Two tunnels open one after the other, and the Euler characteristic counts them.", 3.0, -2},
+    {"nested-spheres", "Nested spheres",
+     "The tolerance volume has two parts and four boundaries: labels follow the regions between them, not "
+     "the nearest "
+     "surface.",
+     2.0, 4},
+    {"rings", "Interlocked rings",
+     "Two thin rings hook into each other without touching: their zero sets stay separate and stay linked.",
+     1.0, 0},
+    {"blob", "Bumpy blob",
+     "Curvature varies, and so does the density of the insertions: bumps ask for more than hollows.", 2.5, 2},
+    {"soup", "Torn torus",
+     "Gaps, overlaps, flipped and double triangles vanish inside the tolerance volume: only where it closes "
+     "matters.",
+     4.0, 0},
+}};
+
+TriangleSoup make_nested_spheres() {
+  TriangleSoup model = make_sphere(3);
+  TriangleSoup inner = make_sphere(3);
+  for (Vec3& p : inner.points) p = 0.6 * p;
+  turn_inside_out(inner);
+  append(model, inner);
+  return model;
+}
+
+TriangleSoup make_rings() {
+  TriangleSoup model = make_torus(1, 0.12, 72, 16);
+  TriangleSoup other = model;
+  for (Vec3& p : other.points) p = {p.x + 1, -p.z, p.y}; // stands upright, through the middle of the first
+  append(model, other);
+  return model;
+}
+
+TriangleSoup make_blob() {
+  TriangleSoup model = make_sphere(4);
+  const auto chebyshev4 = [](double t) { return 8 * t * t * t * t - 8 * t * t + 1; };
+  for (Vec3& p : model.points) {
+    const double bumps = chebyshev4(p.x) * chebyshev4(p.y) + chebyshev4(p.z);
+    p = (1 + 0.13 * bumps + 0.1 * p.x * p.y) * p;
+  }
+  return model;
+}
+
+} // namespace
+
+std::span<const GalleryEntry> gallery() {
+  return entries;
+}
+
+Result<TriangleSoup> make_gallery_model(std::string_view name) {
+  TriangleSoup model;
+  if (name == "bracket")
+    model = make_bracket(48);
+  else if (name == "knot")
+    model = make_trefoil(0.42, 216, 20);
+  else if (name == "sphere")
+    model = make_sphere(3);
+  else if (name == "torus")
+    model = make_torus(1, 0.4, 64, 32);
+  else if (name == "double-torus")
+    model = make_double_torus(3);
+  else if (name == "nested-spheres")
+    model = make_nested_spheres();
+  else if (name == "rings")
+    model = make_rings();
+  else if (name == "blob")
+    model = make_blob();
+  else if (name == "soup")
+    model = make_defective(make_torus(1, 0.4, 64, 32), 0.008);
+  else {
+    std::string names;
+    for (const GalleryEntry& e : entries) names += (names.empty() ? "" : ", ") + std::string(e.name);
+    return Error{ErrorCode::bad_input, "There is no bundled model of this name.",
+                 "There are: " + names + "."};
+  }
+  model.name = name;
+  return model;
+}
+
+} // namespace isoscope

@@ -1,0 +1,42 @@
+// The shapes that the bundled models are made of: closed, oriented outwards, the same bits everywhere.
+#pragma once
+
+#include "input/triangle_soup.h"
+
+#include <functional>
+
+namespace isoscope {
+
+/// The icosahedron subdivided `levels` times onto the unit sphere: 20·4^levels triangles.
+TriangleSoup make_sphere(int levels);
+
+/// A tube of circular cross-section around a closed curve. `frame(i)` gives the centre and two orthonormal
+/// directions (u, v) across the curve at its i-th of `along` stations, so that cross(u, v) points along the
+/// curve.
+struct TubeFrame {
+  Vec3 center, u, v;
+};
+TriangleSoup make_tube(int along, int around, double radius, const std::function<TubeFrame(int)>& frame);
+
+/// The torus of centre circle radius `major` about the z axis and tube radius `minor`.
+TriangleSoup make_torus(double major, double minor, int along, int around);
+
+/// A plate of 5 × 3 × 1 cubes with two square holes, smoothed `levels` times by Catmull and Clark's
+/// subdivision.
+TriangleSoup make_double_torus(int levels);
+
+/// A trefoil tied from a round tube.
+TriangleSoup make_trefoil(double radius, int along, int around);
+
+/// An angle bracket with a rounded lug, three drilled holes and sharp edges; `arc` segments a full circle, a
+/// multiple of 4. Genus 3.
+TriangleSoup make_bracket(int arc);
+
+/// `model` taken apart as careless software would leave it: unwelded corners moved by up to `noise`,
+/// triangles missing, enlarged, flipped and doubled.
+TriangleSoup make_defective(const TriangleSoup& model, double noise);
+
+void append(TriangleSoup& to, const TriangleSoup& part);
+void turn_inside_out(TriangleSoup& model);
+
+} // namespace isoscope

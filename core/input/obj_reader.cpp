@@ -1,0 +1,97 @@
+// OBJ: a keyword a line; vertices and faces are read, everything else that has a keyword is passed over.
+#include "input/mesh_readers.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace isoscope {
+
+namespace {
+
+const std::string export_anew = "Repair or export it anew.";
+
+class ObjReader {
+ public:
+  explicit ObjReader(FileScanner& in) : in_(in) {}
+
+  PolygonFile read() {
+    for (in_.skip_empty_lines(); in_.peek() != FileScanner::end_of_file; in_.skip_empty_lines()) {
+      const std::string key(in_.word());
+      if (key == "v")
+        read_vertex();
+      else if (key == "f" || key == "fo")
+        read_face();
+      else if (!std::isalpha(static_cast<unsigned char>(key[0])))
+        in_.fail_here("\"" + printable(key) + "\" is no keyword of OBJ",
+                      "Is it an OBJ file? Export it anew.");
+      in_.next_line();
+    }
+    if (largest_ >= mesh_.points.size() && largest_line_ > 0)
+      in_.fail("a face on line " + std::to_string(largest_line_) + " refers to vertex " +
+                   std::to_string(largest_ + 1) + ", but there are only " +
+                   std::to_string(mesh_.points.size()),
+               export_anew);
+    return std::move(mesh_);
+  }
+
+ private:
+  /// The next word of the statement; a backslash at a line's end continues it on the next line.
+  std::string_view next_word() {
+    std::string_view w = in_.word();
+    while (w == "\\") {
+      in_.next_line();
+      w = in_.word();
+    }
+    return w;
+  }
+
+  void read_vertex() {
+    Vec3 p;
+    for (int i = 0; i < 3; ++i) {
+      const std::string_view w = next_word();
+      if (w.empty()) in_.fail_here("a vertex has fewer than three coordinates", export_anew);
+      p[i] = in_.to_number(w);
+    }
+    for (std::string_view w = next_word(); !w.empty(); w = next_word()) in_.to_number(w); // weight or colour
+    mesh_.points.push_back(p);
+  }
+
+  void read_face() {
+    face_.clear();
+    for (std::string_view w = next_word(); !w.empty(); w = next_word()) {
+      const std::int64_t i = in_.to_integer(w.substr(0, w.find('/')));
+      const auto count = static_cast<std::int64_t>(mesh_.points.size());
+      // Counted from 1, or from the newest vertex backwards when negative.
+      const std::int64_t v = i > 0 ? i - 1 : count + i;
+      if (i == 0 || v < 0 || v >= std::int64_t{0xffffffff})
+        in_.fail_here("a face refers to vertex " + std::to_string(i) + ", but " + std::to_string(count) +
+                          " were given before",
+                      export_anew);
+      const auto index = static_cast<std::uint32_t>(v);
+      if (index >= largest_) {
+        largest_ = index;
+        largest_line_ = in_.line();
+      }
+      face_.push_back(index);
+      if (face_.size() > max_face_corners)
+        in_.fail_here("a face of more than " + std::to_string(max_face_corners) + " corners",
+                      "Triangulate the model first.");
+    }
+    mesh_.add_face(face_);
+  }
+
+  FileScanner& in_;
+  PolygonFile mesh_;
+  std::vector<std::uint32_t> face_;
+  std::uint32_t largest_ = 0;
+  std::uint64_t largest_line_ = 0;
+};
+
+} // namespace
+
+PolygonFile read_obj(FileScanner& in) {
+  return ObjReader(in).read();
+}
+
+} // namespace isoscope
