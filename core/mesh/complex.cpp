@@ -1,4 +1,4 @@
-// Applies and undoes deltas on the plain arrays; neighbours are found again across the hole's boundary only.
+// Applies and undoes deltas on the plain arrays; neighbours are found again across the hole's boundary.
 #include "mesh/complex.h"
 
 #include <algorithm>
@@ -29,6 +29,38 @@ FacetSide facet_side(const std::array<VertexId, 4>& v, TetId tet, int facet) {
   return {std::uint64_t{a} << 32 | b, c, tet, static_cast<std::uint8_t>(facet)};
 }
 
+/// Makes the two sides of each facet neighbours. Returns how many facets of tetrahedra were left with one
+/// side.
+std::size_t connect(std::vector<Tet>& tets, std::vector<FacetSide>& sides) {
+  std::sort(sides.begin(), sides.end());
+  std::size_t open = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const FacetSide& a = sides[i];
+    if (i + 1 == sides.size() || !a.same_facet(sides[i + 1])) {
+      open += a.tet.valid();
+      continue;
+    }
+    const FacetSide& b = sides[++i];
+    if (a.tet.valid()) tets[a.tet.index()].neighbor[a.facet] = b.tet;
+    if (b.tet.valid()) tets[b.tet.index()].neighbor[b.facet] = a.tet;
+  }
+  return open;
+}
+
+/// Finds neighbours across facets of the whole hull: for deltas that lay facets of T bare, or cover them when
+/// undone.
+void connect_hull(std::vector<Tet>& tets) {
+  std::vector<FacetSide> sides;
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    for (int i = 0; i < 4 && tets[t].alive(); ++i) {
+      if (!tets[t].neighbor[static_cast<std::size_t>(i)].valid()) {
+        sides.push_back(facet_side(tets[t].v, TetId(t), i));
+      }
+    }
+  }
+  connect(tets, sides);
+}
+
 /// Replaces the tetrahedra `out` by `in`. What bounded the hole on its outer side is found through the
 /// neighbours of `out`.
 void exchange(std::vector<Tet>& tets, const std::vector<TetRecord>& out, const std::vector<TetRecord>& in) {
@@ -36,32 +68,26 @@ void exchange(std::vector<Tet>& tets, const std::vector<TetRecord>& out, const s
   sides.reserve(4 * in.size() + 2 * out.size() + 16);
   for (const TetRecord& r : out) tets[r.id.index()].v = {};
   for (const TetRecord& r : out) {
-    const Tet& old = tets[r.id.index()];
     for (int i = 0; i < 4; ++i) {
-      const TetId n = old.neighbor[static_cast<std::size_t>(i)];
-      if (!n.valid() || !tets[n.index()].alive()) continue;
+      const TetId n = tets[r.id.index()].neighbor[static_cast<std::size_t>(i)];
+      if (n.valid() && !tets[n.index()].alive()) continue;
+      // A facet that was hull is noted with an invalid tetrahedron, so that it may stay hull.
+      FacetSide& side = sides.emplace_back(facet_side(r.v, n, i));
+      if (!n.valid()) continue;
       auto& back = tets[n.index()].neighbor;
       const auto at = std::find(back.begin(), back.end(), r.id);
       assert(at != back.end());
-      sides.push_back(facet_side(r.v, n, i));
-      sides.back().facet = static_cast<std::uint8_t>(at - back.begin());
+      side.facet = static_cast<std::uint8_t>(at - back.begin());
+      *at = TetId{};
     }
   }
-  for (const FacetSide& s : sides) tets[s.tet.index()].neighbor[s.facet] = TetId{};
   for (const TetRecord& r : out) tets[r.id.index()] = Tet{};
   for (const TetRecord& r : in) {
     assert(!tets[r.id.index()].alive());
     tets[r.id.index()].v = r.v;
     for (int i = 0; i < 4; ++i) sides.push_back(facet_side(r.v, r.id, i));
   }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    const FacetSide &a = sides[i], &b = sides[i + 1];
-    if (!a.same_facet(b)) continue;
-    tets[a.tet.index()].neighbor[a.facet] = b.tet;
-    tets[b.tet.index()].neighbor[b.facet] = a.tet;
-    ++i;
-  }
+  if (connect(tets, sides) > 0 && !in.empty()) connect_hull(tets);
 }
 
 } // namespace

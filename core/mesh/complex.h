@@ -103,9 +103,8 @@ struct Complex {
   std::size_t memory_bytes() const;
 
   /// Applies the delta and rewires neighbours across the hole's boundary. Trailing dead slots stay; undo
-  /// restores the array length that the delta recorded, so that undo(apply) is the identity. A facet of an
-  /// added tetrahedron that meets neither another one nor the hole's boundary becomes hull. Time depends on
-  /// the delta only.
+  /// restores the array length that the delta recorded, so that undo(apply) is the identity. Takes time
+  /// proportional to the delta, and to T only where facets are laid bare or hull facets are covered.
   void apply(const Delta& delta);
   void undo(const Delta& delta);
 

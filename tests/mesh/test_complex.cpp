@@ -69,6 +69,32 @@ TEST_CASE("a star of four has its neighbours across the facets about its centre"
   CHECK(c == before);
 }
 
+TEST_CASE("removing lays facets bare and adding covers them, both ways") {
+  Complex c;
+  c.apply(one_tet());
+  c.apply(split());
+  const Complex before = c;
+  Delta bare;
+  bare.slots_before = 4;
+  bare.removed = {split().added[0], split().added[2]};
+  c.apply(bare);
+  CHECK(check_complex(c).empty());
+  CHECK(c.alive_tets() == 2);
+  CHECK(c.tets[0] == Tet{});
+  const Complex two = c;
+  Delta cover;
+  cover.slots_before = 4;
+  cover.added = {{tet(5), split().added[2].v}};
+  c.apply(cover);
+  CHECK(check_complex(c).empty());
+  CHECK(c.alive_tets() == 3);
+  CHECK(c.tets.size() == 6);
+  c.undo(cover);
+  CHECK(c == two);
+  c.undo(bare);
+  CHECK(c == before);
+}
+
 TEST_CASE("clearing everything and undoing it is the identity") {
   Complex c;
   c.apply(one_tet());
