@@ -6,16 +6,49 @@
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#ifdef ISOSCOPE_THREAD_SANITIZER
+#include <sanitizer/tsan_interface.h>
+#endif
+
 #include <algorithm>
 
 namespace isoscope {
+namespace {
+
+// Tells ThreadSanitizer, which does not see into oneTBB, that what a thread did before give() is seen after
+// take().
+class Handover {
+ public:
+#ifdef ISOSCOPE_THREAD_SANITIZER
+  void give() {
+    __tsan_release(this);
+  }
+  void take() {
+    __tsan_acquire(this);
+  }
+
+ private:
+  char place_ = 0;
+#else
+  void give() {}
+  void take() {}
+#endif
+};
+
+} // namespace
 
 void parallel_ranges(std::size_t n, std::size_t grain,
                      const std::function<void(std::size_t, std::size_t)>& body) {
   if (n == 0) return;
   using Range = oneapi::tbb::blocked_range<std::size_t>;
-  oneapi::tbb::parallel_for(Range(0, n, std::max<std::size_t>(1, grain)),
-                            [&](const Range& r) { body(r.begin(), r.end()); });
+  Handover before, after;
+  before.give();
+  oneapi::tbb::parallel_for(Range(0, n, std::max<std::size_t>(1, grain)), [&](const Range& r) {
+    before.take();
+    body(r.begin(), r.end());
+    after.give();
+  });
+  after.take();
 }
 
 struct ThreadLimit::Impl {
