@@ -5,7 +5,9 @@
 #include "base/ids.h"
 #include "input/triangle_soup.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace isoscope {
@@ -19,8 +21,11 @@ struct ClosestPoint {
   double distance() const { return std::sqrt(squared_distance); }
 };
 
-/// Closest point on triangle abc to p, in double precision.
+/// Closest point on triangle abc to p, in double precision. Degenerate triangles count as segments or points.
 Vec3 closest_point_on_triangle(Vec3 p, const Triangle3& t);
+
+/// Whether the distance between two triangles is at most r.
+bool triangles_within(const Triangle3& a, const Triangle3& b, double r);
 
 /// A bounding volume hierarchy over the triangles of a soup. Immutable after construction; all queries are thread-safe.
 class ClosestPointIndex {
@@ -42,21 +47,33 @@ public:
   /// Ids of the triangles whose bounding boxes meet `box`, ascending.
   std::vector<TriangleId> triangles_in(const Box3& box) const;
 
-  const Triangle3& triangle(TriangleId id) const { return triangles_[id.index()]; }
+  const Triangle3& triangle(TriangleId id) const { return triangles_[slots_[id.index()]]; }
   std::size_t size() const { return triangles_.size(); }
   const Box3& bounds() const { return bounds_; }
   std::size_t memory_bytes() const;
 
 private:
-  struct Node {
-    Box3 box;
-    std::uint32_t first = 0; ///< leaf: first entry of order_; inner: left child (right child = left + 1)
-    std::uint32_t count = 0; ///< leaf: number of entries; inner: 0
+  friend class BvhBuilder;
+  static constexpr unsigned width = 4;
+  /// Boxes of four children in the frame (p - origin_) * inverse_scale_, rounded outward to float.
+  struct alignas(64) Node {
+    float lo[3][width];
+    float hi[3][width];
+    std::uint32_t child[width]; ///< inner: node; leaf: first slot
+    std::uint8_t count[width];  ///< leaf: number of slots; 0 for an inner child, empty_child for none
   };
-  std::vector<Triangle3> triangles_; ///< by id
-  std::vector<std::uint32_t> order_; ///< triangle ids in leaf order
-  std::vector<Node> nodes_;
+  static constexpr std::uint8_t empty_child = 0xff;
+
+  ClosestPoint search(Vec3 p, ClosestPoint best) const;
+  template <class MeetsBox, class AtSlot> void visit(const MeetsBox& meets_box, const AtSlot& at_slot) const;
+
+  std::vector<Triangle3> triangles_;  ///< in leaf order
+  std::vector<std::uint32_t> ids_;    ///< slot -> triangle id
+  std::vector<std::uint32_t> slots_;  ///< triangle id -> slot
+  std::vector<Node> nodes_;           ///< nodes_[0] is the root
   Box3 bounds_;
+  Vec3 origin_;
+  double inverse_scale_ = 1;
 };
 
 } // namespace isoscope

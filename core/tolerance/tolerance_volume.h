@@ -30,17 +30,21 @@ struct Region {
   double volume = 0;      ///< lower bound from the octree; infinite for the unbounded region
 };
 
-/// A connected component of ∂Ω', as far as the octree resolves it (thin crevices below its cells have no component).
+/// A connected component of ∂Ω', as far as the octree resolves it (thin crevices below its cells have no component). Since
+/// every closed surface separates space, a region and a component of Ω share one boundary component at most.
 struct BoundaryComponent {
   RegionId region;
+  std::uint32_t volume_component = 0; ///< the component of Ω' on its other side
   int label = +1;
   long euler_characteristic = 0;
 };
 
 /// Thresholds (algorithm notes §1.1): labels and samples live on d = δ', a facet is accepted below δ and rejected above δ_r.
+/// δ_r is halfway between δ' and δ, but at least δ' + 0.01 δ: labels must be decidable at finite depth also where δ' = δ. There
+/// δ_r exceeds δ and is only where labels are sure; a certificate then rejects at δ itself.
 struct ToleranceThresholds {
   double delta = 0;    ///< δ, what containment is proven against
-  double reject = 0;   ///< δ_r: a point farther than this is a violation; δ' < δ_r < δ
+  double reject = 0;   ///< δ_r: a point farther than this has a label and, where δ_r < δ, is a violation
   double boundary = 0; ///< δ': where ∂Ω is sampled. 0.95 δ in certified mode, δ in sampled mode
 };
 
@@ -50,6 +54,7 @@ struct InputTopology {
   bool self_intersection_free = false;       ///< only tested when closed_manifold
   std::optional<long> euler_characteristic;  ///< when closed_manifold
   std::size_t components = 0;                ///< connected components of the input triangles
+  std::optional<Vec3> border;                ///< a point of an edge that does not have two triangles, if there is one
 };
 
 /// Ω with everything the algorithm asks of it. Distance queries are const and thread-safe; label_at may refine the octree
@@ -90,6 +95,20 @@ public:
   /// The region that holds p, invalid where label_at would be 0.
   RegionId region_at(Vec3 p);
 
+  /// Where certified steps away from the input lead: the region behind a point, and the farthest point reached.
+  struct Escape {
+    RegionId region; ///< invalid when no OUT cell was met: a crevice as far as the existing cells tell
+    Vec3 reached;    ///< connected with the start outside of Ω'
+    double distance = 0; ///< d(reached)
+  };
+  /// Steps from p, whose closest point is given and whose d is at least δ' up to rounding. Thread-safe.
+  Escape escape(Vec3 p, const ClosestPoint& closest) const;
+  /// The component of Ω' that an input triangle lies in, below volume_component_count().
+  std::uint32_t volume_component(TriangleId t) const { return volume_components_[t.index()]; }
+  std::size_t volume_component_count() const { return volume_component_count_; }
+  /// Index into boundary_components() of what lies between a region and a component of Ω', if the octree saw it.
+  std::optional<std::uint16_t> boundary_component(RegionId region, std::uint32_t volume_component) const;
+
   /// The octree, for the sampler.
   const Regions& octree() const { return *octree_; }
   Regions& octree() { return *octree_; }
@@ -97,12 +116,20 @@ public:
 
 private:
   ToleranceVolume();
+  void join_pockets(const RunControl& control);
+  void collect_regions();
+  void collect_boundary_components();
+  Status label_regions();
+  RegionId add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume);
+
   std::shared_ptr<const ClosestPointIndex> index_;
   InputTopology input_;
   ToleranceThresholds thresholds_;
   std::unique_ptr<Regions> octree_;
   std::vector<Region> regions_;
-  std::vector<BoundaryComponent> boundary_components_;
+  std::vector<BoundaryComponent> boundary_components_; ///< ascending by region, then component of Ω'
+  std::vector<std::uint32_t> volume_components_;       ///< by triangle id
+  std::size_t volume_component_count_ = 0;
 };
 
 /// Connectivity of a soup after merging bitwise equal points; the self-intersection test is exact (CGAL).

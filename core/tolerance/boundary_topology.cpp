@@ -1,0 +1,185 @@
+// Counts vertices, edges and faces of the marching-tetrahedra surface without making it.
+#include "tolerance/boundary_topology.h"
+
+#include "base/parallel.h"
+#include "tolerance/regions.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t block_cells = 32768;
+
+/// A lattice point: on which side it lies, and of what.
+struct Corner {
+  bool outside = false;
+  RegionId region;                    ///< when outside
+  std::uint32_t volume_component = 0; ///< of the closest triangle
+};
+
+struct LatticeCell {
+  std::uint32_t x, y, z;
+  TriangleId triangle;
+};
+
+constexpr unsigned key_bits = 21;
+constexpr std::uint64_t corner_key(const LatticeCell& c, unsigned k) {
+  return (std::uint64_t{c.z} + (k >> 2)) << (2 * key_bits) | (std::uint64_t{c.y} + ((k >> 1) & 1u)) << key_bits |
+         (std::uint64_t{c.x} + (k & 1u));
+}
+
+/// The simplices of Kuhn's subdivision of a cube that hold its corner 0, as corner numbers. Over all cubes they are all
+/// simplices of the lattice, each once. Crossed by the surface they become its vertices, edges and faces.
+struct Simplex {
+  std::array<unsigned, 4> corners;
+  unsigned size;
+  int sign;
+};
+
+std::vector<Simplex> simplices_at_corner() {
+  std::vector<Simplex> list;
+  for (unsigned a = 1; a < 8; ++a) list.push_back({{0, a, 0, 0}, 2, 1});
+  for (unsigned b = 1; b < 8; ++b)
+    for (unsigned a = 1; a < b; ++a)
+      if ((a & b) == a) list.push_back({{0, a, b, 0}, 3, -1});
+  for (unsigned first = 1; first < 8; first <<= 1)
+    for (unsigned second = 1; second < 8; second <<= 1)
+      if (first != second) list.push_back({{0, first, first | second, 7}, 4, 1});
+  return list;
+}
+
+class Counter {
+public:
+  Counter(const ToleranceVolume& volume, unsigned halvings)
+      : volume_(volume), halvings_(halvings), level_(volume.octree().main_level() + halvings),
+        simplices_(simplices_at_corner()), counts_(volume.boundary_components().size(), 0) {}
+
+  Status run(const RunControl& control) {
+    const Regions& octree = volume_.octree();
+    std::vector<LatticeCell> block;
+    for (std::size_t i = 0; i < octree.main_size(); ++i) {
+      const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
+      if (c.kind != Regions::Kind::ambiguous || c.level != octree.main_level()) continue;
+      const std::uint32_t n = 1u << halvings_;
+      for (std::uint32_t k = 0; k < n * n * n; ++k)
+        block.push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
+      if (block.size() < block_cells) continue;
+      if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+      control.report("boundary", static_cast<double>(i) / static_cast<double>(octree.main_size()));
+      count(block);
+      block.clear();
+    }
+    count(block);
+    return {};
+  }
+  std::vector<long> take() { return std::move(counts_); }
+
+private:
+  Vec3 position(std::uint64_t key) const {
+    constexpr std::uint64_t mask = (std::uint64_t{1} << key_bits) - 1;
+    const Vec3 u{static_cast<double>(key & mask), static_cast<double>(key >> key_bits & mask),
+                 static_cast<double>(key >> (2 * key_bits))};
+    return volume_.octree().origin() + volume_.octree().side(level_) * u;
+  }
+
+  /// The region of an OUT cell that has p on its border. Such cells are not counted, so all their corners must be known.
+  RegionId adjacent_region(Vec3 p) const {
+    const Regions& octree = volume_.octree();
+    const double offset = 0.25 * octree.side(level_);
+    for (unsigned k = 0; k < 8; ++k) {
+      const Vec3 towards{k & 1u ? offset : -offset, k & 2u ? offset : -offset, k & 4u ? offset : -offset};
+      const Regions::CellIndex i = octree.locate(p + towards);
+      if (i == Regions::none) return RegionId(0);
+      if (octree.cell(i).kind != Regions::Kind::out) continue;
+      if (const auto number = octree.number(i)) return RegionId(*number);
+    }
+    return {};
+  }
+
+  Corner examine(std::uint64_t key, TriangleId guess) const {
+    const Vec3 p = position(key);
+    const ClosestPoint closest = volume_.index().closest_near(p, guess);
+    Corner corner;
+    corner.volume_component = volume_.volume_component(closest.triangle);
+    if (closest.distance() > volume_.thresholds().boundary) {
+      corner.region = adjacent_region(p);
+      if (!corner.region.valid()) corner.region = volume_.escape(p, closest).region;
+      corner.outside = corner.region.valid();
+    }
+    return corner;
+  }
+
+  void count(const std::vector<LatticeCell>& cells) {
+    struct Entry {
+      std::uint64_t key;
+      TriangleId guess;
+    };
+    std::vector<Entry> entries;
+    entries.reserve(8 * cells.size());
+    for (const LatticeCell& c : cells)
+      for (unsigned k = 0; k < 8; ++k) entries.push_back({corner_key(c, k), c.triangle});
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return a.key != b.key ? a.key < b.key : a.guess < b.guess;
+    });
+    entries.erase(std::unique(entries.begin(), entries.end(), [](auto& a, auto& b) { return a.key == b.key; }),
+                  entries.end());
+    std::vector<Corner> corners(entries.size());
+    parallel_for(entries.size(), 256, [&](std::size_t i) { corners[i] = examine(entries[i].key, entries[i].guess); });
+
+    for (const LatticeCell& c : cells) {
+      std::array<const Corner*, 8> at{};
+      for (unsigned k = 0; k < 8; ++k) {
+        const std::uint64_t key = corner_key(c, k);
+        const auto found = std::lower_bound(entries.begin(), entries.end(), key,
+                                            [](const Entry& e, std::uint64_t wanted) { return e.key < wanted; });
+        at[k] = &corners[static_cast<std::size_t>(found - entries.begin())];
+      }
+      count_cell(at);
+    }
+  }
+
+  /// Regions that come close to each other are counted one at a time, each against all that is not in it: so every count is
+  /// that of a closed surface.
+  void count_cell(const std::array<const Corner*, 8>& at) {
+    for (unsigned k = 0; k < 8; ++k) {
+      if (!at[k]->outside) continue;
+      const RegionId region = at[k]->region;
+      const auto counted_before = [&](const Corner* c) { return c->outside && c->region == region; };
+      if (std::any_of(at.begin(), at.begin() + k, counted_before)) continue;
+      for (const Simplex& s : simplices_) count_simplex(s, at, region);
+    }
+  }
+
+  void count_simplex(const Simplex& s, const std::array<const Corner*, 8>& at, RegionId region) {
+    bool outer = false;
+    const Corner* inner = nullptr;
+    for (unsigned i = s.size; i-- > 0;) {
+      const Corner* c = at[s.corners[i]];
+      if (c->outside && c->region == region)
+        outer = true;
+      else
+        inner = c;
+    }
+    if (!outer || !inner) return;
+    const auto component = volume_.boundary_component(region, inner->volume_component);
+    if (component) counts_[*component] += s.sign;
+  }
+
+  const ToleranceVolume& volume_;
+  unsigned halvings_;
+  unsigned level_;
+  std::vector<Simplex> simplices_;
+  std::vector<long> counts_;
+};
+
+} // namespace
+
+Result<std::vector<long>> boundary_characteristics(const ToleranceVolume& volume, unsigned halvings,
+                                                   const RunControl& control) {
+  Counter counter(volume, halvings);
+  if (Status status = counter.run(control); !status.ok()) return status.error();
+  return counter.take();
+}
+
+} // namespace isoscope

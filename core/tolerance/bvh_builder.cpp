@@ -1,0 +1,162 @@
+// Builds the hierarchy of a ClosestPointIndex.
+#include "tolerance/bvh_builder.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t leaf_size = 4;
+constexpr unsigned bin_count = 16;
+/// Beyond this depth ranges are halved, which bounds the depth and with it the stacks of the searches.
+constexpr unsigned max_surface_area_depth = 24;
+
+double half_area(const Box3& b) {
+  if (b.empty()) return 0;
+  const Vec3 e = b.extent();
+  return e.x * e.y + e.y * e.z + e.z * e.x;
+}
+
+float round_down(double x) {
+  const float f = static_cast<float>(x);
+  return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+}
+float round_up(double x) { return -round_down(-x); }
+
+} // namespace
+
+BvhBuilder::BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup) : index_(index), soup_(soup) {
+  items_.resize(soup.triangles.size());
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    for (const Vec3 p : soup.triangle(i)) items_[i].box.add(p);
+    items_[i].id = static_cast<std::uint32_t>(i);
+  }
+}
+
+Box3 BvhBuilder::box_of(std::size_t begin, std::size_t end) const {
+  Box3 b;
+  for (std::size_t i = begin; i < end; ++i) b.add(items_[i].box);
+  return b;
+}
+
+/// Orders the range and returns where its second half begins.
+std::size_t BvhBuilder::split(const Range& range, unsigned depth) {
+  const auto at = [&](std::size_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
+  Box3 centers;
+  for (std::size_t i = range.begin; i < range.end; ++i) centers.add(items_[i].box.center());
+  const Vec3 extent = centers.extent();
+
+  double best_cost = std::numeric_limits<double>::infinity();
+  int best_axis = -1;
+  unsigned best_bin = 0;
+  const auto bin_of = [&](const Item& item, int axis) {
+    const double u = (item.box.center()[axis] - centers.lo[axis]) / extent[axis];
+    return std::min(bin_count - 1, static_cast<unsigned>(u * bin_count));
+  };
+  for (int axis = 0; axis < 3 && depth < max_surface_area_depth; ++axis) {
+    if (!(extent[axis] > 0)) continue;
+    std::array<Box3, bin_count> boxes;
+    std::array<std::size_t, bin_count> counts{};
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const unsigned b = bin_of(items_[i], axis);
+      boxes[b].add(items_[i].box);
+      ++counts[b];
+    }
+    std::array<double, bin_count> right_cost{};
+    Box3 right;
+    std::size_t right_count = 0;
+    for (unsigned b = bin_count - 1; b > 0; --b) {
+      right.add(boxes[b]);
+      right_count += counts[b];
+      right_cost[b] = half_area(right) * static_cast<double>(right_count);
+    }
+    Box3 left;
+    std::size_t left_count = 0;
+    for (unsigned b = 0; b + 1 < bin_count; ++b) {
+      left.add(boxes[b]);
+      left_count += counts[b];
+      if (left_count == 0 || left_count == range.size()) continue;
+      const double cost = half_area(left) * static_cast<double>(left_count) + right_cost[b + 1];
+      if (cost < best_cost) best_cost = cost, best_axis = axis, best_bin = b;
+    }
+  }
+  if (best_axis >= 0) {
+    const auto middle = std::stable_partition(at(range.begin), at(range.end), [&](const Item& item) {
+      return bin_of(item, best_axis) <= best_bin;
+    });
+    return static_cast<std::size_t>(middle - items_.begin());
+  }
+  const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
+  const std::size_t middle = range.begin + range.size() / 2;
+  std::nth_element(at(range.begin), at(middle), at(range.end), [&](const Item& a, const Item& b) {
+    const double ca = a.box.center()[axis], cb = b.box.center()[axis];
+    return ca != cb ? ca < cb : a.id < b.id;
+  });
+  return middle;
+}
+
+void BvhBuilder::set_box(std::size_t node, unsigned k, const Box3& box) {
+  auto& n = index_.nodes_[node];
+  for (int a = 0; a < 3; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    const double lo = (box.lo[a] - index_.origin_[a]) * index_.inverse_scale_;
+    const double hi = (box.hi[a] - index_.origin_[a]) * index_.inverse_scale_;
+    n.lo[axis][k] = round_down(lo);
+    n.hi[axis][k] = round_up(hi);
+  }
+}
+
+void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth) {
+  constexpr unsigned width = ClosestPointIndex::width;
+  std::vector<Range> parts{range};
+  while (parts.size() < width) {
+    std::size_t widest = parts.size();
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i].size() > leaf_size && (widest == parts.size() || half_area(parts[i].box) > half_area(parts[widest].box)))
+        widest = i;
+    if (widest == parts.size()) break;
+    const Range r = parts[widest];
+    const std::size_t middle = split(r, depth);
+    parts[widest] = {r.begin, middle, box_of(r.begin, middle)};
+    parts.push_back({middle, r.end, box_of(middle, r.end)});
+  }
+  for (unsigned k = 0; k < width; ++k) {
+    if (k >= parts.size()) {
+      index_.nodes_[node].count[k] = ClosestPointIndex::empty_child;
+      for (std::size_t a = 0; a < 3; ++a)
+        index_.nodes_[node].lo[a][k] = index_.nodes_[node].hi[a][k] = std::numeric_limits<float>::max();
+      continue;
+    }
+    set_box(node, k, parts[k].box);
+    if (parts[k].size() <= leaf_size) {
+      index_.nodes_[node].child[k] = static_cast<std::uint32_t>(parts[k].begin);
+      index_.nodes_[node].count[k] = static_cast<std::uint8_t>(parts[k].size());
+      continue;
+    }
+    const std::size_t child = index_.nodes_.size();
+    index_.nodes_.emplace_back();
+    index_.nodes_[node].child[k] = static_cast<std::uint32_t>(child);
+    index_.nodes_[node].count[k] = 0;
+    fill_node(child, parts[k], depth + 1);
+  }
+}
+
+void BvhBuilder::build() {
+  index_.bounds_ = box_of(0, items_.size());
+  index_.origin_ = index_.bounds_.center();
+  const double scale = index_.bounds_.longest_edge();
+  index_.inverse_scale_ = scale > 0 && std::isfinite(1 / scale) ? 1 / scale : 1;
+  index_.nodes_.emplace_back();
+  fill_node(0, {0, items_.size(), index_.bounds_}, 0);
+  index_.nodes_.shrink_to_fit();
+  index_.ids_.resize(items_.size());
+  index_.slots_.resize(items_.size());
+  index_.triangles_.reserve(items_.size());
+  for (std::size_t slot = 0; slot < items_.size(); ++slot) {
+    index_.ids_[slot] = items_[slot].id;
+    index_.slots_[items_[slot].id] = static_cast<std::uint32_t>(slot);
+    index_.triangles_.push_back(soup_.triangle(items_[slot].id));
+  }
+}
+
+} // namespace isoscope

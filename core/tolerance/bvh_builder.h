@@ -1,0 +1,34 @@
+// Builds the hierarchy of a ClosestPointIndex: binned surface-area splits, four children a node.
+#pragma once
+
+#include "tolerance/closest_point.h"
+
+namespace isoscope {
+
+/// One-shot: fills nodes, slots and triangles of `index` from the soup.
+class BvhBuilder {
+public:
+  BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup);
+  void build();
+
+private:
+  struct Item {
+    Box3 box;
+    std::uint32_t id;
+  };
+  struct Range {
+    std::size_t begin, end;
+    Box3 box;
+    std::size_t size() const { return end - begin; }
+  };
+  Box3 box_of(std::size_t begin, std::size_t end) const;
+  std::size_t split(const Range& range, unsigned depth);
+  void fill_node(std::size_t node, const Range& range, unsigned depth);
+  void set_box(std::size_t node, unsigned k, const Box3& box);
+
+  ClosestPointIndex& index_;
+  const TriangleSoup& soup_;
+  std::vector<Item> items_;
+};
+
+} // namespace isoscope

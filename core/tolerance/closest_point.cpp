@@ -1,0 +1,201 @@
+// Searches of the bounding volume hierarchy.
+#include "tolerance/closest_point.h"
+
+#include "tolerance/bvh_builder.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+/// Nodes that wait on a search's stack: three a level, and levels are bounded by the builder.
+constexpr std::size_t stack_size = 256;
+/// Relative rounding of a float operation, with room for the few that follow each other.
+constexpr float float_slack = 4 * std::numeric_limits<float>::epsilon();
+
+struct Pending {
+  float bound; ///< lower bound of the squared distance, in the normalised frame
+  std::uint32_t child;
+  std::uint8_t count;
+};
+
+/// Directions that no axis-aligned or symmetric model lines up with.
+constexpr std::array<Vec3, 5> parity_rays{{{.8123, .3331, .4781},
+                                           {-.2717, .9011, .3379},
+                                           {.1513, -.4297, .8902},
+                                           {-.6113, -.5709, .5478},
+                                           {.3301, .2203, -.9179}}};
+
+/// The parameter t at which o + t d crosses the triangle, NaN when it does not.
+double crossing(Vec3 o, Vec3 d, const Triangle3& t) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const Vec3 e1 = t[1] - t[0], e2 = t[2] - t[0], p = cross(d, e2);
+  const double det = dot(e1, p);
+  if (det == 0) return none;
+  const Vec3 s = o - t[0];
+  const double u = dot(s, p) / det;
+  if (!(u >= 0 && u <= 1)) return none;
+  const Vec3 q = cross(s, e1);
+  const double v = dot(d, q) / det;
+  if (!(v >= 0 && u + v <= 1)) return none;
+  return dot(e2, q) / det;
+}
+
+/// Whether o + t d, t in [0, t_end], meets the box grown by a rounding margin.
+bool ray_meets(Vec3 o, Vec3 inverse_d, double t_end, const Box3& box) {
+  double t0 = 0, t1 = t_end;
+  for (int k = 0; k < 3; ++k) {
+    const double a = (box.lo[k] - o[k]) * inverse_d[k], b = (box.hi[k] - o[k]) * inverse_d[k];
+    if (std::isnan(a) || std::isnan(b)) continue; // parallel to the slab and on its face
+    t0 = std::max(t0, std::min(a, b));
+    t1 = std::min(t1, std::max(a, b));
+  }
+  return t0 <= t1 + 1e-9 * (1 + std::abs(t1));
+}
+
+} // namespace
+
+ClosestPointIndex::ClosestPointIndex(const TriangleSoup& soup) { BvhBuilder(*this, soup).build(); }
+
+ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best) const {
+  // Lower bounds are computed in float in the frame of the input's box, with slack for every rounding, so that no triangle
+  // is missed; distances to triangles are computed in double.
+  float q[3], reach = 1;
+  for (int a = 0; a < 3; ++a) {
+    const double x = std::clamp((p[a] - origin_[a]) * inverse_scale_, -1e15, 1e15);
+    q[a] = static_cast<float>(x);
+    reach = std::max(reach, std::abs(q[a]));
+  }
+  const float slack = float_slack * reach;
+  const double to_frame = inverse_scale_ * inverse_scale_;
+  const auto frame_bound = [&](double squared) {
+    return static_cast<float>(std::min(squared * to_frame, 1e37)) * (1 + 2 * float_slack);
+  };
+  float limit = frame_bound(best.squared_distance);
+
+  Pending stack[stack_size];
+  std::size_t top = 0;
+  stack[top++] = {0, 0, 0};
+  while (top > 0) {
+    const Pending next = stack[--top];
+    if (next.bound > limit) continue;
+    if (next.count > 0) {
+      for (std::uint32_t slot = next.child; slot < next.child + next.count; ++slot) {
+        const Vec3 c = closest_point_on_triangle(p, triangles_[slot]);
+        const double d2 = squared_length(c - p);
+        if (d2 < best.squared_distance || (d2 == best.squared_distance && !best.triangle.valid()))
+          best = {c, d2, TriangleId(ids_[slot])};
+      }
+      limit = frame_bound(best.squared_distance);
+      continue;
+    }
+    const Node& n = nodes_[next.child];
+    float bound[width];
+    for (unsigned k = 0; k < width; ++k) {
+      float sum = 0;
+      for (unsigned a = 0; a < 3; ++a) {
+        const float below = n.lo[a][k] - q[a], above = q[a] - n.hi[a][k];
+        float d = (below > above ? below : above) - slack;
+        d = d > 0 ? d : 0;
+        sum += d * d;
+      }
+      bound[k] = sum;
+    }
+    const std::size_t first = top;
+    for (unsigned k = 0; k < width; ++k) {
+      if (n.count[k] == empty_child || bound[k] > limit) continue;
+      std::size_t at = top++;
+      for (; at > first && stack[at - 1].bound < bound[k]; --at) stack[at] = stack[at - 1];
+      stack[at] = {bound[k], n.child[k], n.count[k]};
+    }
+  }
+  return best;
+}
+
+ClosestPoint ClosestPointIndex::closest(Vec3 p, double radius) const {
+  ClosestPoint none;
+  if (radius < std::numeric_limits<double>::infinity()) none.squared_distance = radius * radius;
+  ClosestPoint found = search(p, none);
+  if (!found.triangle.valid()) found.squared_distance = std::numeric_limits<double>::infinity();
+  return found;
+}
+
+ClosestPoint ClosestPointIndex::closest_near(Vec3 p, TriangleId guess) const {
+  if (!guess.valid()) return closest(p);
+  const Vec3 c = closest_point_on_triangle(p, triangle(guess));
+  return search(p, {c, squared_length(c - p), guess});
+}
+
+template <class MeetsBox, class AtSlot>
+void ClosestPointIndex::visit(const MeetsBox& meets_box, const AtSlot& at_slot) const {
+  const double scale = 1 / inverse_scale_;
+  std::uint32_t stack[stack_size];
+  std::size_t top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const Node& n = nodes_[stack[--top]];
+    for (unsigned k = 0; k < width; ++k) {
+      if (n.count[k] == empty_child) continue;
+      Box3 box;
+      for (int a = 0; a < 3; ++a) {
+        const auto axis = static_cast<std::size_t>(a);
+        box.lo[a] = origin_[a] + scale * (static_cast<double>(n.lo[axis][k]) - 1e-12);
+        box.hi[a] = origin_[a] + scale * (static_cast<double>(n.hi[axis][k]) + 1e-12);
+      }
+      if (!meets_box(box)) continue;
+      if (n.count[k] == 0) {
+        stack[top++] = n.child[k];
+      } else {
+        for (std::uint32_t slot = n.child[k]; slot < n.child[k] + n.count[k]; ++slot) at_slot(slot);
+      }
+    }
+  }
+}
+
+bool ClosestPointIndex::inside_by_parity(Vec3 p) const {
+  unsigned votes = 0;
+  for (const Vec3 d : parity_rays) {
+    const Vec3 inverse{1 / d.x, 1 / d.y, 1 / d.z};
+    unsigned hits = 0;
+    visit([&](const Box3& box) { return ray_meets(p, inverse, std::numeric_limits<double>::max(), box); },
+          [&](std::uint32_t slot) { hits += crossing(p, d, triangles_[slot]) > 0 ? 1u : 0u; });
+    votes += hits & 1u;
+  }
+  return 2 * votes > parity_rays.size();
+}
+
+std::vector<double> ClosestPointIndex::crossings(Vec3 a, Vec3 b) const {
+  const Vec3 d = b - a;
+  const Vec3 inverse{1 / d.x, 1 / d.y, 1 / d.z};
+  std::vector<double> parameters;
+  visit([&](const Box3& box) { return ray_meets(a, inverse, 1, box); },
+        [&](std::uint32_t slot) {
+          const double t = crossing(a, d, triangles_[slot]);
+          if (t > 0 && t < 1) parameters.push_back(t);
+        });
+  std::sort(parameters.begin(), parameters.end());
+  return parameters;
+}
+
+std::vector<TriangleId> ClosestPointIndex::triangles_in(const Box3& box) const {
+  const auto meet = [&](const Box3& other) {
+    for (int a = 0; a < 3; ++a)
+      if (other.lo[a] > box.hi[a] || other.hi[a] < box.lo[a]) return false;
+    return true;
+  };
+  std::vector<TriangleId> found;
+  visit(meet, [&](std::uint32_t slot) {
+    Box3 own;
+    for (const Vec3 v : triangles_[slot]) own.add(v);
+    if (meet(own)) found.push_back(TriangleId(ids_[slot]));
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::size_t ClosestPointIndex::memory_bytes() const {
+  return triangles_.capacity() * sizeof(Triangle3) + (ids_.capacity() + slots_.capacity()) * sizeof(std::uint32_t) +
+         nodes_.capacity() * sizeof(Node);
+}
+
+} // namespace isoscope

@@ -1,0 +1,95 @@
+// Branch and bound over the pieces of a facet.
+#include "tolerance/facet_certificate.h"
+
+#include <vector>
+
+namespace isoscope {
+namespace {
+
+/// A piece of the facet, with the input triangle closest to its parent's centroid as a guess.
+struct Piece {
+  Triangle3 corners;
+  TriangleId guess;
+  int depth;
+};
+
+/// Bisections beyond this cannot make a piece of doubles smaller.
+constexpr int max_depth = 120;
+
+/// What a computed distance, circumradius bound or repeatedly rounded midpoint may be off by. Each comes from fewer than 32
+/// operations on numbers below the largest coordinate M, and midpoints along one path of bisections drift by at most one
+/// rounding a level, so (32 + 32 + max_depth) u M is enough; 256 leaves room.
+double rounding_bound(const ClosestPointIndex& index, const Triangle3& facet) {
+  double largest = 0;
+  for (int a = 0; a < 3; ++a) {
+    largest = std::max({largest, std::abs(index.bounds().lo[a]), std::abs(index.bounds().hi[a])});
+    for (const Vec3 p : facet) largest = std::max(largest, std::abs(p[a]));
+  }
+  return 256 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+/// Upper bound of d on the piece from one input triangle: the distance to a convex set is convex, so a corner attains it.
+double corner_bound(const Piece& piece, const Triangle3& input) {
+  double bound2 = 0;
+  for (const Vec3 p : piece.corners)
+    bound2 = std::max(bound2, squared_length(closest_point_on_triangle(p, input) - p));
+  return std::sqrt(bound2);
+}
+
+void push_halves(const Piece& piece, TriangleId guess, std::vector<Piece>& stack) {
+  const Triangle3& t = piece.corners;
+  std::size_t longest = 0;
+  double l2 = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double e2 = squared_length(t[(i + 1) % 3] - t[i]);
+    if (e2 > l2) l2 = e2, longest = i;
+  }
+  const std::size_t next = (longest + 1) % 3;
+  const Vec3 middle = 0.5 * (t[longest] + t[next]);
+  Piece first{t, guess, piece.depth + 1}, second = first;
+  first.corners[longest] = middle;
+  second.corners[next] = middle;
+  stack.push_back(first);
+  stack.push_back(second);
+}
+
+} // namespace
+
+FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept, double reject,
+                           std::size_t budget) {
+  const double rounding = rounding_bound(index, facet);
+  FacetVerdict verdict;
+  std::vector<Piece> stack{{facet, TriangleId(), 0}};
+  while (!stack.empty()) {
+    const Piece piece = stack.back();
+    stack.pop_back();
+    if (++verdict.pieces > budget || piece.depth > max_depth) {
+      verdict.kind = FacetVerdict::Kind::undecided;
+      return verdict;
+    }
+    const Triangle3& t = piece.corners;
+    const Vec3 center = (t[0] + t[1] + t[2]) / 3.0;
+    const ClosestPoint closest = index.closest_near(center, piece.guess);
+    const double d = closest.distance();
+    if (d - rounding > reject) {
+      verdict.kind = FacetVerdict::Kind::outside;
+      verdict.witness = center;
+      verdict.closest = closest;
+      return verdict;
+    }
+    double radius2 = 0;
+    for (const Vec3 p : t) radius2 = std::max(radius2, squared_length(p - center));
+    double bound = d + std::sqrt(radius2) + rounding;
+    // The convexity bound is the tighter one in flat places; it costs three distances to one triangle.
+    bound = std::min(bound, corner_bound(piece, index.triangle(closest.triangle)) + rounding);
+    if (bound <= accept) {
+      verdict.max_distance = std::max(verdict.max_distance, bound);
+      continue;
+    }
+    push_halves(piece, closest.triangle, stack);
+  }
+  verdict.kind = FacetVerdict::Kind::inside;
+  return verdict;
+}
+
+} // namespace isoscope

@@ -1,0 +1,161 @@
+// Sides of regions by parity and by two-colouring.
+#include "tolerance/region_labels.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <deque>
+#include <optional>
+
+namespace isoscope {
+namespace {
+
+/// Rays cast to see whether a soup has a defined parity somewhere.
+constexpr unsigned ballot_size = 16;
+/// Triangles from which the thickness of a part is measured.
+constexpr std::size_t thickness_probes = 2000;
+
+std::string place(Vec3 p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+  return text;
+}
+
+/// The regions on the sides of each component of Ω'.
+std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
+  std::vector<std::vector<RegionId>> sides(volume.volume_component_count());
+  for (const BoundaryComponent& c : volume.boundary_components()) sides[c.volume_component].push_back(c.region);
+  return sides;
+}
+
+std::vector<TriangleId> triangles_of(const ToleranceVolume& volume, std::uint32_t component) {
+  std::vector<TriangleId> list;
+  for (std::size_t t = 0; t < volume.index().size(); ++t)
+    if (volume.volume_component(TriangleId(t)) == component) list.push_back(TriangleId(t));
+  return list;
+}
+
+Vec3 centroid(const Triangle3& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+
+/// A lower bound of the largest d inside a thin closed part: midway between opposite walls, from many places.
+double inner_depth(const ToleranceVolume& volume, const std::vector<TriangleId>& part) {
+  const ClosestPointIndex& index = volume.index();
+  const double reach = 8 * volume.thresholds().delta;
+  const std::size_t stride = std::max<std::size_t>(1, part.size() / thickness_probes);
+  double deepest = 0;
+  for (std::size_t i = 0; i < part.size(); i += stride) {
+    const Triangle3& t = index.triangle(part[i]);
+    const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
+    if (n == Vec3{}) continue;
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 start = centroid(t) + (1e-7 * reach * side) * n, end = start + (reach * side) * n;
+      const std::vector<double> hits = index.crossings(start, end);
+      if (hits.empty()) continue;
+      const Vec3 middle = start + (0.5 * hits.front()) * (end - start);
+      const double d = index.distance(middle);
+      if (d > deepest && index.inside_by_parity(middle)) deepest = d;
+    }
+  }
+  return deepest;
+}
+
+Error nothing_inside(const ToleranceVolume& volume, std::uint32_t component) {
+  const std::vector<TriangleId> part = triangles_of(volume, component);
+  const ToleranceThresholds& t = volume.thresholds();
+  Error error{ErrorCode::unsupported,
+              "The input is thinner than twice the tolerance everywhere around " +
+                  place(centroid(volume.index().triangle(part.front()))) + ": nothing is left inside of it there.",
+              "Choose a smaller tolerance."};
+  const double depth = inner_depth(volume, part);
+  if (depth > 0) {
+    const double largest = 0.95 * depth * t.delta / t.boundary;
+    char text[160];
+    std::snprintf(text, sizeof text, "Choose a tolerance of at most about %.2g (%.2g%% of the longest edge).", largest,
+                  100 * largest / volume.index().bounds().longest_edge());
+    error.remedy = text;
+  }
+  return error;
+}
+
+Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
+  const auto& border = volume.input().border;
+  const bool border_is_here =
+      border && volume.volume_component(volume.index().closest(*border).triangle) == component;
+  const Vec3 p =
+      border_is_here ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front()));
+  return {ErrorCode::unsupported,
+          "The input is an open surface near " + place(p) + ": both its sides are connected outside of the tolerance volume.",
+          "A larger tolerance closes gaps; approximating open surfaces comes with a later version."};
+}
+
+/// Whether p is inside by every one of many rays (true), by none (false), or by some only (nothing).
+std::optional<bool> unanimous_parity(const ClosestPointIndex& index, Vec3 p) {
+  const double reach = 2 * (distance(index.bounds().lo, index.bounds().hi) + distance(p, index.bounds().center()));
+  unsigned inside = 0;
+  for (unsigned k = 0; k < ballot_size; ++k) { // a golden spiral: directions evenly spread and aligned with nothing
+    const double z = 1 - (2 * k + 1.0) / ballot_size, r = std::sqrt(1 - z * z), angle = 2.39996322972865332 * k + 0.3;
+    const Vec3 direction{r * std::cos(angle), r * std::sin(angle), z};
+    inside += static_cast<unsigned>(index.crossings(p, p + reach * direction).size() % 2);
+  }
+  if (inside == 0) return false;
+  if (inside == ballot_size) return true;
+  return std::nullopt;
+}
+
+Error non_manifold(Vec3 where) {
+  return {ErrorCode::unsupported,
+          "The input is not a manifold surface: more than two regions meet one connected part of it, one of them around " +
+              place(where) + ".",
+          "Remove inner walls, or split the input into its closed parts."};
+}
+
+} // namespace
+
+Result<std::vector<int>> label_by_parity(const ToleranceVolume& volume) {
+  std::vector<int> labels;
+  for (const Region& r : volume.regions())
+    labels.push_back(!r.unbounded && volume.index().inside_by_parity(r.deepest) ? -1 : +1);
+  const auto sides = regions_by_component(volume);
+  for (std::size_t c = 0; c < sides.size(); ++c) {
+    const auto is = [&](int label) {
+      return std::any_of(sides[c].begin(), sides[c].end(), [&](RegionId r) { return labels[r.index()] == label; });
+    };
+    if (!is(+1) || !is(-1)) return nothing_inside(volume, static_cast<std::uint32_t>(c));
+  }
+  return labels;
+}
+
+Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume) {
+  const auto sides = regions_by_component(volume);
+  std::vector<std::vector<std::uint32_t>> components(volume.regions().size());
+  for (const BoundaryComponent& c : volume.boundary_components())
+    components[c.region.index()].push_back(c.volume_component);
+  for (std::size_t c = 0; c < sides.size(); ++c)
+    if (sides[c].size() < 2) return open_surface(volume, static_cast<std::uint32_t>(c));
+
+  std::vector<int> labels(volume.regions().size(), 0);
+  labels[0] = +1;
+  std::deque<RegionId> queue{RegionId(0)};
+  while (!queue.empty()) {
+    const RegionId from = queue.front();
+    queue.pop_front();
+    for (const std::uint32_t c : components[from.index()]) {
+      for (const RegionId to : sides[c]) {
+        if (labels[to.index()] != 0) continue;
+        int sign = -1;
+        if (sides[c].size() > 2) {
+          const auto here = unanimous_parity(volume.index(), volume.regions()[from.index()].deepest);
+          const auto there = unanimous_parity(volume.index(), volume.regions()[to.index()].deepest);
+          if (!here || !there) return non_manifold(volume.regions()[to.index()].deepest);
+          sign = *here == *there ? +1 : -1;
+        }
+        labels[to.index()] = sign * labels[from.index()];
+        queue.push_back(to);
+      }
+    }
+  }
+  for (int& l : labels)
+    if (l == 0) l = +1; // touches nothing the octree saw
+  return labels;
+}
+
+} // namespace isoscope

@@ -1,0 +1,256 @@
+// The octree of the complement of Ω'.
+#include "tolerance/regions.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <queue>
+#include <unordered_set>
+
+namespace isoscope {
+namespace {
+
+/// Half the diagonal of a unit cube, rounded up generously: a cell may only be called OUT or IN with certainty, also after
+/// the rounding of distances and centres.
+constexpr double half_diagonal = 0.86602540379 * (1 + 1e-7);
+/// Cell positions are 32-bit, and face tests shift them to this level.
+constexpr unsigned deepest_level = 30;
+constexpr std::size_t most_cells = std::size_t{1} << 31;
+
+std::array<std::uint32_t, 3> position(const Regions::Cell& c) { return {c.x, c.y, c.z}; }
+
+Regions::Cell child_of(const Regions::Cell& c, unsigned k) {
+  Regions::Cell child;
+  child.x = 2 * c.x + (k & 1u);
+  child.y = 2 * c.y + ((k >> 1) & 1u);
+  child.z = 2 * c.z + (k >> 2);
+  child.level = static_cast<std::uint8_t>(c.level + 1);
+  return child;
+}
+
+} // namespace
+
+Regions::Regions(const ClosestPointIndex& index, const Options& options)
+    : index_(&index), boundary_(options.boundary) {
+  // The domain is what the main side times a power of two makes it, so that main cells are as large as they may be.
+  const double needed = (index.bounds().longest_edge() + 2 * options.margin) * 1.0001;
+  domain_side_ = options.main_side;
+  while (main_level_ < deepest_level && domain_side_ < needed) domain_side_ *= 2, ++main_level_;
+  domain_side_ = std::max(domain_side_, needed);
+  max_level_ = main_level_;
+  while (max_level_ < deepest_level && side(max_level_) > options.min_side) ++max_level_;
+  const double half = 0.5 * domain_side_;
+  origin_ = index.bounds().center() - Vec3{half, half, half};
+}
+
+Vec3 Regions::center(const Cell& c) const {
+  const double s = side(c.level);
+  return origin_ + Vec3{(c.x + 0.5) * s, (c.y + 0.5) * s, (c.z + 0.5) * s};
+}
+
+Box3 Regions::domain() const { return {origin_, origin_ + Vec3{domain_side_, domain_side_, domain_side_}}; }
+
+void Regions::classify(Cell& c, TriangleId guess) const {
+  const ClosestPoint closest = index_->closest_near(center(c), guess);
+  const double d = closest.distance(), reach = half_diagonal * side(c.level);
+  c.distance = static_cast<float>(d);
+  c.triangle = closest.triangle;
+  c.kind = d > boundary_ + reach ? Kind::out : (d + reach <= boundary_ ? Kind::in : Kind::ambiguous);
+}
+
+Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& options, const RunControl& control) {
+  Regions r(index, options);
+  auto& cells = r.cells_;
+  cells.emplace_back();
+  std::vector<CellIndex> parents{0}; // of each group of eight in the level
+  std::size_t level_begin = 0;
+  for (unsigned level = 0; level <= r.main_level_; ++level) {
+    if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+    control.report("regions", static_cast<double>(level) / (r.main_level_ + 1));
+    const std::size_t level_end = cells.size();
+    parallel_for(level_end - level_begin, 256, [&](std::size_t i) {
+      const TriangleId guess = level == 0 ? TriangleId() : cells[parents[i / 8]].triangle;
+      r.classify(cells[level_begin + i], guess);
+    });
+    if (level < r.main_level_) {
+      parents.clear();
+      for (std::size_t i = level_begin; i < level_end; ++i)
+        if (cells[i].kind == Kind::ambiguous) parents.push_back(static_cast<CellIndex>(i));
+      if (cells.size() + 8 * parents.size() > most_cells)
+        return Error{ErrorCode::unsupported, "The tolerance is too small for this input: its volume needs too many cells.",
+                     "Choose a larger tolerance."};
+      cells.reserve(cells.size() + 8 * parents.size());
+      for (const CellIndex p : parents) {
+        cells[p].child = static_cast<CellIndex>(cells.size());
+        const Cell parent = cells[p];
+        for (unsigned k = 0; k < 8; ++k) cells.push_back(child_of(parent, k));
+      }
+    }
+    level_begin = level_end;
+  }
+  r.main_size_ = cells.size();
+  r.unite_main();
+  return r;
+}
+
+void Regions::unite_main() {
+  parents_.resize(cells_.size());
+  for (std::size_t i = 0; i < parents_.size(); ++i) parents_[i] = static_cast<CellIndex>(i);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i].kind != Kind::out) continue;
+    for (int face = 0; face < 6; ++face) {
+      const CellIndex j = neighbor(cells_[i], face);
+      if (j != none && cells_[j].kind == Kind::out) unite(static_cast<CellIndex>(i), j);
+    }
+  }
+}
+
+/// The cell of the same or a coarser level across a face; none at the domain's border. Face 2a + s is the side s of axis a.
+Regions::CellIndex Regions::neighbor(const Cell& c, int face) const {
+  auto p = position(c);
+  auto& coordinate = p[static_cast<std::size_t>(face / 2)];
+  const std::uint32_t last = (1u << c.level) - 1;
+  if (coordinate == (face % 2 ? last : 0u)) return none;
+  coordinate += face % 2 ? 1u : 0xffffffffu;
+  CellIndex j = 0;
+  for (unsigned level = 1; level <= c.level && cells_[j].child != none; ++level) {
+    const unsigned shift = c.level - level;
+    j = cells_[j].child + ((p[0] >> shift) & 1u) + 2 * ((p[1] >> shift) & 1u) + 4 * ((p[2] >> shift) & 1u);
+  }
+  return j;
+}
+
+/// Whether b, which does not hold a, shares area with that face of a on its far side.
+bool Regions::touches(const Cell& a, const Cell& b, int face) const {
+  const auto pa = position(a), pb = position(b);
+  const unsigned sa = deepest_level - a.level, sb = deepest_level - b.level;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::uint64_t a0 = std::uint64_t{pa[axis]} << sa, a1 = (std::uint64_t{pa[axis]} + 1) << sa;
+    const std::uint64_t b0 = std::uint64_t{pb[axis]} << sb, b1 = (std::uint64_t{pb[axis]} + 1) << sb;
+    if (axis != static_cast<std::size_t>(face / 2)) {
+      if (b1 <= a0 || b0 >= a1) return false;
+    } else if (face % 2 ? b0 > a1 || b1 <= a1 : b1 < a0 || b0 >= a0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Regions::split(CellIndex i) {
+  const Cell parent = cells_[i];
+  const auto first = static_cast<CellIndex>(cells_.size());
+  cells_[i].child = first;
+  for (unsigned k = 0; k < 8; ++k) {
+    Cell c = child_of(parent, k);
+    classify(c, parent.triangle);
+    cells_.push_back(c);
+    parents_.push_back(first + k);
+  }
+}
+
+namespace {
+
+/// Walks from the root of an octree towards p; `at_leaf(i)` says whether to go on below a leaf it may have split.
+template <class AtLeaf>
+Regions::CellIndex descend(const Regions& r, Vec3 p, const AtLeaf& at_leaf) {
+  const Box3 domain = r.domain();
+  for (int a = 0; a < 3; ++a)
+    if (!(p[a] >= domain.lo[a] && p[a] < domain.hi[a])) return Regions::none;
+  const double deepest = static_cast<double>(1u << deepest_level);
+  std::array<std::uint32_t, 3> u{};
+  for (int a = 0; a < 3; ++a) {
+    const double t = (p[a] - domain.lo[a]) / r.side(0) * deepest;
+    u[static_cast<std::size_t>(a)] = static_cast<std::uint32_t>(std::clamp(t, 0.0, deepest - 1));
+  }
+  Regions::CellIndex i = 0;
+  for (;;) {
+    if (r.cell(i).child == Regions::none && !at_leaf(i)) return i;
+    const unsigned shift = deepest_level - 1 - r.cell(i).level;
+    i = r.cell(i).child + ((u[0] >> shift) & 1u) + 2 * ((u[1] >> shift) & 1u) + 4 * ((u[2] >> shift) & 1u);
+  }
+}
+
+} // namespace
+
+Regions::CellIndex Regions::locate(Vec3 p) const {
+  return descend(*this, p, [](CellIndex) { return false; });
+}
+
+Regions::CellIndex Regions::locate_refining(Vec3 p) {
+  return descend(*this, p, [&](CellIndex i) {
+    if (cells_[i].kind != Kind::ambiguous || cells_[i].level >= max_level_) return false;
+    split(i);
+    return true;
+  });
+}
+
+Regions::CellIndex Regions::root(CellIndex i) const {
+  while (parents_[i] != i) i = parents_[i];
+  return i;
+}
+
+Regions::CellIndex Regions::compress(CellIndex i) {
+  while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+  return i;
+}
+
+void Regions::flatten() {
+  for (std::size_t i = 0; i < parents_.size(); ++i) parents_[i] = root(static_cast<CellIndex>(i));
+}
+
+void Regions::unite(CellIndex a, CellIndex b) {
+  a = compress(a);
+  b = compress(b);
+  if (a == b) return;
+  const bool numbered_a = numbers_.contains(a), numbered_b = numbers_.contains(b);
+  const bool keep_a = numbered_a != numbered_b ? numbered_a : a < b;
+  parents_[keep_a ? b : a] = keep_a ? a : b;
+}
+
+std::optional<std::uint32_t> Regions::number(CellIndex i) const {
+  const auto found = numbers_.find(root(i));
+  if (found == numbers_.end()) return std::nullopt;
+  return found->second;
+}
+
+bool Regions::flood(CellIndex start, std::size_t budget) {
+  std::priority_queue<std::pair<float, CellIndex>> queue;
+  std::unordered_set<CellIndex> seen{start}; // asked for membership only
+  std::vector<CellIndex> below;
+  queue.push({cells_[start].distance, start});
+  for (std::size_t visited = 0; !queue.empty() && visited < budget; ++visited) {
+    const CellIndex i = queue.top().second;
+    queue.pop();
+    for (int face = 0; face < 6; ++face) {
+      const CellIndex across = neighbor(cells_[i], face);
+      if (across == none) continue;
+      below.assign(1, across);
+      while (!below.empty()) {
+        const CellIndex j = below.back();
+        below.pop_back();
+        if (cells_[j].kind == Kind::in) continue;
+        if (!touches(cells_[i], cells_[j], face)) continue;
+        if (cells_[j].kind == Kind::out) {
+          const CellIndex other = compress(j);
+          const bool met = is_goal(other) && other != compress(start);
+          unite(i, j);
+          if (met) return true;
+          if (seen.insert(j).second) queue.push({cells_[j].distance, j});
+          continue;
+        }
+        if (cells_[j].child == none) {
+          if (cells_[j].level >= max_level_) continue;
+          split(j);
+        }
+        for (unsigned k = 0; k < 8; ++k) below.push_back(cells_[j].child + k);
+      }
+    }
+  }
+  return false;
+}
+
+std::size_t Regions::memory_bytes() const {
+  return cells_.capacity() * sizeof(Cell) + parents_.capacity() * sizeof(CellIndex);
+}
+
+} // namespace isoscope

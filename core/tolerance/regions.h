@@ -1,0 +1,97 @@
+// A lazily refined octree of the complement of Ω' = {d <= δ'}: which points outside of Ω' are connected (algorithm notes §1).
+#pragma once
+
+#include "base/run_control.h"
+#include "base/status.h"
+#include "tolerance/closest_point.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace isoscope {
+
+/// The octree with a union-find over its OUT cells. An OUT cell has d > δ' everywhere, so face-adjacent OUT cells are in one
+/// component of the complement: what the union-find joins is joined. Cells are refined where someone asks.
+class Regions {
+public:
+  using CellIndex = std::uint32_t;
+  static constexpr CellIndex none = 0xffffffffu;
+
+  enum class Kind : std::int8_t { in = -1, ambiguous = 0, out = 1 };
+
+  /// A cube: position (x, y, z) in units of its side, which is the domain's divided by 2^level.
+  struct Cell {
+    std::uint32_t x = 0, y = 0, z = 0;
+    CellIndex child = none;  ///< first of eight consecutive children
+    TriangleId triangle;     ///< closest to the centre
+    float distance = 0;      ///< d at the centre
+    std::uint8_t level = 0;
+    Kind kind = Kind::ambiguous; ///< out: d > δ' in the whole cell; in: d <= δ' in the whole cell
+  };
+
+  struct Options {
+    double boundary = 0;  ///< δ'
+    double main_side = 0; ///< ambiguous cells are split at once down to this side
+    double min_side = 0;  ///< and on demand down to this one
+    double margin = 0;    ///< between the input's box and the domain's
+  };
+
+  /// Builds the main cells. Fails with unsupported when the tolerance is so small that their number would exceed 2^31, with
+  /// cancelled when told to.
+  static Result<Regions> build(const ClosestPointIndex& index, const Options& options, const RunControl& control);
+
+  const Cell& cell(CellIndex i) const { return cells_[i]; }
+  std::size_t size() const { return cells_.size(); }
+  /// Cells before this one came from build(); later ones from refinement.
+  std::size_t main_size() const { return main_size_; }
+  unsigned main_level() const { return main_level_; }
+  double side(unsigned level) const { return domain_side_ / static_cast<double>(std::uint64_t{1} << level); }
+  Vec3 center(const Cell& c) const;
+  Box3 domain() const;
+  Vec3 origin() const { return origin_; }
+
+  /// The deepest existing cell that holds p; none outside of the domain.
+  CellIndex locate(Vec3 p) const;
+  /// The same, splitting ambiguous cells on the way.
+  CellIndex locate_refining(Vec3 p);
+
+  /// Representative of the component that holds an OUT cell.
+  CellIndex root(CellIndex i) const;
+  /// Makes root() a single step for all cells there are.
+  void flatten();
+  /// Marks the component of an OUT cell as known by a number; floods stop there.
+  void set_number(CellIndex i, std::uint32_t number) { numbers_[root(i)] = number; }
+  std::optional<std::uint32_t> number(CellIndex i) const;
+
+  /// Explores from an OUT cell, farthest from the input first, splitting ambiguous cells on its way, until it meets another
+  /// main or numbered component (true), nothing is left or `budget` cells were visited (false).
+  bool flood(CellIndex start, std::size_t budget);
+
+  std::size_t memory_bytes() const;
+
+private:
+  Regions(const ClosestPointIndex& index, const Options& options);
+  void classify(Cell& c, TriangleId guess) const;
+  void split(CellIndex i);
+  void unite_main();
+  CellIndex neighbor(const Cell& c, int face) const;
+  bool touches(const Cell& a, const Cell& b, int face) const;
+  CellIndex compress(CellIndex i);
+  bool is_goal(CellIndex root) const { return root < main_size_ || numbers_.contains(root); }
+  void unite(CellIndex a, CellIndex b);
+
+  const ClosestPointIndex* index_;
+  double boundary_;
+  Vec3 origin_;
+  double domain_side_;
+  unsigned main_level_ = 0, max_level_ = 0;
+  std::size_t main_size_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<CellIndex> parents_;                          ///< union-find; numbered, then main, then older cells are roots
+  std::unordered_map<CellIndex, std::uint32_t> numbers_; ///< by root; looked up only, never iterated
+};
+
+} // namespace isoscope

@@ -1,0 +1,260 @@
+// Builds Ω: octree, pockets, regions, labels, boundary components.
+#include "tolerance/tolerance_volume.h"
+
+#include "tolerance/boundary_topology.h"
+#include "tolerance/region_labels.h"
+#include "tolerance/regions.h"
+#include "tolerance/volume_components.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+/// A pocket of more cells than this is real: what crevices cut off is small.
+constexpr std::size_t most_pocket_cells = 5000;
+/// Cells that one flood may visit while joining pockets, and all of them together may create.
+constexpr std::size_t pocket_budget = 20000;
+constexpr std::size_t most_refined_cells = 6'000'000;
+/// Cells that the flood of one query may visit.
+constexpr std::size_t query_budget = 200000;
+constexpr std::size_t most_components = 0xffff;
+
+struct RegionSummary {
+  Regions::CellIndex root = Regions::none;
+  Regions::CellIndex deepest = Regions::none;
+  std::size_t cells = 0;
+  double volume = 0;
+};
+
+/// The components of OUT cells, ascending by root.
+std::vector<RegionSummary> summarize(const Regions& octree) {
+  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint32_t> index(octree.size(), none);
+  std::vector<RegionSummary> list;
+  for (std::size_t k = 0; k < octree.size(); ++k) {
+    const auto i = static_cast<Regions::CellIndex>(k);
+    const Regions::Cell& c = octree.cell(i);
+    if (c.kind != Regions::Kind::out) continue;
+    const Regions::CellIndex root = octree.root(i);
+    if (root >= octree.main_size()) continue;
+    if (index[root] == none) {
+      index[root] = static_cast<std::uint32_t>(list.size());
+      list.emplace_back().root = root;
+    }
+    RegionSummary& s = list[index[root]];
+    const double side = octree.side(c.level);
+    ++s.cells;
+    s.volume += side * side * side;
+    if (s.deepest == Regions::none || c.distance > octree.cell(s.deepest).distance) s.deepest = i;
+  }
+  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.root < b.root; });
+  return list;
+}
+
+} // namespace
+
+ToleranceVolume::ToleranceVolume() = default;
+ToleranceVolume::ToleranceVolume(ToleranceVolume&&) noexcept = default;
+ToleranceVolume& ToleranceVolume::operator=(ToleranceVolume&&) noexcept = default;
+ToleranceVolume::~ToleranceVolume() = default;
+
+Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPointIndex> index,
+                                               const InputTopology& input, const Options& options,
+                                               const RunControl& control) {
+  if (!(options.delta > 0) || !std::isfinite(options.delta))
+    return Error{ErrorCode::usage, "The tolerance must be a positive length.", "Give it as a percentage, such as 0.6%."};
+  if (!(options.boundary_ratio > 0 && options.boundary_ratio <= 1))
+    return Error{ErrorCode::usage, "The boundary ratio must lie in (0, 1].", ""};
+  ToleranceVolume v;
+  v.index_ = std::move(index);
+  v.input_ = input;
+  const double delta = options.delta, boundary = options.boundary_ratio * delta;
+  v.thresholds_ = {delta, std::max(0.5 * (boundary + delta), boundary + 0.01 * delta), boundary};
+
+  // A cell of this side that holds a point beyond δ_r is OUT: its centre is at most 0.867 sides away from that point, and OUT
+  // needs another 0.867 sides.
+  const double min_side = 0.57 * (v.thresholds_.reject - boundary);
+  auto octree = Regions::build(*v.index_, {boundary, 0.5 * boundary, min_side, 3 * delta}, control);
+  if (!octree.ok()) return octree.error();
+  v.octree_ = std::make_unique<Regions>(std::move(octree).value());
+  v.join_pockets(control);
+
+  VolumeComponents components = find_volume_components(*v.index_, boundary);
+  v.volume_components_ = std::move(components.of_triangle);
+  v.volume_component_count_ = components.count;
+  v.collect_regions();
+  v.collect_boundary_components();
+  if (Status s = v.label_regions(); !s.ok()) return s.error();
+  for (BoundaryComponent& c : v.boundary_components_) c.label = v.regions_[c.region.index()].label;
+
+  auto characteristics = boundary_characteristics(v, 0, control);
+  if (!characteristics.ok()) return characteristics.error();
+  for (std::size_t i = 0; i < v.boundary_components_.size(); ++i)
+    v.boundary_components_[i].euler_characteristic = (*characteristics)[i];
+  if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+  return v;
+}
+
+/// Pockets that only a crevice between main cells cuts off are joined to what they belong to, smallest first.
+void ToleranceVolume::join_pockets(const RunControl& control) {
+  std::vector<RegionSummary> pockets = summarize(*octree_);
+  std::stable_sort(pockets.begin(), pockets.end(), [](const auto& a, const auto& b) { return a.volume < b.volume; });
+  const std::size_t built = octree_->size();
+  for (std::size_t k = 0; k + 1 < pockets.size(); ++k) {
+    if (control.cancelled() || octree_->size() > built + most_refined_cells) return;
+    const RegionSummary& pocket = pockets[k];
+    if (pocket.cells > most_pocket_cells || octree_->root(pocket.root) != pocket.root) continue;
+    octree_->flood(pocket.deepest, pocket_budget);
+    control.report("regions", -1);
+  }
+}
+
+RegionId ToleranceVolume::add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume) {
+  const RegionId id(regions_.size());
+  octree_->set_number(cell, id.value);
+  regions_.push_back({id, +1, false, deepest, depth, volume});
+  return id;
+}
+
+void ToleranceVolume::collect_regions() {
+  const Box3 cube = domain();
+  const Vec3 inset = Vec3{1, 1, 1} * (1e-9 * cube.longest_edge());
+  const Regions::CellIndex unbounded = octree_->root(octree_->locate(cube.lo + inset));
+  std::vector<RegionSummary> list = summarize(*octree_);
+  std::stable_partition(list.begin(), list.end(), [&](const RegionSummary& s) { return s.root == unbounded; });
+  for (const RegionSummary& s : list) {
+    const Regions::Cell& c = octree_->cell(s.deepest);
+    add_region(s.root, octree_->center(c), static_cast<double>(c.distance), s.volume);
+  }
+  octree_->flatten();
+  regions_.front().unbounded = true;
+  regions_.front().volume = std::numeric_limits<double>::infinity();
+}
+
+/// From the centre of an OUT cell towards its closest triangle everything outside of Ω' is in the cell's region: so that
+/// region touches the component of Ω' of that triangle.
+void ToleranceVolume::collect_boundary_components() {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::size_t k = 0; k < octree_->size(); ++k) {
+    const auto i = static_cast<Regions::CellIndex>(k);
+    const Regions::Cell& c = octree_->cell(i);
+    if (c.kind != Regions::Kind::out) continue;
+    const auto number = octree_->number(i);
+    if (!number) continue;
+    const std::pair<std::uint32_t, std::uint32_t> pair{*number, volume_component(c.triangle)};
+    if (!pairs.empty() && pairs.back() == pair) continue;
+    pairs.push_back(pair);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (const auto& [region, component] : pairs) boundary_components_.push_back({RegionId(region), component, +1, 0});
+}
+
+std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region, std::uint32_t component) const {
+  const std::pair wanted{region, component};
+  const auto found = std::lower_bound(
+      boundary_components_.begin(), boundary_components_.end(), wanted,
+      [](const BoundaryComponent& c, const auto& w) { return std::pair{c.region, c.volume_component} < w; });
+  if (found == boundary_components_.end() || std::pair{found->region, found->volume_component} != wanted)
+    return std::nullopt;
+  const auto i = static_cast<std::size_t>(found - boundary_components_.begin());
+  if (i >= most_components) return std::nullopt;
+  return static_cast<std::uint16_t>(i);
+}
+
+Status ToleranceVolume::label_regions() {
+  auto labels = input_.closed_manifold ? label_by_parity(*this) : label_by_two_colouring(*this);
+  if (!labels.ok()) return labels.error();
+  for (std::size_t i = 0; i < regions_.size(); ++i) regions_[i].label = (*labels)[i];
+  return {};
+}
+
+Box3 ToleranceVolume::domain() const { return octree_->domain(); }
+
+ToleranceVolume::Escape ToleranceVolume::escape(Vec3 p, const ClosestPoint& closest) const {
+  const double boundary = thresholds_.boundary;
+  Escape result{RegionId(), p, closest.distance()};
+  const auto arrive = [&](Vec3 w, double d) {
+    if (d > result.distance) result.reached = w, result.distance = d;
+    const Regions::CellIndex i = octree_->locate(w);
+    if (i == Regions::none) return result.region = RegionId(0), true;
+    if (octree_->cell(i).kind != Regions::Kind::out) return false;
+    const auto number = octree_->number(i);
+    if (number) result.region = RegionId(*number);
+    return number.has_value();
+  };
+  if (arrive(p, closest.distance())) return result;
+
+  // Straight away from the closest point: as long as it stays the closest one, d grows along the whole way.
+  const Vec3 direction = normalized(p - closest.point);
+  ClosestPoint at = closest;
+  Vec3 w = p;
+  for (double t = 1.8 * boundary; t > 1.001 * boundary; t = boundary + 0.5 * (t - boundary)) {
+    if (t <= closest.distance()) break;
+    const Vec3 q = closest.point + t * direction;
+    const ClosestPoint c = index_->closest_near(q, closest.triangle);
+    if (c.distance() < t * (1 - 1e-9)) continue;
+    if (arrive(q, t)) return result;
+    w = q;
+    at = c;
+    break;
+  }
+  // Then by balls that hold no point of Ω'.
+  for (int step = 0; step < 40; ++step) {
+    const double radius = at.distance() - boundary;
+    if (radius < 1e-4 * boundary) break;
+    w = w + 0.95 * radius * normalized(w - at.point);
+    at = index_->closest_near(w, at.triangle);
+    if (arrive(w, at.distance())) return result;
+  }
+  return result;
+}
+
+RegionId ToleranceVolume::region_at(Vec3 p) {
+  const Regions::CellIndex i = octree_->locate_refining(p);
+  if (i == Regions::none) return RegionId(0);
+  if (octree_->cell(i).kind != Regions::Kind::out) return {};
+  if (const auto number = octree_->number(i)) return RegionId(*number);
+  octree_->flood(i, query_budget);
+  if (const auto number = octree_->number(i)) return RegionId(*number);
+  const Regions::Cell c = octree_->cell(i);
+  const double side = octree_->side(c.level);
+  const RegionId id = add_region(i, octree_->center(c), static_cast<double>(c.distance), side * side * side);
+  regions_.back().label = index_->inside_by_parity(regions_.back().deepest) ? -1 : +1;
+  return id;
+}
+
+int ToleranceVolume::label_at(Vec3 p) {
+  const RegionId region = region_at(p);
+  return region.valid() ? regions_[region.index()].label : 0;
+}
+
+bool ToleranceVolume::thickening() const {
+  std::vector<std::vector<long>> sides(volume_component_count_);
+  for (const BoundaryComponent& c : boundary_components_) sides[c.volume_component].push_back(c.euler_characteristic);
+  return std::all_of(sides.begin(), sides.end(), [](const auto& s) { return s.size() == 2 && s[0] == s[1]; });
+}
+
+std::string ToleranceVolume::thickening_note() const {
+  if (thickening()) return {};
+  std::size_t outer = 0, inner = 0;
+  long outer_euler = 0, inner_euler = 0;
+  for (const BoundaryComponent& c : boundary_components_) {
+    ++(c.label > 0 ? outer : inner);
+    (c.label > 0 ? outer_euler : inner_euler) += c.euler_characteristic;
+  }
+  const auto part = [](std::size_t n, long euler) {
+    return std::to_string(n) + (n == 1 ? " boundary component" : " boundary components") + " of Euler characteristic " +
+           std::to_string(euler);
+  };
+  return "At this tolerance the volume is no thickening: it has " + part(outer, outer_euler) + " outside and " +
+         part(inner, inner_euler) + " inside, because it closes gaps, tunnels or walls narrower than twice the tolerance.";
+}
+
+std::size_t ToleranceVolume::memory_bytes() const {
+  return octree_->memory_bytes() + volume_components_.capacity() * sizeof(std::uint32_t) +
+         regions_.capacity() * sizeof(Region) + boundary_components_.capacity() * sizeof(BoundaryComponent);
+}
+
+} // namespace isoscope

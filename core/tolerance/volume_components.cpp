@@ -1,0 +1,64 @@
+// Components of Ω' by the distances between triangles.
+#include "tolerance/volume_components.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace isoscope {
+
+DisjointSets::DisjointSets(std::size_t n) : parents_(n) { std::iota(parents_.begin(), parents_.end(), 0u); }
+
+std::uint32_t DisjointSets::find(std::uint32_t i) {
+  while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+  return i;
+}
+
+bool DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
+  a = find(a);
+  b = find(b);
+  if (a == b) return false;
+  parents_[std::max(a, b)] = std::min(a, b);
+  return true;
+}
+
+VolumeComponents find_volume_components(const ClosestPointIndex& index, double r) {
+  const auto n = static_cast<std::uint32_t>(index.size());
+  DisjointSets sets(n);
+  std::size_t count = n;
+
+  // Equal corners first: nearly all of the work on an ordinary mesh, without a distance.
+  struct Corner {
+    Vec3 p;
+    std::uint32_t triangle;
+  };
+  std::vector<Corner> corners;
+  corners.reserve(3 * std::size_t{n});
+  for (std::uint32_t t = 0; t < n; ++t)
+    for (const Vec3 p : index.triangle(TriangleId(t))) corners.push_back({p, t});
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+    return std::tie(a.p.x, a.p.y, a.p.z, a.triangle) < std::tie(b.p.x, b.p.y, b.p.z, b.triangle);
+  });
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    if (corners[i].p == corners[i - 1].p && sets.unite(corners[i].triangle, corners[i - 1].triangle)) --count;
+
+  for (std::uint32_t t = 0; t < n && count > 1; ++t) {
+    const Triangle3& triangle = index.triangle(TriangleId(t));
+    Box3 box;
+    for (const Vec3 p : triangle) box.add(p);
+    for (const TriangleId other : index.triangles_in(box.grown(2 * r))) {
+      if (other.value <= t || sets.find(other.value) == sets.find(t)) continue;
+      if (triangles_within(triangle, index.triangle(other), 2 * r) && sets.unite(t, other.value)) --count;
+    }
+  }
+
+  VolumeComponents result;
+  result.of_triangle.resize(n);
+  for (std::uint32_t t = 0; t < n; ++t) {
+    const std::uint32_t root = sets.find(t);
+    result.of_triangle[t] = root == t ? static_cast<std::uint32_t>(result.count++) : result.of_triangle[root];
+  }
+  return result;
+}
+
+} // namespace isoscope

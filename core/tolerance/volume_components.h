@@ -1,0 +1,32 @@
+// The connected components of Ω' in terms of the input triangles.
+#pragma once
+
+#include "tolerance/closest_point.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace isoscope {
+
+/// Two triangles are in one component of {d <= r} when a chain of triangles at most 2r apart joins them.
+struct VolumeComponents {
+  std::vector<std::uint32_t> of_triangle; ///< component by triangle id
+  std::size_t count = 0;                  ///< numbered by their smallest triangle id
+};
+
+VolumeComponents find_volume_components(const ClosestPointIndex& index, double r);
+
+/// Union-find over 0 … n-1 whose representatives are the smallest members.
+class DisjointSets {
+public:
+  explicit DisjointSets(std::size_t n);
+  std::uint32_t find(std::uint32_t i);
+  /// Whether a and b were apart.
+  bool unite(std::uint32_t a, std::uint32_t b);
+
+private:
+  std::vector<std::uint32_t> parents_;
+};
+
+} // namespace isoscope
