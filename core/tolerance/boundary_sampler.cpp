@@ -1,0 +1,172 @@
+// Covers ∂Ω' block by block: candidates in parallel, the choice among them in order.
+#include "tolerance/boundary_sampler.h"
+
+#include "base/parallel.h"
+#include "tolerance/regions.h"
+#include "tolerance/sample_candidates.h"
+#include "tolerance/sample_grid.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t block_cells = 4096;
+constexpr std::uint16_t no_component = 0xffff;
+
+/// A cell without a boundary point of its own, to be covered by its neighbours' samples.
+struct OrphanCell {
+  Vec3 center;
+  double half_side;
+};
+
+class Sampler {
+public:
+  Sampler(ToleranceVolume& volume, double sigma) : volume_(volume), grid_(volume.domain().lo, sigma) {
+    samples_.sigma = sigma;
+    samples_.snap_unit = std::ldexp(1.0, std::ilogb(volume.index().bounds().longest_edge()) - 40);
+    options_.target_bound = 0.6 * sigma;
+    options_.smallest_side = sigma / 16;
+    options_.snap_unit = samples_.snap_unit;
+  }
+
+  Status run(const RunControl& control) {
+    const Regions& octree = volume_.octree();
+    std::vector<Regions::CellIndex> block;
+    for (std::size_t i = 0; i < octree.main_size(); ++i) {
+      const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
+      if (c.kind == Regions::Kind::ambiguous && c.level == octree.main_level())
+        block.push_back(static_cast<Regions::CellIndex>(i));
+      if (block.size() < block_cells && i + 1 < octree.main_size()) continue;
+      if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
+      control.report("sampling", static_cast<double>(i + 1) / static_cast<double>(octree.main_size()));
+      sample_block(block);
+      block.clear();
+    }
+    count_undecided();
+    return {};
+  }
+
+  BoundarySamples take() { return std::move(samples_); }
+
+private:
+  void sample_block(const std::vector<Regions::CellIndex>& block) {
+    std::vector<std::vector<SampleCandidate>> candidates(block.size());
+    parallel_for(block.size(), 16, [&](std::size_t i) {
+      find_candidates(volume_, volume_.octree().cell(block[i]), options_, candidates[i]);
+    });
+    for (auto& list : candidates) {
+      settle_regions(list);
+      cover(list);
+      std::vector<SampleCandidate>().swap(list);
+    }
+  }
+
+  /// Asks the octree about the few candidates in crevices wide enough to have a side.
+  void settle_regions(std::vector<SampleCandidate>& list) {
+    for (SampleCandidate& c : list) {
+      if (!c.ask_octree) continue;
+      c.region = volume_.region_at(c.reached);
+      c.has_point = c.region.valid();
+    }
+  }
+
+  int label(const SampleCandidate& c) const { return volume_.regions()[c.region.index()].label; }
+
+  /// Adds samples until every cell of the list lies within σ of a sample of its side. Of the candidates that would do, the
+  /// one that covers the most cells is taken.
+  void cover(const std::vector<SampleCandidate>& list) {
+    if (list.empty()) return;
+    const double sigma = samples_.sigma;
+    Box3 box;
+    for (const SampleCandidate& c : list) {
+      const Vec3 h{c.half_side, c.half_side, c.half_side};
+      box.add(Box3{c.center - h, c.center + h});
+    }
+    near_.clear();
+    grid_.gather(box.grown(sigma), near_);
+    covered_.assign(list.size(), 0);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const SampleCandidate& cell = list[i];
+      if (!cell.has_point) {
+        orphans_.push_back({cell.center, cell.half_side});
+        covered_[i] = 1;
+        continue;
+      }
+      const int side = label(cell);
+      for (const std::uint32_t s : near_) {
+        if (samples_.labels[s] != side) continue;
+        const double d = farthest_in_cube(samples_.positions[s], cell.center, cell.half_side);
+        if (d > sigma) continue;
+        covered_[i] = 1;
+        samples_.covering_radius = std::max(samples_.covering_radius, d);
+        break;
+      }
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (covered_[i]) continue;
+      add_sample(list[best_for(list, i)], list);
+    }
+  }
+
+  bool covers(const SampleCandidate& by, const SampleCandidate& cell) const {
+    return label(by) == label(cell) && farthest_in_cube(by.point, cell.center, cell.half_side) <= samples_.sigma;
+  }
+
+  std::size_t best_for(const std::vector<SampleCandidate>& list, std::size_t i) const {
+    std::size_t best = i, most = 0;
+    for (std::size_t j = 0; j < list.size(); ++j) {
+      if (!list[j].has_point || !covers(list[j], list[i])) continue;
+      std::size_t n = 0;
+      for (std::size_t k = 0; k < list.size(); ++k) n += !covered_[k] && covers(list[j], list[k]);
+      if (n > most) most = n, best = j;
+    }
+    return best;
+  }
+
+  void add_sample(const SampleCandidate& c, const std::vector<SampleCandidate>& list) {
+    samples_.positions.push_back(c.point);
+    samples_.labels.push_back(static_cast<std::int8_t>(label(c)));
+    samples_.components.push_back(volume_.boundary_component(c.region, c.volume_component).value_or(no_component));
+    grid_.add(c.point);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (covered_[k] || !covers(c, list[k])) continue;
+      covered_[k] = 1;
+      samples_.covering_radius =
+          std::max(samples_.covering_radius, farthest_in_cube(c.point, list[k].center, list[k].half_side));
+    }
+  }
+
+  /// Cells without a point of their own are fine where some sample is near all the same.
+  void count_undecided() {
+    for (const OrphanCell& cell : orphans_) {
+      const Vec3 h{cell.half_side, cell.half_side, cell.half_side};
+      near_.clear();
+      grid_.gather(Box3{cell.center - h, cell.center + h}.grown(samples_.sigma), near_);
+      const bool found = std::any_of(near_.begin(), near_.end(), [&](std::uint32_t s) {
+        return farthest_in_cube(samples_.positions[s], cell.center, cell.half_side) <= samples_.sigma;
+      });
+      if (!found) ++samples_.undecided_cells;
+    }
+  }
+
+  ToleranceVolume& volume_;
+  SampleGrid grid_;
+  CandidateOptions options_;
+  BoundarySamples samples_;
+  std::vector<OrphanCell> orphans_;
+  std::vector<std::uint32_t> near_;  ///< samples around the list at hand
+  std::vector<std::uint8_t> covered_; ///< by cell of the list at hand
+};
+
+} // namespace
+
+Result<BoundarySamples> sample_boundary(ToleranceVolume& volume, double sigma, const RunControl& control) {
+  if (!(sigma > 0) || !std::isfinite(sigma))
+    return Error{ErrorCode::usage, "The sampling density must be a positive length.", ""};
+  Sampler sampler(volume, sigma);
+  if (Status s = sampler.run(control); !s.ok()) return s.error();
+  return sampler.take();
+}
+
+} // namespace isoscope
