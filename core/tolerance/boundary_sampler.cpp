@@ -21,7 +21,7 @@ struct OrphanCell {
 };
 
 class Sampler {
-public:
+ public:
   Sampler(ToleranceVolume& volume, double sigma) : volume_(volume), grid_(volume.domain().lo, sigma) {
     samples_.sigma = sigma;
     samples_.snap_unit = std::ldexp(1.0, std::ilogb(volume.index().bounds().longest_edge()) - 40);
@@ -38,7 +38,8 @@ public:
       if (c.kind == Regions::Kind::ambiguous && c.level == octree.main_level())
         block.push_back(static_cast<Regions::CellIndex>(i));
       if (block.size() < block_cells && i + 1 < octree.main_size()) continue;
-      if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
+      if (control.cancelled())
+        return Error{ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
       control.report("sampling", static_cast<double>(i + 1) / static_cast<double>(octree.main_size()));
       sample_block(block);
       block.clear();
@@ -49,7 +50,7 @@ public:
 
   BoundarySamples take() { return std::move(samples_); }
 
-private:
+ private:
   void sample_block(const std::vector<Regions::CellIndex>& block) {
     std::vector<std::vector<SampleCandidate>> candidates(block.size());
     parallel_for(block.size(), 16, [&](std::size_t i) {
@@ -73,8 +74,8 @@ private:
 
   int label(const SampleCandidate& c) const { return volume_.regions()[c.region.index()].label; }
 
-  /// Adds samples until every cell of the list lies within σ of a sample of its side. Of the candidates that would do, the
-  /// one that covers the most cells is taken.
+  /// Adds samples until every cell of the list lies within σ of a sample of its side. Of the candidates that
+  /// would do, the one that covers the most cells is taken.
   void cover(const std::vector<SampleCandidate>& list) {
     if (list.empty()) return;
     const double sigma = samples_.sigma;
@@ -110,7 +111,8 @@ private:
   }
 
   bool covers(const SampleCandidate& by, const SampleCandidate& cell) const {
-    return label(by) == label(cell) && farthest_in_cube(by.point, cell.center, cell.half_side) <= samples_.sigma;
+    return label(by) == label(cell) &&
+           farthest_in_cube(by.point, cell.center, cell.half_side) <= samples_.sigma;
   }
 
   std::size_t best_for(const std::vector<SampleCandidate>& list, std::size_t i) const {
@@ -127,7 +129,8 @@ private:
   void add_sample(const SampleCandidate& c, const std::vector<SampleCandidate>& list) {
     samples_.positions.push_back(c.point);
     samples_.labels.push_back(static_cast<std::int8_t>(label(c)));
-    samples_.components.push_back(volume_.boundary_component(c.region, c.volume_component).value_or(no_component));
+    samples_.components.push_back(
+        volume_.boundary_component(c.region, c.volume_component).value_or(no_component));
     grid_.add(c.point);
     for (std::size_t k = 0; k < list.size(); ++k) {
       if (covered_[k] || !covers(c, list[k])) continue;
@@ -155,7 +158,7 @@ private:
   CandidateOptions options_;
   BoundarySamples samples_;
   std::vector<OrphanCell> orphans_;
-  std::vector<std::uint32_t> near_;  ///< samples around the list at hand
+  std::vector<std::uint32_t> near_;   ///< samples around the list at hand
   std::vector<std::uint8_t> covered_; ///< by cell of the list at hand
 };
 

@@ -10,15 +10,18 @@
 
 namespace isoscope {
 
-/// Samples of ∂Ω as parallel arrays, in a fixed order that does not depend on the number of threads, spatially coherent.
+/// Samples of ∂Ω as parallel arrays, in a fixed order that does not depend on the number of threads,
+/// spatially coherent.
 struct BoundarySamples {
-  std::vector<Vec3> positions;        ///< on d = δ' up to rounding, snapped to the grid of snap_unit
-  std::vector<std::int8_t> labels;    ///< F(s) = ±1
-  std::vector<std::uint16_t> components; ///< index into ToleranceVolume::boundary_components(), 0xffff unknown
-  double sigma = 0;                   ///< what was asked for
-  double covering_radius = 0;         ///< proven: every point of ∂Ω outside undecided cells has a sample this near
-  std::size_t undecided_cells = 0;    ///< cells at the depth limit that hold no sample: crevices thinner than they are
-  double snap_unit = 0;               ///< coordinates are multiples of this power of two
+  std::vector<Vec3> positions;     ///< on d = δ' up to rounding, snapped to the grid of snap_unit
+  std::vector<std::int8_t> labels; ///< F(s) = ±1
+  std::vector<std::uint16_t>
+      components;             ///< index into ToleranceVolume::boundary_components(), 0xffff unknown
+  double sigma = 0;           ///< what was asked for
+  double covering_radius = 0; ///< proven: every point of ∂Ω outside undecided cells has a sample this near
+  std::size_t undecided_cells =
+      0;                ///< cells at the depth limit that hold no sample: crevices thinner than they are
+  double snap_unit = 0; ///< coordinates are multiples of this power of two
 
   std::size_t size() const { return positions.size(); }
 };

@@ -25,12 +25,13 @@ struct LatticeCell {
 
 constexpr unsigned key_bits = 21;
 constexpr std::uint64_t corner_key(const LatticeCell& c, unsigned k) {
-  return (std::uint64_t{c.z} + (k >> 2)) << (2 * key_bits) | (std::uint64_t{c.y} + ((k >> 1) & 1u)) << key_bits |
-         (std::uint64_t{c.x} + (k & 1u));
+  return (std::uint64_t{c.z} + (k >> 2)) << (2 * key_bits) |
+         (std::uint64_t{c.y} + ((k >> 1) & 1u)) << key_bits | (std::uint64_t{c.x} + (k & 1u));
 }
 
-/// The simplices of Kuhn's subdivision of a cube that hold its corner 0, as corner numbers. Over all cubes they are all
-/// simplices of the lattice, each once. Crossed by the surface they become its vertices, edges and faces.
+/// The simplices of Kuhn's subdivision of a cube that hold its corner 0, as corner numbers. Over all cubes
+/// they are all simplices of the lattice, each once. Crossed by the surface they become its vertices, edges
+/// and faces.
 struct Simplex {
   std::array<unsigned, 4> corners;
   unsigned size;
@@ -50,7 +51,7 @@ std::vector<Simplex> simplices_at_corner() {
 }
 
 class Counter {
-public:
+ public:
   Counter(const ToleranceVolume& volume, unsigned halvings)
       : volume_(volume), halvings_(halvings), level_(volume.octree().main_level() + halvings),
         simplices_(simplices_at_corner()), counts_(volume.boundary_components().size(), 0) {}
@@ -65,7 +66,8 @@ public:
       for (std::uint32_t k = 0; k < n * n * n; ++k)
         block.push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
       if (block.size() < block_cells) continue;
-      if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+      if (control.cancelled())
+        return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
       control.report("boundary", static_cast<double>(i) / static_cast<double>(octree.main_size()));
       count(block);
       block.clear();
@@ -75,7 +77,7 @@ public:
   }
   std::vector<long> take() { return std::move(counts_); }
 
-private:
+ private:
   Vec3 position(std::uint64_t key) const {
     constexpr std::uint64_t mask = (std::uint64_t{1} << key_bits) - 1;
     const Vec3 u{static_cast<double>(key & mask), static_cast<double>(key >> key_bits & mask),
@@ -83,7 +85,8 @@ private:
     return volume_.octree().origin() + volume_.octree().side(level_) * u;
   }
 
-  /// The region of an OUT cell that has p on its border. Such cells are not counted, so all their corners must be known.
+  /// The region of an OUT cell that has p on its border. Such cells are not counted, so all their corners
+  /// must be known.
   RegionId adjacent_region(Vec3 p) const {
     const Regions& octree = volume_.octree();
     const double offset = 0.25 * octree.side(level_);
@@ -122,25 +125,28 @@ private:
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
       return a.key != b.key ? a.key < b.key : a.guess < b.guess;
     });
-    entries.erase(std::unique(entries.begin(), entries.end(), [](auto& a, auto& b) { return a.key == b.key; }),
-                  entries.end());
+    entries.erase(
+        std::unique(entries.begin(), entries.end(), [](auto& a, auto& b) { return a.key == b.key; }),
+        entries.end());
     std::vector<Corner> corners(entries.size());
-    parallel_for(entries.size(), 256, [&](std::size_t i) { corners[i] = examine(entries[i].key, entries[i].guess); });
+    parallel_for(entries.size(), 256,
+                 [&](std::size_t i) { corners[i] = examine(entries[i].key, entries[i].guess); });
 
     for (const LatticeCell& c : cells) {
       std::array<const Corner*, 8> at{};
       for (unsigned k = 0; k < 8; ++k) {
         const std::uint64_t key = corner_key(c, k);
-        const auto found = std::lower_bound(entries.begin(), entries.end(), key,
-                                            [](const Entry& e, std::uint64_t wanted) { return e.key < wanted; });
+        const auto found =
+            std::lower_bound(entries.begin(), entries.end(), key,
+                             [](const Entry& e, std::uint64_t wanted) { return e.key < wanted; });
         at[k] = &corners[static_cast<std::size_t>(found - entries.begin())];
       }
       count_cell(at);
     }
   }
 
-  /// Regions that come close to each other are counted one at a time, each against all that is not in it: so every count is
-  /// that of a closed surface.
+  /// Regions that come close to each other are counted one at a time, each against all that is not in it: so
+  /// every count is that of a closed surface.
   void count_cell(const std::array<const Corner*, 8>& at) {
     for (unsigned k = 0; k < 8; ++k) {
       if (!at[k]->outside) continue;

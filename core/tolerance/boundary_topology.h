@@ -9,9 +9,9 @@
 
 namespace isoscope {
 
-/// χ of each of volume.boundary_components(), counted on the surface that marching tetrahedra make of the signs of d - δ' at
-/// the corners of cells `halvings` times finer than the octree's main ones. Corners whose region the octree cannot tell
-/// count as part of Ω'. Fails with cancelled only.
+/// χ of each of volume.boundary_components(), counted on the surface that marching tetrahedra make of the
+/// signs of d - δ' at the corners of cells `halvings` times finer than the octree's main ones. Corners whose
+/// region the octree cannot tell count as part of Ω'. Fails with cancelled only.
 Result<std::vector<long>> boundary_characteristics(const ToleranceVolume& volume, unsigned halvings,
                                                    const RunControl& control);
 

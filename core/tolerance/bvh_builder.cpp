@@ -21,7 +21,9 @@ float round_down(double x) {
   const float f = static_cast<float>(x);
   return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
 }
-float round_up(double x) { return -round_down(-x); }
+float round_up(double x) {
+  return -round_down(-x);
+}
 
 } // namespace
 
@@ -112,7 +114,8 @@ void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth)
   while (parts.size() < width) {
     std::size_t widest = parts.size();
     for (std::size_t i = 0; i < parts.size(); ++i)
-      if (parts[i].size() > leaf_size && (widest == parts.size() || half_area(parts[i].box) > half_area(parts[widest].box)))
+      if (parts[i].size() > leaf_size &&
+          (widest == parts.size() || half_area(parts[i].box) > half_area(parts[widest].box)))
         widest = i;
     if (widest == parts.size()) break;
     const Range r = parts[widest];

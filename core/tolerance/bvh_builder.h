@@ -7,11 +7,11 @@ namespace isoscope {
 
 /// One-shot: fills nodes, slots and triangles of `index` from the soup.
 class BvhBuilder {
-public:
+ public:
   BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup);
   void build();
 
-private:
+ private:
   struct Item {
     Box3 box;
     std::uint32_t id;

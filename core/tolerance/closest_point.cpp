@@ -55,11 +55,13 @@ bool ray_meets(Vec3 o, Vec3 inverse_d, double t_end, const Box3& box) {
 
 } // namespace
 
-ClosestPointIndex::ClosestPointIndex(const TriangleSoup& soup) { BvhBuilder(*this, soup).build(); }
+ClosestPointIndex::ClosestPointIndex(const TriangleSoup& soup) {
+  BvhBuilder(*this, soup).build();
+}
 
 ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best) const {
-  // Lower bounds are computed in float in the frame of the input's box, with slack for every rounding, so that no triangle
-  // is missed; distances to triangles are computed in double.
+  // Lower bounds are computed in float in the frame of the input's box, with slack for every rounding, so
+  // that no triangle is missed; distances to triangles are computed in double.
   float q[3], reach = 1;
   for (int a = 0; a < 3; ++a) {
     const double x = std::clamp((p[a] - origin_[a]) * inverse_scale_, -1e15, 1e15);
@@ -194,8 +196,8 @@ std::vector<TriangleId> ClosestPointIndex::triangles_in(const Box3& box) const {
 }
 
 std::size_t ClosestPointIndex::memory_bytes() const {
-  return triangles_.capacity() * sizeof(Triangle3) + (ids_.capacity() + slots_.capacity()) * sizeof(std::uint32_t) +
-         nodes_.capacity() * sizeof(Node);
+  return triangles_.capacity() * sizeof(Triangle3) +
+         (ids_.capacity() + slots_.capacity()) * sizeof(std::uint32_t) + nodes_.capacity() * sizeof(Node);
 }
 
 } // namespace isoscope

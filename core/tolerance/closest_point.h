@@ -12,7 +12,8 @@
 
 namespace isoscope {
 
-/// The closest point of the input to some query. `triangle` is invalid when nothing lay within the search radius.
+/// The closest point of the input to some query. `triangle` is invalid when nothing lay within the search
+/// radius.
 struct ClosestPoint {
   Vec3 point;
   double squared_distance = std::numeric_limits<double>::infinity();
@@ -27,20 +28,22 @@ Vec3 closest_point_on_triangle(Vec3 p, const Triangle3& t);
 /// Whether the distance between two triangles is at most r.
 bool triangles_within(const Triangle3& a, const Triangle3& b, double r);
 
-/// A bounding volume hierarchy over the triangles of a soup. Immutable after construction; all queries are thread-safe.
+/// A bounding volume hierarchy over the triangles of a soup. Immutable after construction; all queries are
+/// thread-safe.
 class ClosestPointIndex {
-public:
+ public:
   /// Needs at least one triangle. Degenerate triangles are kept as the segments or points they are.
   explicit ClosestPointIndex(const TriangleSoup& soup);
 
-  /// The closest point within `radius` of p (ties: smallest triangle id of equal distance is not promised, but the
-  /// result depends on p and the soup only).
+  /// The closest point within `radius` of p (ties: smallest triangle id of equal distance is not promised,
+  /// but the result depends on p and the soup only).
   ClosestPoint closest(Vec3 p, double radius = std::numeric_limits<double>::infinity()) const;
   /// The same, starting from a guess that is likely close: a faster query, the same distance.
   ClosestPoint closest_near(Vec3 p, TriangleId guess) const;
   double distance(Vec3 p) const { return closest(p).distance(); }
 
-  /// Whether p is enclosed by an odd number of layers, by majority over several rays. Meaningful for closed input only.
+  /// Whether p is enclosed by an odd number of layers, by majority over several rays. Meaningful for closed
+  /// input only.
   bool inside_by_parity(Vec3 p) const;
   /// Parameters t in (0, 1) at which the open segment a + t (b - a) crosses the input, ascending.
   std::vector<double> crossings(Vec3 a, Vec3 b) const;
@@ -52,7 +55,7 @@ public:
   const Box3& bounds() const { return bounds_; }
   std::size_t memory_bytes() const;
 
-private:
+ private:
   friend class BvhBuilder;
   static constexpr unsigned width = 4;
   /// Boxes of four children in the frame (p - origin_) * inverse_scale_, rounded outward to float.
@@ -67,10 +70,10 @@ private:
   ClosestPoint search(Vec3 p, ClosestPoint best) const;
   template <class MeetsBox, class AtSlot> void visit(const MeetsBox& meets_box, const AtSlot& at_slot) const;
 
-  std::vector<Triangle3> triangles_;  ///< in leaf order
-  std::vector<std::uint32_t> ids_;    ///< slot -> triangle id
-  std::vector<std::uint32_t> slots_;  ///< triangle id -> slot
-  std::vector<Node> nodes_;           ///< nodes_[0] is the root
+  std::vector<Triangle3> triangles_; ///< in leaf order
+  std::vector<std::uint32_t> ids_;   ///< slot -> triangle id
+  std::vector<std::uint32_t> slots_; ///< triangle id -> slot
+  std::vector<Node> nodes_;          ///< nodes_[0] is the root
   Box3 bounds_;
   Vec3 origin_;
   double inverse_scale_ = 1;

@@ -29,21 +29,26 @@ BlockRange block_range(std::size_t block, const std::array<int, 3>& blocks, cons
 
 Result<DistanceGrid> make_distance_grid(const ClosestPointIndex& index, double delta, int resolution,
                                         const RunControl& control) {
-  if (!(delta > 0) || resolution < 1) return Error{ErrorCode::usage, "A distance grid needs a tolerance and a size.", ""};
+  if (!(delta > 0) || resolution < 1)
+    return Error{ErrorCode::usage, "A distance grid needs a tolerance and a size.", ""};
   DistanceGrid grid;
   grid.box = index.bounds().grown(2 * delta);
   const double voxel = grid.box.longest_edge() / resolution;
   std::array<int, 3> blocks{};
   for (int a = 0; a < 3; ++a) {
     const auto axis = static_cast<std::size_t>(a);
-    grid.size[axis] = std::clamp(static_cast<int>(std::ceil(grid.box.extent()[a] / voxel - 1e-9)), 1, resolution);
+    grid.size[axis] =
+        std::clamp(static_cast<int>(std::ceil(grid.box.extent()[a] / voxel - 1e-9)), 1, resolution);
     grid.box.hi[a] = grid.box.lo[a] + voxel * grid.size[axis];
     blocks[axis] = (grid.size[axis] + block_side - 1) / block_side;
   }
-  const auto row = static_cast<std::size_t>(grid.size[0]), slice = row * static_cast<std::size_t>(grid.size[1]);
+  const auto row = static_cast<std::size_t>(grid.size[0]),
+             slice = row * static_cast<std::size_t>(grid.size[1]);
   grid.values.assign(slice * static_cast<std::size_t>(grid.size[2]), grid.clamp);
   const double reach = grid.clamp * delta;
-  const auto center = [&](double x, double y, double z) { return grid.box.lo + voxel * Vec3{x + 0.5, y + 0.5, z + 0.5}; };
+  const auto center = [&](double x, double y, double z) {
+    return grid.box.lo + voxel * Vec3{x + 0.5, y + 0.5, z + 0.5};
+  };
   const auto fill = [&](std::size_t block) {
     if (control.cancelled()) return;
     const BlockRange r = block_range(block, blocks, grid.size);

@@ -19,8 +19,8 @@ struct DistanceGrid {
   float clamp = 4;
 };
 
-/// A grid over the input's box grown by 2δ, with the longest side of `resolution` voxels. Exact at every voxel centre with
-/// d < clamp δ.
+/// A grid over the input's box grown by 2δ, with the longest side of `resolution` voxels. Exact at every
+/// voxel centre with d < clamp δ.
 Result<DistanceGrid> make_distance_grid(const ClosestPointIndex& index, double delta, int resolution,
                                         const RunControl& control);
 

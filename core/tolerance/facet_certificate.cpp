@@ -16,9 +16,9 @@ struct Piece {
 /// Bisections beyond this cannot make a piece of doubles smaller.
 constexpr int max_depth = 120;
 
-/// What a computed distance, circumradius bound or repeatedly rounded midpoint may be off by. Each comes from fewer than 32
-/// operations on numbers below the largest coordinate M, and midpoints along one path of bisections drift by at most one
-/// rounding a level, so (32 + 32 + max_depth) u M is enough; 256 leaves room.
+/// What a computed distance, circumradius bound or repeatedly rounded midpoint may be off by. Each comes from
+/// fewer than 32 operations on numbers below the largest coordinate M, and midpoints along one path of
+/// bisections drift by at most one rounding a level, so (32 + 32 + max_depth) u M is enough; 256 leaves room.
 double rounding_bound(const ClosestPointIndex& index, const Triangle3& facet) {
   double largest = 0;
   for (int a = 0; a < 3; ++a) {
@@ -28,7 +28,8 @@ double rounding_bound(const ClosestPointIndex& index, const Triangle3& facet) {
   return 256 * std::numeric_limits<double>::epsilon() * largest;
 }
 
-/// Upper bound of d on the piece from one input triangle: the distance to a convex set is convex, so a corner attains it.
+/// Upper bound of d on the piece from one input triangle: the distance to a convex set is convex, so a corner
+/// attains it.
 double corner_bound(const Piece& piece, const Triangle3& input) {
   double bound2 = 0;
   for (const Vec3 p : piece.corners)
@@ -55,8 +56,8 @@ void push_halves(const Piece& piece, TriangleId guess, std::vector<Piece>& stack
 
 } // namespace
 
-FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept, double reject,
-                           std::size_t budget) {
+FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
+                           double reject, std::size_t budget) {
   const double rounding = rounding_bound(index, facet);
   FacetVerdict verdict;
   std::vector<Piece> stack{{facet, TriangleId(), 0}};

@@ -32,7 +32,9 @@ MergedMesh merge(const TriangleSoup& soup) {
     const Vec3& p = soup.points[v];
     return std::tuple{p.x, p.y, p.z};
   };
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::pair{key(a), a} < std::pair{key(b), b}; });
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) {
+    return std::pair{key(a), a} < std::pair{key(b), b};
+  });
   MergedMesh mesh;
   std::vector<std::uint32_t> merged(soup.points.size(), 0);
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -62,7 +64,8 @@ std::vector<EdgeUse> sorted_edge_uses(const Triangles& triangles) {
   return uses;
 }
 
-/// Whether the triangles around every vertex form one fan: joining them across the edges at the vertex leaves one set.
+/// Whether the triangles around every vertex form one fan: joining them across the edges at the vertex leaves
+/// one set.
 bool one_fan_each(const MergedMesh& mesh, const std::vector<EdgeUse>& uses) {
   // Corner 3t + i stands for triangle t at its i-th vertex.
   DisjointSets corners(3 * mesh.triangles.size());
@@ -102,7 +105,8 @@ bool orient(Triangles& triangles, const std::vector<EdgeUse>& uses) {
   const auto runs_same_way = [&](std::uint32_t s, std::uint32_t t) {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        if (triangles[s][i] == triangles[t][j] && triangles[s][(i + 1) % 3] == triangles[t][(j + 1) % 3]) return true;
+        if (triangles[s][i] == triangles[t][j] && triangles[s][(i + 1) % 3] == triangles[t][(j + 1) % 3])
+          return true;
     return false;
   };
   std::vector<char> seen(triangles.size(), 0);
@@ -114,7 +118,8 @@ bool orient(Triangles& triangles, const std::vector<EdgeUse>& uses) {
     while (!stack.empty()) {
       const std::uint32_t s = stack.back();
       stack.pop_back();
-      auto link = std::lower_bound(links.begin(), links.end(), s, [](const Link& l, std::uint32_t t) { return l.from < t; });
+      auto link = std::lower_bound(links.begin(), links.end(), s,
+                                   [](const Link& l, std::uint32_t t) { return l.from < t; });
       for (; link != links.end() && link->from == s; ++link) {
         const bool flipped = runs_same_way(s, link->to);
         if (seen[link->to]) {
@@ -136,7 +141,8 @@ bool self_intersects(const MergedMesh& mesh, const Triangles& oriented) {
   Mesh m;
   for (const Vec3 p : mesh.points) m.add_vertex({p.x, p.y, p.z});
   for (const auto& t : oriented) {
-    const auto face = m.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+    const auto face =
+        m.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
     if (face == Mesh::null_face()) return true;
   }
   return CGAL::Polygon_mesh_processing::does_self_intersect(m);

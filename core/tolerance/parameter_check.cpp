@@ -14,20 +14,23 @@ std::string format(const char* pattern, double a, double b) {
 
 } // namespace
 
-std::vector<ParameterWarning> check_parameters(double sigma, double alpha, double delta, bool condition_2_used) {
+std::vector<ParameterWarning> check_parameters(double sigma, double alpha, double delta,
+                                               bool condition_2_used) {
   std::vector<ParameterWarning> warnings;
   if (sigma >= delta)
-    warnings.push_back({format("The sampling density is %.3g times the tolerance: the guarantees of the method (§3) need a "
-                               "density below the tolerance. Choose a smaller one than %.3g.",
-                               sigma / delta, delta),
-                        delta});
+    warnings.push_back(
+        {format("The sampling density is %.3g times the tolerance: the guarantees of the method (§3) need a "
+                "density below the tolerance. Choose a smaller one than %.3g.",
+                sigma / delta, delta),
+         delta});
   const double largest = alpha * delta;
   if (condition_2_used && sigma > largest * (1 + 1e-12))
-    warnings.push_back({format("Where the input is flat, condition 2 (§2.3) cannot hold: tetrahedra across the tolerance "
-                               "volume are about twice the tolerance high, so the density may be at most the tolerance "
-                               "divided by %.3g, which is %.3g. Refinement will leave some tetrahedra as they are.",
-                               1 / alpha, largest),
-                        largest});
+    warnings.push_back(
+        {format("Where the input is flat, condition 2 (§2.3) cannot hold: tetrahedra across the tolerance "
+                "volume are about twice the tolerance high, so the density may be at most the tolerance "
+                "divided by %.3g, which is %.3g. Refinement will leave some tetrahedra as they are.",
+                1 / alpha, largest),
+         largest});
   return warnings;
 }
 

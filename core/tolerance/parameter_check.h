@@ -9,11 +9,13 @@ namespace isoscope {
 /// One thing the user should know before the run, with the value that would help.
 struct ParameterWarning {
   std::string message;
-  double largest_sigma = 0; ///< the largest σ (absolute) for which the warned-of condition can hold; 0 when none applies
+  double largest_sigma =
+      0; ///< the largest σ (absolute) for which the warned-of condition can hold; 0 when none applies
 };
 
-/// `sigma` and `delta` absolute, alpha in (0, 1). In flat places heterogeneous tetrahedra are about 2 δ' high, so condition 2
-/// (height >= 2σ/α) needs σ <= α δ'; σ >= δ voids §3 altogether.
-std::vector<ParameterWarning> check_parameters(double sigma, double alpha, double delta, bool condition_2_used);
+/// `sigma` and `delta` absolute, alpha in (0, 1). In flat places heterogeneous tetrahedra are about 2 δ'
+/// high, so condition 2 (height >= 2σ/α) needs σ <= α δ'; σ >= δ voids §3 altogether.
+std::vector<ParameterWarning> check_parameters(double sigma, double alpha, double delta,
+                                               bool condition_2_used);
 
 } // namespace isoscope

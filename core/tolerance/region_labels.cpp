@@ -23,7 +23,8 @@ std::string place(Vec3 p) {
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
   std::vector<std::vector<RegionId>> sides(volume.volume_component_count());
-  for (const BoundaryComponent& c : volume.boundary_components()) sides[c.volume_component].push_back(c.region);
+  for (const BoundaryComponent& c : volume.boundary_components())
+    sides[c.volume_component].push_back(c.region);
   return sides;
 }
 
@@ -34,7 +35,9 @@ std::vector<TriangleId> triangles_of(const ToleranceVolume& volume, std::uint32_
   return list;
 }
 
-Vec3 centroid(const Triangle3& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+Vec3 centroid(const Triangle3& t) {
+  return (t[0] + t[1] + t[2]) / 3.0;
+}
 
 /// A lower bound of the largest d inside a thin closed part: midway between opposite walls, from many places.
 double inner_depth(const ToleranceVolume& volume, const std::vector<TriangleId>& part) {
@@ -63,14 +66,15 @@ Error nothing_inside(const ToleranceVolume& volume, std::uint32_t component) {
   const ToleranceThresholds& t = volume.thresholds();
   Error error{ErrorCode::unsupported,
               "The input is thinner than twice the tolerance everywhere around " +
-                  place(centroid(volume.index().triangle(part.front()))) + ": nothing is left inside of it there.",
+                  place(centroid(volume.index().triangle(part.front()))) +
+                  ": nothing is left inside of it there.",
               "Choose a smaller tolerance."};
   const double depth = inner_depth(volume, part);
   if (depth > 0) {
     const double largest = 0.95 * depth * t.delta / t.boundary;
     char text[160];
-    std::snprintf(text, sizeof text, "Choose a tolerance of at most about %.2g (%.2g%% of the longest edge).", largest,
-                  100 * largest / volume.index().bounds().longest_edge());
+    std::snprintf(text, sizeof text, "Choose a tolerance of at most about %.2g (%.2g%% of the longest edge).",
+                  largest, 100 * largest / volume.index().bounds().longest_edge());
     error.remedy = text;
   }
   return error;
@@ -83,16 +87,20 @@ Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
   const Vec3 p =
       border_is_here ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front()));
   return {ErrorCode::unsupported,
-          "The input is an open surface near " + place(p) + ": both its sides are connected outside of the tolerance volume.",
+          "The input is an open surface near " + place(p) +
+              ": both its sides are connected outside of the tolerance volume.",
           "A larger tolerance closes gaps; approximating open surfaces comes with a later version."};
 }
 
 /// Whether p is inside by every one of many rays (true), by none (false), or by some only (nothing).
 std::optional<bool> unanimous_parity(const ClosestPointIndex& index, Vec3 p) {
-  const double reach = 2 * (distance(index.bounds().lo, index.bounds().hi) + distance(p, index.bounds().center()));
+  const double reach =
+      2 * (distance(index.bounds().lo, index.bounds().hi) + distance(p, index.bounds().center()));
   unsigned inside = 0;
-  for (unsigned k = 0; k < ballot_size; ++k) { // a golden spiral: directions evenly spread and aligned with nothing
-    const double z = 1 - (2 * k + 1.0) / ballot_size, r = std::sqrt(1 - z * z), angle = 2.39996322972865332 * k + 0.3;
+  for (unsigned k = 0; k < ballot_size;
+       ++k) { // a golden spiral: directions evenly spread and aligned with nothing
+    const double z = 1 - (2 * k + 1.0) / ballot_size, r = std::sqrt(1 - z * z),
+                 angle = 2.39996322972865332 * k + 0.3;
     const Vec3 direction{r * std::cos(angle), r * std::sin(angle), z};
     inside += static_cast<unsigned>(index.crossings(p, p + reach * direction).size() % 2);
   }
@@ -103,7 +111,8 @@ std::optional<bool> unanimous_parity(const ClosestPointIndex& index, Vec3 p) {
 
 Error non_manifold(Vec3 where) {
   return {ErrorCode::unsupported,
-          "The input is not a manifold surface: more than two regions meet one connected part of it, one of them around " +
+          "The input is not a manifold surface: more than two regions meet one connected part of it, one of "
+          "them around " +
               place(where) + ".",
           "Remove inner walls, or split the input into its closed parts."};
 }
@@ -117,7 +126,8 @@ Result<std::vector<int>> label_by_parity(const ToleranceVolume& volume) {
   const auto sides = regions_by_component(volume);
   for (std::size_t c = 0; c < sides.size(); ++c) {
     const auto is = [&](int label) {
-      return std::any_of(sides[c].begin(), sides[c].end(), [&](RegionId r) { return labels[r.index()] == label; });
+      return std::any_of(sides[c].begin(), sides[c].end(),
+                         [&](RegionId r) { return labels[r.index()] == label; });
     };
     if (!is(+1) || !is(-1)) return nothing_inside(volume, static_cast<std::uint32_t>(c));
   }

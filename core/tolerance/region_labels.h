@@ -8,12 +8,13 @@
 
 namespace isoscope {
 
-/// Labels by region of a volume whose regions and boundary components are known, for closed input: by ray parity. Fails with
-/// unsupported where a component of Ω' has nothing inside.
+/// Labels by region of a volume whose regions and boundary components are known, for closed input: by ray
+/// parity. Fails with unsupported where a component of Ω' has nothing inside.
 Result<std::vector<int>> label_by_parity(const ToleranceVolume& volume);
 
-/// The same for soups: alternating sides from the unbounded region. Where three regions or more meet a component of Ω', as
-/// they do at pockets, rays decide if they agree. Fails with unsupported on open and non-manifold surfaces.
+/// The same for soups: alternating sides from the unbounded region. Where three regions or more meet a
+/// component of Ω', as they do at pockets, rays decide if they agree. Fails with unsupported on open and
+/// non-manifold surfaces.
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume);
 
 } // namespace isoscope

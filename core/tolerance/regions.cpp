@@ -10,14 +10,16 @@
 namespace isoscope {
 namespace {
 
-/// Half the diagonal of a unit cube, rounded up generously: a cell may only be called OUT or IN with certainty, also after
-/// the rounding of distances and centres.
+/// Half the diagonal of a unit cube, rounded up generously: a cell may only be called OUT or IN with
+/// certainty, also after the rounding of distances and centres.
 constexpr double half_diagonal = 0.86602540379 * (1 + 1e-7);
 /// Cell positions are 32-bit, and face tests shift them to this level.
 constexpr unsigned deepest_level = 30;
 constexpr std::size_t most_cells = std::size_t{1} << 31;
 
-std::array<std::uint32_t, 3> position(const Regions::Cell& c) { return {c.x, c.y, c.z}; }
+std::array<std::uint32_t, 3> position(const Regions::Cell& c) {
+  return {c.x, c.y, c.z};
+}
 
 Regions::Cell child_of(const Regions::Cell& c, unsigned k) {
   Regions::Cell child;
@@ -32,7 +34,8 @@ Regions::Cell child_of(const Regions::Cell& c, unsigned k) {
 
 Regions::Regions(const ClosestPointIndex& index, const Options& options)
     : index_(&index), boundary_(options.boundary) {
-  // The domain is what the main side times a power of two makes it, so that main cells are as large as they may be.
+  // The domain is what the main side times a power of two makes it, so that main cells are as large as they
+  // may be.
   const double needed = (index.bounds().longest_edge() + 2 * options.margin) * 1.0001;
   domain_side_ = options.main_side;
   while (main_level_ < deepest_level && domain_side_ < needed) domain_side_ *= 2, ++main_level_;
@@ -48,7 +51,9 @@ Vec3 Regions::center(const Cell& c) const {
   return origin_ + Vec3{(c.x + 0.5) * s, (c.y + 0.5) * s, (c.z + 0.5) * s};
 }
 
-Box3 Regions::domain() const { return {origin_, origin_ + Vec3{domain_side_, domain_side_, domain_side_}}; }
+Box3 Regions::domain() const {
+  return {origin_, origin_ + Vec3{domain_side_, domain_side_, domain_side_}};
+}
 
 void Regions::classify(Cell& c, TriangleId guess) const {
   const ClosestPoint closest = index_->closest_near(center(c), guess);
@@ -58,14 +63,16 @@ void Regions::classify(Cell& c, TriangleId guess) const {
   c.kind = d > boundary_ + reach ? Kind::out : (d + reach <= boundary_ ? Kind::in : Kind::ambiguous);
 }
 
-Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& options, const RunControl& control) {
+Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& options,
+                               const RunControl& control) {
   Regions r(index, options);
   auto& cells = r.cells_;
   cells.emplace_back();
   std::vector<CellIndex> parents{0}; // of each group of eight in the level
   std::size_t level_begin = 0;
   for (unsigned level = 0; level <= r.main_level_; ++level) {
-    if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+    if (control.cancelled())
+      return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
     control.report("regions", static_cast<double>(level) / (r.main_level_ + 1));
     const std::size_t level_end = cells.size();
     parallel_for(level_end - level_begin, 256, [&](std::size_t i) {
@@ -77,7 +84,8 @@ Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& op
       for (std::size_t i = level_begin; i < level_end; ++i)
         if (cells[i].kind == Kind::ambiguous) parents.push_back(static_cast<CellIndex>(i));
       if (cells.size() + 8 * parents.size() > most_cells)
-        return Error{ErrorCode::unsupported, "The tolerance is too small for this input: its volume needs too many cells.",
+        return Error{ErrorCode::unsupported,
+                     "The tolerance is too small for this input: its volume needs too many cells.",
                      "Choose a larger tolerance."};
       cells.reserve(cells.size() + 8 * parents.size());
       for (const CellIndex p : parents) {
@@ -105,7 +113,8 @@ void Regions::unite_main() {
   }
 }
 
-/// The cell of the same or a coarser level across a face; none at the domain's border. Face 2a + s is the side s of axis a.
+/// The cell of the same or a coarser level across a face; none at the domain's border. Face 2a + s is the
+/// side s of axis a.
 Regions::CellIndex Regions::neighbor(const Cell& c, int face) const {
   auto p = position(c);
   auto& coordinate = p[static_cast<std::size_t>(face / 2)];
@@ -150,9 +159,9 @@ void Regions::split(CellIndex i) {
 
 namespace {
 
-/// Walks from the root of an octree towards p; `at_leaf(i)` says whether to go on below a leaf it may have split.
-template <class AtLeaf>
-Regions::CellIndex descend(const Regions& r, Vec3 p, const AtLeaf& at_leaf) {
+/// Walks from the root of an octree towards p; `at_leaf(i)` says whether to go on below a leaf it may have
+/// split.
+template <class AtLeaf> Regions::CellIndex descend(const Regions& r, Vec3 p, const AtLeaf& at_leaf) {
   const Box3 domain = r.domain();
   for (int a = 0; a < 3; ++a)
     if (!(p[a] >= domain.lo[a] && p[a] < domain.hi[a])) return Regions::none;

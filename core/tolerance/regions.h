@@ -1,4 +1,5 @@
-// A lazily refined octree of the complement of Ω' = {d <= δ'}: which points outside of Ω' are connected (algorithm notes §1).
+// A lazily refined octree of the complement of Ω' = {d <= δ'}: which points outside of Ω' are connected
+// (algorithm notes §1).
 #pragma once
 
 #include "base/run_control.h"
@@ -13,10 +14,11 @@
 
 namespace isoscope {
 
-/// The octree with a union-find over its OUT cells. An OUT cell has d > δ' everywhere, so face-adjacent OUT cells are in one
-/// component of the complement: what the union-find joins is joined. Cells are refined where someone asks.
+/// The octree with a union-find over its OUT cells. An OUT cell has d > δ' everywhere, so face-adjacent OUT
+/// cells are in one component of the complement: what the union-find joins is joined. Cells are refined where
+/// someone asks.
 class Regions {
-public:
+ public:
   using CellIndex = std::uint32_t;
   static constexpr CellIndex none = 0xffffffffu;
 
@@ -25,9 +27,9 @@ public:
   /// A cube: position (x, y, z) in units of its side, which is the domain's divided by 2^level.
   struct Cell {
     std::uint32_t x = 0, y = 0, z = 0;
-    CellIndex child = none;  ///< first of eight consecutive children
-    TriangleId triangle;     ///< closest to the centre
-    float distance = 0;      ///< d at the centre
+    CellIndex child = none; ///< first of eight consecutive children
+    TriangleId triangle;    ///< closest to the centre
+    float distance = 0;     ///< d at the centre
     std::uint8_t level = 0;
     Kind kind = Kind::ambiguous; ///< out: d > δ' in the whole cell; in: d <= δ' in the whole cell
   };
@@ -39,9 +41,10 @@ public:
     double margin = 0;    ///< between the input's box and the domain's
   };
 
-  /// Builds the main cells. Fails with unsupported when the tolerance is so small that their number would exceed 2^31, with
-  /// cancelled when told to.
-  static Result<Regions> build(const ClosestPointIndex& index, const Options& options, const RunControl& control);
+  /// Builds the main cells. Fails with unsupported when the tolerance is so small that their number would
+  /// exceed 2^31, with cancelled when told to.
+  static Result<Regions> build(const ClosestPointIndex& index, const Options& options,
+                               const RunControl& control);
 
   const Cell& cell(CellIndex i) const { return cells_[i]; }
   std::size_t size() const { return cells_.size(); }
@@ -66,13 +69,13 @@ public:
   void set_number(CellIndex i, std::uint32_t number) { numbers_[root(i)] = number; }
   std::optional<std::uint32_t> number(CellIndex i) const;
 
-  /// Explores from an OUT cell, farthest from the input first, splitting ambiguous cells on its way, until it meets another
-  /// main or numbered component (true), nothing is left or `budget` cells were visited (false).
+  /// Explores from an OUT cell, farthest from the input first, splitting ambiguous cells on its way, until it
+  /// meets another main or numbered component (true), nothing is left or `budget` cells were visited (false).
   bool flood(CellIndex start, std::size_t budget);
 
   std::size_t memory_bytes() const;
 
-private:
+ private:
   Regions(const ClosestPointIndex& index, const Options& options);
   void classify(Cell& c, TriangleId guess) const;
   void split(CellIndex i);
@@ -90,7 +93,7 @@ private:
   unsigned main_level_ = 0, max_level_ = 0;
   std::size_t main_size_ = 0;
   std::vector<Cell> cells_;
-  std::vector<CellIndex> parents_;                          ///< union-find; numbered, then main, then older cells are roots
+  std::vector<CellIndex> parents_; ///< union-find; numbered, then main, then older cells are roots
   std::unordered_map<CellIndex, std::uint32_t> numbers_; ///< by root; looked up only, never iterated
 };
 

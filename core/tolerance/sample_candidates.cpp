@@ -11,8 +11,9 @@ constexpr double half_diagonal = 0.86602540379 * (1 + 1e-7);
 constexpr double projection_error = 1e-11;
 
 class Subdivision {
-public:
-  Subdivision(const ToleranceVolume& volume, const CandidateOptions& options, std::vector<SampleCandidate>& out)
+ public:
+  Subdivision(const ToleranceVolume& volume, const CandidateOptions& options,
+              std::vector<SampleCandidate>& out)
       : volume_(volume), options_(options), boundary_(volume.thresholds().boundary), out_(out) {}
 
   void visit(Vec3 center, double side, TriangleId guess) {
@@ -40,9 +41,9 @@ public:
     }
   }
 
-private:
-  /// The point at δ' on the ray from the closest point through p. Seen from outside it is exact; from inside another part of
-  /// the input may be nearer there, which one more query tells.
+ private:
+  /// The point at δ' on the ray from the closest point through p. Seen from outside it is exact; from inside
+  /// another part of the input may be nearer there, which one more query tells.
   std::optional<Vec3> project(Vec3 p, const ClosestPoint& closest) const {
     const double d = closest.distance();
     if (!(d > 1e-6 * boundary_)) return std::nullopt;
@@ -83,8 +84,8 @@ double farthest_in_cube(Vec3 p, Vec3 center, double half_side) {
   return length(d);
 }
 
-void find_candidates(const ToleranceVolume& volume, const Regions::Cell& cell, const CandidateOptions& options,
-                     std::vector<SampleCandidate>& candidates) {
+void find_candidates(const ToleranceVolume& volume, const Regions::Cell& cell,
+                     const CandidateOptions& options, std::vector<SampleCandidate>& candidates) {
   const Regions& octree = volume.octree();
   Subdivision(volume, options, candidates).visit(octree.center(cell), octree.side(cell.level), cell.triangle);
 }

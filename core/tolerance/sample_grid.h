@@ -11,17 +11,20 @@ namespace isoscope {
 
 /// Holds indices of points by the grid cell they lie in. About 40 bytes a point.
 class SampleGrid {
-public:
+ public:
   /// `side` of the grid's cells; points lie within 2^20 cells of `origin` in each direction.
   SampleGrid(Vec3 origin, double side);
 
   /// Adds the next point; its index is the number of points added before.
   void add(Vec3 p);
-  /// Appends the indices of all points in cells that meet `box`, in an order that depends on what was added only.
+  /// Appends the indices of all points in cells that meet `box`, in an order that depends on what was added
+  /// only.
   void gather(const Box3& box, std::vector<std::uint32_t>& found) const;
-  std::size_t memory_bytes() const { return slots_.capacity() * sizeof(Slot) + next_.capacity() * sizeof(std::uint32_t); }
+  std::size_t memory_bytes() const {
+    return slots_.capacity() * sizeof(Slot) + next_.capacity() * sizeof(std::uint32_t);
+  }
 
-private:
+ private:
   static constexpr std::uint32_t none = 0xffffffffu;
   struct Slot {
     std::uint64_t key = 0;

@@ -63,7 +63,8 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
                                                const InputTopology& input, const Options& options,
                                                const RunControl& control) {
   if (!(options.delta > 0) || !std::isfinite(options.delta))
-    return Error{ErrorCode::usage, "The tolerance must be a positive length.", "Give it as a percentage, such as 0.6%."};
+    return Error{ErrorCode::usage, "The tolerance must be a positive length.",
+                 "Give it as a percentage, such as 0.6%."};
   if (!(options.boundary_ratio > 0 && options.boundary_ratio <= 1))
     return Error{ErrorCode::usage, "The boundary ratio must lie in (0, 1].", ""};
   ToleranceVolume v;
@@ -72,8 +73,8 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   const double delta = options.delta, boundary = options.boundary_ratio * delta;
   v.thresholds_ = {delta, std::max(0.5 * (boundary + delta), boundary + 0.01 * delta), boundary};
 
-  // A cell of this side that holds a point beyond δ_r is OUT: its centre is at most 0.867 sides away from that point, and OUT
-  // needs another 0.867 sides.
+  // A cell of this side that holds a point beyond δ_r is OUT: its centre is at most 0.867 sides away from
+  // that point, and OUT needs another 0.867 sides.
   const double min_side = 0.57 * (v.thresholds_.reject - boundary);
   auto octree = Regions::build(*v.index_, {boundary, 0.5 * boundary, min_side, 3 * delta}, control);
   if (!octree.ok()) return octree.error();
@@ -92,14 +93,16 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   if (!characteristics.ok()) return characteristics.error();
   for (std::size_t i = 0; i < v.boundary_components_.size(); ++i)
     v.boundary_components_[i].euler_characteristic = (*characteristics)[i];
-  if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+  if (control.cancelled())
+    return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
   return v;
 }
 
 /// Pockets that only a crevice between main cells cuts off are joined to what they belong to, smallest first.
 void ToleranceVolume::join_pockets(const RunControl& control) {
   std::vector<RegionSummary> pockets = summarize(*octree_);
-  std::stable_sort(pockets.begin(), pockets.end(), [](const auto& a, const auto& b) { return a.volume < b.volume; });
+  std::stable_sort(pockets.begin(), pockets.end(),
+                   [](const auto& a, const auto& b) { return a.volume < b.volume; });
   const std::size_t built = octree_->size();
   for (std::size_t k = 0; k + 1 < pockets.size(); ++k) {
     if (control.cancelled() || octree_->size() > built + most_refined_cells) return;
@@ -122,7 +125,8 @@ void ToleranceVolume::collect_regions() {
   const Vec3 inset = Vec3{1, 1, 1} * (1e-9 * cube.longest_edge());
   const Regions::CellIndex unbounded = octree_->root(octree_->locate(cube.lo + inset));
   std::vector<RegionSummary> list = summarize(*octree_);
-  std::stable_partition(list.begin(), list.end(), [&](const RegionSummary& s) { return s.root == unbounded; });
+  std::stable_partition(list.begin(), list.end(),
+                        [&](const RegionSummary& s) { return s.root == unbounded; });
   for (const RegionSummary& s : list) {
     const Regions::Cell& c = octree_->cell(s.deepest);
     add_region(s.root, octree_->center(c), static_cast<double>(c.distance), s.volume);
@@ -132,8 +136,8 @@ void ToleranceVolume::collect_regions() {
   regions_.front().volume = std::numeric_limits<double>::infinity();
 }
 
-/// From the centre of an OUT cell towards its closest triangle everything outside of Ω' is in the cell's region: so that
-/// region touches the component of Ω' of that triangle.
+/// From the centre of an OUT cell towards its closest triangle everything outside of Ω' is in the cell's
+/// region: so that region touches the component of Ω' of that triangle.
 void ToleranceVolume::collect_boundary_components() {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::size_t k = 0; k < octree_->size(); ++k) {
@@ -148,14 +152,17 @@ void ToleranceVolume::collect_boundary_components() {
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  for (const auto& [region, component] : pairs) boundary_components_.push_back({RegionId(region), component, +1, 0});
+  for (const auto& [region, component] : pairs)
+    boundary_components_.push_back({RegionId(region), component, +1, 0});
 }
 
-std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region, std::uint32_t component) const {
+std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region,
+                                                                 std::uint32_t component) const {
   const std::pair wanted{region, component};
-  const auto found = std::lower_bound(
-      boundary_components_.begin(), boundary_components_.end(), wanted,
-      [](const BoundaryComponent& c, const auto& w) { return std::pair{c.region, c.volume_component} < w; });
+  const auto found = std::lower_bound(boundary_components_.begin(), boundary_components_.end(), wanted,
+                                      [](const BoundaryComponent& c, const auto& w) {
+                                        return std::pair{c.region, c.volume_component} < w;
+                                      });
   if (found == boundary_components_.end() || std::pair{found->region, found->volume_component} != wanted)
     return std::nullopt;
   const auto i = static_cast<std::size_t>(found - boundary_components_.begin());
@@ -170,7 +177,9 @@ Status ToleranceVolume::label_regions() {
   return {};
 }
 
-Box3 ToleranceVolume::domain() const { return octree_->domain(); }
+Box3 ToleranceVolume::domain() const {
+  return octree_->domain();
+}
 
 ToleranceVolume::Escape ToleranceVolume::escape(Vec3 p, const ClosestPoint& closest) const {
   const double boundary = thresholds_.boundary;
@@ -232,7 +241,8 @@ int ToleranceVolume::label_at(Vec3 p) {
 
 bool ToleranceVolume::thickening() const {
   std::vector<std::vector<long>> sides(volume_component_count_);
-  for (const BoundaryComponent& c : boundary_components_) sides[c.volume_component].push_back(c.euler_characteristic);
+  for (const BoundaryComponent& c : boundary_components_)
+    sides[c.volume_component].push_back(c.euler_characteristic);
   return std::all_of(sides.begin(), sides.end(), [](const auto& s) { return s.size() == 2 && s[0] == s[1]; });
 }
 
@@ -245,11 +255,12 @@ std::string ToleranceVolume::thickening_note() const {
     (c.label > 0 ? outer_euler : inner_euler) += c.euler_characteristic;
   }
   const auto part = [](std::size_t n, long euler) {
-    return std::to_string(n) + (n == 1 ? " boundary component" : " boundary components") + " of Euler characteristic " +
-           std::to_string(euler);
+    return std::to_string(n) + (n == 1 ? " boundary component" : " boundary components") +
+           " of Euler characteristic " + std::to_string(euler);
   };
-  return "At this tolerance the volume is no thickening: it has " + part(outer, outer_euler) + " outside and " +
-         part(inner, inner_euler) + " inside, because it closes gaps, tunnels or walls narrower than twice the tolerance.";
+  return "At this tolerance the volume is no thickening: it has " + part(outer, outer_euler) +
+         " outside and " + part(inner, inner_euler) +
+         " inside, because it closes gaps, tunnels or walls narrower than twice the tolerance.";
 }
 
 std::size_t ToleranceVolume::memory_bytes() const {

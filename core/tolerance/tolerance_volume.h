@@ -1,4 +1,5 @@
-// The tolerance volume Ω = {d <= δ} of a triangle soup: its distance, the regions outside of it and their labels (§2.1, §2.2).
+// The tolerance volume Ω = {d <= δ} of a triangle soup: its distance, the regions outside of it and their
+// labels (§2.1, §2.2).
 #pragma once
 
 #include "base/ids.h"
@@ -23,15 +24,16 @@ using RegionId = Id<struct RegionTag>;
 /// A connected component of the complement of Ω' = {d <= δ'}: what lies behind one boundary component.
 struct Region {
   RegionId id;
-  int label = +1;         ///< F of its side: +1 outside, -1 inside (§2.2)
+  int label = +1; ///< F of its side: +1 outside, -1 inside (§2.2)
   bool unbounded = false;
-  Vec3 deepest;           ///< a point of the region far from the input: the witness of its side
-  double depth = 0;       ///< d(deepest), same units as δ
-  double volume = 0;      ///< lower bound from the octree; infinite for the unbounded region
+  Vec3 deepest;      ///< a point of the region far from the input: the witness of its side
+  double depth = 0;  ///< d(deepest), same units as δ
+  double volume = 0; ///< lower bound from the octree; infinite for the unbounded region
 };
 
-/// A connected component of ∂Ω', as far as the octree resolves it (thin crevices below its cells have no component). Since
-/// every closed surface separates space, a region and a component of Ω share one boundary component at most.
+/// A connected component of ∂Ω', as far as the octree resolves it (thin crevices below its cells have no
+/// component). Since every closed surface separates space, a region and a component of Ω share one boundary
+/// component at most.
 struct BoundaryComponent {
   RegionId region;
   std::uint32_t volume_component = 0; ///< the component of Ω' on its other side
@@ -39,38 +41,42 @@ struct BoundaryComponent {
   long euler_characteristic = 0;
 };
 
-/// Thresholds (algorithm notes §1.1): labels and samples live on d = δ', a facet is accepted below δ and rejected above δ_r.
-/// δ_r is halfway between δ' and δ, but at least δ' + 0.01 δ: labels must be decidable at finite depth also where δ' = δ. There
-/// δ_r exceeds δ and is only where labels are sure; a certificate then rejects at δ itself.
+/// Thresholds (algorithm notes §1.1): labels and samples live on d = δ', a facet is accepted below δ and
+/// rejected above δ_r. δ_r is halfway between δ' and δ, but at least δ' + 0.01 δ: labels must be decidable at
+/// finite depth also where δ' = δ. There δ_r exceeds δ and is only where labels are sure; a certificate then
+/// rejects at δ itself.
 struct ToleranceThresholds {
   double delta = 0;    ///< δ, what containment is proven against
   double reject = 0;   ///< δ_r: a point farther than this has a label and, where δ_r < δ, is a violation
   double boundary = 0; ///< δ': where ∂Ω is sampled. 0.95 δ in certified mode, δ in sampled mode
 };
 
-/// What the input looks like as a surface; found from Ω alone and, where it is an indexed mesh, from its connectivity.
+/// What the input looks like as a surface; found from Ω alone and, where it is an indexed mesh, from its
+/// connectivity.
 struct InputTopology {
-  bool closed_manifold = false;              ///< after merging equal points: every edge has two triangles, every vertex one fan
-  bool self_intersection_free = false;       ///< only tested when closed_manifold
-  std::optional<long> euler_characteristic;  ///< when closed_manifold
-  std::size_t components = 0;                ///< connected components of the input triangles
-  std::optional<Vec3> border;                ///< a point of an edge that does not have two triangles, if there is one
+  bool closed_manifold =
+      false; ///< after merging equal points: every edge has two triangles, every vertex one fan
+  bool self_intersection_free = false;      ///< only tested when closed_manifold
+  std::optional<long> euler_characteristic; ///< when closed_manifold
+  std::size_t components = 0;               ///< connected components of the input triangles
+  std::optional<Vec3> border; ///< a point of an edge that does not have two triangles, if there is one
 };
 
-/// Ω with everything the algorithm asks of it. Distance queries are const and thread-safe; label_at may refine the octree
-/// and is for one thread only.
+/// Ω with everything the algorithm asks of it. Distance queries are const and thread-safe; label_at may
+/// refine the octree and is for one thread only.
 class ToleranceVolume {
-public:
+ public:
   struct Options {
-    double delta = 0;            ///< absolute, > 0
+    double delta = 0;             ///< absolute, > 0
     double boundary_ratio = 0.95; ///< δ'/δ in (0, 1]
   };
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
-  /// Fails with unsupported on open surfaces (a component of Ω that touches one region only) and on non-manifold ones
-  /// (three regions or more), naming the place; with cancelled when told to.
-  static Result<ToleranceVolume> build(std::shared_ptr<const ClosestPointIndex> index, const InputTopology& input,
-                                       const Options& options, const RunControl& control);
+  /// Fails with unsupported on open surfaces (a component of Ω that touches one region only) and on
+  /// non-manifold ones (three regions or more), naming the place; with cancelled when told to.
+  static Result<ToleranceVolume> build(std::shared_ptr<const ClosestPointIndex> index,
+                                       const InputTopology& input, const Options& options,
+                                       const RunControl& control);
   ToleranceVolume(ToleranceVolume&&) noexcept;
   ToleranceVolume& operator=(ToleranceVolume&&) noexcept;
   ~ToleranceVolume();
@@ -82,23 +88,27 @@ public:
   /// The cube that holds Ω and the octree.
   Box3 domain() const;
 
-  /// Regions ascending by id; the first is the unbounded one. Grows when label_at meets a region too small for the octree.
+  /// Regions ascending by id; the first is the unbounded one. Grows when label_at meets a region too small
+  /// for the octree.
   std::span<const Region> regions() const { return regions_; }
   std::span<const BoundaryComponent> boundary_components() const { return boundary_components_; }
-  /// Whether the boundary components of each side have the same Euler characteristic, so that Ω may be a thickening (§1.2).
+  /// Whether the boundary components of each side have the same Euler characteristic, so that Ω may be a
+  /// thickening (§1.2).
   bool thickening() const;
   /// What Ω closes or cuts, in one sentence for the user; empty when it is a thickening.
   std::string thickening_note() const;
 
-  /// F of the region that holds p, or 0 when p lies in Ω' or in a crevice too thin to tell. d(p) > δ_r always has a label.
+  /// F of the region that holds p, or 0 when p lies in Ω' or in a crevice too thin to tell. d(p) > δ_r always
+  /// has a label.
   int label_at(Vec3 p);
   /// The region that holds p, invalid where label_at would be 0.
   RegionId region_at(Vec3 p);
 
-  /// Where certified steps away from the input lead: the region behind a point, and the farthest point reached.
+  /// Where certified steps away from the input lead: the region behind a point, and the farthest point
+  /// reached.
   struct Escape {
-    RegionId region; ///< invalid when no OUT cell was met: a crevice as far as the existing cells tell
-    Vec3 reached;    ///< connected with the start outside of Ω'
+    RegionId region;     ///< invalid when no OUT cell was met: a crevice as far as the existing cells tell
+    Vec3 reached;        ///< connected with the start outside of Ω'
     double distance = 0; ///< d(reached)
   };
   /// Steps from p, whose closest point is given and whose d is at least δ' up to rounding. Thread-safe.
@@ -106,7 +116,8 @@ public:
   /// The component of Ω' that an input triangle lies in, below volume_component_count().
   std::uint32_t volume_component(TriangleId t) const { return volume_components_[t.index()]; }
   std::size_t volume_component_count() const { return volume_component_count_; }
-  /// Index into boundary_components() of what lies between a region and a component of Ω', if the octree saw it.
+  /// Index into boundary_components() of what lies between a region and a component of Ω', if the octree saw
+  /// it.
   std::optional<std::uint16_t> boundary_component(RegionId region, std::uint32_t volume_component) const;
 
   /// The octree, for the sampler.
@@ -114,7 +125,7 @@ public:
   Regions& octree() { return *octree_; }
   std::size_t memory_bytes() const;
 
-private:
+ private:
   ToleranceVolume();
   void join_pockets(const RunControl& control);
   void collect_regions();

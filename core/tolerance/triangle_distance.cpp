@@ -25,8 +25,9 @@ double squared_segment_distance(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const Vec3 u = b - a, v = d - c, w = a - c;
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
   const double det = uu * vv - uv * uv;
-  double best = std::min({squared_length(closest_on_segment(a, c, d) - a), squared_length(closest_on_segment(b, c, d) - b),
-                          squared_length(closest_on_segment(c, a, b) - c), squared_length(closest_on_segment(d, a, b) - d)});
+  double best = std::min(
+      {squared_length(closest_on_segment(a, c, d) - a), squared_length(closest_on_segment(b, c, d) - b),
+       squared_length(closest_on_segment(c, a, b) - c), squared_length(closest_on_segment(d, a, b) - d)});
   if (det > 0) {
     const double s = (uv * vw - vv * uw) / det, t = (uu * vw - uv * uw) / det;
     if (s > 0 && s < 1 && t > 0 && t < 1) best = std::min(best, squared_length(w + s * u - t * v));

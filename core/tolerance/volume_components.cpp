@@ -7,7 +7,9 @@
 
 namespace isoscope {
 
-DisjointSets::DisjointSets(std::size_t n) : parents_(n) { std::iota(parents_.begin(), parents_.end(), 0u); }
+DisjointSets::DisjointSets(std::size_t n) : parents_(n) {
+  std::iota(parents_.begin(), parents_.end(), 0u);
+}
 
 std::uint32_t DisjointSets::find(std::uint32_t i) {
   while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
