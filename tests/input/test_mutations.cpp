@@ -1,0 +1,107 @@
+// Damaged files of every format either read soundly or are refused by name; nothing else happens.
+#include "input/mesh_io.h"
+#include "input/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+using namespace isoscope;
+
+namespace {
+
+/// A multiplicative congruence with output mixing: the same mutations everywhere.
+class Generator {
+ public:
+  std::uint32_t below(std::size_t n) {
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<std::uint32_t>((state_ >> 33) % n);
+  }
+
+ private:
+  std::uint64_t state_ = 42;
+};
+
+std::string mutated(std::string bytes, Generator& random) {
+  const std::uint32_t edits = 1 + random.below(3);
+  for (std::uint32_t i = 0; i < edits && !bytes.empty(); ++i) {
+    const std::size_t at = random.below(bytes.size());
+    switch (random.below(7)) {
+    case 0:
+      bytes[at] = static_cast<char>(random.below(256));
+      break;
+    case 1:
+      bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.below(8)));
+      break;
+    case 2:
+      bytes.resize(at);
+      break;
+    case 3:
+      bytes.erase(at, 1 + random.below(8));
+      break;
+    case 4:
+      bytes.insert(at, bytes.substr(random.below(bytes.size()), random.below(40)));
+      break;
+    case 5:
+      bytes.insert(at, std::vector<std::string>{"-", "9999999999", "nan", " ", "\n", "1e400", "/",
+                                                "#"}[random.below(8)]);
+      break;
+    default:
+      bytes[at] = static_cast<char>('0' + random.below(10));
+      break;
+    }
+  }
+  return bytes;
+}
+
+TriangleMesh small_mesh() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.25, 1.5, -3}},
+          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 4}}};
+}
+
+} // namespace
+
+TEST_CASE("thousands of damaged files") {
+  const TemporaryFolder folder;
+  std::vector<std::string> seeds{
+      "ply\nformat ascii 1.0\ncomment a\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "float z\nproperty "
+      "list uchar int extra\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 "
+      "5\n1 0 0 0\n1 1 0 "
+      "0\n0 1 0 2 1 1\n4 0 1 2 3\n3 0 1 2\n",
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\nendfacet\nendsolid a\n",
+      "COFF\n5 2 0\n0 0 0 1 1 1\n1 0 0 1 1 1\n1 1 0 1 1 1\n0.5 0.2 0 1 1 1\n0 1 0 1 1 1\n5 0 1 2 3 4 9 9 "
+      "9\n3 0 1 2\n",
+      "v 0 0 0\nv 1 0 0\nv 1 1 0 0.5\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1 4/1\nf -1 -2 \\\n -3\n"};
+  for (const char* extension : {".off", ".obj", ".ply", ".stl"}) {
+    const auto file = folder / ("seed" + std::string(extension));
+    REQUIRE(write_mesh(file, small_mesh()).ok());
+    seeds.push_back(bytes_of(file));
+  }
+  Generator random;
+  int read = 0, refused = 0;
+  for (const std::string& seed : seeds) {
+    for (int i = 0; i < 700; ++i) {
+      const std::string bytes = mutated(seed, random);
+      const auto file = folder.file(
+          std::vector<std::string>{"m", "m.off", "m.obj", "m.ply", "m.stl"}[random.below(5)], bytes);
+      const auto mesh = read_mesh(file);
+      if (!mesh) {
+        ++refused;
+        REQUIRE(mesh.error().message.find(file.string()) != std::string::npos);
+        REQUIRE(mesh.error().line().find('\n') == std::string::npos);
+        continue;
+      }
+      ++read;
+      REQUIRE_FALSE(mesh->triangles.empty());
+      for (const Vec3 p : mesh->points) REQUIRE(is_finite(p));
+      for (const auto& t : mesh->triangles)
+        for (const auto v : t) REQUIRE(v < mesh->points.size());
+    }
+  }
+  CHECK(read > 500);
+  CHECK(refused > 500);
+}
