@@ -45,3 +45,17 @@ TEST_CASE("a perturbed point lies on exactly one side, the opposite one seen fro
     if (plain != 0) CHECK(plain == side);
   }
 }
+
+TEST_CASE("a plane along the fixed direction is decided by the next one, the same from all corners") {
+  const Vec3 o{}, along{0.6180339887498949, 0.3819660113183213, 0.6871214994603411};
+  test::Random random(12);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 c = random.in({{-1, -1, -1}, {1, 1, 1}});
+    const int side = orientation_perturbed(o, along, c, o);
+    CHECK(side != 0);
+    CHECK(orientation_perturbed(along, c, o, o) == side);
+    CHECK(orientation_perturbed(c, o, along, o) == side);
+    CHECK(orientation_perturbed(along, o, c, o) == -side);
+    CHECK(orientation_perturbed(o, along, -c, o) == -side);
+  }
+}
