@@ -1,8 +1,8 @@
 // A bounded, line-counting view of a file's bytes and words, on which the mesh readers are built.
 //
-// The readers are our own and not CGAL's: CGAL's readers do not check face indices, trust the counts of a
-// header with memory, take their numbers through locale-dependent streams (a second per 100,000 vertices) and
-// cannot say on which line a file goes wrong. The tests compare the two on good files.
+// The readers are our own and not CGAL's: CGAL's readers do not check all face indices, believe the counts of a
+// header, take numbers through streams that depend on the locale, and cannot say on which line a file goes
+// wrong. The tests compare the two on good files.
 #pragma once
 
 #include "base/status.h"
@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>

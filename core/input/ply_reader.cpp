@@ -3,9 +3,9 @@
 #include "input/mesh_readers.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <string>
 
