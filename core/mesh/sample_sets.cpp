@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace isoscope {
 
@@ -20,11 +21,14 @@ constexpr std::uint32_t no_candidate = 0xffffffffu;
 struct Planes {
   std::array<double, 4> nx, ny, nz, c;
 
-  /// Smallest of the four values at x, which is relative to the origin.
-  double lowest(Vec3 x) const {
+  std::array<std::uint32_t, 4> across; ///< the candidate behind each plane, no_candidate when there is none
+
+  /// Smallest of the four values at x, which is relative to the origin, and its plane.
+  std::pair<double, std::size_t> lowest(Vec3 x) const {
     std::array<double, 4> h;
     for (std::size_t i = 0; i < 4; ++i) h[i] = nx[i] * x.x + ny[i] * x.y + nz[i] * x.z + c[i];
-    return std::min(std::min(h[0], h[1]), std::min(h[2], h[3]));
+    const std::size_t a = h[1] < h[0] ? 1 : 0, b = h[3] < h[2] ? 3 : 2, low = h[b] < h[a] ? b : a;
+    return {h[low], low};
   }
 };
 
@@ -46,6 +50,7 @@ class Candidates {
     margin_ = 2e-14 * e.x * e.y * e.z + 1e-280;
     planes_.reserve(tets.size());
     for (const auto& p : corners_) planes_.push_back(planes_of(p));
+    link(complex, tets);
   }
 
   /// The candidate that holds x, tried from `guess` on; no_candidate when none does.
@@ -53,9 +58,17 @@ class Candidates {
     const Vec3 local = x - origin_;
     const bool filtered = inside_box(x);
     const auto n = static_cast<std::uint32_t>(corners_.size());
+    // A short walk finds nearly all; a point near a plane, or behind a facet of the hole, is left to the
+    // scan.
+    for (std::uint32_t step = 0, i = guess; filtered && step < n && i != no_candidate; ++step) {
+      const auto [low, plane] = planes_[i].lowest(local);
+      if (low > margin_) return i;
+      if (low >= -margin_) break;
+      i = planes_[i].across[plane];
+    }
     for (std::uint32_t k = 0, i = guess; k < n; ++k, i = i + 1 == n ? 0 : i + 1) {
       if (filtered) {
-        const double low = planes_[i].lowest(local);
+        const double low = planes_[i].lowest(local).first;
         if (low > margin_) return i;
         if (low < -margin_) continue;
       }
@@ -74,6 +87,19 @@ class Candidates {
   bool inside_box(Vec3 x) const {
     return x.x >= box_.lo.x && x.x <= box_.hi.x && x.y >= box_.lo.y && x.y <= box_.hi.y && x.z >= box_.lo.z &&
            x.z <= box_.hi.z;
+  }
+
+  void link(const Complex& complex, std::span<const TetRecord> tets) {
+    std::vector<std::pair<TetId, std::uint32_t>> number;
+    for (const TetRecord& t : tets) number.push_back({t.id, static_cast<std::uint32_t>(number.size())});
+    std::sort(number.begin(), number.end());
+    for (std::size_t i = 0; i < tets.size(); ++i) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const TetId n = complex.tet(tets[i].id).neighbor[k];
+        const auto at = std::lower_bound(number.begin(), number.end(), std::pair{n, std::uint32_t{0}});
+        planes_[i].across[k] = at != number.end() && at->first == n ? at->second : no_candidate;
+      }
+    }
   }
 
   Planes planes_of(const std::array<Vec3, 4>& p) const {
