@@ -11,7 +11,7 @@ namespace isoscope {
 
 /// Blocks double in size, so elements never move. One writer; any number of readers of indices below size().
 template <class T> class AppendOnly {
-public:
+ public:
   AppendOnly() = default;
   AppendOnly(const AppendOnly&) = delete;
   AppendOnly& operator=(const AppendOnly&) = delete;
@@ -33,7 +33,7 @@ public:
     size_.store(i + 1, std::memory_order_release);
   }
 
-private:
+ private:
   static constexpr std::size_t first_block = 1024;
   static std::pair<std::size_t, std::size_t> place(std::size_t i) {
     std::size_t block = 0, begin = 0;

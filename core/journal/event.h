@@ -57,13 +57,15 @@ enum class Reason : std::uint8_t {
 };
 constexpr int reason_count = 15;
 
-/// A fixed-size record; numbers mean what `condition` says (ε against 1 − α, height against 2σ/α, d against δ ...).
+/// A fixed-size record; numbers mean what `condition` says (ε against 1 − α, height against 2σ/α, d against δ
+/// ...).
 struct Event {
   EventKind kind = EventKind::warning;
   Stage stage = Stage::refinement;
   Condition condition = Condition::none;
   Reason reason = Reason::none;
-  Step step = 0;          ///< operations applied before this event; an operation's own delta leads from step to step + 1
+  Step step =
+      0; ///< operations applied before this event; an operation's own delta leads from step to step + 1
   bool operation = false; ///< has a delta
   TetId tet;              ///< the violating tetrahedron, alive at `step`
   SampleId sample;        ///< the violating sample (condition 1) or the inserted one

@@ -1,4 +1,5 @@
-// The spine: every event of a run in order, every operation's delta, the figures after each operation (architecture D1).
+// The spine: every event of a run in order, every operation's delta, the figures after each operation
+// (architecture D1).
 #pragma once
 
 #include "journal/append_only.h"
@@ -14,40 +15,41 @@ namespace isoscope {
 
 /// Parameters that conditions are judged by; they may change during a run (parameter_change events).
 struct CriteriaParameters {
-  double delta = 0;   ///< δ, absolute
-  double sigma = 0;   ///< σ, absolute: the density asked of S
-  double alpha = 0.2; ///< α in (0, 1): margin of condition 1
-  double shrink = 0.7; ///< factor of the shrunk copy in condition 3, in (0, 1]
+  double delta = 0;      ///< δ, absolute
+  double sigma = 0;      ///< σ, absolute: the density asked of S
+  double alpha = 0.2;    ///< α in (0, 1): margin of condition 1
+  double shrink = 0.7;   ///< factor of the shrunk copy in condition 3, in (0, 1]
   bool certified = true; ///< containment by certificate instead of condition 2
   bool condition_1 = true, condition_2 = true, condition_3 = true, condition_4 = true;
-  double error_limit() const { return 1.0 - alpha; }         ///< ε(s) must not exceed it
+  double error_limit() const { return 1.0 - alpha; }          ///< ε(s) must not exceed it
   double height_limit() const { return 2.0 * sigma / alpha; } ///< heights must not fall below it
   friend bool operator==(const CriteriaParameters&, const CriteriaParameters&) = default;
 };
 
 /// Figures after an operation: what the plots draw. NaN or 0 where not known.
 struct StepFigures {
-  std::uint32_t bad_samples = 0;      ///< ε >= 1
+  std::uint32_t bad_samples = 0; ///< ε >= 1
   std::uint32_t zero_set_vertices = 0;
   std::uint32_t tets = 0;
-  float largest_error = 0;            ///< max ε over S
-  float smallest_height = 0;          ///< over tetrahedra that carry Z, in units of δ; infinite when none does
-  float seconds = 0;                  ///< since the stage began; not part of what replay compares
+  float largest_error = 0;   ///< max ε over S
+  float smallest_height = 0; ///< over tetrahedra that carry Z, in units of δ; infinite when none does
+  float seconds = 0;         ///< since the stage began; not part of what replay compares
 };
 
 /// One operation: the event that decided it and the delta it applied.
 struct Operation {
   std::uint32_t event = 0; ///< index into events
   std::shared_ptr<const Delta> delta;
-  StepFigures figures;     ///< after it
+  StepFigures figures; ///< after it
 };
 
 /// Append-only; written by the run's thread through Recorder, read by anyone at any time.
 class Journal {
-public:
+ public:
   const AppendOnly<Event>& events() const { return events_; }
   const AppendOnly<Operation>& operations() const { return operations_; }
-  /// Sample sets in the order they came; set k of a state is Complex-independent: see PlaybackState::sample_set.
+  /// Sample sets in the order they came; set k of a state is Complex-independent: see
+  /// PlaybackState::sample_set.
   const AppendOnly<std::shared_ptr<const BoundarySamples>>& sample_sets() const { return sample_sets_; }
   /// Parameters in force from `step` on, ascending by step.
   struct ParameterRecord {
@@ -72,7 +74,7 @@ public:
   std::uint32_t add_event(Event event);
   void add_operation(Event event, Delta delta, const StepFigures& figures);
 
-private:
+ private:
   AppendOnly<Event> events_;
   AppendOnly<Operation> operations_;
   AppendOnly<std::shared_ptr<const BoundarySamples>> sample_sets_;

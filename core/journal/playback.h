@@ -10,11 +10,13 @@
 
 namespace isoscope {
 
-/// A cursor over a journal that may still be growing. Not thread-safe: each watcher owns one. Memory: one Complex, one
-/// SampleSets, keyframes up to `keyframe_limit` bytes (thinned beyond: every second one is dropped).
+/// A cursor over a journal that may still be growing. Not thread-safe: each watcher owns one. Memory: one
+/// Complex, one SampleSets, keyframes up to `keyframe_limit` bytes (thinned beyond: every second one is
+/// dropped).
 class Playback {
-public:
-  explicit Playback(std::shared_ptr<const Journal> journal, std::size_t keyframe_limit = std::size_t{256} << 20);
+ public:
+  explicit Playback(std::shared_ptr<const Journal> journal,
+                    std::size_t keyframe_limit = std::size_t{256} << 20);
 
   /// Goes to `step`, clamped to what the journal has; returns where it is.
   Step seek(Step step);
@@ -24,7 +26,8 @@ public:
   const Journal& journal() const { return *journal_; }
   /// The sample set in force, null before the first one.
   std::shared_ptr<const BoundarySamples> samples() const;
-  /// Brings the samples' tetrahedra up to the current step (lazily, since far seeks need not place samples in between).
+  /// Brings the samples' tetrahedra up to the current step (lazily, since far seeks need not place samples in
+  /// between).
   const SampleSets& sample_sets();
   CriteriaParameters parameters() const { return journal_->parameters_at(step_); }
 
@@ -32,10 +35,11 @@ public:
   std::vector<TetId> changed_in_last(Step n) const;
   std::size_t memory_bytes() const;
 
-private:
+ private:
   struct Keyframe {
     Complex complex;
     std::uint16_t sample_set = 0;
+    std::size_t bytes = 0;
   };
   std::shared_ptr<const Journal> journal_;
   std::size_t keyframe_limit_;
@@ -44,11 +48,15 @@ private:
   std::uint16_t sample_set_ = 0;
   Step step_ = 0;
   std::unique_ptr<SampleSets> sets_;
-  Step sets_step_ = 0;        ///< the step `sets_` is right for
+  Step sets_step_ = 0;         ///< the step `sets_` is right for
   std::uint16_t sets_set_ = 0; ///< the sample set it was made of
+
+  std::size_t keyframe_bytes_ = 0;
+  std::size_t work_since_keyframe_ = 0; ///< tetrahedra touched going forward beyond the last keyframe
 
   void forward_one();
   void backward_one();
+  void restore(const Keyframe& keyframe, Step at);
   void keep_keyframe();
 };
 

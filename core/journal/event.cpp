@@ -1,0 +1,56 @@
+// Names of stages, kinds, conditions and reasons, as filters, reports and scripts spell them.
+#include "journal/event.h"
+
+#include <array>
+
+namespace isoscope {
+
+namespace {
+
+template <std::size_t n, class Enum>
+std::string_view name_of(const std::array<std::string_view, n>& names, Enum value) {
+  const auto i = static_cast<std::size_t>(value);
+  return i < n ? names[i] : "unknown";
+}
+
+} // namespace
+
+std::string_view name(Stage stage) {
+  static constexpr std::array<std::string_view, 7> names{"setup",    "refinement", "gamma",  "tessellation",
+                                                         "zero-set", "all",        "improve"};
+  return name_of(names, stage);
+}
+
+std::string_view name(EventKind kind) {
+  static constexpr std::array<std::string_view, 9> names{"stage-begin",      "stage-end", "insertion",
+                                                         "relabel",          "exhausted", "topology-check",
+                                                         "parameter-change", "warning",   "stopped"};
+  return name_of(names, kind);
+}
+
+std::string_view name(Condition condition) {
+  static constexpr std::array<std::string_view, condition_count> names{
+      "none", "classification", "height", "orientation", "topology", "containment", "witness"};
+  return name_of(names, condition);
+}
+
+std::string_view name(Reason reason) {
+  static constexpr std::array<std::string_view, reason_count> names{"none",
+                                                                    "largest-error",
+                                                                    "circumcenter-sample",
+                                                                    "projected",
+                                                                    "toward-circumcenter",
+                                                                    "toward-opposite",
+                                                                    "region-witness",
+                                                                    "medial-point",
+                                                                    "crossing-simplex",
+                                                                    "tightened",
+                                                                    "no-sample-inside",
+                                                                    "already-vertex",
+                                                                    "too-close",
+                                                                    "budget",
+                                                                    "user"};
+  return name_of(names, reason);
+}
+
+} // namespace isoscope
