@@ -13,6 +13,8 @@ namespace isoscope {
 struct LayerSettings {
   bool visible = true;
   float opacity = 1.0f;
+  bool shown() const { return visible && opacity > 0; }
+  friend bool operator==(const LayerSettings&, const LayerSettings&) = default;
 };
 
 /// Which tetrahedra are drawn.
@@ -22,6 +24,7 @@ struct TetFilter {
   bool box = false;           ///< also those with a corner of the bounding box
   std::uint32_t recent = 1;   ///< operations back for `changed`
   float shrink = 0.85f;       ///< display shrink about the centroid in (0, 1]; not condition 3's factor
+  friend bool operator==(const TetFilter&, const TetFilter&) = default;
 };
 
 /// How the scene is clipped.
@@ -34,6 +37,7 @@ struct ClipSettings {
   Vec3 normal{1, 0, 0};      ///< unit; what lies on its positive side is cut away (plane)
   double radius = 0.1;       ///< ball's radius or half the slab's thickness, scene units
   bool flipped = false;
+  friend bool operator==(const ClipSettings&, const ClipSettings&) = default;
 };
 
 enum class ThemeKind : std::uint8_t { dark, light, paper };

@@ -1,0 +1,8 @@
+#version 410 core
+// One triangle that covers the view.
+out vec2 uv;
+void main() {
+  vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+  uv = corner;
+  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}

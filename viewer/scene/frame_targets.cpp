@@ -1,0 +1,38 @@
+// The pictures a frame is made of: opaque, translucent sums, Ω, and the result.
+#include "scene/frame_targets.h"
+
+namespace isoscope {
+
+Status FrameTargets::resize(int new_width, int new_height, int new_samples, int new_volume_width, int new_volume_height) {
+  using gl::Format;
+  if (new_width != width || new_height != height) {
+    color.allocate(new_width, new_height, Format::rgba8);
+    depth.allocate(new_width, new_height, Format::depth);
+    cell_sum.allocate(new_width, new_height, Format::rgba16f);
+    cell_cover.allocate(new_width, new_height, Format::r16f);
+    result.allocate(new_width, new_height, Format::rgba8, 1, true);
+    for (Status s : {opaque.attach({&color}, &depth), cells.attach({&cell_sum, &cell_cover}, &depth),
+                     output.attach({&result}, &depth)})
+      if (!s) return s;
+  }
+  if (new_samples > 1 && (new_width != width || new_height != height || new_samples != samples)) {
+    samples_color.allocate(new_width, new_height, Format::rgba8, new_samples);
+    samples_depth.allocate(new_width, new_height, Format::depth, new_samples);
+    if (Status s = multisampled.attach({&samples_color}, &samples_depth); !s) return s;
+  }
+  if (new_volume_width != volume_width || new_volume_height != volume_height) {
+    volume_color.allocate(new_volume_width, new_volume_height, Format::rgba16f, 1, true);
+    volume_depth.allocate(new_volume_width, new_volume_height, Format::r16f);
+    if (Status s = volume.attach({&volume_color, &volume_depth}, nullptr); !s) return s;
+  }
+  // A single-sampled size change leaves the multisampled pictures behind: they are made anew when next asked for.
+  const bool stale = new_samples <= 1 && (new_width != width || new_height != height);
+  width = new_width;
+  height = new_height;
+  samples = new_samples > 1 ? new_samples : (stale ? 0 : samples);
+  volume_width = new_volume_width;
+  volume_height = new_volume_height;
+  return {};
+}
+
+} // namespace isoscope

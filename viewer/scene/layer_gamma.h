@@ -1,0 +1,21 @@
+// The edges of ∂Γ.
+#pragma once
+
+#include "run/snapshot.h"
+#include "scene/clip.h"
+#include "scene/line_batch.h"
+#include "scene/view_frame.h"
+
+namespace isoscope {
+
+class GammaLayer {
+public:
+  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors, const SceneSpace& space);
+  void clear() { batch_.upload(LineBuilder()); }
+  void draw(gl::Program& program, const ViewFrame& frame);
+
+private:
+  LineBatch batch_;
+};
+
+} // namespace isoscope

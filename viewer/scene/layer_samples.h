@@ -1,0 +1,42 @@
+// Samples as sprites: good discs, bad crosses; full on the outer side, rings on the inner.
+#pragma once
+
+#include "gl/buffer.h"
+#include "run/snapshot.h"
+#include "scene/clip.h"
+#include "scene/programs.h"
+#include "scene/view_frame.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace isoscope {
+
+class SamplesLayer {
+public:
+  void update(const StateSnapshot& state, const ViewSettings& view, const Clip& clip, const SceneSpace& space);
+  void clear();
+  /// Draws at most `budget` sprites, bad ones first; the chosen ones are the same in every frame.
+  void draw(gl::Program& program, const ViewFrame& frame, std::size_t budget);
+  /// How many the last draw left out.
+  std::size_t thinned() const { return thinned_; }
+
+private:
+  void upload_positions(std::shared_ptr<const BoundarySamples> samples, const SceneSpace& space);
+  struct Class {
+    gl::Buffer indices;
+    gl::VertexArray array;
+    std::size_t count = 0;
+  };
+  void draw_class(gl::Program& program, const ViewFrame& frame, Class& group, std::size_t count, bool bad);
+
+  std::shared_ptr<const BoundarySamples> samples_;
+  SceneSpace space_;
+  std::vector<std::uint32_t> order_; ///< sample ids by a stable hash: any prefix is an even thinning
+  gl::Buffer positions_;
+  Class good_, bad_;
+  std::size_t thinned_ = 0;
+};
+
+} // namespace isoscope

@@ -1,0 +1,35 @@
+// Z: shaded polygons with their edges.
+#include "scene/layer_zero_set.h"
+
+namespace isoscope {
+
+void ZeroSetLayer::update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
+                          const SceneSpace& space) {
+  const ZeroSet& zero = state.zero_set;
+  const Color8 tint = color8(colors.zero_set);
+  MeshBuilder builder;
+  builder.reserve(2 * zero.polygons.size());
+  for (const ZeroSet::Polygon& polygon : zero.polygons) {
+    if (clip.active() && !clip.cuts() && !clip.shows_cell(state.complex.positions(polygon.tet))) continue;
+    std::array<glm::vec3, 4> p{};
+    for (std::size_t i = 0; i < polygon.count; ++i) p[i] = space.local(zero.vertices[polygon.v[i]].position);
+    if (polygon.count == 3)
+      builder.triangle(p[0], p[1], p[2], tint);
+    else
+      builder.quad(p, tint);
+  }
+  batch_.upload(builder);
+}
+
+void ZeroSetLayer::draw(gl::Program& program, const ViewFrame& frame) {
+  MeshStyle style;
+  style.opacity = frame.view.zero_set.opacity;
+  style.back_shade = 0.5f;
+  if (frame.view.zero_set_edges) {
+    style.edge_color = glm::vec4(frame.colors.zero_set_edge, 0.85f);
+    style.edge_width = 1.1f * frame.pixel_scale;
+  }
+  batch_.draw(program, style);
+}
+
+} // namespace isoscope

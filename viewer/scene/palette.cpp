@@ -1,0 +1,61 @@
+// The scene's colours: meaning is the same in every theme, grounds and lines follow it.
+#include "scene/palette.h"
+
+namespace isoscope {
+
+SceneColors scene_colors(ThemeKind theme) {
+  SceneColors c;
+  c.good = rgb(0x009E73);
+  c.bad = rgb(0xD55E00);
+  c.warning = rgb(0xE69F00);
+  c.misoriented = rgb(0x8C6BD8);
+  c.gamma = rgb(0x0072B2);
+  c.outer = rgb(0x56B4E9);
+  c.inner = rgb(0xCC79A7);
+  c.selection = rgb(0xF0E442);
+  c.accent = rgb(0x56B4E9);
+  switch (theme) {
+  case ThemeKind::dark:
+    c.ground_top = rgb(0x242932);
+    c.ground_bottom = rgb(0x14161A);
+    c.zero_set = rgb(0xF2F2F2);
+    c.zero_set_edge = rgb(0x20242B);
+    c.input = rgb(0xA7B0BF);
+    c.input_edge = rgb(0x343B47);
+    c.tetrahedron = rgb(0x9FB0C8);
+    c.tetrahedron_edge = rgb(0xC4CEDD);
+    c.section_line = rgb(0x4A5362);
+    c.section_zero = rgb(0xF2F2F2);
+    break;
+  case ThemeKind::light:
+    c.ground_top = rgb(0xFBFCFD);
+    c.ground_bottom = rgb(0xDDE2E9);
+    c.zero_set = rgb(0xF2F2F2);
+    c.zero_set_edge = rgb(0x2B3038);
+    c.input = rgb(0xC9D0DA);
+    c.input_edge = rgb(0x7B8594);
+    c.tetrahedron = rgb(0x6E7F99);
+    c.tetrahedron_edge = rgb(0x4D5A6D);
+    c.section_line = rgb(0xB4BCC8);
+    c.section_zero = rgb(0x101216);
+    c.selection = rgb(0xB59A00);
+    c.accent = rgb(0x1F7FB8);
+    break;
+  case ThemeKind::paper:
+    c.ground_top = c.ground_bottom = rgb(0xFFFFFF);
+    c.zero_set = rgb(0xF2F2F2);
+    c.zero_set_edge = rgb(0x000000);
+    c.input = rgb(0xD4D8DE);
+    c.input_edge = rgb(0x8A8F98);
+    c.tetrahedron = rgb(0x8290A6);
+    c.tetrahedron_edge = rgb(0x596577);
+    c.section_line = rgb(0xBDBDBD);
+    c.section_zero = rgb(0x000000);
+    c.selection = rgb(0xB59A00);
+    c.accent = rgb(0x1F7FB8);
+    break;
+  }
+  return c;
+}
+
+} // namespace isoscope

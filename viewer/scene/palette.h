@@ -1,0 +1,32 @@
+// The scene's colours: meaning is the same in every theme, grounds and lines follow it.
+#pragma once
+
+#include "scene/view_settings.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+
+namespace isoscope {
+
+/// sRGB, each in [0, 1].
+struct SceneColors {
+  glm::vec3 ground_top, ground_bottom;
+  glm::vec3 zero_set, zero_set_edge;
+  glm::vec3 good, bad, warning, misoriented, gamma, outer, inner, selection, accent;
+  glm::vec3 input, input_edge;
+  glm::vec3 tetrahedron, tetrahedron_edge;
+  glm::vec3 section_line; ///< T in the 2D section
+  glm::vec3 section_zero; ///< Z in the 2D section
+};
+
+SceneColors scene_colors(ThemeKind theme);
+
+/// "#rrggbb" given as 0xrrggbb.
+constexpr glm::vec3 rgb(std::uint32_t hex) {
+  return {static_cast<float>((hex >> 16) & 255u) / 255.0f, static_cast<float>((hex >> 8) & 255u) / 255.0f,
+          static_cast<float>(hex & 255u) / 255.0f};
+}
+
+} // namespace isoscope

@@ -1,0 +1,252 @@
+// What lies under the mouse: rays against the elements that layers, filter and clip let see.
+#include "scene/picking.h"
+
+#include "mesh/sample_sets.h"
+#include "scene/clip.h"
+#include "scene/tet_visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace isoscope {
+namespace {
+
+struct Hit {
+  double t = 0;
+  Pick pick;
+};
+
+/// Everything a search needs about its ray.
+struct Search {
+  const PickScene& scene;
+  const ViewSettings& view;
+  Camera::Ray ray;
+  Clip clip;
+  double point_radius_rate, point_radius; ///< catch radius of points at parameter t: rate·t + radius
+
+  Search(const PickScene& s, const Camera& camera, const ViewSettings& v, const PickAt& at)
+      : scene(s), view(v), ray(camera.ray(at.x, at.y, at.width, at.height)), clip(v.clip) {
+    const CameraPose& pose = camera.pose();
+    const double per_depth = 2 * std::tan(pose.fov * std::numbers::pi / 360) / at.height;
+    point_radius_rate = pose.orthographic ? 0 : at.radius * per_depth;
+    point_radius = pose.orthographic ? at.radius * per_depth * pose.distance : 0;
+  }
+  Vec3 along(double t) const { return ray.origin + t * ray.direction; }
+  /// Parameter at which the point is nearest to the ray when it is caught.
+  std::optional<double> caught(Vec3 p) const {
+    const double t = dot(p - ray.origin, ray.direction);
+    if (t <= 0 || distance(p, along(t)) > point_radius_rate * t + point_radius) return std::nullopt;
+    return t;
+  }
+};
+
+std::optional<double> meet_triangle(const Camera::Ray& ray, Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 e1 = b - a, e2 = c - a, h = cross(ray.direction, e2);
+  const double det = dot(e1, h);
+  if (det == 0) return std::nullopt;
+  const Vec3 s = ray.origin - a;
+  const double u = dot(s, h) / det;
+  if (u < 0 || u > 1) return std::nullopt;
+  const Vec3 q = cross(s, e1);
+  const double v = dot(ray.direction, q) / det, t = dot(e2, q) / det;
+  if (v < 0 || u + v > 1 || t <= 0) return std::nullopt;
+  return t;
+}
+
+/// The stretch of the ray inside a positively oriented tetrahedron.
+std::optional<std::array<double, 2>> meet_tetrahedron(const Camera::Ray& ray, const std::array<Vec3, 4>& p) {
+  constexpr std::array<std::array<std::size_t, 3>, 4> outward{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  double lo = 0, hi = Box3::inf;
+  for (const auto& f : outward) {
+    const Vec3 n = cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]]);
+    const double rate = dot(n, ray.direction), rest = dot(n, p[f[0]] - ray.origin);
+    if (rate > 0) hi = std::min(hi, rest / rate);
+    if (rate < 0) lo = std::max(lo, rest / rate);
+    if (rate == 0 && rest < 0) return std::nullopt;
+  }
+  if (lo >= hi) return std::nullopt;
+  return std::array<double, 2>{lo, hi};
+}
+
+/// Whether a cell's point at p is visible: cut away point by point, or shown as a whole.
+bool cell_visible(const Search& search, std::span<const Vec3> cell, Vec3 p) {
+  return search.clip.cuts() ? search.clip.keeps(p) : search.clip.shows_cell(cell);
+}
+
+void hit_tetrahedra(const Search& search, std::vector<Hit>& hits) {
+  if (!search.view.tetrahedra.shown()) return;
+  const StateSnapshot& state = *search.scene.state;
+  for_each_visible_tet(state, search.view.tets, search.clip, [&](TetId id, TetRole) {
+    std::array<Vec3, 4> p = state.complex.positions(id);
+    const Vec3 center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
+    for (Vec3& q : p) q = center + static_cast<double>(search.view.tets.shrink) * (q - center);
+    const auto inside = meet_tetrahedron(search.ray, p);
+    if (!inside) return;
+    double t = (*inside)[0];
+    if (search.clip.cuts()) {
+      const auto kept = search.clip.kept_intervals(search.ray.origin, search.ray.direction, (*inside)[0], (*inside)[1]);
+      if (kept.empty()) return;
+      t = kept.front()[0];
+    }
+    hits.push_back({t, {Pick::Kind::tet, id.value, search.along(t)}});
+  });
+}
+
+void hit_zero_set(const Search& search, std::vector<Hit>& hits) {
+  if (!search.view.zero_set.shown()) return;
+  const StateSnapshot& state = *search.scene.state;
+  const ZeroSet& zero = state.zero_set;
+  for (const ZeroSet::Polygon& polygon : zero.polygons) {
+    const auto corner = [&](std::size_t i) { return zero.vertices[polygon.v[i]].position; };
+    auto t = meet_triangle(search.ray, corner(0), corner(1), corner(2));
+    if (!t && polygon.count == 4) t = meet_triangle(search.ray, corner(0), corner(2), corner(3));
+    if (!t || !cell_visible(search, state.complex.positions(polygon.tet), search.along(*t))) continue;
+    hits.push_back({*t, {Pick::Kind::tet, polygon.tet.value, search.along(*t)}});
+  }
+}
+
+void hit_samples(const Search& search, std::vector<Hit>& hits) {
+  const StateSnapshot& state = *search.scene.state;
+  if (!search.view.samples.shown() || !state.samples) return;
+  const auto& positions = state.samples->positions;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto t = search.caught(positions[i]);
+    if (!t) continue;
+    const bool bad = i < state.errors.size() && is_bad(static_cast<double>(state.errors[i]));
+    if (!(bad ? search.view.bad_samples : search.view.good_samples).shown()) continue;
+    const TetId tet = i < state.sample_tets.size() ? state.sample_tets[i] : TetId();
+    const bool known = tet.valid() && state.complex.tet(tet).alive();
+    const bool visible = known ? search.clip.shows_point(positions[i], state.complex.positions(tet))
+                               : search.clip.keeps(positions[i]);
+    if (visible) hits.push_back({*t, {Pick::Kind::sample, static_cast<std::uint32_t>(i), positions[i]}});
+  }
+}
+
+void hit_vertices(const Search& search, std::vector<Hit>& hits) {
+  const ViewSettings& view = search.view;
+  if (!view.tetrahedra.shown() && !view.samples.shown() && !view.gamma.shown()) return;
+  const auto& vertices = search.scene.state->complex.vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vertex& v = vertices[i];
+    if (!v.alive || (v.kind == VertexKind::box && !view.tets.box) || !search.clip.keeps(v.position)) continue;
+    if (const auto t = search.caught(v.position))
+      hits.push_back({*t, {Pick::Kind::vertex, static_cast<std::uint32_t>(i), v.position}});
+  }
+}
+
+void hit_input(const Search& search, std::vector<Hit>& hits) {
+  if (!search.view.input.shown() || !search.scene.input) return;
+  for (std::size_t i = 0; i < search.scene.input->triangles.size(); ++i) {
+    const Triangle3 p = search.scene.input->triangle(i);
+    const auto t = meet_triangle(search.ray, p[0], p[1], p[2]);
+    if (t && cell_visible(search, p, search.along(*t))) hits.push_back({*t, {{}, Pick().id, search.along(*t)}});
+  }
+}
+
+/// d/δ between voxel centres; `clamp` outside.
+double interpolate(const DistanceGrid& grid, Vec3 p) {
+  std::array<int, 3> base{};
+  std::array<double, 3> part{};
+  const Vec3 extent = grid.box.extent();
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double x = (p[i] - grid.box.lo[i]) / extent[i] * grid.size[k] - 0.5;
+    if (!(x >= 0) || x >= grid.size[k] - 1) return static_cast<double>(grid.clamp);
+    base[k] = static_cast<int>(x);
+    part[k] = x - base[k];
+  }
+  double sum = 0;
+  for (int c = 0; c < 8; ++c) {
+    const int dx = c & 1, dy = (c >> 1) & 1, dz = c >> 2;
+    const std::size_t at =
+        (static_cast<std::size_t>(base[2] + dz) * grid.size[1] + base[1] + dy) * grid.size[0] + base[0] + dx;
+    const double weight = (dx ? part[0] : 1 - part[0]) * (dy ? part[1] : 1 - part[1]) * (dz ? part[2] : 1 - part[2]);
+    sum += weight * static_cast<double>(grid.values[at]);
+  }
+  return sum;
+}
+
+/// Where the ray enters Ω.
+std::optional<double> meet_tolerance(const Search& search) {
+  const DistanceGrid* grid = search.scene.grid;
+  if (!grid || grid->values.empty() || !(search.view.outer.shown() || search.view.inner.shown())) return std::nullopt;
+  double lo = 0, hi = Box3::inf;
+  for (int i = 0; i < 3; ++i) {
+    const double a = (grid->box.lo[i] - search.ray.origin[i]) / search.ray.direction[i];
+    const double b = (grid->box.hi[i] - search.ray.origin[i]) / search.ray.direction[i];
+    lo = std::max(lo, std::min(a, b));
+    hi = std::min(hi, std::max(a, b));
+  }
+  const Vec3 extent = grid->box.extent();
+  const double step = 0.5 * std::min({extent.x / grid->size[0], extent.y / grid->size[1], extent.z / grid->size[2]});
+  for (const auto& [from, to] : search.clip.kept_intervals(search.ray.origin, search.ray.direction, lo, hi))
+    for (double t = from; t < to; t += step)
+      if (interpolate(*grid, search.along(t)) <= 1) return t;
+  return std::nullopt;
+}
+
+double first(const std::vector<Hit>& hits) {
+  double t = Box3::inf;
+  for (const Hit& hit : hits) t = std::min(t, hit.t);
+  return t;
+}
+
+} // namespace
+
+Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at, unsigned kinds,
+                int depth_index) {
+  if (!scene.state) return {};
+  const Search search(scene, camera, view, at);
+  std::vector<Hit> zero, opaque, hits;
+  hit_zero_set(search, zero);
+  hit_input(search, opaque);
+  double wall = view.input.opacity >= 1 ? first(opaque) : Box3::inf;
+  if (view.zero_set.opacity >= 1) wall = std::min(wall, first(zero));
+  if (kinds & pick_vertices) hit_vertices(search, hits);
+  if (kinds & pick_samples) hit_samples(search, hits);
+  // A point that lies within its catch radius of a wall is drawn before it.
+  const double slack = search.point_radius + (std::isfinite(wall) ? search.point_radius_rate * wall : 0);
+  if (kinds & pick_tetrahedra) {
+    hits.insert(hits.end(), zero.begin(), zero.end());
+    hit_tetrahedra(search, hits);
+  }
+  if (depth_index == 0) std::erase_if(hits, [&](const Hit& hit) { return hit.t > wall + slack; });
+  // Points are small: where one is caught it wins over the cell right around it.
+  const auto rank = [&](const Hit& hit) {
+    const bool point = hit.pick.kind != Pick::Kind::tet;
+    return point ? hit.t - search.point_radius - search.point_radius_rate * hit.t : hit.t;
+  };
+  std::sort(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
+    if (rank(a) != rank(b)) return rank(a) < rank(b);
+    return a.pick.kind != b.pick.kind ? a.pick.kind < b.pick.kind : a.pick.id < b.pick.id;
+  });
+  // A tetrahedron and its zero polygon are one thing to pick.
+  std::vector<Pick> picks;
+  for (const Hit& hit : hits)
+    if (std::find(picks.begin(), picks.end(), hit.pick) == picks.end()) picks.push_back(hit.pick);
+  if (depth_index < 0 || static_cast<std::size_t>(depth_index) >= picks.size()) return {};
+  return picks[static_cast<std::size_t>(depth_index)];
+}
+
+Vec3 surface_point(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at) {
+  const Search search(scene, camera, view, at);
+  std::vector<Hit> hits;
+  if (scene.state) {
+    hit_zero_set(search, hits);
+    hit_tetrahedra(search, hits);
+    hit_samples(search, hits);
+  }
+  hit_input(search, hits);
+  double t = first(hits);
+  if (const auto enters = meet_tolerance(search)) t = std::min(t, *enters);
+  if (!std::isfinite(t)) {
+    const Camera::Ray axis = camera.ray(at.width / 2.0, at.height / 2.0, at.width, at.height);
+    t = dot(camera.pose().target - search.ray.origin, axis.direction) / dot(search.ray.direction, axis.direction);
+  }
+  return search.along(t);
+}
+
+} // namespace isoscope

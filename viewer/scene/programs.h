@@ -1,0 +1,17 @@
+// All shader programs of the scene.
+#pragma once
+
+#include "base/status.h"
+#include "gl/program.h"
+#include "gl/shader_source.h"
+
+namespace isoscope {
+
+struct Programs {
+  gl::Program background, mesh_opaque, mesh_translucent, line, marker, sample, volume, composite, section;
+
+  /// Compiles them all; fails with device and the driver's log.
+  static Result<Programs> build(const gl::ShaderSource& source);
+};
+
+} // namespace isoscope

@@ -1,0 +1,29 @@
+// Chooses how finely frames are drawn while something moves.
+#include "scene/quality_control.h"
+
+#include <algorithm>
+#include <array>
+
+namespace isoscope {
+namespace {
+
+constexpr double too_slow = 0.075, quick = 0.028;
+constexpr std::array<FrameQuality, 5> levels{{{1.0, 0.6, 1.5f, 4, 1000000},
+                                              {1.0, 0.5, 2.0f, 1, 400000},
+                                              {1.0, 0.4, 2.5f, 1, 150000},
+                                              {0.7, 0.5, 2.5f, 1, 80000},
+                                              {0.5, 0.5, 3.0f, 1, 40000}}};
+
+} // namespace
+
+FrameQuality QualityControl::choose(Quality quality) const {
+  return quality == Quality::rest ? FrameQuality{} : levels[static_cast<std::size_t>(level_)];
+}
+
+void QualityControl::took(Quality quality, double seconds) {
+  if (quality != Quality::moving) return;
+  if (seconds > too_slow) level_ = std::min(level_ + 1, static_cast<int>(levels.size()) - 1);
+  if (seconds < quick) level_ = std::max(level_ - 1, 0);
+}
+
+} // namespace isoscope

@@ -1,0 +1,31 @@
+// Chooses how finely frames are drawn while something moves, from how long the last ones took.
+#pragma once
+
+#include "scene/renderer.h"
+
+#include <cstddef>
+
+namespace isoscope {
+
+/// What one frame may cost.
+struct FrameQuality {
+  double scale = 1;        ///< of the picture's sides
+  double volume_scale = 1; ///< of Ω's picture, relative to the picture
+  float coarseness = 1;    ///< of the steps through Ω
+  int samples = 4;         ///< of multisampling
+  std::size_t sprites = 1000000;
+};
+
+/// Levels from fine to coarse; a slow moving frame makes the next one coarser, a quick one finer.
+class QualityControl {
+public:
+  explicit QualityControl(bool software) : level_(software ? 2 : 0) {}
+  FrameQuality choose(Quality quality) const;
+  /// Tells how long a frame of that quality took.
+  void took(Quality quality, double seconds);
+
+private:
+  int level_;
+};
+
+} // namespace isoscope

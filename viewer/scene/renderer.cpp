@@ -1,0 +1,434 @@
+// Draws a state into a framebuffer of its own: keeps the layers up to date and orders the passes.
+#include "scene/renderer.h"
+
+#include "embedded/shaders.h"
+#include "gl/device.h"
+#include "gl/shader_source.h"
+#include "scene/clip.h"
+#include "scene/frame_targets.h"
+#include "scene/layer_gamma.h"
+#include "scene/layer_highlight.h"
+#include "scene/layer_input.h"
+#include "scene/layer_samples.h"
+#include "scene/layer_tetrahedra.h"
+#include "scene/layer_tolerance.h"
+#include "scene/layer_zero_set.h"
+#include "scene/picking.h"
+#include "scene/programs.h"
+#include "scene/quality_control.h"
+#include "scene/section.h"
+#include "scene/view_frame.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+
+#ifdef ISOSCOPE_SHADER_FOLDER
+constexpr const char* shader_folder = ISOSCOPE_SHADER_FOLDER;
+#else
+constexpr const char* shader_folder = "";
+#endif
+
+/// What the buffers of the layers were built from; another value asks for a rebuild.
+struct Built {
+  const void* source = nullptr;
+  ClipSettings clip;
+  ThemeKind theme = ThemeKind::dark;
+  TetFilter tets;
+  bool good = true, bad = true;
+  friend bool operator==(const Built&, const Built&) = default;
+};
+
+/// A clip that cuts fragments leaves the buffers alone.
+ClipSettings clip_of_cells(const ClipSettings& clip) {
+  if (clip.shape == ClipSettings::Shape::none || clip.mode == ClipSettings::Mode::cut) return {};
+  return clip;
+}
+
+} // namespace
+
+struct Renderer::Impl {
+  Impl(Programs compiled, gl::ShaderSource shaders, const gl::Device& found)
+      : programs(std::move(compiled)), source(std::move(shaders)), device(found), control(found.software) {
+    revision = source.revision();
+    glGenVertexArrays(1, &empty_array);
+  }
+  ~Impl() { glDeleteVertexArrays(1, &empty_array); }
+
+  Programs programs;
+  gl::ShaderSource source;
+  std::uint64_t revision = 0;
+  gl::Device device;
+  QualityControl control;
+  FrameTargets targets, section_targets;
+  FrameBlock block;
+  GLuint empty_array = 0; ///< full-screen passes have no vertices
+
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const DistanceGrid> grid;
+  std::shared_ptr<const StateSnapshot> state;
+  SceneSpace space;
+
+  ZeroSetLayer zero_set;
+  GammaLayer gamma;
+  InputLayer input;
+  TetrahedraLayer tetrahedra;
+  SamplesLayer samples;
+  ToleranceLayer tolerance;
+  HighlightLayer highlight;
+  SectionLayer section;
+  Built zero_built, gamma_built, input_built, tets_built, samples_built;
+  double seconds = 0;
+
+  Box3 bounds() const;
+  Box3 visible_bounds(const ViewSettings& view) const;
+  void place_origin();
+  void upload_grid();
+  void reload_shaders();
+  void update_layers(const ViewFrame& frame);
+  void draw_opaque(const ViewFrame& frame, const FrameRequest& request, const FrameQuality& quality);
+  bool draw_cells(const ViewFrame& frame);
+  void composite(bool with_cells, bool with_volume);
+  ViewFrame view_frame(const ViewSettings& view, const FrameRequest& request, int width, int height) const;
+  Renderer::Frame finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start, Quality quality);
+  PickScene pick_scene_data() const { return {state.get(), scene ? scene->input.get() : nullptr, grid.get()}; }
+};
+
+Box3 Renderer::Impl::bounds() const {
+  Box3 box;
+  if (scene && scene->input) box = scene->input->bounds().grown(2 * scene->delta);
+  if (box.empty() && grid) box = grid->box;
+  if (box.empty() && state)
+    for (const Vertex& v : state->complex.vertices)
+      if (v.alive && v.kind != VertexKind::box) box.add(v.position);
+  return box;
+}
+
+Box3 Renderer::Impl::visible_bounds(const ViewSettings& view) const {
+  Box3 box = bounds();
+  if (state)
+    for (const Vertex& v : state->complex.vertices)
+      if (v.alive && (v.kind != VertexKind::box || view.tets.box)) box.add(v.position);
+  return box;
+}
+
+void Renderer::Impl::place_origin() {
+  const Box3 box = bounds();
+  const Vec3 center = box.empty() ? Vec3{} : box.center();
+  const double reach = std::max(box.longest_edge(), 1e-300);
+  if (distance(center, space.origin) < 0.5 * reach && !box.empty() && space.origin != Vec3{}) return;
+  if (center == space.origin) return;
+  space.origin = center;
+  zero_built = gamma_built = input_built = tets_built = samples_built = {};
+}
+
+void Renderer::Impl::upload_grid() {
+  if (!grid) {
+    tolerance.clear();
+    return;
+  }
+  const Vec3 extent = grid->box.extent();
+  tolerance.set(*grid, scene ? scene->delta : extent.x / std::max(grid->size[0], 1));
+}
+
+void Renderer::Impl::reload_shaders() {
+  const std::uint64_t now = source.revision();
+  if (now == revision) return;
+  revision = now;
+  // A text that does not compile keeps the programs that did.
+  if (auto fresh = Programs::build(source)) programs = std::move(*fresh);
+}
+
+ViewFrame Renderer::Impl::view_frame(const ViewSettings& view, const FrameRequest& request, int width,
+                                     int height) const {
+  const float scale = request.pixel_scale * static_cast<float>(height) / static_cast<float>(std::max(request.height, 1));
+  return {view,   scene_colors(view.theme), space,         width, height, scale, request.quality, request.selection,
+          request.hover, request.pulse};
+}
+
+void Renderer::Impl::update_layers(const ViewFrame& frame) {
+  const ViewSettings& view = frame.view;
+  const Clip clip(view.clip);
+  const auto stale = [](Built& built, const Built& wanted) {
+    if (built == wanted) return false;
+    built = wanted;
+    return true;
+  };
+  Built wanted;
+  wanted.clip = clip_of_cells(view.clip);
+  wanted.theme = view.theme;
+  wanted.source = scene ? scene->input.get() : nullptr;
+  if (view.input.shown() && stale(input_built, wanted)) {
+    if (wanted.source)
+      input.update(*scene->input, clip, frame.colors, space);
+    else
+      input.clear();
+  }
+  wanted.source = state.get();
+  if (view.zero_set.shown() && stale(zero_built, wanted)) {
+    if (state)
+      zero_set.update(*state, clip, frame.colors, space);
+    else
+      zero_set.clear();
+  }
+  if (view.gamma.shown() && stale(gamma_built, wanted)) {
+    if (state)
+      gamma.update(*state, clip, frame.colors, space);
+    else
+      gamma.clear();
+  }
+  Built sample_wanted = wanted;
+  sample_wanted.good = view.good_samples.shown();
+  sample_wanted.bad = view.bad_samples.shown();
+  if (view.samples.shown() && stale(samples_built, sample_wanted)) {
+    if (state)
+      samples.update(*state, view, clip, space);
+    else
+      samples.clear();
+  }
+  // Cut tetrahedra depend on the clip too: only those that it touches or keeps are uploaded.
+  wanted.clip = view.clip;
+  wanted.tets = view.tets;
+  if (view.tetrahedra.shown() && stale(tets_built, wanted)) {
+    if (state)
+      tetrahedra.update(*state, view.tets, clip, frame.colors, space);
+    else
+      tetrahedra.clear();
+  }
+  highlight.update(state.get(), frame);
+}
+
+void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request, const FrameQuality& quality) {
+  const ViewSettings& view = frame.view;
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  glClearDepth(1);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  programs.background.use();
+  programs.background.set("top", frame.colors.ground_top);
+  programs.background.set("bottom", frame.colors.ground_bottom);
+  programs.background.set("opacity", request.transparent_background ? 0.0f : 1.0f);
+  glBindVertexArray(empty_array);
+  glDepthMask(GL_FALSE);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  const auto solid = [](const LayerSettings& layer) { return layer.visible && layer.opacity >= 1; };
+  if (solid(view.input)) input.draw(programs.mesh_opaque, frame);
+  if (solid(view.zero_set)) zero_set.draw(programs.mesh_opaque, frame);
+  if (solid(view.tetrahedra)) tetrahedra.draw_solid(programs.mesh_opaque, frame);
+  if (view.samples.shown()) {
+    if (quality.samples > 1) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    samples.draw(programs.sample, frame, quality.sprites);
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  }
+  if (view.gamma.shown()) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gamma.draw(programs.line, frame);
+    glDisable(GL_BLEND);
+  }
+}
+
+bool Renderer::Impl::draw_cells(const ViewFrame& frame) {
+  const ViewSettings& view = frame.view;
+  const auto thin = [](const LayerSettings& layer) { return layer.shown() && layer.opacity < 1; };
+  const bool any = thin(view.input) || thin(view.zero_set) ||
+                   (view.tetrahedra.shown() && (tetrahedra.has_faint() || view.tetrahedra.opacity < 1));
+  if (!any) return false;
+  targets.cells.bind(targets.width, targets.height);
+  constexpr std::array<float, 4> none{0, 0, 0, 0}, clear_part{1, 1, 1, 1};
+  glClearBufferfv(GL_COLOR, 0, none.data());
+  glClearBufferfv(GL_COLOR, 1, clear_part.data());
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunci(0, GL_ONE, GL_ONE);
+  glBlendFunci(1, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
+  if (thin(view.input)) input.draw(programs.mesh_translucent, frame);
+  if (thin(view.zero_set)) zero_set.draw(programs.mesh_translucent, frame);
+  if (view.tetrahedra.shown()) {
+    if (thin(view.tetrahedra)) tetrahedra.draw_solid(programs.mesh_translucent, frame);
+    tetrahedra.draw_faint(programs.mesh_translucent, frame);
+  }
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  return true;
+}
+
+void Renderer::Impl::composite(bool with_cells, bool with_volume) {
+  targets.output.bind(targets.width, targets.height);
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  gl::Program& program = programs.composite;
+  program.use();
+  const struct {
+    const char* name;
+    const gl::Texture& texture;
+  } inputs[] = {{"opaque_colour", targets.color},
+                {"cell_sum", targets.cell_sum},
+                {"cell_cover", targets.cell_cover},
+                {"volume_colour", targets.volume_color},
+                {"volume_depth", targets.volume_depth}};
+  int unit = 0;
+  for (const auto& input_texture : inputs) {
+    input_texture.texture.bind(unit);
+    program.set(input_texture.name, unit++);
+  }
+  program.set("with_cells", with_cells ? 1 : 0);
+  program.set("with_volume", with_volume ? 1 : 0);
+  glBindVertexArray(empty_array);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDepthMask(GL_TRUE);
+}
+
+Renderer::Frame Renderer::Impl::finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
+                                       Quality quality) {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glBindVertexArray(0);
+  glUseProgram(0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glFinish();
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  control.took(quality, seconds);
+  return {drawn.result.id(), drawn.width, drawn.height};
+}
+
+Renderer::Renderer() = default;
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>> Renderer::create() {
+  const auto device = gl::current_device();
+  if (!device) return device.error();
+  gl::ShaderSource source(embedded::shaders(), shader_folder);
+  auto programs = Programs::build(source);
+  if (!programs) return programs.error();
+  std::unique_ptr<Renderer> renderer(new Renderer());
+  renderer->impl_ = std::make_unique<Impl>(std::move(*programs), std::move(source), *device);
+  return renderer;
+}
+
+void Renderer::set_scene(std::shared_ptr<const Scene> scene) {
+  if (impl_->scene == scene) return;
+  impl_->scene = std::move(scene);
+  impl_->input_built = {};
+  impl_->place_origin();
+  impl_->upload_grid();
+}
+
+void Renderer::set_grid(std::shared_ptr<const DistanceGrid> grid) {
+  if (impl_->grid == grid) return;
+  impl_->grid = std::move(grid);
+  impl_->place_origin();
+  impl_->upload_grid();
+}
+
+void Renderer::set_state(std::shared_ptr<const StateSnapshot> state) {
+  if (impl_->state == state) return;
+  // The address alone does not tell two states apart once the first is gone.
+  impl_->zero_built = impl_->gamma_built = impl_->tets_built = impl_->samples_built = {};
+  impl_->state = std::move(state);
+  if (!impl_->scene && !impl_->grid) impl_->place_origin();
+}
+
+Box3 Renderer::bounds() const { return impl_->bounds(); }
+
+Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view, const FrameRequest& request) {
+  Impl& r = *impl_;
+  if (request.width <= 0 || request.height <= 0) return {};
+  r.reload_shaders();
+  const auto start = std::chrono::steady_clock::now();
+  FrameQuality quality = r.control.choose(request.quality);
+  quality.samples = std::min(quality.samples, r.device.max_samples);
+  const auto scaled = [](int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); };
+  const int width = scaled(request.width, quality.scale), height = scaled(request.height, quality.scale);
+  const int volume_width = scaled(width, quality.volume_scale), volume_height = scaled(height, quality.volume_scale);
+  if (!r.targets.resize(width, height, quality.samples, volume_width, volume_height)) return {};
+
+  const ViewFrame frame = r.view_frame(view, request, width, height);
+  r.update_layers(frame);
+  Camera bounded = camera;
+  bounded.set_scene_bounds(r.visible_bounds(view));
+  r.block.upload(frame_uniforms(bounded, r.space, view.clip, width, height, frame.pixel_scale));
+
+  const bool multisampled = quality.samples > 1;
+  (multisampled ? r.targets.multisampled : r.targets.opaque).bind(width, height);
+  r.draw_opaque(frame, request, quality);
+  if (multisampled) r.targets.multisampled.resolve_into(r.targets.opaque, width, height, true);
+
+  const bool with_cells = r.draw_cells(frame);
+  const bool with_volume = r.tolerance.shown(view);
+  if (with_volume) {
+    r.targets.volume.bind(volume_width, volume_height);
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(r.empty_array);
+    r.tolerance.march(r.programs.volume, frame, r.targets.depth, quality.coarseness);
+  }
+  r.composite(with_cells, with_volume);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  r.highlight.draw(r.programs, frame);
+  return r.finish(r.targets, start, request.quality);
+}
+
+Renderer::Frame Renderer::render_section(const SectionView& section, const ViewSettings& view,
+                                         const FrameRequest& request) {
+  Impl& r = *impl_;
+  if (request.width <= 0 || request.height <= 0) return {};
+  r.reload_shaders();
+  const auto start = std::chrono::steady_clock::now();
+  if (!r.section_targets.resize(request.width, request.height, 1, 1, 1)) return {};
+  const ViewFrame frame = r.view_frame(view, request, request.width, request.height);
+  r.section.update(r.state.get(), frame);
+  ClipSettings plane = view.clip;
+  plane.shape = ClipSettings::Shape::none;
+  r.block.upload(frame_uniforms(section_camera(section, view.clip), r.space, plane, request.width, request.height,
+                                frame.pixel_scale));
+  r.section_targets.output.bind(request.width, request.height);
+  glBindVertexArray(r.empty_array);
+  r.section.draw(r.programs, frame, r.tolerance, request.transparent_background ? 0.0f : 1.0f);
+  return r.finish(r.section_targets, start, request.quality);
+}
+
+Pick Renderer::pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height,
+                    unsigned kinds, int depth_index) const {
+  return pick_scene(impl_->pick_scene_data(), camera, view, {x, y, width, height}, kinds, depth_index);
+}
+
+Pick Renderer::pick_section(const SectionView& section, const ViewSettings& view, double x, double y, int width,
+                            int height, unsigned kinds) const {
+  if (!impl_->state) return {};
+  return pick_section_scene(*impl_->state, section, view, {x, y, width, height}, kinds);
+}
+
+Vec3 Renderer::point_under(const Camera& camera, const ViewSettings& view, double x, double y, int width,
+                           int height) const {
+  return surface_point(impl_->pick_scene_data(), camera, view, {x, y, width, height});
+}
+
+std::vector<std::uint8_t> Renderer::read_pixels(const Frame& frame) const {
+  if (frame.texture == 0) return {};
+  const auto width = static_cast<std::size_t>(frame.width), height = static_cast<std::size_t>(frame.height);
+  std::vector<std::uint8_t> upward(4 * width * height), pixels(upward.size());
+  glBindTexture(GL_TEXTURE_2D, frame.texture);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
+  for (std::size_t row = 0; row < height; ++row)
+    std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(4 * width * (height - 1 - row)), 4 * width,
+                pixels.begin() + static_cast<std::ptrdiff_t>(4 * width * row));
+  return pixels;
+}
+
+double Renderer::last_frame_seconds() const { return impl_->seconds; }
+std::size_t Renderer::thinned_samples() const { return impl_->samples.thinned(); }
+
+} // namespace isoscope

@@ -1,0 +1,106 @@
+// Draws the 2D section as the paper's figures do.
+#include "scene/section.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+
+/// Outline of a tetrahedron's section.
+void outline(const std::array<Vec3, 4>& p, const SectionPlane& plane, const SceneSpace& space, Color8 tint, float width,
+             bool dashed, LineBuilder& lines) {
+  constexpr std::array<std::array<std::size_t, 3>, 4> facets{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+  for (const auto& f : facets) {
+    std::array<Vec3, 2> ends;
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < 3 && found < 2; ++i) {
+      const Vec3 a = p[f[i]], b = p[f[(i + 1) % 3]];
+      const double ha = plane.height(a), hb = plane.height(b);
+      if ((ha >= 0) != (hb >= 0)) ends[found++] = a + ha / (ha - hb) * (b - a);
+    }
+    if (found == 2) lines.segment(space.local(ends[0]), space.local(ends[1]), tint, width, dashed);
+  }
+}
+
+} // namespace
+
+void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
+  LineBuilder lines, marked;
+  std::vector<Marker> samples, marks;
+  if (state) {
+    const SceneColors& c = frame.colors;
+    const SectionPlane plane = section_plane(frame.view.clip);
+    const SectionGeometry geometry =
+        section_geometry(*state, plane, {frame.view.tets.box, section_sample_distance(*state)});
+    const auto add = [&](const std::vector<SectionGeometry::Segment>& segments, Color8 tint, float width) {
+      for (const auto& s : segments)
+        lines.segment(frame.space.local(plane.lift(s.a)), frame.space.local(plane.lift(s.b)), tint, width);
+    };
+    if (frame.view.tetrahedra.shown()) add(geometry.tetrahedra, color8(c.section_line), 1.0f);
+    if (frame.view.gamma.shown()) add(geometry.gamma, color8(c.gamma), 1.8f);
+    if (frame.view.zero_set.shown()) add(geometry.zero_set, color8(c.section_zero), 2.6f);
+    if (frame.view.samples.shown()) {
+      const float size = std::clamp(1.5f * frame.view.sample_size, 3.0f, 30.0f);
+      for (const auto& s : geometry.samples) {
+        if (!(s.bad ? frame.view.bad_samples : frame.view.good_samples).shown()) continue;
+        const MarkerShape shape =
+            s.bad ? MarkerShape::cross : (s.outer ? MarkerShape::disc : MarkerShape::circle);
+        const auto diameter = static_cast<std::uint8_t>(s.bad ? 1.4f * size : size);
+        samples.push_back({frame.space.local(plane.lift(s.at)), color8(s.bad ? c.bad : c.good), shape, diameter});
+      }
+    }
+    const auto ring = [&](Vec3 p, glm::vec3 color, std::uint8_t diameter) {
+      // Far from the plane the ring only hints at where the point is.
+      const double reach = state->samples ? 4 * state->samples->sigma : 0;
+      const bool near = std::abs(plane.height(p)) <= reach;
+      marks.push_back({frame.space.local(plane.lift(plane.project(p))), color8(color, near ? 1.0f : 0.3f),
+                       MarkerShape::ring, diameter});
+    };
+    if (frame.view.highlight.shown()) {
+      if (state->violated_tet) outline(*state->violated_tet, plane, frame.space, color8(c.bad), 1.8f, true, marked);
+      if (state->inserted.valid() && state->inserted.index() < state->complex.vertices.size())
+        ring(state->complex.position(state->inserted), c.accent, 18);
+      if (state->bad_samples > 0 && state->samples && state->worst_sample.valid() &&
+          state->worst_sample.index() < state->samples->size())
+        ring(state->samples->positions[state->worst_sample.index()], c.bad, 22);
+    }
+    for (const Pick& pick : {frame.hover, frame.selection}) {
+      if (pick.kind == Pick::Kind::tet && pick.id < state->complex.tets.size() && state->complex.tets[pick.id].alive())
+        outline(state->complex.positions(TetId(pick.id)), plane, frame.space, color8(c.selection), 2.2f, false, marked);
+      if (pick.kind == Pick::Kind::vertex && pick.id < state->complex.vertices.size())
+        ring(state->complex.vertices[pick.id].position, c.selection, 16);
+      if (pick.kind == Pick::Kind::sample && state->samples && pick.id < state->samples->size())
+        ring(state->samples->positions[pick.id], c.selection, 16);
+    }
+  }
+  lines_.upload(lines);
+  marked_.upload(marked);
+  samples_.upload(samples);
+  marks_.upload(marks);
+}
+
+void SectionLayer::draw(Programs& programs, const ViewFrame& frame, ToleranceLayer& tolerance,
+                        float background_opacity) {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  programs.section.use();
+  const bool volume = tolerance.shown(frame.view);
+  if (volume) tolerance.prepare_section(programs.section, frame);
+  programs.section.set("with_volume", volume ? 1 : 0);
+  programs.section.set("top", frame.colors.ground_top);
+  programs.section.set("bottom", frame.colors.ground_bottom);
+  programs.section.set("opacity", background_opacity);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  lines_.draw(programs.line, 1, 0);
+  samples_.draw(programs.marker, frame.view.samples.opacity);
+  marked_.draw(programs.line, 1, 0);
+  marks_.draw(programs.marker, 1);
+  glDisable(GL_BLEND);
+}
+
+} // namespace isoscope

@@ -1,0 +1,25 @@
+// Draws the 2D section as the paper's figures do: T thin, Z thick, ∂Γ blue, samples by class, the Steiner point ringed.
+#pragma once
+
+#include "scene/layer_tolerance.h"
+#include "scene/line_batch.h"
+#include "scene/markers.h"
+#include "scene/programs.h"
+#include "scene/section_geometry.h"
+#include "scene/section_view.h"
+#include "scene/view_frame.h"
+
+namespace isoscope {
+
+class SectionLayer {
+public:
+  /// Intersects and uploads; `state` may be null.
+  void update(const StateSnapshot* state, const ViewFrame& frame);
+  void draw(Programs& programs, const ViewFrame& frame, ToleranceLayer& tolerance, float background_opacity);
+
+private:
+  LineBatch lines_, marked_;
+  MarkerBatch samples_, marks_;
+};
+
+} // namespace isoscope

@@ -1,0 +1,104 @@
+// The 2D section of a state by a plane: segments and points in the plane's coordinates.
+#include "scene/section_geometry.h"
+
+#include "mesh/sample_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace isoscope {
+namespace {
+
+using Segment = SectionGeometry::Segment;
+
+/// Where a convex polygon with the given heights meets the plane.
+std::optional<Segment> cut(std::span<const Vec3> p, std::span<const double> height, const SectionPlane& plane) {
+  std::array<PlanePoint, 2> ends;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < p.size() && found < 2; ++i) {
+    const std::size_t j = (i + 1) % p.size();
+    if ((height[i] >= 0) == (height[j] >= 0)) continue;
+    const double t = height[i] / (height[i] - height[j]);
+    ends[found++] = plane.project(p[i] + t * (p[j] - p[i]));
+  }
+  if (found < 2) return std::nullopt;
+  return Segment{ends[0], ends[1]};
+}
+
+constexpr std::array<std::array<std::size_t, 3>, 4> facets{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+
+bool drawn(const StateSnapshot& state, std::size_t tet, bool box) {
+  return state.complex.tets[tet].alive() &&
+         (box || tet >= state.tet_flags.size() || (state.tet_flags[tet] & tet_box) == 0);
+}
+
+} // namespace
+
+SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane& plane, const SectionOptions& options) {
+  SectionGeometry out;
+  const Complex& complex = state.complex;
+  std::vector<double> heights(complex.vertices.size());
+  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = plane.height(complex.vertices[i].position);
+
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    if (!drawn(state, i, options.box)) continue;
+    const Tet& tet = complex.tets[i];
+    for (std::size_t facet = 0; facet < 4; ++facet) {
+      const TetId other = tet.neighbor[facet];
+      if (other.valid() && other.index() < i && drawn(state, other.index(), options.box)) continue;
+      std::array<Vec3, 3> p;
+      std::array<double, 3> h{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexId v = tet.v[facets[facet][k]];
+        p[k] = complex.position(v);
+        h[k] = heights[v.index()];
+      }
+      if (const auto segment = cut(p, h, plane)) out.tetrahedra.push_back(*segment);
+    }
+  }
+  for (const ZeroSet::Polygon& polygon : state.zero_set.polygons) {
+    std::array<Vec3, 4> p;
+    std::array<double, 4> h{};
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+      p[k] = state.zero_set.vertices[polygon.v[k]].position;
+      h[k] = plane.height(p[k]);
+    }
+    const std::size_t n = polygon.count;
+    if (const auto segment = cut(std::span(p).first(n), std::span(h).first(n), plane)) out.zero_set.push_back(*segment);
+  }
+  for (const GammaFacet& facet : state.gamma) {
+    std::array<Vec3, 3> p;
+    std::array<double, 3> h{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = complex.position(facet.v[k]);
+      h[k] = heights[facet.v[k].index()];
+    }
+    if (const auto segment = cut(p, h, plane)) out.gamma.push_back(*segment);
+  }
+  if (state.samples && options.sample_distance > 0) {
+    for (std::size_t i = 0; i < state.samples->size(); ++i) {
+      const Vec3 p = state.samples->positions[i];
+      if (std::abs(plane.height(p)) > options.sample_distance) continue;
+      const bool bad = i < state.errors.size() && is_bad(static_cast<double>(state.errors[i]));
+      out.samples.push_back({plane.project(p), SampleId(i), bad, state.samples->labels[i] > 0});
+    }
+  }
+  return out;
+}
+
+TetId section_tet(const StateSnapshot& state, const SectionPlane& plane, PlanePoint at, bool box) {
+  const Vec3 p = plane.lift(at);
+  const auto volume = [](Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return dot(cross(b - a, c - a), d - a); };
+  for (std::size_t i = 0; i < state.complex.tets.size(); ++i) {
+    if (!drawn(state, i, box)) continue;
+    const std::array<Vec3, 4> q = state.complex.positions(TetId(i));
+    const bool inside = volume(p, q[1], q[2], q[3]) >= 0 && volume(q[0], p, q[2], q[3]) >= 0 &&
+                        volume(q[0], q[1], p, q[3]) >= 0 && volume(q[0], q[1], q[2], p) >= 0;
+    if (inside) return TetId(i);
+  }
+  return {};
+}
+
+} // namespace isoscope

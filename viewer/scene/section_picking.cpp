@@ -1,0 +1,48 @@
+// What lies under the mouse in the 2D section.
+#include "scene/picking.h"
+#include "scene/section_view.h"
+
+#include "mesh/sample_sets.h"
+
+#include <cmath>
+
+namespace isoscope {
+
+Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView& section, const ViewSettings& view,
+                        const PickAt& at, unsigned kinds) {
+  const SectionPlane plane = section_plane(view.clip);
+  const double unit = section.height / at.height;
+  const PlanePoint here{section.u + (at.x - 0.5 * at.width) * unit, section.v + (0.5 * at.height - at.y) * unit};
+  Pick best;
+  double nearest = at.radius * unit;
+  const auto offer = [&](Pick::Kind kind, std::size_t id, Vec3 p) {
+    const PlanePoint q = plane.project(p);
+    const double away = std::hypot(q.u - here.u, q.v - here.v);
+    if (away >= nearest) return;
+    nearest = away;
+    best = {kind, static_cast<std::uint32_t>(id), p};
+  };
+  const double reach = section_sample_distance(state);
+  if ((kinds & pick_samples) && view.samples.shown() && state.samples) {
+    for (std::size_t i = 0; i < state.samples->size(); ++i) {
+      const Vec3 p = state.samples->positions[i];
+      if (std::abs(plane.height(p)) > reach) continue;
+      const bool bad = i < state.errors.size() && is_bad(static_cast<double>(state.errors[i]));
+      if ((bad ? view.bad_samples : view.good_samples).shown()) offer(Pick::Kind::sample, i, p);
+    }
+  }
+  if (kinds & pick_vertices) {
+    for (std::size_t i = 0; i < state.complex.vertices.size(); ++i) {
+      const Vertex& v = state.complex.vertices[i];
+      if (v.alive && (v.kind != VertexKind::box || view.tets.box) && std::abs(plane.height(v.position)) <= reach)
+        offer(Pick::Kind::vertex, i, v.position);
+    }
+  }
+  if (best.kind == Pick::Kind::none && (kinds & pick_tetrahedra)) {
+    const TetId tet = section_tet(state, plane, here, view.tets.box);
+    if (tet.valid()) best = {Pick::Kind::tet, tet.value, plane.lift(here)};
+  }
+  return best;
+}
+
+} // namespace isoscope

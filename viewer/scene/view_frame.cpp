@@ -1,0 +1,39 @@
+// What every layer knows while one frame is drawn.
+#include "scene/view_frame.h"
+
+#include <glad/gl.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+
+namespace isoscope {
+
+FrameUniforms frame_uniforms(const Camera& camera, const SceneSpace& space, const ClipSettings& clip, int width, int height,
+                             float pixel_scale) {
+  FrameUniforms u;
+  // Only the rotation comes from the single-precision matrix; the translation is taken relative to the origin.
+  const glm::vec3 eye = space.local(camera.eye());
+  const glm::mat4 rotation = glm::mat4(glm::mat3(camera.view()));
+  u.view = glm::translate(rotation, -eye);
+  u.view_projection = camera.projection(static_cast<double>(width) / height) * u.view;
+  u.inverse_view_projection = glm::mat4(glm::inverse(glm::dmat4(u.view_projection)));
+  const CameraPose& pose = camera.pose();
+  u.eye = glm::vec4(eye, pose.orthographic ? 0.0f : 1.0f);
+  u.forward = glm::vec4(-glm::transpose(glm::mat3(rotation))[2], static_cast<float>(pose.distance));
+  const double tangent = std::tan(glm::radians(pose.fov) / 2);
+  const double pixels = 0.5 * height / (tangent * (pose.orthographic ? pose.distance : 1.0));
+  u.viewport = {width, height, pixel_scale, pixels};
+  u.clip_point = glm::vec4(space.local(clip.point), static_cast<float>(clip.radius));
+  const Vec3 n = clip.normal;
+  u.clip_normal = {n.x, n.y, n.z, clip.flipped ? -1.0 : 1.0};
+  const bool cut = clip.mode == ClipSettings::Mode::cut;
+  u.clip_shape = {static_cast<float>(clip.shape), cut ? 1.0f : 0.0f, 0.0f, 0.0f};
+  return u;
+}
+
+void FrameBlock::upload(const FrameUniforms& uniforms) {
+  buffer_.upload(std::span<const FrameUniforms>(&uniforms, 1));
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer_.id());
+}
+
+} // namespace isoscope
