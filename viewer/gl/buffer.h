@@ -9,7 +9,7 @@ namespace isoscope::gl {
 
 /// Owns one buffer object; grows when needed, so that streaming the same amount again allocates nothing.
 class Buffer {
-public:
+ public:
   Buffer() = default;
   Buffer(Buffer&& other) noexcept;
   Buffer& operator=(Buffer&& other) noexcept;
@@ -20,7 +20,7 @@ public:
   std::uint32_t id() const { return id_; }
   std::size_t bytes() const { return bytes_; }
 
-private:
+ private:
   void upload_bytes(const void* data, std::size_t bytes);
   std::uint32_t id_ = 0;
   std::size_t bytes_ = 0, capacity_ = 0;
@@ -37,7 +37,7 @@ struct Attribute {
 
 /// Owns one vertex array object.
 class VertexArray {
-public:
+ public:
   VertexArray() = default;
   VertexArray(VertexArray&& other) noexcept;
   VertexArray& operator=(VertexArray&& other) noexcept;
@@ -48,7 +48,7 @@ public:
   void attach_indices(const Buffer& buffer);
   void bind();
 
-private:
+ private:
   std::uint32_t id_ = 0;
 };
 

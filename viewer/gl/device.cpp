@@ -16,7 +16,8 @@ std::string text(GLenum name) {
 } // namespace
 
 Result<Device> current_device() {
-  const std::string remedy = "Update the graphics driver, or install Mesa's software renderer (libgl1-mesa-dri).";
+  const std::string remedy =
+      "Update the graphics driver, or install Mesa's software renderer (libgl1-mesa-dri).";
   if (glGetString == nullptr) return Error{ErrorCode::device, "No OpenGL context is current.", remedy};
   Device device;
   device.renderer = text(GL_RENDERER);
@@ -27,7 +28,8 @@ Result<Device> current_device() {
   glGetIntegerv(GL_MINOR_VERSION, &minor);
   if (major * 10 + minor < 41)
     return Error{ErrorCode::device,
-                 "OpenGL 4.1 is needed; the driver " + device.renderer + " offers " + device.version + ".", remedy};
+                 "OpenGL 4.1 is needed; the driver " + device.renderer + " offers " + device.version + ".",
+                 remedy};
   GLint samples = 0;
   glGetIntegerv(GL_MAX_SAMPLES, &samples);
   device.max_samples = samples;

@@ -14,8 +14,8 @@ struct Device {
   bool software = false; ///< a software rasteriser: frames must be made cheaper while moving
 };
 
-/// Describes the current context. Fails with device when there is none, when its functions were not loaded, or when it is
-/// older than OpenGL 4.1.
+/// Describes the current context. Fails with device when there is none, when its functions were not loaded,
+/// or when it is older than OpenGL 4.1.
 Result<Device> current_device();
 
 } // namespace isoscope::gl

@@ -73,7 +73,9 @@ Program::~Program() {
   if (id_ != 0) glDeleteProgram(id_);
 }
 
-void Program::use() const { glUseProgram(id_); }
+void Program::use() const {
+  glUseProgram(id_);
+}
 
 int Program::location(const char* uniform) {
   const auto known = locations_.find(std::string_view(uniform));
@@ -83,11 +85,21 @@ int Program::location(const char* uniform) {
   return found;
 }
 
-void Program::set(const char* uniform, int value) { glUniform1i(location(uniform), value); }
-void Program::set(const char* uniform, float value) { glUniform1f(location(uniform), value); }
-void Program::set(const char* uniform, glm::vec2 value) { glUniform2fv(location(uniform), 1, glm::value_ptr(value)); }
-void Program::set(const char* uniform, glm::vec3 value) { glUniform3fv(location(uniform), 1, glm::value_ptr(value)); }
-void Program::set(const char* uniform, glm::vec4 value) { glUniform4fv(location(uniform), 1, glm::value_ptr(value)); }
+void Program::set(const char* uniform, int value) {
+  glUniform1i(location(uniform), value);
+}
+void Program::set(const char* uniform, float value) {
+  glUniform1f(location(uniform), value);
+}
+void Program::set(const char* uniform, glm::vec2 value) {
+  glUniform2fv(location(uniform), 1, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, glm::vec3 value) {
+  glUniform3fv(location(uniform), 1, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, glm::vec4 value) {
+  glUniform4fv(location(uniform), 1, glm::value_ptr(value));
+}
 void Program::set(const char* uniform, const glm::mat4& value) {
   glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -17,7 +17,7 @@ namespace isoscope::gl {
 
 /// Owns one program object; movable. Setting a uniform that the linker dropped does nothing.
 class Program {
-public:
+ public:
   Program() = default;
   /// Compiles and links; fails with device and the driver's log, naming the program.
   static Result<Program> build(std::string_view name, std::string_view vertex, std::string_view fragment);
@@ -33,7 +33,7 @@ public:
   void set(const char* uniform, glm::vec4 value);
   void set(const char* uniform, const glm::mat4& value);
 
-private:
+ private:
   int location(const char* uniform);
   std::uint32_t id_ = 0;
   std::map<std::string, int, std::less<>> locations_;

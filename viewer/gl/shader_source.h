@@ -11,9 +11,10 @@
 
 namespace isoscope::gl {
 
-/// Finds shader texts by file name and resolves their `#include "name"` lines (one level of nesting each, no cycles).
+/// Finds shader texts by file name and resolves their `#include "name"` lines (one level of nesting each, no
+/// cycles).
 class ShaderSource {
-public:
+ public:
   /// `folder`: where developer builds read the files anew; empty to use the embedded ones.
   ShaderSource(std::span<const EmbeddedFile> embedded, std::filesystem::path folder);
 
@@ -22,7 +23,7 @@ public:
   /// Grows when a file in the folder changed; always 0 with embedded files.
   std::uint64_t revision() const;
 
-private:
+ private:
   Result<std::string> read(std::string_view name) const;
   std::span<const EmbeddedFile> embedded_;
   std::filesystem::path folder_;

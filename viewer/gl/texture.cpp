@@ -14,19 +14,27 @@ struct Layout {
 
 Layout layout(Format format) {
   switch (format) {
-  case Format::rgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
-  case Format::rgba16f: return {GL_RGBA16F, GL_RGBA, GL_FLOAT};
-  case Format::r16f: return {GL_R16F, GL_RED, GL_FLOAT};
-  case Format::rg16f: return {GL_RG16F, GL_RG, GL_FLOAT};
-  case Format::r32f: return {GL_R32F, GL_RED, GL_FLOAT};
-  case Format::depth: return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
+  case Format::rgba8:
+    return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+  case Format::rgba16f:
+    return {GL_RGBA16F, GL_RGBA, GL_FLOAT};
+  case Format::r16f:
+    return {GL_R16F, GL_RED, GL_FLOAT};
+  case Format::rg16f:
+    return {GL_RG16F, GL_RG, GL_FLOAT};
+  case Format::r32f:
+    return {GL_R32F, GL_RED, GL_FLOAT};
+  case Format::depth:
+    return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
   }
   return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
 }
 
 } // namespace
 
-Texture::Texture(Texture&& other) noexcept { *this = std::move(other); }
+Texture::Texture(Texture&& other) noexcept {
+  *this = std::move(other);
+}
 
 Texture& Texture::operator=(Texture&& other) noexcept {
   std::swap(id_, other.id_);
@@ -71,7 +79,8 @@ void Texture::allocate(int width, int height, Format format, int samples, bool l
   glTexParameteri(target_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-void Texture::upload_volume(std::array<int, 3> size, std::span<const float> values, Format format, bool linear) {
+void Texture::upload_volume(std::array<int, 3> size, std::span<const float> values, Format format,
+                            bool linear) {
   create();
   target_ = GL_TEXTURE_3D;
   format_ = format;

@@ -15,8 +15,12 @@ constexpr double transition_seconds = 0.2;
 constexpr double zoom_per_step = 0.88;
 constexpr double radians_per_pixel_height = 3.6; ///< a drag over the whole height turns about 200 degrees
 
-glm::dvec3 to_glm(Vec3 v) { return {v.x, v.y, v.z}; }
-Vec3 from_glm(glm::dvec3 v) { return {v.x, v.y, v.z}; }
+glm::dvec3 to_glm(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+Vec3 from_glm(glm::dvec3 v) {
+  return {v.x, v.y, v.z};
+}
 glm::dquat quaternion(const CameraPose& p) {
   return {p.orientation[3], p.orientation[0], p.orientation[1], p.orientation[2]};
 }
@@ -24,7 +28,9 @@ void store(CameraPose& p, glm::dquat q) {
   q = glm::normalize(q);
   p.orientation = {q.x, q.y, q.z, q.w};
 }
-double half_height(const CameraPose& p) { return p.distance * std::tan(glm::radians(p.fov) / 2); }
+double half_height(const CameraPose& p) {
+  return p.distance * std::tan(glm::radians(p.fov) / 2);
+}
 
 /// Depths of the box along the view direction, as seen from the eye.
 std::array<double, 2> depth_range(const CameraPose& pose, Vec3 eye, const Box3& box) {
@@ -94,7 +100,8 @@ void Camera::orbit(double dx, double dy, double height, Vec3 pivot) {
   const double angle = radians_per_pixel_height / std::max(height, 1.0);
   // Upside down the model must still follow the mouse.
   const double upright = up.y >= 0 ? 1 : -1;
-  const glm::dquat turn = glm::angleAxis(-dx * angle * upright, glm::dvec3(0, 1, 0)) * glm::angleAxis(-dy * angle, right);
+  const glm::dquat turn =
+      glm::angleAxis(-dx * angle * upright, glm::dvec3(0, 1, 0)) * glm::angleAxis(-dy * angle, right);
   pose_.target = pivot + from_glm(turn * to_glm(pose_.target - pivot));
   store(pose_, turn * q);
 }
@@ -105,7 +112,8 @@ void Camera::pan(double dx, double dy, double height, Vec3 pivot) {
   const Vec3 forward = from_glm(q * glm::dvec3(0, 0, -1));
   const double depth = dot(pivot - eye(), forward);
   const bool by_pivot = !pose_.orthographic && depth > 0;
-  const double scale = 2 * half_height(pose_) / std::max(height, 1.0) * (by_pivot ? depth / pose_.distance : 1.0);
+  const double scale =
+      2 * half_height(pose_) / std::max(height, 1.0) * (by_pivot ? depth / pose_.distance : 1.0);
   pose_.target += from_glm(q * glm::dvec3(-dx * scale, dy * scale, 0));
 }
 
@@ -147,7 +155,8 @@ glm::mat4 Camera::projection(double aspect) const {
   }
   const double far_plane = std::max(depth[1], 1e-2 * pose_.distance);
   const double near_plane = std::max({depth[0], 2e-4 * far_plane, 1e-3 * pose_.distance});
-  return glm::mat4(glm::perspective(glm::radians(pose_.fov), aspect, near_plane, std::max(far_plane, 2 * near_plane)));
+  return glm::mat4(
+      glm::perspective(glm::radians(pose_.fov), aspect, near_plane, std::max(far_plane, 2 * near_plane)));
 }
 
 Camera::Ray Camera::ray(double x, double y, double width, double height) const {

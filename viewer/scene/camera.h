@@ -13,7 +13,8 @@
 
 namespace isoscope {
 
-/// Position by target, distance and orientation; perspective or orthographic. Angles in degrees, lengths in scene units.
+/// Position by target, distance and orientation; perspective or orthographic. Angles in degrees, lengths in
+/// scene units.
 struct CameraPose {
   Vec3 target;
   double distance = 3;
@@ -24,7 +25,7 @@ struct CameraPose {
 };
 
 class Camera {
-public:
+ public:
   const CameraPose& pose() const { return pose_; }
   /// Jumps, or eases over 200 ms of update() time when `ease`.
   void set(const CameraPose& pose, bool ease = false);
@@ -37,7 +38,8 @@ public:
   /// Advances a transition; true while it is under way.
   bool update(double seconds);
 
-  /// Mouse motions in pixels, in a viewport of the given size. `pivot`: the point under the cursor when the drag began.
+  /// Mouse motions in pixels, in a viewport of the given size. `pivot`: the point under the cursor when the
+  /// drag began.
   void orbit(double dx, double dy, double height, Vec3 pivot);
   void pan(double dx, double dy, double height, Vec3 pivot);
   /// Wheel steps; keeps the point under the cursor where it is.
@@ -55,7 +57,7 @@ public:
   Ray ray(double x, double y, double width, double height) const;
   void set_scene_bounds(const Box3& box) { bounds_ = box; } ///< for near and far planes
 
-private:
+ private:
   CameraPose pose_, from_, to_;
   double transition_ = 1; ///< in [0, 1], 1 at rest
   bool was_set_ = false;

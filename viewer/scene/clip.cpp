@@ -13,10 +13,17 @@ double Clip::kept_distance(Vec3 p) const {
   const Vec3 offset = p - settings_.point;
   double kept = Box3::inf;
   switch (settings_.shape) {
-  case Shape::none: return kept;
-  case Shape::plane: kept = -dot(offset, settings_.normal); break;
-  case Shape::slab: kept = settings_.radius - std::abs(dot(offset, settings_.normal)); break;
-  case Shape::ball: kept = settings_.radius - length(offset); break;
+  case Shape::none:
+    return kept;
+  case Shape::plane:
+    kept = -dot(offset, settings_.normal);
+    break;
+  case Shape::slab:
+    kept = settings_.radius - std::abs(dot(offset, settings_.normal));
+    break;
+  case Shape::ball:
+    kept = settings_.radius - length(offset);
+    break;
   }
   return settings_.flipped ? -kept : kept;
 }
@@ -54,7 +61,8 @@ bool Clip::shows_point(Vec3 p, std::span<const Vec3> cell) const {
   return shows_cell(cell);
 }
 
-std::vector<std::array<double, 2>> Clip::kept_intervals(Vec3 origin, Vec3 direction, double lo, double hi) const {
+std::vector<std::array<double, 2>> Clip::kept_intervals(Vec3 origin, Vec3 direction, double lo,
+                                                        double hi) const {
   if (lo >= hi) return {};
   if (!active()) return {{lo, hi}};
   // The unflipped region is convex: one stretch [a, b].
@@ -67,8 +75,11 @@ std::vector<std::array<double, 2>> Clip::kept_intervals(Vec3 origin, Vec3 direct
     if (rate == 0 && rest < 0) b = -Box3::inf;
   };
   switch (settings_.shape) {
-  case Shape::none: break;
-  case Shape::plane: below(settings_.normal, 0); break;
+  case Shape::none:
+    break;
+  case Shape::plane:
+    below(settings_.normal, 0);
+    break;
   case Shape::slab:
     below(settings_.normal, settings_.radius);
     below(-settings_.normal, settings_.radius);

@@ -1,5 +1,5 @@
 // How far a ray may go through the grid without meeting Ω.
-#include "scene/layer_tolerance.h"
+#include "scene/empty_space.h"
 
 #include <algorithm>
 #include <cmath>

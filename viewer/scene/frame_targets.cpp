@@ -3,7 +3,8 @@
 
 namespace isoscope {
 
-Status FrameTargets::resize(int new_width, int new_height, int new_samples, int new_volume_width, int new_volume_height) {
+Status FrameTargets::resize(int new_width, int new_height, int new_samples, int new_volume_width,
+                            int new_volume_height) {
   using gl::Format;
   if (new_width != width || new_height != height) {
     color.allocate(new_width, new_height, Format::rgba8);
@@ -25,7 +26,8 @@ Status FrameTargets::resize(int new_width, int new_height, int new_samples, int 
     volume_depth.allocate(new_volume_width, new_volume_height, Format::r16f);
     if (Status s = volume.attach({&volume_color, &volume_depth}, nullptr); !s) return s;
   }
-  // A single-sampled size change leaves the multisampled pictures behind: they are made anew when next asked for.
+  // A single-sampled size change leaves the multisampled pictures behind: they are made anew when next asked
+  // for.
   const bool stale = new_samples <= 1 && (new_width != width || new_height != height);
   width = new_width;
   height = new_height;

@@ -11,8 +11,8 @@ namespace isoscope {
 struct FrameTargets {
   gl::Texture samples_color, samples_depth; ///< multisampled opaque picture
   gl::Texture color, depth;                 ///< opaque picture, resolved
-  gl::Texture cell_sum, cell_cover;         ///< weighted sum and product of transparencies of translucent cells
-  gl::Texture volume_color, volume_depth;   ///< Ω, premultiplied
+  gl::Texture cell_sum, cell_cover;       ///< weighted sum and product of transparencies of translucent cells
+  gl::Texture volume_color, volume_depth; ///< Ω, premultiplied
   gl::Texture result;
   gl::Framebuffer multisampled, opaque, cells, volume, output;
   int width = 0, height = 0, samples = 0, volume_width = 0, volume_height = 0;

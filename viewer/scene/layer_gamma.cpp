@@ -19,10 +19,13 @@ void GammaLayer::update(const StateSnapshot& state, const Clip& clip, const Scen
   LineBuilder builder;
   const Color8 tint = color8(colors.gamma);
   for (const auto& [a, b] : edges)
-    builder.segment(space.local(state.complex.position(a)), space.local(state.complex.position(b)), tint, 1.4f);
+    builder.segment(space.local(state.complex.position(a)), space.local(state.complex.position(b)), tint,
+                    1.4f);
   batch_.upload(builder);
 }
 
-void GammaLayer::draw(gl::Program& program, const ViewFrame& frame) { batch_.draw(program, frame.view.gamma.opacity); }
+void GammaLayer::draw(gl::Program& program, const ViewFrame& frame) {
+  batch_.draw(program, frame.view.gamma.opacity);
+}
 
 } // namespace isoscope

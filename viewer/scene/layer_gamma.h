@@ -9,12 +9,13 @@
 namespace isoscope {
 
 class GammaLayer {
-public:
-  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors, const SceneSpace& space);
+ public:
+  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
+              const SceneSpace& space);
   void clear() { batch_.upload(LineBuilder()); }
   void draw(gl::Program& program, const ViewFrame& frame);
 
-private:
+ private:
   LineBatch batch_;
 };
 

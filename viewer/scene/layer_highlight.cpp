@@ -15,12 +15,13 @@ std::array<glm::vec3, 4> local(const std::array<Vec3, 4>& p, const SceneSpace& s
 }
 
 /// Marks one picked element, where the state has it.
-void mark(const StateSnapshot& state, const Pick& pick, const SceneSpace& space, glm::vec3 color, float strength,
-          LineBuilder& lines, std::vector<Marker>& marks) {
+void mark(const StateSnapshot& state, const Pick& pick, const SceneSpace& space, glm::vec3 color,
+          float strength, LineBuilder& lines, std::vector<Marker>& marks) {
   const Color8 tint = color8(color, strength);
   const auto ring = [&](Vec3 p) { marks.push_back({space.local(p), tint, MarkerShape::ring, 17}); };
   switch (pick.kind) {
-  case Pick::Kind::none: break;
+  case Pick::Kind::none:
+    break;
   case Pick::Kind::vertex:
     if (pick.id < state.complex.vertices.size()) ring(state.complex.vertices[pick.id].position);
     break;
@@ -42,16 +43,19 @@ void HighlightLayer::update(const StateSnapshot* state, const ViewFrame& frame) 
   if (state) {
     const SceneColors& c = frame.colors;
     if (frame.view.highlight.shown()) {
-      constexpr std::size_t shown_tets = 400; // the first insertions replace most of T: its edges would be a tangle
+      constexpr std::size_t shown_tets =
+          400; // the first insertions replace most of T: its edges would be a tangle
       const std::size_t added = std::min(state->added_tets.size(), shown_tets);
       for (std::size_t i = 0; i < added; ++i) {
         const TetId id = state->added_tets[i];
         if (id.index() < state->complex.tets.size() && state->complex.tet(id).alive())
-          operation.tetrahedron(local(state->complex.positions(id), frame.space), color8(c.accent, 0.55f), 1.2f);
+          operation.tetrahedron(local(state->complex.positions(id), frame.space), color8(c.accent, 0.55f),
+                                1.2f);
       }
       const std::size_t removed = std::min(state->removed_tets.size(), shown_tets);
       for (std::size_t i = 0; i < removed; ++i)
-        operation.tetrahedron(local(state->removed_tets[i], frame.space), color8(c.warning, 0.65f), 1.2f, true);
+        operation.tetrahedron(local(state->removed_tets[i], frame.space), color8(c.warning, 0.65f), 1.2f,
+                              true);
       if (state->violated_tet)
         operation.tetrahedron(local(*state->violated_tet, frame.space), color8(c.bad, 0.95f), 2.0f);
       if (state->inserted.valid() && state->inserted.index() < state->complex.vertices.size()) {

@@ -10,13 +10,13 @@
 namespace isoscope {
 
 class HighlightLayer {
-public:
+ public:
   /// Rebuilds the marks; cheap. `state` may be null.
   void update(const StateSnapshot* state, const ViewFrame& frame);
   /// Draws over the finished picture: strong where visible, faint where hidden by opaque things.
   void draw(Programs& programs, const ViewFrame& frame);
 
-private:
+ private:
   LineBatch operation_, selection_;
   MarkerBatch marks_;
 };

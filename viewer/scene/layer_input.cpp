@@ -3,7 +3,8 @@
 
 namespace isoscope {
 
-void InputLayer::update(const TriangleSoup& soup, const Clip& clip, const SceneColors& colors, const SceneSpace& space) {
+void InputLayer::update(const TriangleSoup& soup, const Clip& clip, const SceneColors& colors,
+                        const SceneSpace& space) {
   const Color8 tint = color8(colors.input);
   MeshBuilder builder;
   builder.reserve(soup.triangles.size());

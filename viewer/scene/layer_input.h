@@ -9,12 +9,12 @@
 namespace isoscope {
 
 class InputLayer {
-public:
+ public:
   void update(const TriangleSoup& soup, const Clip& clip, const SceneColors& colors, const SceneSpace& space);
   void clear() { batch_.upload(MeshBuilder()); }
   void draw(gl::Program& program, const ViewFrame& frame);
 
-private:
+ private:
   MeshBatch batch_;
 };
 

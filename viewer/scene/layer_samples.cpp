@@ -38,7 +38,8 @@ void SamplesLayer::upload_positions(std::shared_ptr<const BoundarySamples> sampl
   positions_.upload(std::span<const SampleVertex>(vertices));
   order_.resize(count);
   std::iota(order_.begin(), order_.end(), 0u);
-  std::sort(order_.begin(), order_.end(), [](std::uint32_t a, std::uint32_t b) { return scatter(a) < scatter(b); });
+  std::sort(order_.begin(), order_.end(),
+            [](std::uint32_t a, std::uint32_t b) { return scatter(a) < scatter(b); });
   using Type = gl::Attribute::Type;
   const std::array<gl::Attribute, 2> attributes{{{0, 3, Type::f32, 0}, {1, 1, Type::u32, 12}}};
   good_.array.attach(positions_, sizeof(SampleVertex), attributes);
@@ -75,9 +76,12 @@ void SamplesLayer::update(const StateSnapshot& state, const ViewSettings& view, 
   upload(bad_, bad);
 }
 
-void SamplesLayer::clear() { good_.count = bad_.count = 0; }
+void SamplesLayer::clear() {
+  good_.count = bad_.count = 0;
+}
 
-void SamplesLayer::draw_class(gl::Program& program, const ViewFrame& frame, Class& group, std::size_t count, bool bad) {
+void SamplesLayer::draw_class(gl::Program& program, const ViewFrame& frame, Class& group, std::size_t count,
+                              bool bad) {
   if (count == 0) return;
   const LayerSettings& layer = bad ? frame.view.bad_samples : frame.view.good_samples;
   program.set("tint", bad ? frame.colors.bad : frame.colors.good);
@@ -96,7 +100,8 @@ void SamplesLayer::draw(gl::Program& program, const ViewFrame& frame, std::size_
   program.use();
   program.set("ground", 0.5f * (frame.colors.ground_top + frame.colors.ground_bottom));
   // A thinned set is sparser: its sprites may be as much larger.
-  const double kept = good_.count > 0 ? static_cast<double>(std::max<std::size_t>(good, 1)) / good_.count : 1.0;
+  const double kept =
+      good_.count > 0 ? static_cast<double>(std::max<std::size_t>(good, 1)) / good_.count : 1.0;
   program.set("spacing", static_cast<float>(samples_->sigma / std::sqrt(kept)));
   glEnable(GL_PROGRAM_POINT_SIZE);
   draw_class(program, frame, good_, good, false);

@@ -14,15 +14,16 @@
 namespace isoscope {
 
 class SamplesLayer {
-public:
-  void update(const StateSnapshot& state, const ViewSettings& view, const Clip& clip, const SceneSpace& space);
+ public:
+  void update(const StateSnapshot& state, const ViewSettings& view, const Clip& clip,
+              const SceneSpace& space);
   void clear();
   /// Draws at most `budget` sprites, bad ones first; the chosen ones are the same in every frame.
   void draw(gl::Program& program, const ViewFrame& frame, std::size_t budget);
   /// How many the last draw left out.
   std::size_t thinned() const { return thinned_; }
 
-private:
+ private:
   void upload_positions(std::shared_ptr<const BoundarySamples> samples, const SceneSpace& space);
   struct Class {
     gl::Buffer indices;

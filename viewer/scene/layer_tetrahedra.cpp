@@ -5,12 +5,17 @@ namespace isoscope {
 
 glm::vec3 role_color(TetRole role, const SceneColors& colors) {
   switch (role) {
-  case TetRole::violates_1: return colors.bad;
-  case TetRole::violates_2: return colors.warning;
-  case TetRole::violates_3: return colors.misoriented;
-  case TetRole::changed: return colors.accent;
+  case TetRole::violates_1:
+    return colors.bad;
+  case TetRole::violates_2:
+    return colors.warning;
+  case TetRole::violates_3:
+    return colors.misoriented;
+  case TetRole::changed:
+    return colors.accent;
   case TetRole::hidden:
-  case TetRole::plain: break;
+  case TetRole::plain:
+    break;
   }
   return colors.tetrahedron;
 }

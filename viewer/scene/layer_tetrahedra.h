@@ -8,16 +8,16 @@
 namespace isoscope {
 
 class TetrahedraLayer {
-public:
-  void update(const StateSnapshot& state, const TetFilter& filter, const Clip& clip, const SceneColors& colors,
-              const SceneSpace& space);
+ public:
+  void update(const StateSnapshot& state, const TetFilter& filter, const Clip& clip,
+              const SceneColors& colors, const SceneSpace& space);
   void clear();
   void draw_solid(gl::Program& program, const ViewFrame& frame);
   void draw_faint(gl::Program& program, const ViewFrame& frame);
   bool has_faint() const { return !faint_.empty(); }
   bool has_solid() const { return !solid_.empty(); }
 
-private:
+ private:
   MeshBatch solid_, faint_;
 };
 

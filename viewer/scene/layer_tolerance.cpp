@@ -2,6 +2,7 @@
 #include "scene/layer_tolerance.h"
 
 #include "base/parallel.h"
+#include "scene/empty_space.h"
 
 #include <glad/gl.h>
 
@@ -20,9 +21,8 @@ void ToleranceLayer::set(const DistanceGrid& grid, double delta) {
     grid_.upload_volume(grid.size, grid.values, gl::Format::r16f, true);
   } else {
     std::vector<float> sided(grid.values.size());
-    parallel_for(sided.size(), 1u << 16, [&](std::size_t i) {
-      sided[i] = grid.sides[i] > 0 ? grid.values[i] : -grid.values[i];
-    });
+    parallel_for(sided.size(), 1u << 16,
+                 [&](std::size_t i) { sided[i] = grid.sides[i] > 0 ? grid.values[i] : -grid.values[i]; });
     grid_.upload_volume(grid.size, sided, gl::Format::r16f, true);
   }
   constexpr int block = 8;
@@ -62,6 +62,8 @@ void ToleranceLayer::march(gl::Program& program, const ViewFrame& frame, const g
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void ToleranceLayer::prepare_section(gl::Program& program, const ViewFrame& frame) { set_common(program, frame); }
+void ToleranceLayer::prepare_section(gl::Program& program, const ViewFrame& frame) {
+  set_common(program, frame);
+}
 
 } // namespace isoscope

@@ -6,24 +6,25 @@
 #include "scene/view_frame.h"
 #include "tolerance/distance_grid.h"
 
-#include <vector>
-
 namespace isoscope {
 
 class ToleranceLayer {
-public:
+ public:
   /// Uploads the grid; `delta` in scene units.
   void set(const DistanceGrid& grid, double delta);
   void clear() { present_ = false; }
   bool present() const { return present_; }
   /// Whether a frame with these settings shows anything of Ω.
-  bool shown(const ViewSettings& view) const { return present_ && (view.outer.shown() || view.inner.shown()); }
-  /// Fills the bound framebuffer with premultiplied colour and depth; `coarseness` 1 at rest, more while moving.
+  bool shown(const ViewSettings& view) const {
+    return present_ && (view.outer.shown() || view.inner.shown());
+  }
+  /// Fills the bound framebuffer with premultiplied colour and depth; `coarseness` 1 at rest, more while
+  /// moving.
   void march(gl::Program& program, const ViewFrame& frame, const gl::Texture& scene_depth, float coarseness);
   /// Sets what the section's shader needs to tint Ω.
   void prepare_section(gl::Program& program, const ViewFrame& frame);
 
-private:
+ private:
   void set_common(gl::Program& program, const ViewFrame& frame);
   gl::Texture grid_, skip_;
   Box3 box_;
@@ -32,9 +33,5 @@ private:
   double delta_ = 1;
   bool present_ = false;
 };
-
-/// For blocks of `block` voxels a side: how far one may go from any point of a block without meeting a voxel with d <= δ or a
-/// change of side. `size` is that of the result; lengths in the unit of `voxel`.
-std::vector<float> empty_space(const DistanceGrid& grid, int block, double voxel, std::array<int, 3>& size);
 
 } // namespace isoscope

@@ -9,14 +9,15 @@
 namespace isoscope {
 
 class ZeroSetLayer {
-public:
-  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors, const SceneSpace& space);
+ public:
+  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
+              const SceneSpace& space);
   void clear() { batch_.upload(MeshBuilder()); }
   /// Opaque pass, or translucent when the layer's opacity is below 1.
   void draw(gl::Program& program, const ViewFrame& frame);
   bool empty() const { return batch_.empty(); }
 
-private:
+ private:
   MeshBatch batch_;
 };
 

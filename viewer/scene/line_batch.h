@@ -21,7 +21,7 @@ struct LineVertex {
 
 /// Collects segments.
 class LineBuilder {
-public:
+ public:
   /// Width in interface pixels, at most 31.
   void segment(glm::vec3 from, glm::vec3 to, Color8 tint, float width, bool dashed = false);
   void tetrahedron(const std::array<glm::vec3, 4>& p, Color8 tint, float width, bool dashed = false);
@@ -30,19 +30,20 @@ public:
   void clear() { vertices_.clear(); }
   const std::vector<LineVertex>& vertices() const { return vertices_; }
 
-private:
+ private:
   std::vector<LineVertex> vertices_;
 };
 
 /// The segments on the GPU.
 class LineBatch {
-public:
+ public:
   void upload(const LineBuilder& builder);
   bool empty() const { return count_ == 0; }
-  /// `toward`: how far the lines are moved towards the viewer, as a part of the distance, to lie on top of facets.
+  /// `toward`: how far the lines are moved towards the viewer, as a part of the distance, to lie on top of
+  /// facets.
   void draw(gl::Program& program, float opacity, float toward = 5e-4f);
 
-private:
+ private:
   gl::Buffer buffer_, indices_;
   gl::VertexArray array_;
   std::size_t count_ = 0, indexed_ = 0;

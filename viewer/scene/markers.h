@@ -24,11 +24,11 @@ struct Marker {
 };
 
 class MarkerBatch {
-public:
+ public:
   void upload(const std::vector<Marker>& markers);
   void draw(gl::Program& program, float opacity);
 
-private:
+ private:
   gl::Buffer buffer_;
   gl::VertexArray array_;
   std::size_t count_ = 0;

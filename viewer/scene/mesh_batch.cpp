@@ -11,7 +11,9 @@
 namespace isoscope {
 
 Color8 color8(glm::vec3 rgb, float alpha) {
-  const auto byte = [](float v) { return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(v, 0.0f, 1.0f))); };
+  const auto byte = [](float v) {
+    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(v, 0.0f, 1.0f)));
+  };
   return {byte(rgb.x), byte(rgb.y), byte(rgb.z), byte(alpha)};
 }
 

@@ -26,7 +26,7 @@ struct MeshVertex {
 
 /// Collects triangles.
 class MeshBuilder {
-public:
+ public:
   /// Corners counter-clockwise seen from the side the normal points to.
   void triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, Color8 tint, std::uint8_t edges = 7);
   /// Four corners in order, split along the shorter diagonal, which is not drawn.
@@ -37,7 +37,7 @@ public:
   void reserve(std::size_t triangles) { vertices_.reserve(3 * triangles); }
   const std::vector<MeshVertex>& vertices() const { return vertices_; }
 
-private:
+ private:
   std::vector<MeshVertex> vertices_;
 };
 
@@ -51,13 +51,13 @@ struct MeshStyle {
 
 /// The triangles on the GPU.
 class MeshBatch {
-public:
+ public:
   void upload(const MeshBuilder& builder);
   bool empty() const { return count_ == 0; }
   std::size_t triangles() const { return count_ / 3; }
   void draw(gl::Program& program, const MeshStyle& style);
 
-private:
+ private:
   gl::Buffer buffer_;
   gl::VertexArray array_;
   std::size_t count_ = 0;

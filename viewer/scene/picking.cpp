@@ -87,7 +87,8 @@ void hit_tetrahedra(const Search& search, std::vector<Hit>& hits) {
     if (!inside) return;
     double t = (*inside)[0];
     if (search.clip.cuts()) {
-      const auto kept = search.clip.kept_intervals(search.ray.origin, search.ray.direction, (*inside)[0], (*inside)[1]);
+      const auto kept =
+          search.clip.kept_intervals(search.ray.origin, search.ray.direction, (*inside)[0], (*inside)[1]);
       if (kept.empty()) return;
       t = kept.front()[0];
     }
@@ -142,7 +143,8 @@ void hit_input(const Search& search, std::vector<Hit>& hits) {
   for (std::size_t i = 0; i < search.scene.input->triangles.size(); ++i) {
     const Triangle3 p = search.scene.input->triangle(i);
     const auto t = meet_triangle(search.ray, p[0], p[1], p[2]);
-    if (t && cell_visible(search, p, search.along(*t))) hits.push_back({*t, {{}, Pick().id, search.along(*t)}});
+    if (t && cell_visible(search, p, search.along(*t)))
+      hits.push_back({*t, {{}, Pick().id, search.along(*t)}});
   }
 }
 
@@ -163,7 +165,8 @@ double interpolate(const DistanceGrid& grid, Vec3 p) {
     const int dx = c & 1, dy = (c >> 1) & 1, dz = c >> 2;
     const std::size_t at =
         (static_cast<std::size_t>(base[2] + dz) * grid.size[1] + base[1] + dy) * grid.size[0] + base[0] + dx;
-    const double weight = (dx ? part[0] : 1 - part[0]) * (dy ? part[1] : 1 - part[1]) * (dz ? part[2] : 1 - part[2]);
+    const double weight =
+        (dx ? part[0] : 1 - part[0]) * (dy ? part[1] : 1 - part[1]) * (dz ? part[2] : 1 - part[2]);
     sum += weight * static_cast<double>(grid.values[at]);
   }
   return sum;
@@ -172,7 +175,8 @@ double interpolate(const DistanceGrid& grid, Vec3 p) {
 /// Where the ray enters Ω.
 std::optional<double> meet_tolerance(const Search& search) {
   const DistanceGrid* grid = search.scene.grid;
-  if (!grid || grid->values.empty() || !(search.view.outer.shown() || search.view.inner.shown())) return std::nullopt;
+  if (!grid || grid->values.empty() || !(search.view.outer.shown() || search.view.inner.shown()))
+    return std::nullopt;
   double lo = 0, hi = Box3::inf;
   for (int i = 0; i < 3; ++i) {
     const double a = (grid->box.lo[i] - search.ray.origin[i]) / search.ray.direction[i];
@@ -181,7 +185,8 @@ std::optional<double> meet_tolerance(const Search& search) {
     hi = std::min(hi, std::max(a, b));
   }
   const Vec3 extent = grid->box.extent();
-  const double step = 0.5 * std::min({extent.x / grid->size[0], extent.y / grid->size[1], extent.z / grid->size[2]});
+  const double step =
+      0.5 * std::min({extent.x / grid->size[0], extent.y / grid->size[1], extent.z / grid->size[2]});
   for (const auto& [from, to] : search.clip.kept_intervals(search.ray.origin, search.ray.direction, lo, hi))
     for (double t = from; t < to; t += step)
       if (interpolate(*grid, search.along(t)) <= 1) return t;
@@ -196,8 +201,8 @@ double first(const std::vector<Hit>& hits) {
 
 } // namespace
 
-Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at, unsigned kinds,
-                int depth_index) {
+Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at,
+                unsigned kinds, int depth_index) {
   if (!scene.state) return {};
   const Search search(scene, camera, view, at);
   std::vector<Hit> zero, opaque, hits;
@@ -244,7 +249,8 @@ Vec3 surface_point(const PickScene& scene, const Camera& camera, const ViewSetti
   if (const auto enters = meet_tolerance(search)) t = std::min(t, *enters);
   if (!std::isfinite(t)) {
     const Camera::Ray axis = camera.ray(at.width / 2.0, at.height / 2.0, at.width, at.height);
-    t = dot(camera.pose().target - search.ray.origin, axis.direction) / dot(search.ray.direction, axis.direction);
+    t = dot(camera.pose().target - search.ray.origin, axis.direction) /
+        dot(search.ray.direction, axis.direction);
   }
   return search.along(t);
 }

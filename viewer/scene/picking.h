@@ -25,15 +25,17 @@ struct PickScene {
 
 constexpr unsigned pick_vertices = 1, pick_tetrahedra = 2, pick_samples = 4;
 
-/// The hit number `depth_index` along the ray among the asked-for kinds. Number 0 is never behind an opaque surface.
-Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at, unsigned kinds,
-                int depth_index);
+/// The hit number `depth_index` along the ray among the asked-for kinds. Number 0 is never behind an opaque
+/// surface.
+Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at,
+                unsigned kinds, int depth_index);
 
 /// The nearest visible surface point under the position; at the target's depth where there is none.
 Vec3 surface_point(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at);
 
-/// The same in the 2D section: the nearest drawn sample or vertex within the radius, else the tetrahedron around the position.
-Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView& section, const ViewSettings& view,
-                        const PickAt& at, unsigned kinds);
+/// The same in the 2D section: the nearest drawn sample or vertex within the radius, else the tetrahedron
+/// around the position.
+Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView& section,
+                        const ViewSettings& view, const PickAt& at, unsigned kinds);
 
 } // namespace isoscope

@@ -95,8 +95,11 @@ struct Renderer::Impl {
   bool draw_cells(const ViewFrame& frame);
   void composite(bool with_cells, bool with_volume);
   ViewFrame view_frame(const ViewSettings& view, const FrameRequest& request, int width, int height) const;
-  Renderer::Frame finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start, Quality quality);
-  PickScene pick_scene_data() const { return {state.get(), scene ? scene->input.get() : nullptr, grid.get()}; }
+  Renderer::Frame finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
+                         Quality quality);
+  PickScene pick_scene_data() const {
+    return {state.get(), scene ? scene->input.get() : nullptr, grid.get()};
+  }
 };
 
 Box3 Renderer::Impl::bounds() const {
@@ -146,9 +149,18 @@ void Renderer::Impl::reload_shaders() {
 
 ViewFrame Renderer::Impl::view_frame(const ViewSettings& view, const FrameRequest& request, int width,
                                      int height) const {
-  const float scale = request.pixel_scale * static_cast<float>(height) / static_cast<float>(std::max(request.height, 1));
-  return {view,   scene_colors(view.theme), space,         width, height, scale, request.quality, request.selection,
-          request.hover, request.pulse};
+  const float scale =
+      request.pixel_scale * static_cast<float>(height) / static_cast<float>(std::max(request.height, 1));
+  return {view,
+          scene_colors(view.theme),
+          space,
+          width,
+          height,
+          scale,
+          request.quality,
+          request.selection,
+          request.hover,
+          request.pulse};
 }
 
 void Renderer::Impl::update_layers(const ViewFrame& frame) {
@@ -203,7 +215,8 @@ void Renderer::Impl::update_layers(const ViewFrame& frame) {
   highlight.update(state.get(), frame);
 }
 
-void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request, const FrameQuality& quality) {
+void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request,
+                                 const FrameQuality& quality) {
   const ViewSettings& view = frame.view;
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
@@ -340,18 +353,24 @@ void Renderer::set_state(std::shared_ptr<const StateSnapshot> state) {
   if (!impl_->scene && !impl_->grid) impl_->place_origin();
 }
 
-Box3 Renderer::bounds() const { return impl_->bounds(); }
+Box3 Renderer::bounds() const {
+  return impl_->bounds();
+}
 
-Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view, const FrameRequest& request) {
+Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
+                                 const FrameRequest& request) {
   Impl& r = *impl_;
   if (request.width <= 0 || request.height <= 0) return {};
   r.reload_shaders();
   const auto start = std::chrono::steady_clock::now();
   FrameQuality quality = r.control.choose(request.quality);
   quality.samples = std::min(quality.samples, r.device.max_samples);
-  const auto scaled = [](int pixels, double scale) { return std::max(1, static_cast<int>(std::lround(pixels * scale))); };
+  const auto scaled = [](int pixels, double scale) {
+    return std::max(1, static_cast<int>(std::lround(pixels * scale)));
+  };
   const int width = scaled(request.width, quality.scale), height = scaled(request.height, quality.scale);
-  const int volume_width = scaled(width, quality.volume_scale), volume_height = scaled(height, quality.volume_scale);
+  const int volume_width = scaled(width, quality.volume_scale),
+            volume_height = scaled(height, quality.volume_scale);
   if (!r.targets.resize(width, height, quality.samples, volume_width, volume_height)) return {};
 
   const ViewFrame frame = r.view_frame(view, request, width, height);
@@ -391,8 +410,8 @@ Renderer::Frame Renderer::render_section(const SectionView& section, const ViewS
   r.section.update(r.state.get(), frame);
   ClipSettings plane = view.clip;
   plane.shape = ClipSettings::Shape::none;
-  r.block.upload(frame_uniforms(section_camera(section, view.clip), r.space, plane, request.width, request.height,
-                                frame.pixel_scale));
+  r.block.upload(frame_uniforms(section_camera(section, view.clip), r.space, plane, request.width,
+                                request.height, frame.pixel_scale));
   r.section_targets.output.bind(request.width, request.height);
   glBindVertexArray(r.empty_array);
   r.section.draw(r.programs, frame, r.tolerance, request.transparent_background ? 0.0f : 1.0f);
@@ -404,8 +423,8 @@ Pick Renderer::pick(const Camera& camera, const ViewSettings& view, double x, do
   return pick_scene(impl_->pick_scene_data(), camera, view, {x, y, width, height}, kinds, depth_index);
 }
 
-Pick Renderer::pick_section(const SectionView& section, const ViewSettings& view, double x, double y, int width,
-                            int height, unsigned kinds) const {
+Pick Renderer::pick_section(const SectionView& section, const ViewSettings& view, double x, double y,
+                            int width, int height, unsigned kinds) const {
   if (!impl_->state) return {};
   return pick_section_scene(*impl_->state, section, view, {x, y, width, height}, kinds);
 }
@@ -428,7 +447,11 @@ std::vector<std::uint8_t> Renderer::read_pixels(const Frame& frame) const {
   return pixels;
 }
 
-double Renderer::last_frame_seconds() const { return impl_->seconds; }
-std::size_t Renderer::thinned_samples() const { return impl_->samples.thinned(); }
+double Renderer::last_frame_seconds() const {
+  return impl_->seconds;
+}
+std::size_t Renderer::thinned_samples() const {
+  return impl_->samples.thinned();
+}
 
 } // namespace isoscope

@@ -1,4 +1,5 @@
-// Draws a state into a framebuffer of its own and answers picks; knows layers and OpenGL, nothing of panels or sessions.
+// Draws a state into a framebuffer of its own and answers picks; knows layers and OpenGL, nothing of panels
+// or sessions.
 #pragma once
 
 #include "base/status.h"
@@ -20,15 +21,15 @@ enum class Quality : std::uint8_t { moving, rest };
 struct FrameRequest {
   int width = 0, height = 0;
   Quality quality = Quality::rest;
-  float pixel_scale = 1;      ///< content scale of the monitor: line widths and disc sizes follow it
+  float pixel_scale = 1; ///< content scale of the monitor: line widths and disc sizes follow it
   Pick selection, hover;
-  float pulse = 0;            ///< in [0, 1): phase for the highlight of the current operation
+  float pulse = 0; ///< in [0, 1): phase for the highlight of the current operation
   bool transparent_background = false;
 };
 
 /// Owns all GPU resources of the 3D view; needs a current OpenGL 4.1 core context during its whole life.
 class Renderer {
-public:
+ public:
   /// Compiles the shaders; fails with device and the driver's log.
   static Result<std::unique_ptr<Renderer>> create();
   ~Renderer();
@@ -39,8 +40,8 @@ public:
   void set_state(std::shared_ptr<const StateSnapshot> state);
   Box3 bounds() const;
 
-  /// Renders the 3D view; returns the colour texture's name, valid until the next call. Resolution may be lower while moving;
-  /// the texture is then to be stretched.
+  /// Renders the 3D view; returns the colour texture's name, valid until the next call. Resolution may be
+  /// lower while moving; the texture is then to be stretched.
   struct Frame {
     std::uint32_t texture = 0;
     int width = 0, height = 0;
@@ -48,26 +49,29 @@ public:
   Frame render(const Camera& camera, const ViewSettings& view, const FrameRequest& request);
   /// Renders the 2D section by the clip's plane (through clip.point, normal clip.normal).
   struct SectionView {
-    double u = 0, v = 0;     ///< centre in the plane's coordinates, scene units, relative to clip.point
-    double height = 1;       ///< visible height, scene units
+    double u = 0, v = 0; ///< centre in the plane's coordinates, scene units, relative to clip.point
+    double height = 1;   ///< visible height, scene units
   };
   Frame render_section(const SectionView& section, const ViewSettings& view, const FrameRequest& request);
 
-  /// The nearest element under a framebuffer position (origin top left) that the layers, the filter and the clip let see.
-  /// `kinds`: bit 0 vertices, 1 tetrahedra, 2 samples. `depth_index`: 0 nearest, 1 the next deeper ...
-  Pick pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height, unsigned kinds,
-            int depth_index = 0) const;
-  Pick pick_section(const SectionView& section, const ViewSettings& view, double x, double y, int width, int height,
-                    unsigned kinds) const;
+  /// The nearest element under a framebuffer position (origin top left) that the layers, the filter and the
+  /// clip let see. `kinds`: bit 0 vertices, 1 tetrahedra, 2 samples. `depth_index`: 0 nearest, 1 the next
+  /// deeper ...
+  Pick pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height,
+            unsigned kinds, int depth_index = 0) const;
+  Pick pick_section(const SectionView& section, const ViewSettings& view, double x, double y, int width,
+                    int height, unsigned kinds) const;
   /// The visible surface point under a position, for orbiting; the target's depth where nothing is hit.
-  Vec3 point_under(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height) const;
+  Vec3 point_under(const Camera& camera, const ViewSettings& view, double x, double y, int width,
+                   int height) const;
   /// Reads back a frame as RGBA, rows top to bottom.
   std::vector<std::uint8_t> read_pixels(const Frame& frame) const;
-  /// Seconds the GPU or the software driver needed for the last frame, and how many samples were thinned away.
+  /// Seconds the GPU or the software driver needed for the last frame, and how many samples were thinned
+  /// away.
   double last_frame_seconds() const;
   std::size_t thinned_samples() const;
 
-private:
+ private:
   Renderer();
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -10,8 +10,8 @@ namespace isoscope {
 namespace {
 
 /// Outline of a tetrahedron's section.
-void outline(const std::array<Vec3, 4>& p, const SectionPlane& plane, const SceneSpace& space, Color8 tint, float width,
-             bool dashed, LineBuilder& lines) {
+void outline(const std::array<Vec3, 4>& p, const SectionPlane& plane, const SceneSpace& space, Color8 tint,
+             float width, bool dashed, LineBuilder& lines) {
   constexpr std::array<std::array<std::size_t, 3>, 4> facets{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
   for (const auto& f : facets) {
     std::array<Vec3, 2> ends;
@@ -49,7 +49,8 @@ void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
         const MarkerShape shape =
             s.bad ? MarkerShape::cross : (s.outer ? MarkerShape::disc : MarkerShape::circle);
         const auto diameter = static_cast<std::uint8_t>(s.bad ? 1.4f * size : size);
-        samples.push_back({frame.space.local(plane.lift(s.at)), color8(s.bad ? c.bad : c.good), shape, diameter});
+        samples.push_back(
+            {frame.space.local(plane.lift(s.at)), color8(s.bad ? c.bad : c.good), shape, diameter});
       }
     }
     const auto ring = [&](Vec3 p, glm::vec3 color, std::uint8_t diameter) {
@@ -60,7 +61,8 @@ void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
                        MarkerShape::ring, diameter});
     };
     if (frame.view.highlight.shown()) {
-      if (state->violated_tet) outline(*state->violated_tet, plane, frame.space, color8(c.bad), 1.8f, true, marked);
+      if (state->violated_tet)
+        outline(*state->violated_tet, plane, frame.space, color8(c.bad), 1.8f, true, marked);
       if (state->inserted.valid() && state->inserted.index() < state->complex.vertices.size())
         ring(state->complex.position(state->inserted), c.accent, 18);
       if (state->bad_samples > 0 && state->samples && state->worst_sample.valid() &&
@@ -68,8 +70,10 @@ void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
         ring(state->samples->positions[state->worst_sample.index()], c.bad, 22);
     }
     for (const Pick& pick : {frame.hover, frame.selection}) {
-      if (pick.kind == Pick::Kind::tet && pick.id < state->complex.tets.size() && state->complex.tets[pick.id].alive())
-        outline(state->complex.positions(TetId(pick.id)), plane, frame.space, color8(c.selection), 2.2f, false, marked);
+      if (pick.kind == Pick::Kind::tet && pick.id < state->complex.tets.size() &&
+          state->complex.tets[pick.id].alive())
+        outline(state->complex.positions(TetId(pick.id)), plane, frame.space, color8(c.selection), 2.2f,
+                false, marked);
       if (pick.kind == Pick::Kind::vertex && pick.id < state->complex.vertices.size())
         ring(state->complex.vertices[pick.id].position, c.selection, 16);
       if (pick.kind == Pick::Kind::sample && state->samples && pick.id < state->samples->size())

@@ -1,4 +1,5 @@
-// Draws the 2D section as the paper's figures do: T thin, Z thick, ∂Γ blue, samples by class, the Steiner point ringed.
+// Draws the 2D section as the paper's figures do: T thin, Z thick, ∂Γ blue, samples by class, the Steiner
+// point ringed.
 #pragma once
 
 #include "scene/layer_tolerance.h"
@@ -12,12 +13,12 @@
 namespace isoscope {
 
 class SectionLayer {
-public:
+ public:
   /// Intersects and uploads; `state` may be null.
   void update(const StateSnapshot* state, const ViewFrame& frame);
   void draw(Programs& programs, const ViewFrame& frame, ToleranceLayer& tolerance, float background_opacity);
 
-private:
+ private:
   LineBatch lines_, marked_;
   MarkerBatch samples_, marks_;
 };

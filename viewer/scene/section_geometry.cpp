@@ -14,7 +14,8 @@ namespace {
 using Segment = SectionGeometry::Segment;
 
 /// Where a convex polygon with the given heights meets the plane.
-std::optional<Segment> cut(std::span<const Vec3> p, std::span<const double> height, const SectionPlane& plane) {
+std::optional<Segment> cut(std::span<const Vec3> p, std::span<const double> height,
+                           const SectionPlane& plane) {
   std::array<PlanePoint, 2> ends;
   std::size_t found = 0;
   for (std::size_t i = 0; i < p.size() && found < 2; ++i) {
@@ -36,7 +37,8 @@ bool drawn(const StateSnapshot& state, std::size_t tet, bool box) {
 
 } // namespace
 
-SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane& plane, const SectionOptions& options) {
+SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane& plane,
+                                 const SectionOptions& options) {
   SectionGeometry out;
   const Complex& complex = state.complex;
   std::vector<double> heights(complex.vertices.size());
@@ -66,7 +68,8 @@ SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane&
       h[k] = plane.height(p[k]);
     }
     const std::size_t n = polygon.count;
-    if (const auto segment = cut(std::span(p).first(n), std::span(h).first(n), plane)) out.zero_set.push_back(*segment);
+    if (const auto segment = cut(std::span(p).first(n), std::span(h).first(n), plane))
+      out.zero_set.push_back(*segment);
   }
   for (const GammaFacet& facet : state.gamma) {
     std::array<Vec3, 3> p;

@@ -35,17 +35,18 @@ struct SectionGeometry {
   };
   std::vector<Segment> tetrahedra; ///< facets of T, each once
   std::vector<Segment> zero_set;
-  std::vector<Segment> gamma;      ///< ∂Γ
-  std::vector<Sample> samples;     ///< within `sample_distance` of the plane
+  std::vector<Segment> gamma;  ///< ∂Γ
+  std::vector<Sample> samples; ///< within `sample_distance` of the plane
 };
 
 struct SectionOptions {
-  bool box = false;            ///< also tetrahedra with a corner of the bounding box
-  double sample_distance = 0;  ///< half the thickness of the slab of samples
+  bool box = false;           ///< also tetrahedra with a corner of the bounding box
+  double sample_distance = 0; ///< half the thickness of the slab of samples
 };
 
 /// Intersects everything with the plane. Corners on the plane count as lying on its positive side.
-SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane& plane, const SectionOptions& options);
+SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane& plane,
+                                 const SectionOptions& options);
 
 /// The alive tetrahedron whose section holds the point, invalid where none does.
 TetId section_tet(const StateSnapshot& state, const SectionPlane& plane, PlanePoint at, bool box);

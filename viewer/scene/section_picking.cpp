@@ -8,11 +8,12 @@
 
 namespace isoscope {
 
-Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView& section, const ViewSettings& view,
-                        const PickAt& at, unsigned kinds) {
+Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView& section,
+                        const ViewSettings& view, const PickAt& at, unsigned kinds) {
   const SectionPlane plane = section_plane(view.clip);
   const double unit = section.height / at.height;
-  const PlanePoint here{section.u + (at.x - 0.5 * at.width) * unit, section.v + (0.5 * at.height - at.y) * unit};
+  const PlanePoint here{section.u + (at.x - 0.5 * at.width) * unit,
+                        section.v + (0.5 * at.height - at.y) * unit};
   Pick best;
   double nearest = at.radius * unit;
   const auto offer = [&](Pick::Kind kind, std::size_t id, Vec3 p) {
@@ -34,7 +35,8 @@ Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView&
   if (kinds & pick_vertices) {
     for (std::size_t i = 0; i < state.complex.vertices.size(); ++i) {
       const Vertex& v = state.complex.vertices[i];
-      if (v.alive && (v.kind != VertexKind::box || view.tets.box) && std::abs(plane.height(v.position)) <= reach)
+      if (v.alive && (v.kind != VertexKind::box || view.tets.box) &&
+          std::abs(plane.height(v.position)) <= reach)
         offer(Pick::Kind::vertex, i, v.position);
     }
   }

@@ -30,6 +30,8 @@ Camera section_camera(const Renderer::SectionView& section, const ClipSettings& 
   return camera;
 }
 
-double section_sample_distance(const StateSnapshot& state) { return state.samples ? 0.5 * state.samples->sigma : 0; }
+double section_sample_distance(const StateSnapshot& state) {
+  return state.samples ? 0.5 * state.samples->sigma : 0;
+}
 
 } // namespace isoscope

@@ -1,4 +1,5 @@
-// Which tetrahedra the filter and the clip let see, and in which role; drawing and picking agree through this.
+// Which tetrahedra the filter and the clip let see, and in which role; drawing and picking agree through
+// this.
 #pragma once
 
 #include "run/snapshot.h"
@@ -17,7 +18,8 @@ TetRole tet_role(std::uint8_t flags, const TetFilter& filter);
 
 /// Calls visit(TetId, TetRole) for every tetrahedron that filter and clip let see, ascending by slot.
 template <class Visit>
-void for_each_visible_tet(const StateSnapshot& state, const TetFilter& filter, const Clip& clip, Visit&& visit) {
+void for_each_visible_tet(const StateSnapshot& state, const TetFilter& filter, const Clip& clip,
+                          Visit&& visit) {
   const std::size_t count = std::min(state.complex.tets.size(), state.tet_flags.size());
   for (std::size_t i = 0; i < count; ++i) {
     if (!state.complex.tets[i].alive()) continue;

@@ -8,10 +8,11 @@
 
 namespace isoscope {
 
-FrameUniforms frame_uniforms(const Camera& camera, const SceneSpace& space, const ClipSettings& clip, int width, int height,
-                             float pixel_scale) {
+FrameUniforms frame_uniforms(const Camera& camera, const SceneSpace& space, const ClipSettings& clip,
+                             int width, int height, float pixel_scale) {
   FrameUniforms u;
-  // Only the rotation comes from the single-precision matrix; the translation is taken relative to the origin.
+  // Only the rotation comes from the single-precision matrix; the translation is taken relative to the
+  // origin.
   const glm::vec3 eye = space.local(camera.eye());
   const glm::mat4 rotation = glm::mat4(glm::mat3(camera.view()));
   u.view = glm::translate(rotation, -eye);

@@ -31,8 +31,8 @@ struct FrameUniforms {
 };
 
 /// Camera, viewport and clip as the shaders want them.
-FrameUniforms frame_uniforms(const Camera& camera, const SceneSpace& space, const ClipSettings& clip, int width, int height,
-                             float pixel_scale);
+FrameUniforms frame_uniforms(const Camera& camera, const SceneSpace& space, const ClipSettings& clip,
+                             int width, int height, float pixel_scale);
 
 /// One frame's circumstances.
 struct ViewFrame {
@@ -48,10 +48,10 @@ struct ViewFrame {
 
 /// The uniform buffer behind the block Frame.
 class FrameBlock {
-public:
+ public:
   void upload(const FrameUniforms& uniforms);
 
-private:
+ private:
   gl::Buffer buffer_;
 };
 

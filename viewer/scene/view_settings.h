@@ -1,4 +1,5 @@
-// What is shown and how, as plain data: panels and scripts edit it, the renderer reads it, view files store it.
+// What is shown and how, as plain data: panels and scripts edit it, the renderer reads it, view files store
+// it.
 #pragma once
 
 #include "base/geometry.h"
@@ -21,9 +22,9 @@ struct LayerSettings {
 struct TetFilter {
   bool carry_zero_set = false, violate_1 = true, violate_2 = false, violate_3 = true, changed = true;
   bool all = false;
-  bool box = false;           ///< also those with a corner of the bounding box
-  std::uint32_t recent = 1;   ///< operations back for `changed`
-  float shrink = 0.85f;       ///< display shrink about the centroid in (0, 1]; not condition 3's factor
+  bool box = false;         ///< also those with a corner of the bounding box
+  std::uint32_t recent = 1; ///< operations back for `changed`
+  float shrink = 0.85f;     ///< display shrink about the centroid in (0, 1]; not condition 3's factor
   friend bool operator==(const TetFilter&, const TetFilter&) = default;
 };
 
@@ -33,9 +34,9 @@ struct ClipSettings {
   enum class Mode : std::uint8_t { cut, whole_cells, straddle };
   Shape shape = Shape::none;
   Mode mode = Mode::cut;
-  Vec3 point;                ///< on the plane, middle of the slab, centre of the ball
-  Vec3 normal{1, 0, 0};      ///< unit; what lies on its positive side is cut away (plane)
-  double radius = 0.1;       ///< ball's radius or half the slab's thickness, scene units
+  Vec3 point;           ///< on the plane, middle of the slab, centre of the ball
+  Vec3 normal{1, 0, 0}; ///< unit; what lies on its positive side is cut away (plane)
+  double radius = 0.1;  ///< ball's radius or half the slab's thickness, scene units
   bool flipped = false;
   friend bool operator==(const ClipSettings&, const ClipSettings&) = default;
 };
@@ -44,17 +45,17 @@ enum class ThemeKind : std::uint8_t { dark, light, paper };
 enum class ViewMode : std::uint8_t { scene, section, split };
 
 struct ViewSettings {
-  LayerSettings input{false, 1.0f};      ///< the input triangles
-  LayerSettings outer{true, 0.22f};      ///< outer boundary surface of Ω
-  LayerSettings inner{true, 0.35f};      ///< inner boundary surface of Ω
+  LayerSettings input{false, 1.0f}; ///< the input triangles
+  LayerSettings outer{true, 0.22f}; ///< outer boundary surface of Ω
+  LayerSettings inner{true, 0.35f}; ///< inner boundary surface of Ω
   LayerSettings samples{true, 1.0f};
   LayerSettings good_samples{true, 1.0f}, bad_samples{true, 1.0f};
   LayerSettings tetrahedra{true, 1.0f};
   LayerSettings zero_set{true, 1.0f};
   LayerSettings gamma{false, 1.0f};
-  LayerSettings highlight{true, 1.0f};   ///< what the current operation touched
+  LayerSettings highlight{true, 1.0f}; ///< what the current operation touched
   bool zero_set_edges = true;
-  float sample_size = 5.0f;              ///< pixels at the orbit distance
+  float sample_size = 5.0f; ///< pixels at the orbit distance
   TetFilter tets;
   ClipSettings clip;
   ViewMode mode = ViewMode::scene;

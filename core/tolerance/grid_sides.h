@@ -1,0 +1,18 @@
+// On which side each voxel of a distance grid lies, so that a picture tells the two boundaries of Ω apart.
+#pragma once
+
+#include "tolerance/distance_grid.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <span>
+
+namespace isoscope {
+
+/// Fills grid.sides. A side spreads from outside the input's bounding box (+1) and from the regions' deepest
+/// points (their labels) between neighbouring voxels whose distances prove that the input does not pass
+/// between their centres; where nothing proves it, the crossings of the segment between them decide by
+/// parity. Fails with cancelled when told to.
+Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, double delta,
+                  std::span<const Region> regions, const RunControl& control);
+
+} // namespace isoscope
