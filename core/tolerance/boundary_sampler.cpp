@@ -12,6 +12,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t block_cells = 4096;
+/// Cells that one question about a crevice may visit.
+constexpr std::size_t crevice_budget = 2000;
 constexpr std::uint16_t no_component = 0xffff;
 
 /// A cell without a boundary point of its own, to be covered by its neighbours' samples.
@@ -26,8 +28,10 @@ class Sampler {
     samples_.sigma = sigma;
     samples_.snap_unit = std::ldexp(1.0, std::ilogb(volume.index().bounds().longest_edge()) - 40);
     options_.target_bound = 0.6 * sigma;
-    options_.smallest_side = sigma / 16;
+    options_.crevice_side = sigma / 4;
+    options_.smallest_side = sigma / 8;
     options_.snap_unit = samples_.snap_unit;
+    options_.one_region_a_cell = one_region_a_side();
   }
 
   Status run(const RunControl& control) {
@@ -51,6 +55,14 @@ class Sampler {
   BoundarySamples take() { return std::move(samples_); }
 
  private:
+  bool one_region_a_side() const {
+    const auto inside = std::count_if(volume_.regions().begin(), volume_.regions().end(),
+                                      [](const Region& r) { return r.label < 0; });
+    const double cell_diagonal = 1.7321 * volume_.octree().side(volume_.octree().main_level());
+    return volume_.input().closed_manifold && volume_.regions().size() == 2 && inside == 1 &&
+           cell_diagonal < 1.9 * volume_.thresholds().boundary;
+  }
+
   void sample_block(const std::vector<Regions::CellIndex>& block) {
     std::vector<std::vector<SampleCandidate>> candidates(block.size());
     parallel_for(block.size(), 16, [&](std::size_t i) {
@@ -67,12 +79,11 @@ class Sampler {
   void settle_regions(std::vector<SampleCandidate>& list) {
     for (SampleCandidate& c : list) {
       if (!c.ask_octree) continue;
-      c.region = volume_.region_at(c.reached);
+      c.region = volume_.region_at(c.reached, crevice_budget);
       c.has_point = c.region.valid();
+      if (c.has_point) c.label = static_cast<std::int8_t>(volume_.regions()[c.region.index()].label);
     }
   }
-
-  int label(const SampleCandidate& c) const { return volume_.regions()[c.region.index()].label; }
 
   /// Adds samples until every cell of the list lies within σ of a sample of its side. Of the candidates that
   /// would do, the one that covers the most cells is taken.
@@ -94,9 +105,8 @@ class Sampler {
         covered_[i] = 1;
         continue;
       }
-      const int side = label(cell);
       for (const std::uint32_t s : near_) {
-        if (samples_.labels[s] != side) continue;
+        if (samples_.labels[s] != cell.label) continue;
         const double d = farthest_in_cube(samples_.positions[s], cell.center, cell.half_side);
         if (d > sigma) continue;
         covered_[i] = 1;
@@ -111,7 +121,7 @@ class Sampler {
   }
 
   bool covers(const SampleCandidate& by, const SampleCandidate& cell) const {
-    return label(by) == label(cell) &&
+    return by.label == cell.label &&
            farthest_in_cube(by.point, cell.center, cell.half_side) <= samples_.sigma;
   }
 
@@ -128,7 +138,7 @@ class Sampler {
 
   void add_sample(const SampleCandidate& c, const std::vector<SampleCandidate>& list) {
     samples_.positions.push_back(c.point);
-    samples_.labels.push_back(static_cast<std::int8_t>(label(c)));
+    samples_.labels.push_back(c.label);
     samples_.components.push_back(
         volume_.boundary_component(c.region, c.volume_component).value_or(no_component));
     grid_.add(c.point);

@@ -17,7 +17,8 @@ struct DistanceGrid {
   std::array<int, 3> size{0, 0, 0};
   std::vector<float> values;
   float clamp = 4;
-  /// Side of each voxel's centre, +1 towards the outer boundary and -1 towards the inner; empty when not known.
+  /// Side of each voxel's centre, +1 towards the outer boundary and -1 towards the inner; empty when not
+  /// known.
   std::vector<std::int8_t> sides;
 };
 

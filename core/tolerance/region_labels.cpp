@@ -39,28 +39,6 @@ Vec3 centroid(const Triangle3& t) {
   return (t[0] + t[1] + t[2]) / 3.0;
 }
 
-/// A lower bound of the largest d inside a thin closed part: midway between opposite walls, from many places.
-double inner_depth(const ToleranceVolume& volume, const std::vector<TriangleId>& part) {
-  const ClosestPointIndex& index = volume.index();
-  const double reach = 8 * volume.thresholds().delta;
-  const std::size_t stride = std::max<std::size_t>(1, part.size() / thickness_probes);
-  double deepest = 0;
-  for (std::size_t i = 0; i < part.size(); i += stride) {
-    const Triangle3& t = index.triangle(part[i]);
-    const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
-    if (n == Vec3{}) continue;
-    for (const double side : {-1.0, 1.0}) {
-      const Vec3 start = centroid(t) + (1e-7 * reach * side) * n, end = start + (reach * side) * n;
-      const std::vector<double> hits = index.crossings(start, end);
-      if (hits.empty()) continue;
-      const Vec3 middle = start + (0.5 * hits.front()) * (end - start);
-      const double d = index.distance(middle);
-      if (d > deepest && index.inside_by_parity(middle)) deepest = d;
-    }
-  }
-  return deepest;
-}
-
 Error nothing_inside(const ToleranceVolume& volume, std::uint32_t component) {
   const std::vector<TriangleId> part = triangles_of(volume, component);
   const ToleranceThresholds& t = volume.thresholds();
@@ -69,7 +47,9 @@ Error nothing_inside(const ToleranceVolume& volume, std::uint32_t component) {
                   place(centroid(volume.index().triangle(part.front()))) +
                   ": nothing is left inside of it there.",
               "Choose a smaller tolerance."};
-  const double depth = inner_depth(volume, part);
+  double depth = 0;
+  for (const ThicknessProbe& probe : probe_thickness(volume, component))
+    if (probe.distance > depth && volume.index().inside_by_parity(probe.middle)) depth = probe.distance;
   if (depth > 0) {
     const double largest = 0.95 * depth * t.delta / t.boundary;
     char text[160];
@@ -118,6 +98,27 @@ Error non_manifold(Vec3 where) {
 }
 
 } // namespace
+
+std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component) {
+  const ClosestPointIndex& index = volume.index();
+  const std::vector<TriangleId> part = triangles_of(volume, component);
+  const double reach = 8 * volume.thresholds().delta;
+  const std::size_t stride = std::max<std::size_t>(1, part.size() / thickness_probes);
+  std::vector<ThicknessProbe> probes;
+  for (std::size_t i = 0; i < part.size(); i += stride) {
+    const Triangle3& t = index.triangle(part[i]);
+    const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
+    if (n == Vec3{}) continue;
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 start = centroid(t) + (1e-7 * reach * side) * n, end = start + (reach * side) * n;
+      const std::vector<double> hits = index.crossings(start, end);
+      if (hits.empty()) continue;
+      const Vec3 middle = start + (0.5 * hits.front()) * (end - start);
+      probes.push_back({middle, index.distance(middle)});
+    }
+  }
+  return probes;
+}
 
 Result<std::vector<int>> label_by_parity(const ToleranceVolume& volume) {
   std::vector<int> labels;

@@ -17,4 +17,14 @@ Result<std::vector<int>> label_by_parity(const ToleranceVolume& volume);
 /// non-manifold surfaces.
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume);
 
+/// A point midway between a wall of the input and the next one along the normal.
+struct ThicknessProbe {
+  Vec3 middle;
+  double distance = 0; ///< d(middle)
+};
+
+/// Probes on both sides of at most 2000 triangles of a component of Ω', in the order of their ids; walls
+/// farther apart than 8 δ are not seen.
+std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component);
+
 } // namespace isoscope

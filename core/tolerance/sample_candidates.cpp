@@ -24,34 +24,37 @@ class Subdivision {
     SampleCandidate candidate;
     candidate.center = center;
     candidate.half_side = 0.5 * side;
-    const bool last = 0.5 * side < options_.smallest_side;
-    if (const auto point = project(center, closest)) {
-      candidate.point = *point;
-      candidate.bound = farthest_in_cube(*point, center, 0.5 * side);
-      candidate.has_point = candidate.bound <= options_.target_bound || last;
-      if (candidate.has_point) find_region(candidate, closest);
+    bool last = 0.5 * side < options_.smallest_side;
+    if (reach <= options_.target_bound && project(candidate, closest, last)) {
+      find_side(candidate, closest);
+      last = last || 0.5 * side < options_.crevice_side;
     }
     if (candidate.has_point || last) {
       out_.push_back(candidate);
       return;
     }
-    for (unsigned k = 0; k < 8; ++k) {
-      const double q = 0.25 * side;
-      visit(center + Vec3{k & 1u ? q : -q, k & 2u ? q : -q, k & 4u ? q : -q}, 0.5 * side, closest.triangle);
-    }
+    visit_children(center, side, closest.triangle);
+  }
+
+  void visit_children(Vec3 center, double side, TriangleId guess) {
+    const double q = 0.25 * side;
+    for (unsigned k = 0; k < 8; ++k)
+      visit(center + Vec3{k & 1u ? q : -q, k & 2u ? q : -q, k & 4u ? q : -q}, 0.5 * side, guess);
   }
 
  private:
-  /// The point at δ' on the ray from the closest point through p. Seen from outside it is exact; from inside
-  /// another part of the input may be nearer there, which one more query tells.
-  std::optional<Vec3> project(Vec3 p, const ClosestPoint& closest) const {
+  /// Finds the point at δ' on the ray from the closest point through the centre, if it covers the cell. Seen
+  /// from outside it is exact; from inside another part of the input may be nearer there, which one more
+  /// query tells.
+  bool project(SampleCandidate& candidate, const ClosestPoint& closest, bool last) const {
     const double d = closest.distance();
-    if (!(d > 1e-6 * boundary_)) return std::nullopt;
-    const Vec3 q = closest.point + (boundary_ / d) * (p - closest.point);
-    if (d < boundary_ &&
-        volume_.index().closest_near(q, closest.triangle).distance() < boundary_ * (1 - projection_error))
-      return std::nullopt;
-    return snap(q);
+    if (!(d > 1e-6 * boundary_)) return false;
+    const Vec3 q = closest.point + (boundary_ / d) * (candidate.center - closest.point);
+    candidate.point = snap(q);
+    const double bound = farthest_in_cube(candidate.point, candidate.center, candidate.half_side);
+    if (bound > options_.target_bound && !last) return false;
+    return d >= boundary_ ||
+           volume_.index().closest_near(q, closest.triangle).distance() >= boundary_ * (1 - projection_error);
   }
 
   Vec3 snap(Vec3 p) const {
@@ -59,21 +62,36 @@ class Subdivision {
     return p;
   }
 
-  void find_region(SampleCandidate& candidate, const ClosestPoint& closest) const {
+  void find_side(SampleCandidate& candidate, const ClosestPoint& closest) {
     candidate.volume_component = volume_.volume_component(closest.triangle);
-    const ClosestPoint own{closest.point, squared_length(candidate.point - closest.point), closest.triangle};
-    const ToleranceVolume::Escape escape = volume_.escape(candidate.point, own);
-    candidate.region = escape.region;
-    if (escape.region.valid()) return;
-    candidate.reached = escape.reached;
-    candidate.ask_octree = escape.distance > volume_.thresholds().reject;
-    candidate.has_point = candidate.ask_octree;
+    if (!options_.one_region_a_cell || !known_region_.valid()) {
+      const ClosestPoint own{closest.point, squared_length(candidate.point - closest.point),
+                             closest.triangle};
+      const ToleranceVolume::Escape escape = volume_.escape(candidate.point, own);
+      candidate.reached = escape.reached;
+      known_region_ = escape.region;
+      if (!escape.region.valid()) {
+        const bool has_side = escape.distance > volume_.thresholds().reject;
+        if (has_side && volume_.input().closed_manifold)
+          set_label(candidate, volume_.index().inside_by_parity(escape.reached) ? -1 : +1);
+        candidate.ask_octree = has_side && !candidate.has_point;
+        return;
+      }
+    }
+    candidate.region = known_region_;
+    set_label(candidate, volume_.regions()[known_region_.index()].label);
+  }
+
+  static void set_label(SampleCandidate& candidate, int label) {
+    candidate.label = static_cast<std::int8_t>(label);
+    candidate.has_point = true;
   }
 
   const ToleranceVolume& volume_;
   const CandidateOptions& options_;
   double boundary_;
   std::vector<SampleCandidate>& out_;
+  RegionId known_region_; ///< behind the last point of this cell
 };
 
 } // namespace
@@ -87,7 +105,12 @@ double farthest_in_cube(Vec3 p, Vec3 center, double half_side) {
 void find_candidates(const ToleranceVolume& volume, const Regions::Cell& cell,
                      const CandidateOptions& options, std::vector<SampleCandidate>& candidates) {
   const Regions& octree = volume.octree();
-  Subdivision(volume, options, candidates).visit(octree.center(cell), octree.side(cell.level), cell.triangle);
+  Subdivision subdivision(volume, options, candidates);
+  const double side = octree.side(cell.level);
+  if (half_diagonal * side <= options.target_bound)
+    subdivision.visit(octree.center(cell), side, cell.triangle);
+  else
+    subdivision.visit_children(octree.center(cell), side, cell.triangle);
 }
 
 } // namespace isoscope

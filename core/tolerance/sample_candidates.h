@@ -9,24 +9,28 @@
 
 namespace isoscope {
 
-/// A cube that may hold boundary points, and a boundary point that covers all of the cube within `bound`, if
-/// one was found.
+/// A cube that may hold boundary points, and a boundary point that covers all of the cube, if one was found.
 struct SampleCandidate {
   Vec3 center;
   double half_side = 0;
-  Vec3 point;       ///< on d = δ', snapped
-  double bound = 0; ///< largest distance from a point of the cube to `point`
-  RegionId region;  ///< invalid while not known
+  Vec3 point;      ///< on d = δ', snapped
+  Vec3 reached;    ///< where its side may be asked for when `region` is unknown and `ask_octree` is set
+  RegionId region; ///< behind the point; invalid while not known
   std::uint32_t volume_component = 0;
+  std::int8_t label = 0;
   bool has_point = false;
-  bool ask_octree = false; ///< the region must be asked for at `reached`, refining the octree
-  Vec3 reached;
+  bool ask_octree = false;
 };
 
 struct CandidateOptions {
-  double target_bound = 0;  ///< cells are split until their bound is this small
-  double smallest_side = 0; ///< but not below this side
+  double target_bound = 0;  ///< cells are split until a point covers them within this distance
+  double crevice_side = 0;  ///< cells in crevices without a side are not split below this side
+  double smallest_side = 0; ///< and no cell below this one
   double snap_unit = 0;
+  /// Closed input: the one region of each side, when there is one only. Boundary points of opposite sides are
+  /// then at least 2 δ' apart and a cell smaller than that has one side: its region holds for all of its
+  /// points.
+  bool one_region_a_cell = false;
 };
 
 /// The largest distance from p to a point of the cube.

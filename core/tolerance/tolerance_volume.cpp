@@ -16,8 +16,6 @@ constexpr std::size_t most_pocket_cells = 5000;
 /// Cells that one flood may visit while joining pockets, and all of them together may create.
 constexpr std::size_t pocket_budget = 20000;
 constexpr std::size_t most_refined_cells = 6'000'000;
-/// Cells that the flood of one query may visit.
-constexpr std::size_t query_budget = 200000;
 constexpr std::size_t most_components = 0xffff;
 
 struct RegionSummary {
@@ -86,6 +84,7 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   v.volume_component_count_ = components.count;
   v.collect_regions();
   v.collect_boundary_components();
+  v.find_thin_regions();
   if (Status s = v.label_regions(); !s.ok()) return s.error();
   for (BoundaryComponent& c : v.boundary_components_) c.label = v.regions_[c.region.index()].label;
 
@@ -113,10 +112,29 @@ void ToleranceVolume::join_pockets(const RunControl& control) {
   }
 }
 
+/// Climbs from a point of a region to where d is locally largest, by steps that stay within the ball around
+/// the point.
+void ToleranceVolume::deepen(Region& region) const {
+  double step = region.depth - thresholds_.boundary;
+  while (step > 1e-3 * thresholds_.boundary) {
+    step = std::min(step, 0.99 * (region.depth - thresholds_.boundary));
+    Region best = region;
+    for (int k = 0; k < 27; ++k) {
+      const Vec3 direction = normalized({k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0});
+      const Vec3 p = region.deepest + step * direction;
+      const double d = index_->distance(p);
+      if (d > best.depth) best.deepest = p, best.depth = d;
+    }
+    if (best.depth < region.depth + 0.05 * step) step *= 0.5;
+    region = best;
+  }
+}
+
 RegionId ToleranceVolume::add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume) {
   const RegionId id(regions_.size());
   octree_->set_number(cell, id.value);
   regions_.push_back({id, +1, false, deepest, depth, volume});
+  if (id.value > 0) deepen(regions_.back());
   return id;
 }
 
@@ -209,23 +227,27 @@ ToleranceVolume::Escape ToleranceVolume::escape(Vec3 p, const ClosestPoint& clos
     at = c;
     break;
   }
-  // Then by balls that hold no point of Ω'.
+  // Then by balls that hold no point of Ω'. Between two walls the closest point alternates, and the sum of
+  // two directions leads along the middle.
+  Vec3 before = normalized(w - at.point);
   for (int step = 0; step < 40; ++step) {
     const double radius = at.distance() - boundary;
     if (radius < 1e-4 * boundary) break;
-    w = w + 0.95 * radius * normalized(w - at.point);
+    const Vec3 away = normalized(w - at.point);
+    w = w + 0.95 * radius * normalized(away + before);
+    before = away;
     at = index_->closest_near(w, at.triangle);
     if (arrive(w, at.distance())) return result;
   }
   return result;
 }
 
-RegionId ToleranceVolume::region_at(Vec3 p) {
+RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget) {
   const Regions::CellIndex i = octree_->locate_refining(p);
   if (i == Regions::none) return RegionId(0);
   if (octree_->cell(i).kind != Regions::Kind::out) return {};
   if (const auto number = octree_->number(i)) return RegionId(*number);
-  octree_->flood(i, query_budget);
+  octree_->flood(i, budget);
   if (const auto number = octree_->number(i)) return RegionId(*number);
   const Regions::Cell c = octree_->cell(i);
   const double side = octree_->side(c.level);

@@ -102,7 +102,9 @@ class ToleranceVolume {
   /// has a label.
   int label_at(Vec3 p);
   /// The region that holds p, invalid where label_at would be 0.
-  RegionId region_at(Vec3 p);
+  RegionId region_at(Vec3 p) { return region_at(p, 200000); }
+  /// The same, visiting at most `budget` cells before what was found counts as a region of its own.
+  RegionId region_at(Vec3 p, std::size_t budget);
 
   /// Where certified steps away from the input lead: the region behind a point, and the farthest point
   /// reached.
@@ -130,6 +132,8 @@ class ToleranceVolume {
   void join_pockets(const RunControl& control);
   void collect_regions();
   void collect_boundary_components();
+  void find_thin_regions();
+  void deepen(Region& region) const;
   Status label_regions();
   RegionId add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume);
 
