@@ -65,9 +65,13 @@ class Subdivision {
   void find_side(SampleCandidate& candidate, const ClosestPoint& closest) {
     candidate.volume_component = volume_.volume_component(closest.triangle);
     if (!options_.one_region_a_cell || !known_region_.valid()) {
+      // From outside the way to the boundary point is straight, so the centre is a start as good and farther
+      // away.
+      const bool outside = closest.distance() > boundary_;
       const ClosestPoint own{closest.point, squared_length(candidate.point - closest.point),
                              closest.triangle};
-      const ToleranceVolume::Escape escape = volume_.escape(candidate.point, own);
+      const ToleranceVolume::Escape escape =
+          outside ? volume_.escape(candidate.center, closest) : volume_.escape(candidate.point, own);
       candidate.reached = escape.reached;
       known_region_ = escape.region;
       if (!escape.region.valid()) {

@@ -174,6 +174,24 @@ void ToleranceVolume::collect_boundary_components() {
     boundary_components_.push_back({RegionId(region), component, +1, 0});
 }
 
+/// Where a component of Ω' seems to have one side only, the other may be too thin for the main cells: looks
+/// for it midway between opposite walls.
+void ToleranceVolume::find_thin_regions() {
+  std::vector<std::size_t> sides(volume_component_count_, 0);
+  for (const BoundaryComponent& c : boundary_components_) ++sides[c.volume_component];
+  for (std::uint32_t component = 0; component < sides.size(); ++component) {
+    if (sides[component] > 1) continue;
+    const std::size_t known = regions_.size();
+    for (const ThicknessProbe& probe : probe_thickness(*this, component))
+      if (probe.distance > thresholds_.reject) region_at(probe.middle);
+    for (std::size_t r = known; r < regions_.size(); ++r)
+      boundary_components_.push_back({regions_[r].id, component, +1, 0});
+  }
+  std::sort(boundary_components_.begin(), boundary_components_.end(), [](const auto& a, const auto& b) {
+    return std::pair{a.region, a.volume_component} < std::pair{b.region, b.volume_component};
+  });
+}
+
 std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region,
                                                                  std::uint32_t component) const {
   const std::pair wanted{region, component};
