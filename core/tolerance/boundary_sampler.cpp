@@ -98,35 +98,40 @@ class Sampler {
     near_.clear();
     grid_.gather(box.grown(sigma), near_);
     covered_.assign(list.size(), 0);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const SampleCandidate& cell = list[i];
-      if (!cell.has_point) {
-        orphans_.push_back({cell.center, cell.half_side});
-        covered_[i] = 1;
-        continue;
+    for (std::size_t i = 0; i < list.size(); ++i) covered_[i] = covered_by_near(list[i]);
+    // Cells with a point of their own first: their samples often cover the others.
+    for (const bool own_point : {true, false}) {
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        if (covered_[i] || list[i].has_point != own_point) continue;
+        const std::size_t best = best_for(list, i);
+        if (best < list.size())
+          add_sample(list[best], list);
+        else
+          orphans_.push_back({list[i].center, list[i].half_side});
       }
-      for (const std::uint32_t s : near_) {
-        if (samples_.labels[s] != cell.label) continue;
-        const double d = farthest_in_cube(samples_.positions[s], cell.center, cell.half_side);
-        if (d > sigma) continue;
-        covered_[i] = 1;
-        samples_.covering_radius = std::max(samples_.covering_radius, d);
-        break;
-      }
-    }
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (covered_[i]) continue;
-      add_sample(list[best_for(list, i)], list);
     }
   }
 
+  bool covered_by_near(const SampleCandidate& cell) {
+    for (const std::uint32_t s : near_) {
+      if (cell.has_point && samples_.labels[s] != cell.label) continue;
+      const double d = farthest_in_cube(samples_.positions[s], cell.center, cell.half_side);
+      if (d > samples_.sigma) continue;
+      samples_.covering_radius = std::max(samples_.covering_radius, d);
+      return true;
+    }
+    return false;
+  }
+
+  /// Whether the point of `by` is near enough to all of the cell, and of its side where that is known.
   bool covers(const SampleCandidate& by, const SampleCandidate& cell) const {
-    return by.label == cell.label &&
+    return (by.label == cell.label || !cell.has_point) &&
            farthest_in_cube(by.point, cell.center, cell.half_side) <= samples_.sigma;
   }
 
+  /// The candidate that covers cell i and most others of the list; its size when none covers it.
   std::size_t best_for(const std::vector<SampleCandidate>& list, std::size_t i) const {
-    std::size_t best = i, most = 0;
+    std::size_t best = list.size(), most = 0;
     for (std::size_t j = 0; j < list.size(); ++j) {
       if (!list[j].has_point || !covers(list[j], list[i])) continue;
       std::size_t n = 0;
@@ -156,10 +161,10 @@ class Sampler {
       const Vec3 h{cell.half_side, cell.half_side, cell.half_side};
       near_.clear();
       grid_.gather(Box3{cell.center - h, cell.center + h}.grown(samples_.sigma), near_);
-      const bool found = std::any_of(near_.begin(), near_.end(), [&](std::uint32_t s) {
-        return farthest_in_cube(samples_.positions[s], cell.center, cell.half_side) <= samples_.sigma;
-      });
-      if (!found) ++samples_.undecided_cells;
+      SampleCandidate as_candidate;
+      as_candidate.center = cell.center;
+      as_candidate.half_side = cell.half_side;
+      if (!covered_by_near(as_candidate)) ++samples_.undecided_cells;
     }
   }
 

@@ -1,0 +1,250 @@
+// Regions, labels, Euler characteristics and messages on hand-made surfaces whose answers are known.
+#include "tolerance/shapes.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <doctest/doctest.h>
+
+using namespace isoscope;
+using isoscope::testing::Random;
+
+namespace {
+
+Result<ToleranceVolume> build(const TriangleSoup& soup, double delta, double ratio = 0.95) {
+  const auto index = std::make_shared<const ClosestPointIndex>(soup);
+  return ToleranceVolume::build(index, analyse_input(soup), {delta, ratio}, RunControl());
+}
+
+long euler(const ToleranceVolume& v, int label) {
+  long sum = 0;
+  for (const BoundaryComponent& c : v.boundary_components())
+    if (c.label == label) sum += c.euler_characteristic;
+  return sum;
+}
+
+std::size_t count(const ToleranceVolume& v, int label) {
+  std::size_t n = 0;
+  for (const Region& r : v.regions()) n += r.label == label ? 1u : 0u;
+  return n;
+}
+
+/// Two square plates of thickness t, a gap g between them.
+TriangleSoup plates(double thickness, double gap) {
+  TriangleSoup soup;
+  testing::add_box(soup, {0, 0, 0}, {1, 1, thickness});
+  testing::add_box(soup, {0, 0, thickness + gap}, {1, 1, 2 * thickness + gap});
+  return soup;
+}
+
+} // namespace
+
+TEST_CASE("a sphere has an outside and an inside, both spheres") {
+  TriangleSoup soup;
+  testing::add_sphere(soup, {1, 2, 3}, 1, 32);
+  for (const double ratio : {0.95, 1.0}) {
+    auto v = build(soup, 0.05, ratio);
+    REQUIRE(v.ok());
+    REQUIRE(v->regions().size() == 2);
+    CHECK(v->regions()[0].unbounded);
+    CHECK(v->regions()[0].label == +1);
+    CHECK(v->regions()[1].label == -1);
+    CHECK(v->regions()[1].depth > 0.9);
+    CHECK(distance(v->regions()[1].deepest, {1, 2, 3}) < 0.1);
+    CHECK(v->regions()[1].volume > 2.5);
+    CHECK(v->regions()[1].volume < 4.19);
+    REQUIRE(v->boundary_components().size() == 2);
+    CHECK(v->boundary_components()[0].euler_characteristic == 2);
+    CHECK(v->boundary_components()[1].euler_characteristic == 2);
+    CHECK(v->thickening());
+    CHECK(v->thickening_note().empty());
+    CHECK(v->label_at({1, 2, 3}) == -1);
+    CHECK(v->label_at({1, 2, 4.2}) == +1);
+    CHECK(v->label_at({100, 0, 0}) == +1);
+    CHECK(v->label_at({1, 2, 4}) == 0);
+  }
+}
+
+TEST_CASE("every point beyond the reject distance has the label of its side") {
+  TriangleSoup soup;
+  testing::add_torus(soup, {0, 0, 0}, 1, 0.4, 24);
+  auto v = build(soup, 0.03);
+  REQUIRE(v.ok());
+  CHECK(euler(*v, +1) == 0);
+  CHECK(euler(*v, -1) == 0);
+  Random random(4);
+  const ToleranceThresholds t = v->thresholds();
+  CHECK(t.boundary < t.reject);
+  CHECK(t.reject < t.delta);
+  for (int i = 0; i < 5000; ++i) {
+    const std::size_t face = random.below(soup.triangles.size());
+    const Vec3 p = soup.triangle(face)[0] + random.between(0.9, 1.3) * t.delta * random.direction();
+    if (v->index().distance(p) <= t.reject) continue;
+    CHECK(v->label_at(p) == (v->index().inside_by_parity(p) ? -1 : +1));
+  }
+}
+
+TEST_CASE("nested spheres alternate, and each component of the volume has its own boundary") {
+  TriangleSoup soup;
+  for (const double r : {1.0, 0.7, 0.4}) testing::add_sphere(soup, {0, 0, 0}, r, 24);
+  auto v = build(soup, 0.04);
+  REQUIRE(v.ok());
+  CHECK(v->volume_component_count() == 3);
+  CHECK(count(*v, +1) == 2);
+  CHECK(count(*v, -1) == 2);
+  CHECK(v->boundary_components().size() == 6);
+  for (const BoundaryComponent& c : v->boundary_components()) CHECK(c.euler_characteristic == 2);
+  CHECK(v->thickening());
+  CHECK(v->label_at({0, 0, 1.2}) == +1);
+  CHECK(v->label_at({0, 0, 0.85}) == -1);
+  CHECK(v->label_at({0, 0, 0.55}) == +1);
+  CHECK(v->label_at({0, 0, 0}) == -1);
+}
+
+TEST_CASE("spheres side by side share the outside") {
+  TriangleSoup soup;
+  testing::add_sphere(soup, {0, 0, 0}, 1, 16);
+  testing::add_sphere(soup, {3, 0, 0}, 1, 16);
+  auto v = build(soup, 0.1);
+  REQUIRE(v.ok());
+  CHECK(v->regions().size() == 3);
+  CHECK(v->volume_component_count() == 2);
+  CHECK(v->thickening());
+}
+
+TEST_CASE("a gap closes when it is narrower than twice the boundary distance, and opens when wider") {
+  const double delta = 0.04, boundary = 0.95 * delta;
+  auto closed = build(plates(0.3, 1.9 * boundary), delta);
+  REQUIRE(closed.ok());
+  CHECK(closed->volume_component_count() == 1);
+  CHECK_FALSE(closed->thickening());
+  CHECK(closed->thickening_note().find("no thickening") != std::string::npos);
+  CHECK(build(plates(0.3, 4 * boundary), delta)->thickening());
+  auto open = build(plates(0.3, 2.2 * boundary), delta);
+  REQUIRE(open.ok());
+  CHECK(open->volume_component_count() == 2);
+  const Vec3 middle{0.5, 0.5, 0.3 + 1.1 * boundary};
+  CHECK(open->label_at(middle) == +1);
+  CHECK(closed->label_at({0.5, 0.5, 0.3 + 0.95 * boundary}) == 0);
+}
+
+TEST_CASE("a gap barely wide enough for the reject distance is joined to the outside") {
+  const double delta = 0.04, reject = 0.975 * delta;
+  auto v = build(plates(0.3, 2.02 * reject), delta);
+  REQUIRE(v.ok());
+  CHECK(count(*v, +1) == 1);
+  const Vec3 middle{0.5, 0.5, 0.3 + 1.01 * reject};
+  REQUIRE(v->index().distance(middle) > reject);
+  CHECK(v->label_at(middle) == +1);
+  CHECK(v->regions().size() == 3);
+}
+
+TEST_CASE("closed input thinner than twice the tolerance is refused with a tolerance that works") {
+  TriangleSoup soup;
+  testing::add_box(soup, {0, 0, 0}, {1, 1, 0.1});
+  auto v = build(soup, 0.06);
+  REQUIRE_FALSE(v.ok());
+  CHECK(v.error().code == ErrorCode::unsupported);
+  CHECK(v.error().message.find("thinner") != std::string::npos);
+  CHECK(v.error().remedy.find("0.05") != std::string::npos);
+  auto thin = build(soup, 0.047);
+  REQUIRE(thin.ok());
+  CHECK(thin->regions().size() == 2);
+  CHECK(thin->label_at({0.5, 0.5, 0.05}) == -1);
+}
+
+TEST_CASE("a thin shell has no inside either") {
+  TriangleSoup soup;
+  testing::add_sphere(soup, {0, 0, 0}, 1, 24);
+  testing::add_sphere(soup, {0, 0, 0}, 0.95, 24);
+  const auto v = build(soup, 0.05);
+  REQUIRE_FALSE(v.ok());
+  CHECK(v.error().code == ErrorCode::unsupported);
+}
+
+TEST_CASE("open surfaces are named with a place on their border") {
+  TriangleSoup soup;
+  testing::add_sphere(soup, {0, 0, 0}, 1, 24);
+  std::erase_if(soup.triangles, [&](const auto& t) {
+    return soup.points[t[0]].z > 0.8 || soup.points[t[1]].z > 0.8 || soup.points[t[2]].z > 0.8;
+  });
+  const auto v = build(soup, 0.05);
+  REQUIRE_FALSE(v.ok());
+  CHECK(v.error().code == ErrorCode::unsupported);
+  CHECK(v.error().message.find("open surface near") != std::string::npos);
+  CHECK_FALSE(v.error().remedy.empty());
+}
+
+TEST_CASE("a soup with gaps closes under a large tolerance and is open under a small one") {
+  TriangleSoup sphere;
+  testing::add_sphere(sphere, {0, 0, 0}, 1, 16);
+  const TriangleSoup soup = testing::exploded(sphere, 0.9);
+  CHECK_FALSE(analyse_input(soup).closed_manifold);
+  auto v = build(soup, 0.05);
+  REQUIRE(v.ok());
+  CHECK(v->regions().size() == 2);
+  CHECK(v->label_at({0, 0, 0}) == -1);
+  CHECK(v->thickening());
+  CHECK(euler(*v, -1) == 2);
+  const auto open = build(soup, 0.004);
+  REQUIRE_FALSE(open.ok());
+  CHECK(open.error().message.find("open surface") != std::string::npos);
+}
+
+TEST_CASE("an inner wall makes a soup non-manifold") {
+  TriangleSoup soup;
+  testing::add_box(soup, {0, 0, 0}, {2, 1, 1});
+  const auto base = static_cast<std::uint32_t>(soup.points.size());
+  for (const Vec3 p : {Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{1, 1, 1}, Vec3{1, 0, 1}}) soup.points.push_back(p);
+  soup.triangles.push_back({base, base + 1, base + 2});
+  soup.triangles.push_back({base, base + 2, base + 3});
+  const auto v = build(soup, 0.05);
+  REQUIRE_FALSE(v.ok());
+  CHECK(v.error().code == ErrorCode::unsupported);
+  CHECK(v.error().message.find("not a manifold") != std::string::npos);
+}
+
+TEST_CASE("bad options and cancellation come back as errors") {
+  TriangleSoup soup;
+  testing::add_sphere(soup, {0, 0, 0}, 1, 12);
+  CHECK(build(soup, 0).error().code == ErrorCode::usage);
+  CHECK(build(soup, 0.1, 1.5).error().code == ErrorCode::usage);
+  RunControl control;
+  control.cancel();
+  const auto v = ToleranceVolume::build(std::make_shared<const ClosestPointIndex>(soup), analyse_input(soup),
+                                        {0.05, 0.95}, control);
+  REQUIRE_FALSE(v.ok());
+  CHECK(v.error().code == ErrorCode::cancelled);
+}
+
+TEST_CASE("connectivity is found after merging equal points") {
+  TriangleSoup sphere, torus;
+  testing::add_sphere(sphere, {0, 0, 0}, 1, 12);
+  testing::add_torus(torus, {0, 0, 0}, 1, 0.4, 12);
+  CHECK(analyse_input(sphere).euler_characteristic == 2);
+  CHECK(analyse_input(torus).euler_characteristic == 0);
+  TriangleSoup apart;
+  for (std::uint32_t i = 0; i < torus.triangles.size(); ++i) {
+    for (const Vec3 p : torus.triangle(i)) apart.points.push_back(p);
+    apart.triangles.push_back({3 * i, 3 * i + 2, 3 * i + 1});
+  }
+  CHECK(analyse_input(apart).euler_characteristic == 0);
+  CHECK(analyse_input(apart).self_intersection_free);
+  CHECK(analyse_input(sphere).self_intersection_free);
+  CHECK(analyse_input(sphere).components == 1);
+  CHECK_FALSE(analyse_input(sphere).border);
+
+  TriangleSoup crossing = sphere;
+  testing::add_sphere(crossing, {1, 0.1, 0.2}, 1, 12);
+  CHECK(analyse_input(crossing).closed_manifold);
+  CHECK_FALSE(analyse_input(crossing).self_intersection_free);
+  CHECK(analyse_input(crossing).components == 2);
+
+  TriangleSoup touching;
+  testing::add_box(touching, {0, 0, 0}, {1, 1, 1});
+  testing::add_box(touching, {1, 1, 1}, {2, 2, 2});
+  CHECK_FALSE(analyse_input(touching).closed_manifold);
+
+  TriangleSoup open = sphere;
+  open.triangles.pop_back();
+  CHECK_FALSE(analyse_input(open).closed_manifold);
+  CHECK(analyse_input(open).border);
+}
