@@ -1,0 +1,28 @@
+// Condition 3: eight nearest samples around the shrunk copy, judged by the tetrahedron's own linear function.
+#include "criteria/orientation.h"
+
+namespace isoscope {
+
+OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::array<double, 4>& f, double shrink,
+                                     const NearestSample& samples) {
+  const AffineFunction function = interpolate(p, f);
+  const Vec3 centroid = 0.25 * (p[0] + p[1] + p[2] + p[3]);
+  OrientationVerdict verdict;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < verdict.tests.size(); ++i) {
+    OrientationTest& test = verdict.tests[i];
+    test.shrunk = centroid + shrink * (p[i / 2] - centroid);
+    test.label = i % 2 == 0 ? +1 : -1;
+    test.sample = samples.nearest(test.shrunk, test.label);
+    test.f = function(samples.positions()[test.sample.index()]);
+    const double agreement = test.f * test.label;
+    if (verdict.worst < 0 || agreement < smallest) {
+      verdict.worst = static_cast<int>(i);
+      smallest = agreement;
+    }
+    if (!test.good()) verdict.misoriented = true;
+  }
+  return verdict;
+}
+
+} // namespace isoscope

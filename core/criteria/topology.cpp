@@ -1,0 +1,69 @@
+// What Z should look like: the input's own topology where it has one, else what the boundaries of Ω tell.
+#include "criteria/topology.h"
+
+namespace isoscope {
+namespace {
+
+/// The boundary components of one side together.
+struct Side {
+  long euler_characteristic = 0;
+  std::size_t components = 0;
+
+  long genus() const { return (2 * static_cast<long>(components) - euler_characteristic) / 2; }
+};
+
+Side side_of(const ToleranceVolume& volume, int label) {
+  Side side;
+  for (const BoundaryComponent& component : volume.boundary_components()) {
+    if (component.label != label) continue;
+    side.euler_characteristic += component.euler_characteristic;
+    ++side.components;
+  }
+  return side;
+}
+
+} // namespace
+
+ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode mode) {
+  ExpectedTopology expected;
+  if (mode == TopologyMode::separate) {
+    expected.source = "separation of the sides only";
+    return expected;
+  }
+  const InputTopology& input = volume.input();
+  if (input.closed_manifold && input.self_intersection_free && input.euler_characteristic) {
+    expected.euler_characteristic = input.euler_characteristic;
+    expected.components = input.components;
+    expected.source = "the input";
+    return expected;
+  }
+  const Side outer = side_of(volume, +1), inner = side_of(volume, -1);
+  if (outer.components == 0 || inner.components == 0) {
+    expected.source = "nothing: Ω has no boundary on one side";
+    return expected;
+  }
+  if (volume.thickening()) {
+    expected.euler_characteristic = outer.euler_characteristic;
+    expected.components = outer.components;
+    expected.source = "both boundaries of Ω";
+    return expected;
+  }
+  const std::size_t components = std::min(outer.components, inner.components);
+  const long genus = std::min(outer.genus(), inner.genus());
+  expected.components = components;
+  expected.euler_characteristic = 2 * static_cast<long>(components) - 2 * genus;
+  expected.source = "the boundary of smaller genus";
+  return expected;
+}
+
+TopologyVerdict check_topology(const ZeroSet& zero_set, const ExpectedTopology& expected) {
+  TopologyVerdict verdict;
+  verdict.euler_characteristic = zero_set.euler_characteristic();
+  verdict.components = zero_set.components.size();
+  verdict.as_expected =
+      (!expected.euler_characteristic || *expected.euler_characteristic == verdict.euler_characteristic) &&
+      (!expected.components || *expected.components == verdict.components);
+  return verdict;
+}
+
+} // namespace isoscope
