@@ -12,7 +12,8 @@ namespace isoscope {
 struct Height {
   enum class Split : std::uint8_t { none, one_three, two_two };
   Split split = Split::none;
-  double value = 0; ///< distance between the supporting point/plane (1–3) or lines (2–2); equals 2/|∇f| for F = ±1
+  double value =
+      0; ///< distance between the supporting point/plane (1–3) or lines (2–2); equals 2/|∇f| for F = ±1
   /// Local indices: the apex first (1–3), or the positive edge then the negative edge (2–2).
   std::array<std::uint8_t, 4> order{0, 1, 2, 3};
 };

@@ -1,4 +1,5 @@
-// Balanced kd-trees stored as permutations: the median of a range splits it, short ranges are searched through.
+// Balanced kd-trees stored as permutations: the median of a range splits it, short ranges are searched
+// through.
 #include "criteria/nearest_sample.h"
 
 #include "base/parallel.h"
@@ -37,11 +38,15 @@ struct Searcher {
     const int a = axis[middle];
     const double offset = query[a] - positions[order[middle]][a];
     const bool left_first = offset < 0;
-    if (left_first) visit(begin, middle, best);
-    else visit(middle + 1, end, best);
+    if (left_first)
+      visit(begin, middle, best);
+    else
+      visit(middle + 1, end, best);
     if (offset * offset > best.squared_distance) return;
-    if (left_first) visit(middle + 1, end, best);
-    else visit(begin, middle, best);
+    if (left_first)
+      visit(middle + 1, end, best);
+    else
+      visit(begin, middle, best);
   }
 
   void offer(std::size_t i, Best& best) const {
@@ -80,8 +85,10 @@ void NearestSample::build(Tree& tree, std::size_t begin, std::size_t end) {
   });
   tree.axis[middle] = static_cast<std::uint8_t>(a);
   const auto half = [&](std::size_t which) {
-    if (which == 0) build(tree, begin, middle);
-    else build(tree, middle + 1, end);
+    if (which == 0)
+      build(tree, begin, middle);
+    else
+      build(tree, middle + 1, end);
   };
   parallel_for(2, end - begin >= parallel_build_size ? 1 : 2, half);
 }
@@ -100,7 +107,9 @@ SampleId NearestSample::nearest(Vec3 p) const {
   return SampleId(best.sample);
 }
 
-SampleId NearestSample::nearest(Vec3 p, int label) const { return search(label > 0 ? positive_ : negative_, p); }
+SampleId NearestSample::nearest(Vec3 p, int label) const {
+  return search(label > 0 ? positive_ : negative_, p);
+}
 
 std::size_t NearestSample::memory_bytes() const {
   std::size_t bytes = 0;

@@ -12,7 +12,7 @@ namespace isoscope {
 
 /// kd-trees over S and over each side; immutable, thread-safe. Ties go to the smallest id.
 class NearestSample {
-public:
+ public:
   NearestSample(std::span<const Vec3> positions, std::span<const std::int8_t> labels);
   /// Invalid when there is no sample (of that side).
   SampleId nearest(Vec3 p) const;
@@ -20,7 +20,7 @@ public:
   std::span<const Vec3> positions() const { return positions_; }
   std::size_t memory_bytes() const;
 
-private:
+ private:
   struct Tree {
     std::vector<std::uint32_t> order;
     std::vector<std::uint8_t> axis;

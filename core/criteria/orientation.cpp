@@ -3,8 +3,8 @@
 
 namespace isoscope {
 
-OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::array<double, 4>& f, double shrink,
-                                     const NearestSample& samples) {
+OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
+                                     double shrink, const NearestSample& samples) {
   const AffineFunction function = interpolate(p, f);
   const Vec3 centroid = 0.25 * (p[0] + p[1] + p[2] + p[3]);
   OrientationVerdict verdict;

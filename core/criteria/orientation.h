@@ -1,4 +1,5 @@
-// Condition 3: the linear function of a tetrahedron must classify the samples nearest to its shrunk copy (§2.3, Figure 4).
+// Condition 3: the linear function of a tetrahedron must classify the samples nearest to its shrunk copy
+// (§2.3, Figure 4).
 #pragma once
 
 #include "base/ids.h"
@@ -14,7 +15,7 @@ struct OrientationTest {
   Vec3 shrunk;     ///< vertex of the shrunk copy
   SampleId sample; ///< the nearest sample of the side `label`
   int label = +1;
-  double f = 0;    ///< the tetrahedron's function extrapolated to the sample
+  double f = 0; ///< the tetrahedron's function extrapolated to the sample
   bool good() const { return f * label > 0; }
 };
 
@@ -26,7 +27,7 @@ struct OrientationVerdict {
 };
 
 /// `shrink` in (0, 1]: size of the copy about the centroid. Needs samples on both sides in the index.
-OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::array<double, 4>& f, double shrink,
-                                     const NearestSample& samples);
+OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
+                                     double shrink, const NearestSample& samples);
 
 } // namespace isoscope
