@@ -176,15 +176,15 @@ TEST_CASE("open surfaces are named with a place on their border") {
 TEST_CASE("a soup with gaps closes under a large tolerance and is open under a small one") {
   TriangleSoup sphere;
   testing::add_sphere(sphere, {0, 0, 0}, 1, 16);
-  const TriangleSoup soup = testing::exploded(sphere, 0.9);
+  const TriangleSoup soup = testing::exploded(sphere, 0.7);
   CHECK_FALSE(analyse_input(soup).closed_manifold);
-  auto v = build(soup, 0.05);
+  auto v = build(soup, 0.08);
   REQUIRE(v.ok());
   CHECK(v->regions().size() == 2);
   CHECK(v->label_at({0, 0, 0}) == -1);
   CHECK(v->thickening());
   CHECK(euler(*v, -1) == 2);
-  const auto open = build(soup, 0.004);
+  const auto open = build(soup, 0.015);
   REQUIRE_FALSE(open.ok());
   CHECK(open.error().message.find("open surface") != std::string::npos);
 }
