@@ -14,16 +14,18 @@ namespace isoscope {
 struct Certificate {
   bool closed_manifold = false;
   bool oriented = false;
-  bool intersection_free = false;    ///< exact predicates
-  bool within_tolerance = false;     ///< every facet proven inside Ω, rounded outward
-  double max_distance = 0;           ///< proven upper bound of d over the mesh, absolute; of the failing facet when it fails
-  bool separates = false;            ///< winding number at the witness of every region is that of its side
+  bool intersection_free = false; ///< exact predicates
+  bool within_tolerance = false;  ///< every facet proven inside Ω, rounded outward
+  double max_distance =
+      0; ///< proven upper bound of d over the mesh, absolute; of the failing facet when it fails
+  bool separates = false; ///< winding number at the witness of every region is that of its side
   bool topology_as_expected = false;
   std::size_t components = 0;
   long euler_characteristic = 0;
   std::vector<std::string> failures; ///< one sentence each: which, where
   bool holds() const {
-    return closed_manifold && oriented && intersection_free && within_tolerance && separates && topology_as_expected;
+    return closed_manifold && oriented && intersection_free && within_tolerance && separates &&
+           topology_as_expected;
   }
 };
 

@@ -26,18 +26,20 @@ struct Tolerance {
 };
 
 struct RunParameters {
-  std::string input;         ///< a file, or gallery:NAME
-  Tolerance tolerance;       ///< δ > 0
-  double sigma = 0;          ///< σ/δ in (0, 1]; 0: 1/2 in certified mode, 1/8 in sampled mode
-  double alpha = 0.2;        ///< α in (0, 1)
-  double shrink = 0.7;       ///< in (0, 1]
+  std::string input;   ///< a file, or gallery:NAME
+  Tolerance tolerance; ///< δ > 0
+  double sigma = 0;    ///< σ/δ in (0, 1]; 0: 1/2 in certified mode, 1/8 in sampled mode
+  double alpha = 0.2;  ///< α in (0, 1)
+  double shrink = 0.7; ///< in (0, 1]
   Containment containment = Containment::certified;
   TopologyMode topology = TopologyMode::keep;
   bool condition_1 = true, condition_2 = true, condition_3 = true, condition_4 = true;
   Stage until = Stage::refinement;
-  unsigned threads = 0;      ///< 0: all cores
-  double time_limit = 0;     ///< seconds, 0 none
-  double sigma_ratio() const { return sigma > 0 ? sigma : (containment == Containment::certified ? 0.5 : 0.125); }
+  unsigned threads = 0;  ///< 0: all cores
+  double time_limit = 0; ///< seconds, 0 none
+  double sigma_ratio() const {
+    return sigma > 0 ? sigma : (containment == Containment::certified ? 0.5 : 0.125);
+  }
   CriteriaParameters criteria(double delta) const;
 };
 

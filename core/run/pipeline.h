@@ -1,4 +1,5 @@
-// All stages of a run in one object: input, Ω, S, refinement, certificate. Both programs and the tests run this.
+// All stages of a run in one object: input, Ω, S, refinement, certificate. Both programs and the tests run
+// this.
 #pragma once
 
 #include "base/run_control.h"
@@ -21,7 +22,7 @@ namespace isoscope {
 struct Scene {
   std::shared_ptr<const TriangleSoup> input;
   std::shared_ptr<const ClosestPointIndex> index;
-  double delta = 0;             ///< absolute
+  double delta = 0; ///< absolute
   double longest_edge = 0;
   ToleranceThresholds thresholds;
   std::vector<Region> regions;
@@ -39,15 +40,15 @@ struct RunResult {
   enum class End { finished, stopped, limit };
   End end = End::finished;
   RefinementOutcome refinement;
-  TriangleMesh mesh;        ///< the zero set
+  TriangleMesh mesh; ///< the zero set
   Certificate certificate;
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
-  int exit_status() const;  ///< 0 finished and certified, 1 not certified, 4 stopped
+  int exit_status() const; ///< 0 finished and certified, 1 not certified, 4 stopped
 };
 
 class Pipeline {
-public:
+ public:
   /// The journal starts empty and is filled by run().
   Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, Gate& gate, RunControl& control);
   ~Pipeline();
@@ -58,7 +59,7 @@ public:
   Result<RunResult> run();
   const RunParameters& parameters() const { return parameters_; }
 
-private:
+ private:
   struct Impl;
   RunParameters parameters_;
   std::unique_ptr<Impl> impl_;

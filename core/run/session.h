@@ -1,4 +1,5 @@
-// A run on its own thread that others steer by commands and watch through the journal; no call waits for the run.
+// A run on its own thread that others steer by commands and watch through the journal; no call waits for the
+// run.
 #pragma once
 
 #include "run/pipeline.h"
@@ -16,41 +17,43 @@ enum class SessionPhase : std::uint8_t {
   idle,      ///< nothing was started
   preparing, ///< input, Ω, S
   running,
-  paused,    ///< at a pause point, between two operations
-  finished,  ///< the goal was reached or the run was stopped; still there to go on with other parameters
-  failed     ///< see error
+  paused,   ///< at a pause point, between two operations
+  finished, ///< the goal was reached or the run was stopped; still there to go on with other parameters
+  failed    ///< see error
 };
 
-/// A consistent picture of a session; cheap to take at every frame. All pointers are to immutable things, except the journal,
-/// which is append-only and safe to read at any time.
+/// A consistent picture of a session; cheap to take at every frame. All pointers are to immutable things,
+/// except the journal, which is append-only and safe to read at any time.
 struct SessionSnapshot {
   SessionPhase phase = SessionPhase::idle;
-  std::uint64_t generation = 0;          ///< grows with each (re)start: a new journal
-  RunParameters parameters;              ///< as asked for, with later changes
-  std::shared_ptr<const Journal> journal; ///< null when idle
-  std::shared_ptr<const Scene> scene;    ///< null until prepared
+  std::uint64_t generation = 0;            ///< grows with each (re)start: a new journal
+  RunParameters parameters;                ///< as asked for, with later changes
+  std::shared_ptr<const Journal> journal;  ///< null when idle
+  std::shared_ptr<const Scene> scene;      ///< null until prepared
   std::shared_ptr<const RunResult> result; ///< null until finished
   std::optional<Error> error;
-  std::string part;                      ///< what is being prepared or certified: "sampling"
-  double fraction = -1;                  ///< of that part, negative unknown
-  std::string pause_note;                ///< why it paused: "step", a breakpoint's text
+  std::string part;       ///< what is being prepared or certified: "sampling"
+  double fraction = -1;   ///< of that part, negative unknown
+  std::string pause_note; ///< why it paused: "step", a breakpoint's text
 };
 
-/// Decides after an event whether to pause; returns the note to show, empty to go on. Called on the run's thread.
+/// Decides after an event whether to pause; returns the note to show, empty to go on. Called on the run's
+/// thread.
 using Breakpoint = std::function<std::string(const Journal&, const Event&)>;
 
 /// All methods may be called from one steering thread; each only posts a command.
 class Session {
-public:
+ public:
   Session();
   /// Cancels and joins.
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Starts a run, cancelling the present one. `soup` overrides parameters.input when given. `paused`: stop before the first
-  /// Steiner point.
-  void start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup = nullptr, bool paused = false);
+  /// Starts a run, cancelling the present one. `soup` overrides parameters.input when given. `paused`: stop
+  /// before the first Steiner point.
+  void start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup = nullptr,
+             bool paused = false);
   void pause();
   void resume();
   /// Runs n operations, then pauses.
@@ -59,16 +62,18 @@ public:
   void run_until(Breakpoint breakpoint);
   /// Asks the running stage to stop cleanly; what is there is certified and kept.
   void stop();
-  /// Changes α, σ, shrink or the conditions and goes on from the present state, also after the run had finished.
+  /// Changes α, σ, shrink or the conditions and goes on from the present state, also after the run had
+  /// finished.
   void apply(const RunParameters& parameters);
   /// Stands for every run of this session, checked after each event; empty removes it.
   void set_breakpoint(Breakpoint breakpoint);
 
   SessionSnapshot snapshot() const;
-  /// Blocks until the run is paused, finished or failed, or the seconds are over; true when it is. For tests and scripts.
+  /// Blocks until the run is paused, finished or failed, or the seconds are over; true when it is. For tests
+  /// and scripts.
   bool wait_until_settled(double seconds) const;
 
-private:
+ private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -1,4 +1,5 @@
-// Everything a person can see of one step, computed once and immutable: T, Z, Γ, sample classes, conditions, what was touched.
+// Everything a person can see of one step, computed once and immutable: T, Z, Γ, sample classes, conditions,
+// what was touched.
 #pragma once
 
 #include "criteria/nearest_sample.h"
@@ -16,12 +17,12 @@ namespace isoscope {
 /// Bits per tetrahedron slot.
 enum TetFlag : std::uint8_t {
   tet_alive = 1,
-  tet_box = 2,            ///< has a corner of the bounding box
-  tet_heterogeneous = 4,  ///< carries Z
-  tet_violates_1 = 8,     ///< holds a sample with ε > 1 − α
-  tet_violates_2 = 16,    ///< carries Z and its height is below 2σ/α
-  tet_violates_3 = 32,    ///< carries Z and is misoriented (only when SnapshotOptions::orientation)
-  tet_changed = 64        ///< made by one of the last `recent` operations
+  tet_box = 2,           ///< has a corner of the bounding box
+  tet_heterogeneous = 4, ///< carries Z
+  tet_violates_1 = 8,    ///< holds a sample with ε > 1 − α
+  tet_violates_2 = 16,   ///< carries Z and its height is below 2σ/α
+  tet_violates_3 = 32,   ///< carries Z and is misoriented (only when SnapshotOptions::orientation)
+  tet_changed = 64       ///< made by one of the last `recent` operations
 };
 
 struct SnapshotOptions {
@@ -37,29 +38,31 @@ struct StateSnapshot {
   ZeroSet zero_set;
   std::vector<GammaFacet> gamma;
   std::shared_ptr<const BoundarySamples> samples; ///< may be null before the first set
-  std::vector<float> errors;      ///< ε(s); bad when >= 1
-  std::vector<TetId> sample_tets; ///< which tetrahedron holds each sample
+  std::vector<float> errors;                      ///< ε(s); bad when >= 1
+  std::vector<TetId> sample_tets;                 ///< which tetrahedron holds each sample
   std::vector<std::uint8_t> tet_flags;
-  std::vector<float> heights;     ///< of tetrahedra that carry Z, absolute; infinite for others
-  CriteriaParameters criteria;    ///< what it was judged by
-  std::size_t bad_samples = 0;    ///< ε >= 1
-  std::size_t beyond_margin = 0;  ///< ε > 1 − α
+  std::vector<float> heights;    ///< of tetrahedra that carry Z, absolute; infinite for others
+  CriteriaParameters criteria;   ///< what it was judged by
+  std::size_t bad_samples = 0;   ///< ε >= 1
+  std::size_t beyond_margin = 0; ///< ε > 1 − α
   std::size_t violating_2 = 0, violating_3 = 0;
   float largest_error = 0;
   SampleId worst_sample;
   /// The operation that led here (step − 1 -> step), absent at step 0.
   std::optional<Event> event;
-  VertexId inserted;                 ///< the vertex it made
+  VertexId inserted;                             ///< the vertex it made
   std::vector<std::array<Vec3, 4>> removed_tets; ///< the conflict zone as it was
   std::vector<TetId> added_tets;
   std::optional<std::array<Vec3, 4>> violated_tet; ///< the tetrahedron the event names, as it was before
 };
 
-/// Moves the playback to `step` and describes it. `nearest` is needed for condition 3 only and may be null otherwise.
-std::shared_ptr<const StateSnapshot> make_snapshot(Playback& playback, Step step, const SnapshotOptions& options,
-                                                   const NearestSample* nearest);
+/// Moves the playback to `step` and describes it. `nearest` is needed for condition 3 only and may be null
+/// otherwise.
+std::shared_ptr<const StateSnapshot>
+make_snapshot(Playback& playback, Step step, const SnapshotOptions& options, const NearestSample* nearest);
 
-/// How many samples or tetrahedra would violate each condition under other parameters, on a given state (cheap: no journal).
+/// How many samples or tetrahedra would violate each condition under other parameters, on a given state
+/// (cheap: no journal).
 struct ViolationPreview {
   std::size_t bad_samples = 0, beyond_margin = 0, too_flat = 0, misoriented = 0;
 };

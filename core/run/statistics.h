@@ -14,9 +14,9 @@ struct StageStatistics {
   Stage stage = Stage::refinement;
   double seconds = 0;
   std::size_t operations = 0;
-  std::array<std::size_t, condition_count> insertions{};  ///< by Condition
-  std::map<std::string, std::size_t> rejected;            ///< exhausted events by reason's name
-  std::size_t zero_set_vertices = 0;                      ///< at its end
+  std::array<std::size_t, condition_count> insertions{}; ///< by Condition
+  std::map<std::string, std::size_t> rejected;           ///< exhausted events by reason's name
+  std::size_t zero_set_vertices = 0;                     ///< at its end
 };
 
 /// One entry per stage that began, in order.

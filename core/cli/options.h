@@ -1,0 +1,32 @@
+// The command line both programs share: options to RunParameters, with later stages refused in clear words.
+#pragma once
+
+#include "base/status.h"
+#include "run/parameters.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// Registers INPUT and the options of a run on `app`. After parsing, finish() gives the parameters or says
+/// which option is wrong (usage) or belongs to a later stage (unsupported, treated as usage).
+class RunOptions {
+ public:
+  /// `input_required`: the batch program needs INPUT, the window does not.
+  RunOptions(CLI::App& app, bool input_required);
+  ~RunOptions();
+  Result<RunParameters> finish() const;
+
+ private:
+  struct Raw;
+  std::unique_ptr<Raw> raw_;
+};
+
+/// The bundled models as a table for a terminal.
+std::string gallery_table();
+
+} // namespace isoscope

@@ -1,0 +1,264 @@
+// Proves a finished mesh: connectivity, exact intersections, containment by branch and bound, sides by
+// winding numbers.
+#include "run/certificate.h"
+
+#include "base/parallel.h"
+#include "tolerance/facet_certificate.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <numbers>
+#include <numeric>
+
+namespace isoscope {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+constexpr std::size_t piece_budget = 200000;
+
+std::string place(Vec3 p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.9g, %.9g, %.9g)", p.x, p.y, p.z);
+  return text;
+}
+
+Triangle3 corners(const TriangleMesh& mesh, std::size_t f) {
+  const auto& t = mesh.triangles[f];
+  return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
+}
+
+/// A directed edge with the facet it bounds on its left.
+struct DirectedEdge {
+  std::uint32_t from, to, facet;
+  friend auto operator<=>(const DirectedEdge&, const DirectedEdge&) = default;
+};
+
+std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/// Closedness, orientation, single fans, components and χ.
+void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
+  std::vector<DirectedEdge> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const auto& t = mesh.triangles[f];
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.push_back({t[k], t[(k + 1) % 3], static_cast<std::uint32_t>(f)});
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto facets_of = [&](std::uint32_t from, std::uint32_t to) {
+    const auto first = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{from, to, 0});
+    auto last = first;
+    while (last != edges.end() && last->from == from && last->to == to) ++last;
+    return std::pair(first, last);
+  };
+
+  c.closed_manifold = !mesh.triangles.empty();
+  c.oriented = c.closed_manifold;
+  if (mesh.triangles.empty()) c.failures.emplace_back("The mesh is empty.");
+  std::vector<std::uint32_t> facet_parent(mesh.triangles.size());
+  std::iota(facet_parent.begin(), facet_parent.end(), 0u);
+  std::size_t undirected = 0;
+  for (const DirectedEdge& e : edges) {
+    const auto [same, same_end] = facets_of(e.from, e.to);
+    const auto [twin, twin_end] = facets_of(e.to, e.from);
+    const auto along = same_end - same, against = twin_end - twin;
+    if (along + against != 2) c.closed_manifold = false;
+    if (along != 1 || against != 1) {
+      if (c.oriented) {
+        c.failures.push_back("The edge from " + place(mesh.points[e.from]) + " to " +
+                             place(mesh.points[e.to]) + " has not exactly two facets of opposite direction.");
+      }
+      c.oriented = false;
+    }
+    if (e.from < e.to || against == 0) ++undirected;
+    for (auto it = twin; it != twin_end; ++it) {
+      facet_parent[find_root(facet_parent, it->facet)] = find_root(facet_parent, e.facet);
+    }
+  }
+
+  // Around a manifold vertex the facets form one cycle: walking from facet to facet meets all of them.
+  std::vector<std::uint32_t> degree(mesh.points.size(), 0);
+  for (const auto& t : mesh.triangles) {
+    for (const std::uint32_t v : t) ++degree[v];
+  }
+  std::size_t used = 0;
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    if (degree[v] == 0) continue;
+    ++used;
+    if (!c.oriented) continue;
+    const auto first = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{v, 0, 0});
+    std::uint32_t to = first->to;
+    std::uint32_t length = 0;
+    do {
+      const auto& t = mesh.triangles[facets_of(v, to).first->facet];
+      const std::size_t k = t[0] == v ? 0 : (t[1] == v ? 1 : 2);
+      to = t[(k + 2) % 3];
+      ++length;
+    } while (to != first->to && length <= degree[v]);
+    if (length != degree[v]) {
+      if (c.closed_manifold) {
+        c.failures.push_back("The facets around the vertex " + place(mesh.points[v]) +
+                             " form more than one fan.");
+      }
+      c.closed_manifold = false;
+    }
+  }
+  for (std::uint32_t f = 0; f < facet_parent.size(); ++f) {
+    if (find_root(facet_parent, f) == f) ++c.components;
+  }
+  c.euler_characteristic =
+      static_cast<long>(used) - static_cast<long>(undirected) + static_cast<long>(mesh.triangles.size());
+}
+
+void check_intersections(const TriangleMesh& mesh, Certificate& c) {
+  if (!c.closed_manifold || !c.oriented) {
+    c.failures.emplace_back(
+        "Intersections were not tested because the mesh is no closed oriented 2-manifold.");
+    return;
+  }
+  SurfaceMesh surface;
+  surface.reserve(static_cast<SurfaceMesh::size_type>(mesh.points.size()),
+                  static_cast<SurfaceMesh::size_type>(mesh.triangles.size() * 3 / 2),
+                  static_cast<SurfaceMesh::size_type>(mesh.triangles.size()));
+  for (const Vec3& p : mesh.points) surface.add_vertex(Kernel::Point_3(p.x, p.y, p.z));
+  using VertexIndex = SurfaceMesh::Vertex_index;
+  for (const auto& t : mesh.triangles) {
+    if (surface.add_face(VertexIndex(t[0]), VertexIndex(t[1]), VertexIndex(t[2])) ==
+        SurfaceMesh::null_face()) {
+      c.failures.emplace_back("The mesh has edges that two facets traverse in the same direction.");
+      return;
+    }
+  }
+  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
+  CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(pairs));
+  c.intersection_free = pairs.empty();
+  if (!pairs.empty()) {
+    const auto f = static_cast<std::size_t>(pairs.front().first);
+    c.failures.push_back(std::to_string(pairs.size()) + " pairs of facets intersect, one at " +
+                         place(corners(mesh, f)[0]) + ".");
+  }
+}
+
+void check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
+                       const RunControl& control) {
+  const double delta = volume.thresholds().delta;
+  std::vector<FacetVerdict> verdicts(mesh.triangles.size());
+  parallel_for(mesh.triangles.size(), 64, [&](std::size_t f) {
+    if (control.cancelled()) return;
+    verdicts[f] = certify_facet(volume.index(), corners(mesh, f), delta, delta, piece_budget);
+  });
+  c.within_tolerance = !mesh.triangles.empty();
+  std::size_t outside = 0, undecided = 0;
+  double worst = 0;
+  Vec3 where;
+  for (std::size_t f = 0; f < verdicts.size(); ++f) {
+    const FacetVerdict& v = verdicts[f];
+    if (v.kind == FacetVerdict::Kind::inside) {
+      c.max_distance = std::max(c.max_distance, v.max_distance);
+      continue;
+    }
+    c.within_tolerance = false;
+    if (v.kind == FacetVerdict::Kind::undecided) {
+      ++undecided;
+    } else {
+      ++outside;
+      if (v.closest.distance() > worst) {
+        worst = v.closest.distance();
+        where = v.witness;
+      }
+    }
+  }
+  c.max_distance = std::max(c.max_distance, worst);
+  if (outside > 0) {
+    char ratio[32];
+    std::snprintf(ratio, sizeof ratio, "%.4g", worst / delta);
+    c.failures.push_back(std::to_string(outside) + " facets leave the tolerance volume, the worst by d = " +
+                         ratio + " δ at " + place(where) + ".");
+  }
+  if (undecided > 0) {
+    c.failures.push_back(std::to_string(undecided) + " facets could be proven neither inside nor outside.");
+  }
+}
+
+/// Winding number of the mesh around p by signed solid angles (van Oosterom and Strackee 1983).
+double winding_number(const TriangleMesh& mesh, Vec3 p) {
+  double sum = 0;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const Triangle3 t = corners(mesh, f);
+    const Vec3 a = t[0] - p, b = t[1] - p, d = t[2] - p;
+    const double la = length(a), lb = length(b), ld = length(d);
+    sum += std::atan2(dot(a, cross(b, d)), la * lb * ld + dot(a, b) * ld + dot(b, d) * la + dot(d, a) * lb);
+  }
+  return sum / (2 * std::numbers::pi);
+}
+
+void check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c) {
+  c.separates = true;
+  const auto regions = volume.regions();
+  std::vector<double> winding(regions.size(), 0);
+  parallel_for(regions.size(), 1, [&](std::size_t i) {
+    if (!regions[i].unbounded) winding[i] = winding_number(mesh, regions[i].deepest);
+  });
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const Region& r = regions[i];
+    if (r.unbounded || r.depth <= volume.thresholds().delta) continue;
+    const double expected = r.label < 0 ? 1 : 0;
+    if (std::abs(winding[i] - expected) < 0.01) continue;
+    c.separates = false;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f", winding[i]);
+    c.failures.push_back("The mesh winds " + std::string(text) + " times around the region at " +
+                         place(r.deepest) + " instead of " + (r.label < 0 ? "once." : "not at all."));
+  }
+}
+
+void check_expectation(const ExpectedTopology& expected, Certificate& c) {
+  c.topology_as_expected = true;
+  if (expected.euler_characteristic && *expected.euler_characteristic != c.euler_characteristic) {
+    c.topology_as_expected = false;
+    c.failures.push_back("The Euler characteristic is " + std::to_string(c.euler_characteristic) +
+                         " instead of " + std::to_string(*expected.euler_characteristic) + ", that of " +
+                         expected.source + ".");
+  }
+  if (expected.components && *expected.components != c.components) {
+    c.topology_as_expected = false;
+    c.failures.push_back("There are " + std::to_string(c.components) + " components instead of " +
+                         std::to_string(*expected.components) + ".");
+  }
+}
+
+} // namespace
+
+Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
+                    const RunControl& control) {
+  Certificate c;
+  control.report("certificate", 0);
+  check_connectivity(mesh, c);
+  if (mesh.triangles.empty()) return c;
+  check_intersections(mesh, c);
+  control.report("certificate", 0.3);
+  check_containment(mesh, volume, c, control);
+  control.report("certificate", 0.8);
+  check_separation(mesh, volume, c);
+  check_expectation(expected, c);
+  if (control.cancelled()) {
+    c.within_tolerance = false;
+    c.failures.emplace_back("The certificate was interrupted.");
+  }
+  control.report("certificate", 1);
+  return c;
+}
+
+} // namespace isoscope

@@ -1,0 +1,205 @@
+// The stages of a run, in order.
+#include "run/pipeline.h"
+
+#include "input/gallery.h"
+#include "input/mesh_io.h"
+#include "mesh/zero_set.h"
+
+#include <sys/resource.h>
+
+#include <chrono>
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::string_view gallery_prefix = "gallery:";
+constexpr double certified_boundary_ratio = 0.95;
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::size_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+Error cancelled_error(const RunControl& control) {
+  return {ErrorCode::cancelled,
+          control.timed_out() ? "The time limit was reached before the refinement began."
+                              : "The run was stopped before the refinement began.",
+          ""};
+}
+
+/// Lets the refinement end when σ changed, so that S can be replaced before it goes on.
+class ResamplingGate : public Gate {
+ public:
+  ResamplingGate(Gate& outer, double sigma) : outer_(&outer), sigma_(sigma) {}
+  Verdict pass(const Journal& journal, const Event& event) override {
+    const Verdict verdict = outer_->pass(journal, event);
+    if (verdict != Verdict::parameters_changed || outer_->wanted_parameters().sigma == sigma_) return verdict;
+    resample_ = true;
+    return Verdict::stop;
+  }
+  CriteriaParameters wanted_parameters() const override { return outer_->wanted_parameters(); }
+  bool resample_pending() const { return resample_; }
+  void resampled(double sigma) {
+    sigma_ = sigma;
+    resample_ = false;
+  }
+  double sigma() const { return sigma_; }
+
+ private:
+  Gate* outer_;
+  double sigma_;
+  bool resample_ = false;
+};
+
+} // namespace
+
+int RunResult::exit_status() const {
+  if (end != End::finished) return 4;
+  return certificate.holds() ? 0 : 1;
+}
+
+Result<TriangleSoup> load_input(const std::string& input) {
+  if (input.starts_with(gallery_prefix)) return make_gallery_model(input.substr(gallery_prefix.size()));
+  return read_mesh(input);
+}
+
+struct Pipeline::Impl {
+  std::shared_ptr<Journal> journal;
+  Gate* gate;
+  RunControl* control;
+  std::shared_ptr<const Scene> scene;
+  std::optional<ToleranceVolume> volume;
+  std::optional<ResamplingGate> resampling;
+  std::optional<Recorder> recorder;
+  std::unique_ptr<Refinement> refinement;
+  double seconds = 0; ///< of all parts so far
+
+  void record_warning(const std::string& text) {
+    Event e;
+    e.kind = EventKind::warning;
+    e.stage = Stage::setup;
+    e.text = journal->add_text(text);
+    journal->add_event(e);
+  }
+  Result<std::shared_ptr<const BoundarySamples>> sample(double sigma) {
+    auto samples = sample_boundary(*volume, sigma, *control);
+    if (!samples) return samples.error();
+    return std::make_shared<const BoundarySamples>(std::move(*samples));
+  }
+};
+
+Pipeline::Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, Gate& gate,
+                   RunControl& control)
+    : parameters_(std::move(parameters)), impl_(std::make_unique<Impl>()) {
+  impl_->journal = std::move(journal);
+  impl_->gate = &gate;
+  impl_->control = &control;
+}
+
+Pipeline::~Pipeline() = default;
+
+Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const TriangleSoup> soup) {
+  Impl& m = *impl_;
+  if (Status valid = check(parameters_); !valid) return valid.error();
+  m.control->cancel_after(parameters_.time_limit);
+  const Stopwatch watch;
+  auto scene = std::make_shared<Scene>();
+
+  m.control->report("input", -1);
+  if (!soup) {
+    auto loaded = load_input(parameters_.input);
+    if (!loaded) return loaded.error();
+    soup = std::make_shared<const TriangleSoup>(std::move(*loaded));
+  }
+  scene->input = soup;
+  scene->longest_edge = soup->bounds().longest_edge();
+  scene->delta = parameters_.tolerance.absolute(scene->longest_edge);
+  if (!(scene->delta > 1e-9 * scene->longest_edge) || !(scene->delta < 100 * scene->longest_edge)) {
+    return Error{ErrorCode::usage,
+                 "--tolerance " + parameters_.tolerance.text() + " does not fit the size of the input.",
+                 "Its longest edge is " + std::to_string(scene->longest_edge) + "."};
+  }
+  scene->index = std::make_shared<const ClosestPointIndex>(*soup);
+  scene->input_topology = analyse_input(*soup);
+  scene->input_seconds = watch.seconds();
+  if (m.control->cancelled()) return cancelled_error(*m.control);
+
+  const bool certified = parameters_.containment == Containment::certified;
+  const ToleranceVolume::Options options{scene->delta, certified ? certified_boundary_ratio : 1.0};
+  auto volume = ToleranceVolume::build(scene->index, scene->input_topology, options, *m.control);
+  if (!volume) return volume.error();
+  m.volume.emplace(std::move(*volume));
+  scene->volume_seconds = watch.seconds() - scene->input_seconds;
+
+  const CriteriaParameters criteria = parameters_.criteria(scene->delta);
+  auto samples = m.sample(criteria.sigma);
+  if (!samples) return samples.error();
+  if (m.control->cancelled()) return cancelled_error(*m.control);
+  scene->samples = *samples;
+  scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;
+
+  scene->thresholds = m.volume->thresholds();
+  scene->regions.assign(m.volume->regions().begin(), m.volume->regions().end());
+  scene->boundary_components.assign(m.volume->boundary_components().begin(),
+                                    m.volume->boundary_components().end());
+  scene->expected = expected_topology(*m.volume, parameters_.topology);
+  scene->thickening_note = m.volume->thickening_note();
+  scene->warnings = check_parameters(criteria.sigma, criteria.alpha, criteria.delta,
+                                     criteria.condition_2 && !criteria.certified);
+
+  m.journal->add_sample_set(scene->samples);
+  m.journal->add_parameters(criteria);
+  for (const ParameterWarning& warning : scene->warnings) m.record_warning(warning.message);
+  if (!scene->thickening_note.empty()) m.record_warning(scene->thickening_note);
+
+  m.resampling.emplace(*m.gate, criteria.sigma);
+  m.recorder.emplace(*m.journal, *m.resampling);
+  m.refinement = std::make_unique<Refinement>(*m.volume, scene->samples, criteria, scene->expected,
+                                              RefinementLimits{}, *m.recorder, *m.control);
+  m.scene = scene;
+  m.seconds = watch.seconds();
+  return m.scene;
+}
+
+Result<RunResult> Pipeline::run() {
+  Impl& m = *impl_;
+  const Stopwatch watch;
+  RunResult result;
+  for (;;) {
+    const double wanted_sigma = m.gate->wanted_parameters().sigma;
+    if (wanted_sigma > 0 && wanted_sigma != m.resampling->sigma()) {
+      auto samples = m.sample(wanted_sigma);
+      if (!samples) return samples.error();
+      m.resampling->resampled(wanted_sigma);
+      m.refinement->replace_samples(*samples);
+    }
+    result.refinement = m.refinement->run();
+    if (!m.resampling->resample_pending()) break;
+  }
+  if (m.control->cancelled() || result.refinement.end == RefinementOutcome::End::stopped) {
+    result.end = m.control->timed_out() ? RunResult::End::limit : RunResult::End::stopped;
+  }
+  result.mesh = triangulate(extract_zero_set(m.refinement->complex()));
+  // What is there is judged in full even when the run was stopped.
+  RunControl judging;
+  judging.on_progress([&m](std::string_view part, double fraction) { m.control->report(part, fraction); });
+  result.certificate = certify(result.mesh, *m.volume, m.scene->expected, judging);
+  m.seconds += watch.seconds();
+  result.seconds = m.seconds;
+  result.peak_memory_bytes = peak_memory_bytes();
+  return result;
+}
+
+} // namespace isoscope

@@ -1,0 +1,151 @@
+// The report's JSON and the careful writing of text files.
+#include "run/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include <unistd.h>
+
+namespace isoscope {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json optional_number(const std::optional<long>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json stage_json(const StageStatistics& s) {
+  Json insertions = Json::object();
+  for (std::size_t i = 0; i < s.insertions.size(); ++i) {
+    if (s.insertions[i] > 0) insertions[std::string(name(static_cast<Condition>(i)))] = s.insertions[i];
+  }
+  Json rejected = Json::object();
+  for (const auto& [reason, count] : s.rejected) rejected[reason] = count;
+  return {{"name", name(s.stage)},    {"seconds", s.seconds}, {"operations", s.operations},
+          {"insertions", insertions}, {"rejected", rejected}, {"zero_set_vertices", s.zero_set_vertices}};
+}
+
+std::string_view end_name(RunResult::End end) {
+  switch (end) {
+  case RunResult::End::finished:
+    return "finished";
+  case RunResult::End::stopped:
+    return "stopped";
+  case RunResult::End::limit:
+    return "time limit";
+  }
+  return "unknown";
+}
+
+Error io_error(const std::filesystem::path& file, const char* what) {
+  return {ErrorCode::io,
+          "Cannot " + std::string(what) + " " + file.string() + ": " + std::strerror(errno) + ".",
+          "Give another file or make room."};
+}
+
+} // namespace
+
+std::string_view version() {
+  return ISOSCOPE_VERSION;
+}
+
+std::string report_json(const RunParameters& p, const Scene& scene, const RunResult& result,
+                        const std::vector<StageStatistics>& stages) {
+  const Certificate& c = result.certificate;
+  Json stage_list = Json::array();
+  for (const StageStatistics& s : stages) stage_list.push_back(stage_json(s));
+  Json components = Json::array();
+  for (const BoundaryComponent& b : scene.boundary_components) {
+    components.push_back({{"label", b.label}, {"euler_characteristic", b.euler_characteristic}});
+  }
+  Json warnings = Json::array();
+  for (const ParameterWarning& w : scene.warnings) warnings.push_back(w.message);
+  if (!scene.thickening_note.empty()) warnings.push_back(scene.thickening_note);
+  const long chi = c.euler_characteristic;
+
+  Json report{
+      {"version", version()},
+      {"input",
+       {{"path", p.input},
+        {"vertices", scene.input->points.size()},
+        {"faces", scene.input->triangles.size()},
+        {"longest_edge", scene.longest_edge},
+        {"closed_manifold", scene.input_topology.closed_manifold},
+        {"self_intersection_free", scene.input_topology.self_intersection_free},
+        {"euler_characteristic", optional_number(scene.input_topology.euler_characteristic)}}},
+      {"parameters",
+       {{"tolerance", scene.delta},
+        {"tolerance_given", p.tolerance.text()},
+        {"sigma", p.sigma_ratio()},
+        {"alpha", p.alpha},
+        {"shrink", p.shrink},
+        {"containment", p.containment == Containment::certified ? "certified" : "sampled"},
+        {"topology", p.topology == TopologyMode::keep ? "keep" : "separate"},
+        {"conditions", {p.condition_1, p.condition_2, p.condition_3, p.condition_4}},
+        {"until", name(p.until)},
+        {"threads", p.threads}}},
+      {"samples",
+       {{"count", scene.samples->size()},
+        {"components", components},
+        {"covering_radius", scene.samples->covering_radius},
+        {"undecided_cells", scene.samples->undecided_cells},
+        {"regions", scene.regions.size()}}},
+      {"expected",
+       {{"euler_characteristic", optional_number(scene.expected.euler_characteristic)},
+        {"components", scene.expected.components ? Json(*scene.expected.components) : Json(nullptr)},
+        {"source", scene.expected.source}}},
+      {"warnings", warnings},
+      {"parts",
+       {{"input_seconds", scene.input_seconds},
+        {"volume_seconds", scene.volume_seconds},
+        {"sampling_seconds", scene.sampling_seconds}}},
+      {"stages", stage_list},
+      {"unmet",
+       {{"height", result.refinement.unmet_height},
+        {"orientation", result.refinement.unmet_orientation},
+        {"containment", result.refinement.uncertified}}},
+      {"output",
+       {{"vertices", result.mesh.points.size()},
+        {"faces", result.mesh.triangles.size()},
+        {"components", c.components},
+        {"euler_characteristic", chi},
+        {"genus", static_cast<long>(c.components) - chi / 2}}},
+      {"certificate",
+       {{"holds", c.holds()},
+        {"closed_manifold", c.closed_manifold},
+        {"oriented", c.oriented},
+        {"intersection_free", c.intersection_free},
+        {"within_tolerance", c.within_tolerance},
+        {"max_distance", c.max_distance},
+        {"separates", c.separates},
+        {"topology_as_expected", c.topology_as_expected},
+        {"failures", c.failures}}},
+      {"end", end_name(result.end)},
+      {"seconds", result.seconds},
+      {"peak_memory_bytes", result.peak_memory_bytes},
+  };
+  return report.dump(2) + "\n";
+}
+
+Status write_text_file(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path temporary = file.string() + ".part";
+  std::FILE* out = std::fopen(temporary.c_str(), "wb");
+  if (out == nullptr) return io_error(file, "write");
+  bool good = std::fwrite(text.data(), 1, text.size(), out) == text.size();
+  good = std::fflush(out) == 0 && good;
+  good = fsync(fileno(out)) == 0 && good;
+  const int failure = errno;
+  good = std::fclose(out) == 0 && good;
+  if (good && std::rename(temporary.c_str(), file.c_str()) == 0) return {};
+  if (!good) errno = failure;
+  const Error error = io_error(file, "write");
+  std::remove(temporary.c_str());
+  return error;
+}
+
+} // namespace isoscope
