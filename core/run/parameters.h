@@ -3,7 +3,7 @@
 
 #include "base/status.h"
 #include "criteria/topology.h"
-#include "journal/event.h"
+#include "journal/journal.h"
 
 #include <filesystem>
 #include <string>
