@@ -17,7 +17,10 @@ layout(location = 0) out vec4 colour; // premultiplied
 layout(location = 1) out vec4 depth;
 
 vec3 origin, direction;
-float g_at(float t) { return textureLod(grid, (origin + t * direction - box_lo) / (box_hi - box_lo), 0.0).r; }
+// Software drivers run both sides of every branch: fetches stand outside of branches where they can, and a loop that ends
+// early is what saves time.
+vec3 at(float t) { return (origin + t * direction - box_lo) / (box_hi - box_lo); }
+float g_at(float t) { return textureLod(grid, at(t), 0.0).r; }
 float g_of(vec3 p) { return textureLod(grid, (p - box_lo) / (box_hi - box_lo), 0.0).r; }
 
 vec3 gradient(vec3 p) {
@@ -32,34 +35,24 @@ void add(vec3 rgb, float alpha, float t) {
   colour += vec4(rgb, 1.0) * alpha * (1.0 - colour.a);
 }
 
-// One boundary surface, met between a and b where g passes `level`.
-void surface(float a, float ga, float b, float gb, float level, vec4 tint) {
-  if (tint.a <= 0.0) return;
-  for (int i = 0; i < (coarseness > 1.0 ? 1 : 4); ++i) {
-    float m = mix(a, b, clamp((level - ga) / (gb - ga), 0.05, 0.95));
-    float gm = g_at(m);
-    if ((gm - level) * (ga - level) > 0.0) { a = m; ga = gm; } else { b = m; gb = gm; }
-  }
-  float t = mix(a, b, clamp((level - ga) / (gb - ga), 0.0, 1.0));
-  vec3 p = origin + t * direction;
-  vec3 n = normalize(gradient(p));
+// The boundary where g = level.
+void surface(float t, float level) {
+  vec4 tint = level > 0.0 ? outer_tint : inner_tint;
+  vec3 n = normalize(gradient(origin + t * direction));
   float facing = dot(n, -direction);
   bool outside = facing * level > 0.0; // seen from outside of Ω
   vec3 rgb = lit(tint.rgb, facing < 0.0 ? -n : n, -direction) * (outside ? 1.0 : 0.8);
   // A thin shell is more opaque where it is seen edge-on.
-  float alpha = 1.0 - pow(1.0 - min(tint.a, 0.999), 1.0 / max(abs(facing), 0.18));
-  add(rgb, tint.a >= 0.995 ? 1.0 : alpha, t);
+  float alpha = tint.a >= 0.995 ? 1.0 : 1.0 - pow(1.0 - tint.a, 1.0 / max(abs(facing), 0.18));
+  add(rgb, alpha, t);
 }
 
 // Where the clip cuts through Ω, its thickness shows: tinted from side to side, the input's surface as a fine line.
-void cap(float t) {
-  float g = g_at(t);
-  if (abs(g) >= 1.0) return;
+void cap(float t, float g) {
   float strength = max(outer_tint.a, inner_tint.a);
-  if (strength <= 0.0) return;
-  vec3 p = origin + t * direction;
+  if (abs(g) >= 1.0 || strength <= 0.0) return;
   vec3 rgb = mix(inner_tint.rgb, outer_tint.rgb, smoothstep(-0.5, 0.5, g));
-  float pixels = delta * pixels_per_unit(p);
+  float pixels = delta * pixels_per_unit(origin + t * direction);
   float rim = 1.0 - smoothstep(0.6, 1.8, (1.0 - abs(g)) * pixels);
   float middle = smoothstep(3.0, 6.0, pixels) * (1.0 - smoothstep(0.3, 1.1, abs(g) * pixels));
   rgb = mix(rgb * 0.92, rgb * 0.55, max(0.8 * rim, 0.5 * middle));
@@ -67,36 +60,44 @@ void cap(float t) {
 }
 
 void march(float from, float to, bool cap_from, bool cap_to, float jitter) {
-  if (from >= to) return;
   float smallest = min(voxel.x, min(voxel.y, voxel.z)) * 0.45 * coarseness;
-  if (cap_from) cap(from);
-  float t = from, before = from, g_before = g_at(from);
-  bool known = true;
-  t += smallest * jitter;
-  for (int i = 0; i < max_steps && colour.a < 0.98; ++i) {
-    bool last = t >= to;
-    if (last) t = to;
-    float jump = last ? 0.0 : textureLod(skip, skip_scale * (origin + t * direction - box_lo) / (box_hi - box_lo), 0.0).r;
-    if (jump > 0.0) {
-      t += jump;
-      known = false;
-      continue;
+  float before = from, g_before = g_at(from);
+  if (cap_from && from < to) cap(from, g_before);
+  float t = min(from + smallest * jitter, to);
+  for (int hit = 0; hit < 8; ++hit) {
+    float g = g_before, level = 0.0;
+    bool end = from >= to;
+    for (int i = 0; i < max_steps && !end; ++i) {
+      vec3 here = at(t);
+      g = textureLod(grid, here, 0.0).r;
+      float jump = textureLod(skip, skip_scale * here, 0.0).r;
+      bool meets_outer = (g_before - 1.0) * (g - 1.0) < 0.0 && outer_tint.a > 0.0;
+      bool meets_inner = (g_before + 1.0) * (g + 1.0) < 0.0 && inner_tint.a > 0.0;
+      if (meets_outer || meets_inner) {
+        level = meets_outer && (!meets_inner || g < g_before) ? 1.0 : -1.0;
+        break;
+      }
+      end = t >= to;
+      before = t;
+      g_before = g;
+      // Just beyond what the distance proves empty, so that a surface is crossed at once.
+      t = min(t + max(jump, abs(abs(g) - 1.0) * delta * 0.9 + smallest), to);
     }
-    float g = g_at(t);
-    if (known) {
-      bool rising = g > g_before;
-      bool meets_outer = (g_before - 1.0) * (g - 1.0) < 0.0, meets_inner = (g_before + 1.0) * (g + 1.0) < 0.0;
-      if (rising && meets_inner) surface(before, g_before, t, g, -1.0, inner_tint);
-      if (meets_outer) surface(before, g_before, t, g, 1.0, outer_tint);
-      if (!rising && meets_inner) surface(before, g_before, t, g, -1.0, inner_tint);
+    if (level == 0.0) break;
+    float met = mix(before, t, clamp((level - g_before) / (g - g_before), 0.0, 1.0));
+    if (coarseness <= 1.0) {
+      float g_met = g_at(met);
+      bool beyond = (g_met - level) * (g - level) > 0.0;
+      float a = beyond ? before : met, ga = beyond ? g_before : g_met, b = beyond ? met : t, gb = beyond ? g_met : g;
+      met = mix(a, b, abs(gb - ga) < 1e-6 ? 0.5 : clamp((level - ga) / (gb - ga), 0.0, 1.0));
     }
-    if (last) break;
-    before = t;
-    g_before = g;
-    known = true;
-    t += max(abs(abs(g) - 1.0) * delta * 0.95, smallest);
+    surface(met, level);
+    before = met;
+    g_before = level + (g > g_before ? 1e-4 : -1e-4);
+    if (colour.a > 0.98) return;
   }
-  if (cap_to && colour.a < 0.98) cap(to);
+  float g_end = g_at(to);
+  if (cap_to && from < to && colour.a < 0.98) cap(to, g_end);
 }
 
 void main() {
@@ -112,37 +113,34 @@ void main() {
   float from = max(max(t_in.x, max(t_in.y, t_in.z)), 0.0), to = min(t_out.x, min(t_out.y, t_out.z));
   float z = texture(scene_depth, uv).r;
   vec4 hit = inverse_view_projection * vec4(ndc, z * 2.0 - 1.0, 1.0);
-  float opaque_at = dot(hit.xyz / hit.w - origin, direction);
-  bool behind_opaque = z < 1.0 && opaque_at < to;
-  if (behind_opaque) to = opaque_at;
+  if (z < 1.0) to = min(to, dot(hit.xyz / hit.w - origin, direction));
   if (from >= to) return;
   float jitter = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
 
-  if (clip_shape.x < 0.5) {
-    march(from, to, false, false, jitter);
-    return;
-  }
-  // The unflipped clip keeps one stretch [a, b] of the ray.
+  // The unflipped clip keeps one stretch [a, b] of the ray; flipped, what is before and after it.
   float a = -1e30, b = 1e30;
   vec3 offset = origin - clip_point.xyz;
   float height = dot(offset, clip_normal.xyz), rate = dot(direction, clip_normal.xyz);
+  rate = abs(rate) < 1e-9 ? 1e-9 : rate;
   if (clip_shape.x > 2.5) {
     float middle = -dot(offset, direction), disc = middle * middle - dot(offset, offset) + clip_point.w * clip_point.w;
-    if (disc < 0.0) { a = 1e30; b = -1e30; }
-    else { a = middle - sqrt(disc); b = middle + sqrt(disc); }
-  } else {
-    rate = abs(rate) < 1e-9 ? 1e-9 : rate;
+    a = disc < 0.0 ? 1e30 : middle - sqrt(disc);
+    b = disc < 0.0 ? -1e30 : middle + sqrt(disc);
+  } else if (clip_shape.x > 0.5) {
     float upper = ((clip_shape.x > 1.5 ? clip_point.w : 0.0) - height) / rate;
     float lower = clip_shape.x > 1.5 ? (-clip_point.w - height) / rate : (rate > 0.0 ? -1e30 : 1e30);
     a = min(upper, lower);
     b = max(upper, lower);
   }
-  if (clip_normal.w > 0.0) {
-    march(max(from, a), min(to, b), a > from, b < to, jitter);
-  } else if (a > b) {
-    march(from, to, false, false, jitter);
-  } else {
-    march(from, min(to, a), false, a < to, jitter);
-    if (colour.a < 0.98) march(max(from, b), to, b > from, false, jitter);
+  bool flipped = clip_shape.x > 0.5 && clip_normal.w < 0.0;
+  int parts = flipped ? 2 : 1;
+  for (int part = 0; part < parts; ++part) {
+    bool whole = flipped && a > b && part == 0;
+    float start = flipped ? (part == 0 ? from : max(from, a > b ? to : b)) : max(from, a);
+    float stop = flipped ? (part == 0 && !whole ? min(to, a) : to) : min(to, b);
+    bool cap_start = flipped ? part == 1 && b > from : a > from;
+    bool cap_stop = flipped ? part == 0 && !whole && a < to : b < to;
+    march(start, stop, cap_start, cap_stop, jitter);
+    if (colour.a > 0.98) break;
   }
 }

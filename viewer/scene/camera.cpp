@@ -63,14 +63,20 @@ void Camera::frame(const Box3& box, bool ease) {
   if (box.empty()) return;
   CameraPose pose = transition_ < 1 ? to_ : pose_;
   const glm::dquat to_camera = glm::conjugate(quaternion(pose));
-  const double tangent = 0.94 * std::tan(glm::radians(pose.fov) / 2);
-  const Vec3 center = box.center();
+  const double tangent = 0.9 * std::tan(glm::radians(pose.fov) / 2);
+  const Vec3 center = box.center(), half = 0.5 * box.extent();
   double distance = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p{(corner & 1) ? box.hi.x : box.lo.x, (corner & 2) ? box.hi.y : box.lo.y,
-                 (corner & 4) ? box.hi.z : box.lo.z};
-    const glm::dvec3 c = to_camera * to_glm(p - center);
+  const auto include = [&](Vec3 offset) {
+    const glm::dvec3 c = to_camera * to_glm(offset);
     distance = std::max(distance, c.z + std::max(std::abs(c.x), std::abs(c.y)) / tangent);
+  };
+  // Models touch the faces of their boxes, seldom the corners: those may come closer to the border.
+  for (int corner = 0; corner < 8; ++corner)
+    include(0.9 * Vec3{(corner & 1) ? half.x : -half.x, (corner & 2) ? half.y : -half.y, (corner & 4) ? half.z : -half.z});
+  for (const double sign : {-1.0, 1.0}) {
+    include({sign * half.x, 0, 0});
+    include({0, sign * half.y, 0});
+    include({0, 0, sign * half.z});
   }
   pose.target = center;
   pose.distance = distance > 0 ? distance : 1;

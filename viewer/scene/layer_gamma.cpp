@@ -6,13 +6,17 @@
 
 namespace isoscope {
 
-void GammaLayer::update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
+void GammaLayer::update(const StateSnapshot& state, bool box, const Clip& clip, const SceneColors& colors,
                         const SceneSpace& space) {
   std::vector<std::pair<VertexId, VertexId>> edges;
   edges.reserve(3 * state.gamma.size());
+  const auto in_box = [&](VertexId v) { return state.complex.vertices[v.index()].kind == VertexKind::box; };
   for (const GammaFacet& facet : state.gamma) {
     if (clip.active() && !clip.cuts() && !clip.shows_cell(state.complex.positions(facet.tet))) continue;
-    for (std::size_t i = 0; i < 3; ++i) edges.push_back(std::minmax(facet.v[i], facet.v[(i + 1) % 3]));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(facet.v[i], facet.v[(i + 1) % 3]);
+      if (box || (!in_box(a) && !in_box(b))) edges.push_back({a, b});
+    }
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

@@ -10,7 +10,8 @@ namespace isoscope {
 
 class GammaLayer {
  public:
-  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
+  /// `box`: also edges that end at a corner of the bounding box.
+  void update(const StateSnapshot& state, bool box, const Clip& clip, const SceneColors& colors,
               const SceneSpace& space);
   void clear() { batch_.upload(LineBuilder()); }
   void draw(gl::Program& program, const ViewFrame& frame);

@@ -188,9 +188,11 @@ void Renderer::Impl::update_layers(const ViewFrame& frame) {
     else
       zero_set.clear();
   }
-  if (view.gamma.shown() && stale(gamma_built, wanted)) {
+  Built gamma_wanted = wanted;
+  gamma_wanted.tets.box = view.tets.box;
+  if (view.gamma.shown() && stale(gamma_built, gamma_wanted)) {
     if (state)
-      gamma.update(*state, clip, frame.colors, space);
+      gamma.update(*state, view.tets.box, clip, frame.colors, space);
     else
       gamma.clear();
   }
