@@ -63,7 +63,7 @@ void Camera::frame(const Box3& box, bool ease) {
   if (box.empty()) return;
   CameraPose pose = transition_ < 1 ? to_ : pose_;
   const glm::dquat to_camera = glm::conjugate(quaternion(pose));
-  const double tangent = 0.9 * std::tan(glm::radians(pose.fov) / 2);
+  const double tangent = 0.92 * std::tan(glm::radians(pose.fov) / 2);
   const Vec3 center = box.center(), half = 0.5 * box.extent();
   double distance = 0;
   const auto include = [&](Vec3 offset) {
@@ -72,7 +72,8 @@ void Camera::frame(const Box3& box, bool ease) {
   };
   // Models touch the faces of their boxes, seldom the corners: those may come closer to the border.
   for (int corner = 0; corner < 8; ++corner)
-    include(0.9 * Vec3{(corner & 1) ? half.x : -half.x, (corner & 2) ? half.y : -half.y, (corner & 4) ? half.z : -half.z});
+    include(0.82 * Vec3{(corner & 1) ? half.x : -half.x, (corner & 2) ? half.y : -half.y,
+                        (corner & 4) ? half.z : -half.z});
   for (const double sign : {-1.0, 1.0}) {
     include({sign * half.x, 0, 0});
     include({0, sign * half.y, 0});

@@ -6,6 +6,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace isoscope {
@@ -16,14 +17,14 @@ struct SampleVertex {
   std::uint32_t outer;
 };
 
-/// A fixed bijection of 32-bit numbers that scatters neighbours (the finaliser of a common hash family).
+/// A fixed scattering of ids. Neighbouring ids are neighbours in space, so reversing the bits spreads every
+/// prefix evenly.
 std::uint32_t scatter(std::uint32_t x) {
-  x ^= x >> 16;
-  x *= 0x7feb352du;
-  x ^= x >> 15;
-  x *= 0x846ca68bu;
-  x ^= x >> 16;
-  return x;
+  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+  return (x >> 16) | (x << 16);
 }
 
 } // namespace
@@ -84,6 +85,9 @@ void SamplesLayer::draw_class(gl::Program& program, const ViewFrame& frame, Clas
                               bool bad) {
   if (count == 0) return;
   const LayerSettings& layer = bad ? frame.view.bad_samples : frame.view.good_samples;
+  // A thinned set is sparser: its sprites may be as much larger.
+  const double kept = static_cast<double>(count) / static_cast<double>(group.count);
+  program.set("spacing", static_cast<float>(samples_->sigma / std::sqrt(kept)));
   program.set("tint", bad ? frame.colors.bad : frame.colors.good);
   program.set("cross_glyph", bad ? 1 : 0);
   program.set("size", frame.view.sample_size * (bad ? 1.7f : 1.0f));
@@ -94,15 +98,20 @@ void SamplesLayer::draw_class(gl::Program& program, const ViewFrame& frame, Clas
 }
 
 void SamplesLayer::draw(gl::Program& program, const ViewFrame& frame, std::size_t budget) {
-  const std::size_t bad = std::min(bad_.count, budget), good = std::min(good_.count, budget - bad);
+  if (good_.count + bad_.count == 0) return;
+  // Sprites closer to each other than this (pixels) would merge into a sheet that hides the rest of the
+  // scene.
+  constexpr double good_gap = 4.6, bad_gap = 5.0;
+  const double spacing = samples_->sigma * frame.pixels_per_unit / static_cast<double>(frame.pixel_scale);
+  const auto thinned = [&](std::size_t count, double gap, std::size_t limit) {
+    const double part = spacing > 0 ? std::min(1.0, spacing * spacing / (gap * gap)) : 1.0;
+    return std::min(static_cast<std::size_t>(std::ceil(part * static_cast<double>(count))), limit);
+  };
+  const std::size_t bad = thinned(bad_.count, bad_gap, budget);
+  const std::size_t good = thinned(good_.count, good_gap, budget - bad);
   thinned_ = bad_.count + good_.count - bad - good;
-  if (bad + good == 0) return;
   program.use();
   program.set("ground", 0.5f * (frame.colors.ground_top + frame.colors.ground_bottom));
-  // A thinned set is sparser: its sprites may be as much larger.
-  const double kept =
-      good_.count > 0 ? static_cast<double>(std::max<std::size_t>(good, 1)) / good_.count : 1.0;
-  program.set("spacing", static_cast<float>(samples_->sigma / std::sqrt(kept)));
   glEnable(GL_PROGRAM_POINT_SIZE);
   draw_class(program, frame, good_, good, false);
   draw_class(program, frame, bad_, bad, true);

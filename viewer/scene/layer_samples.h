@@ -18,7 +18,8 @@ class SamplesLayer {
   void update(const StateSnapshot& state, const ViewSettings& view, const Clip& clip,
               const SceneSpace& space);
   void clear();
-  /// Draws at most `budget` sprites, bad ones first; the chosen ones are the same in every frame.
+  /// Draws at most `budget` sprites, bad ones first, and fewer where they would merge on the screen. Which
+  /// ones are left out follows from a stable hash, so that nothing flickers.
   void draw(gl::Program& program, const ViewFrame& frame, std::size_t budget);
   /// How many the last draw left out.
   std::size_t thinned() const { return thinned_; }

@@ -13,6 +13,7 @@
 #include "scene/layer_tetrahedra.h"
 #include "scene/layer_tolerance.h"
 #include "scene/layer_zero_set.h"
+#include "scene/overlay.h"
 #include "scene/picking.h"
 #include "scene/programs.h"
 #include "scene/quality_control.h"
@@ -94,7 +95,8 @@ struct Renderer::Impl {
   void draw_opaque(const ViewFrame& frame, const FrameRequest& request, const FrameQuality& quality);
   bool draw_cells(const ViewFrame& frame);
   void composite(bool with_cells, bool with_volume);
-  ViewFrame view_frame(const ViewSettings& view, const FrameRequest& request, int width, int height) const;
+  ViewFrame view_frame(const Camera& camera, const ViewSettings& view, const FrameRequest& request, int width,
+                       int height) const;
   Renderer::Frame finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
                          Quality quality);
   PickScene pick_scene_data() const {
@@ -147,20 +149,16 @@ void Renderer::Impl::reload_shaders() {
   if (auto fresh = Programs::build(source)) programs = std::move(*fresh);
 }
 
-ViewFrame Renderer::Impl::view_frame(const ViewSettings& view, const FrameRequest& request, int width,
-                                     int height) const {
-  const float scale =
-      request.pixel_scale * static_cast<float>(height) / static_cast<float>(std::max(request.height, 1));
-  return {view,
-          scene_colors(view.theme),
-          space,
-          width,
-          height,
-          scale,
-          request.quality,
-          request.selection,
-          request.hover,
-          request.pulse};
+ViewFrame Renderer::Impl::view_frame(const Camera& camera, const ViewSettings& view,
+                                     const FrameRequest& request, int width, int height) const {
+  ViewFrame frame{view, scene_colors(view.theme), space, width, height};
+  frame.pixel_scale = request.pixel_scale * static_cast<float>(height) / static_cast<float>(request.height);
+  frame.quality = request.quality;
+  frame.selection = request.selection;
+  frame.hover = request.hover;
+  frame.pulse = request.pulse;
+  frame.pixels_per_unit = pixels_per_unit(camera, height);
+  return frame;
 }
 
 void Renderer::Impl::update_layers(const ViewFrame& frame) {
@@ -375,7 +373,7 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
             volume_height = scaled(height, quality.volume_scale);
   if (!r.targets.resize(width, height, quality.samples, volume_width, volume_height)) return {};
 
-  const ViewFrame frame = r.view_frame(view, request, width, height);
+  const ViewFrame frame = r.view_frame(camera, view, request, width, height);
   r.update_layers(frame);
   Camera bounded = camera;
   bounded.set_scene_bounds(r.visible_bounds(view));
@@ -408,12 +406,12 @@ Renderer::Frame Renderer::render_section(const SectionView& section, const ViewS
   r.reload_shaders();
   const auto start = std::chrono::steady_clock::now();
   if (!r.section_targets.resize(request.width, request.height, 1, 1, 1)) return {};
-  const ViewFrame frame = r.view_frame(view, request, request.width, request.height);
+  const Camera camera = section_camera(section, view.clip);
+  const ViewFrame frame = r.view_frame(camera, view, request, request.width, request.height);
   r.section.update(r.state.get(), frame);
   ClipSettings plane = view.clip;
   plane.shape = ClipSettings::Shape::none;
-  r.block.upload(frame_uniforms(section_camera(section, view.clip), r.space, plane, request.width,
-                                request.height, frame.pixel_scale));
+  r.block.upload(frame_uniforms(camera, r.space, plane, request.width, request.height, frame.pixel_scale));
   r.section_targets.output.bind(request.width, request.height);
   glBindVertexArray(r.empty_array);
   r.section.draw(r.programs, frame, r.tolerance, request.transparent_background ? 0.0f : 1.0f);

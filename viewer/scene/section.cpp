@@ -43,12 +43,16 @@ void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
     if (frame.view.gamma.shown()) add(geometry.gamma, color8(c.gamma), 1.8f);
     if (frame.view.zero_set.shown()) add(geometry.zero_set, color8(c.section_zero), 2.6f);
     if (frame.view.samples.shown()) {
-      const float size = std::clamp(1.5f * frame.view.sample_size, 3.0f, 30.0f);
+      // Neighbours touch at most.
+      const double spacing =
+          state->samples ? state->samples->sigma * frame.pixels_per_unit / frame.pixel_scale : 30;
+      const float size =
+          std::clamp(std::min(1.5f * frame.view.sample_size, static_cast<float>(spacing)), 3.0f, 30.0f);
       for (const auto& s : geometry.samples) {
         if (!(s.bad ? frame.view.bad_samples : frame.view.good_samples).shown()) continue;
         const MarkerShape shape =
             s.bad ? MarkerShape::cross : (s.outer ? MarkerShape::disc : MarkerShape::circle);
-        const auto diameter = static_cast<std::uint8_t>(s.bad ? 1.4f * size : size);
+        const auto diameter = static_cast<std::uint8_t>(s.bad ? std::max(1.4f * size, 6.0f) : size);
         samples.push_back(
             {frame.space.local(plane.lift(s.at)), color8(s.bad ? c.bad : c.good), shape, diameter});
       }

@@ -71,7 +71,9 @@ SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane&
     if (const auto segment = cut(std::span(p).first(n), std::span(h).first(n), plane))
       out.zero_set.push_back(*segment);
   }
+  const auto in_box = [&](VertexId v) { return complex.vertices[v.index()].kind == VertexKind::box; };
   for (const GammaFacet& facet : state.gamma) {
+    if (!options.box && std::any_of(facet.v.begin(), facet.v.end(), in_box)) continue;
     std::array<Vec3, 3> p;
     std::array<double, 3> h{};
     for (std::size_t k = 0; k < 3; ++k) {

@@ -42,8 +42,9 @@ struct ViewFrame {
   int width = 0, height = 0;
   float pixel_scale = 1;
   Quality quality = Quality::rest;
-  Pick selection, hover;
+  Pick selection{}, hover{};
   float pulse = 0;
+  double pixels_per_unit = 1; ///< at the target
 };
 
 /// The uniform buffer behind the block Frame.

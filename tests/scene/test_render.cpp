@@ -1,0 +1,230 @@
+// The renderer in a hidden window: facts about pixels, and small reference pictures.
+#include "scene/gl_context.h"
+
+#include "scene/fabricate.h"
+#include "scene/picture.h"
+#include "scene/renderer.h"
+
+#include "input/gallery.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace isoscope;
+using testing::Picture;
+
+namespace {
+
+/// Everything that lives for the whole program: the context, the renderer, a sphere under refinement.
+struct Studio {
+  testing::GlContext context;
+  testing::Fabricated sphere = testing::fabricate(*make_gallery_model("sphere"), 6, 0.7, 60, 48);
+  std::unique_ptr<Renderer> renderer;
+  Camera camera;
+  FrameRequest request;
+
+  Studio() {
+    REQUIRE(context.ready());
+    auto created = Renderer::create();
+    REQUIRE(created);
+    renderer = std::move(*created);
+    renderer->set_scene(sphere.scene);
+    renderer->set_grid(sphere.grid);
+    renderer->set_state(sphere.state);
+    camera.frame(renderer->bounds(), false);
+    request.width = 160;
+    request.height = 140;
+  }
+  Picture draw(const ViewSettings& view) {
+    return testing::take(*renderer, renderer->render(camera, view, request));
+  }
+  double delta_pixels() const {
+    const double tangent = std::tan(camera.pose().fov * 3.14159265358979 / 360);
+    return sphere.scene->delta * 0.5 * request.height / (camera.pose().distance * tangent);
+  }
+};
+
+Studio& studio() {
+  static Studio made;
+  return made;
+}
+
+ViewSettings nothing() {
+  ViewSettings view;
+  view.outer.visible = view.inner.visible = view.samples.visible = view.tetrahedra.visible = false;
+  view.zero_set.visible = view.highlight.visible = false;
+  return view;
+}
+
+bool green(const Picture::Color& c) {
+  return c[1] > c[0] + 60 && c[1] > c[2];
+}
+bool orange(const Picture::Color& c) {
+  return c[0] > c[2] + 90 && c[0] > c[1] + 60;
+}
+bool bluish(const Picture::Color& c) {
+  return c[2] > c[0] + 25 && c[1] > c[0] + 10;
+}
+
+} // namespace
+
+TEST_CASE("without a context there is a clear error") {
+  const auto renderer = Renderer::create();
+  REQUIRE_FALSE(renderer);
+  CHECK(renderer.error().code == ErrorCode::device);
+  CHECK_FALSE(renderer.error().line().empty());
+}
+
+TEST_CASE("an empty view shows the gradient, or nothing when transparent") {
+  Studio& s = studio();
+  const Picture ground = s.draw(nothing());
+  CHECK(ground.width == 160);
+  CHECK(ground.height == 140);
+  CHECK(ground.at(80, 2)[0] > ground.at(80, 137)[0]);
+  CHECK(ground.at(80, 70)[3] == 255);
+  s.request.transparent_background = true;
+  CHECK(s.draw(nothing()).at(80, 70)[3] == 0);
+  ViewSettings view = nothing();
+  view.zero_set.visible = true;
+  CHECK(s.draw(view).at(80, 70)[3] == 255);
+  s.request.transparent_background = false;
+}
+
+TEST_CASE("the outer boundary reaches beyond the inner one by the thickness of Ω") {
+  Studio& s = studio();
+  const Picture ground = s.draw(nothing());
+  const auto extent = [&](const ViewSettings& view) {
+    const Picture p = s.draw(view);
+    int first = 80;
+    for (int x = 80; x >= 0; --x) {
+      int change = 0;
+      for (std::size_t i = 0; i < 3; ++i) change += std::abs(p.at(x, 70)[i] - ground.at(x, 70)[i]);
+      if (change > 6) first = x;
+    }
+    return 80 - first;
+  };
+  ViewSettings outer = nothing(), inner = nothing();
+  outer.outer.visible = true;
+  inner.inner.visible = true;
+  const double thickness = extent(outer) - extent(inner);
+  CHECK(thickness == doctest::Approx(2 * s.delta_pixels()).epsilon(0.25));
+  CHECK(bluish(s.draw(outer).at(80, 70)));
+}
+
+TEST_CASE("an opaque zero set hides the inner boundary behind it") {
+  Studio& s = studio();
+  // Once all samples are good, Z lies between the boundaries.
+  const auto refined = testing::fabricate(*make_gallery_model("sphere"), 6, 0.7, 2000, 8).state;
+  REQUIRE(refined->bad_samples == 0);
+  s.renderer->set_state(refined);
+  ViewSettings view = nothing();
+  view.zero_set.visible = true;
+  view.zero_set_edges = false;
+  const Picture plain = s.draw(view);
+  view.inner.visible = true;
+  const Picture with_inner = s.draw(view);
+  CHECK(testing::difference(plain, with_inner) < 3);
+  view.outer.visible = true;
+  CHECK(testing::difference(plain, s.draw(view)) > 3);
+  view.zero_set.opacity = 0.4f;
+  view.outer.visible = false;
+  CHECK(testing::difference(s.draw(view), with_inner) > 3);
+  s.renderer->set_state(s.sphere.state);
+}
+
+TEST_CASE("the clip removes what is on its positive side, in every layer") {
+  Studio& s = studio();
+  const Picture ground = s.draw(nothing());
+  for (int layer = 0; layer < 5; ++layer) {
+    ViewSettings view = nothing();
+    if (layer == 0) view.outer.visible = view.inner.visible = true;
+    if (layer == 1) view.samples.visible = true;
+    if (layer == 2) view.zero_set.visible = true;
+    if (layer == 3) view.tetrahedra.visible = view.tets.all = true;
+    if (layer == 4) view.input.visible = true;
+    view.clip.shape = ClipSettings::Shape::plane;
+    view.clip.normal = {1, 0, 0};
+    view.clip.point = s.sphere.scene->input->bounds().center();
+    for (const bool flipped : {false, true}) {
+      view.clip.flipped = flipped;
+      const Picture p = s.draw(view);
+      std::array<double, 2> change{0, 0};
+      for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+          if (std::abs(x - 80) > 6)
+            change[x < 80 ? 0 : 1] +=
+                std::abs(p.at(x, y)[0] - ground.at(x, y)[0]) + std::abs(p.at(x, y)[2] - ground.at(x, y)[2]);
+      CAPTURE(layer);
+      CHECK(change[flipped ? 1 : 0] > 10000);
+      CHECK(change[flipped ? 0 : 1] < 200);
+    }
+  }
+}
+
+TEST_CASE("samples are green where good and orange where bad, and can be hidden by class") {
+  Studio& s = studio();
+  REQUIRE(s.sphere.state->bad_samples > 0);
+  ViewSettings view = nothing();
+  view.samples.visible = true;
+  const Picture both = s.draw(view);
+  CHECK(both.count(green) > 500);
+  CHECK(both.count(orange) > 5);
+  view.bad_samples.visible = false;
+  CHECK(s.draw(view).count(orange) == 0);
+  view.bad_samples.visible = true;
+  view.good_samples.visible = false;
+  const Picture bad = s.draw(view);
+  CHECK(bad.count(green) == 0);
+  CHECK(bad.count(orange) > 5);
+}
+
+TEST_CASE("a selected tetrahedron is outlined, through other things too") {
+  Studio& s = studio();
+  ViewSettings view = nothing();
+  view.zero_set.visible = true;
+  const Picture before = s.draw(view);
+  s.request.selection = {Pick::Kind::tet, s.sphere.state->zero_set.polygons.front().tet.value, {}};
+  const Picture after = s.draw(view);
+  s.request.selection = {};
+  CHECK(testing::difference(before, after) > 0.05);
+}
+
+TEST_CASE("moving frames show the same thing") {
+  Studio& s = studio();
+  const Picture rest = s.draw(ViewSettings());
+  s.request.quality = Quality::moving;
+  const auto frame = s.renderer->render(s.camera, ViewSettings(), s.request);
+  s.request.quality = Quality::rest;
+  const Picture moving = testing::take(*s.renderer, frame);
+  CHECK(moving.width <= rest.width);
+  double sum = 0;
+  for (int y = 0; y < rest.height; ++y)
+    for (int x = 0; x < rest.width; ++x) {
+      const auto a = rest.at(x, y),
+                 b = moving.at(x * moving.width / rest.width, y * moving.height / rest.height);
+      for (std::size_t i = 0; i < 3; ++i) sum += std::abs(a[i] - b[i]);
+    }
+  CHECK(sum / (3 * rest.width * rest.height) < 14);
+}
+
+TEST_CASE("reference pictures") {
+  Studio& s = studio();
+  constexpr double tolerance = 4;
+  ViewSettings view;
+  CHECK(testing::compare_with_reference(s.draw(view), "scene_dark") < tolerance);
+  view.theme = ThemeKind::paper;
+  view.samples.visible = view.tetrahedra.visible = view.highlight.visible = false;
+  view.clip.shape = ClipSettings::Shape::plane;
+  view.clip.normal = normalized(Vec3{0.3, 0.2, 1});
+  view.clip.point = s.sphere.scene->input->bounds().center();
+  CHECK(testing::compare_with_reference(s.draw(view), "cut_paper") < tolerance);
+  ViewSettings section;
+  section.theme = ThemeKind::paper;
+  section.gamma.visible = true;
+  section.clip.normal = {0, 0, 1};
+  section.clip.point = view.clip.point;
+  const Renderer::SectionView plane{0, 0, 1.2 * s.sphere.scene->longest_edge};
+  const auto frame = s.renderer->render_section(plane, section, s.request);
+  CHECK(testing::compare_with_reference(testing::take(*s.renderer, frame), "section_paper") < tolerance);
+}

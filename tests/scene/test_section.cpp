@@ -1,0 +1,122 @@
+// The 2D section against brute force.
+#include "scene/section_geometry.h"
+#include "scene/section_view.h"
+
+#include "input/gallery.h"
+#include "scene/fabricate.h"
+#include "scene/overlay.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+
+using namespace isoscope;
+
+namespace {
+
+const testing::Fabricated& torus() {
+  static const testing::Fabricated made = testing::fabricate(*make_gallery_model("torus"), 4, 1, 60, 32);
+  return made;
+}
+
+SectionPlane slanted() {
+  SectionPlane plane;
+  plane.origin = torus().scene->input->bounds().center() + Vec3{0.013, 0.007, 0.005};
+  plane.axes = plane_axes({0.4, 0.3, 0.8});
+  return plane;
+}
+
+double total(const std::vector<SectionGeometry::Segment>& segments) {
+  double sum = 0;
+  for (const auto& s : segments) sum += std::hypot(s.a.u - s.b.u, s.a.v - s.b.v);
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("coordinates of the plane go there and back") {
+  const SectionPlane plane = slanted();
+  const PlanePoint p{0.25, -0.75};
+  const PlanePoint q = plane.project(plane.lift(p));
+  CHECK(q.u == doctest::Approx(p.u));
+  CHECK(q.v == doctest::Approx(p.v));
+  CHECK(std::abs(plane.height(plane.lift(p))) < 1e-12);
+}
+
+TEST_CASE("every shared facet is drawn once") {
+  const StateSnapshot& state = *torus().state;
+  const SectionPlane plane = slanted();
+  const SectionGeometry geometry = section_geometry(state, plane, {true, 0});
+  // By brute force: each facet with corners on both sides, keyed by its sorted corners.
+  std::map<std::array<VertexId, 3>, int> crossed;
+  for (const Tet& tet : state.complex.tets) {
+    if (!tet.alive()) continue;
+    for (std::size_t skip = 0; skip < 4; ++skip) {
+      std::array<VertexId, 3> facet;
+      std::size_t n = 0;
+      int above = 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        if (i != skip) {
+          facet[n++] = tet.v[i];
+          above += plane.height(state.complex.position(tet.v[i])) >= 0 ? 1 : 0;
+        }
+      std::sort(facet.begin(), facet.end());
+      if (above > 0 && above < 3) ++crossed[facet];
+    }
+  }
+  CHECK(geometry.tetrahedra.size() == crossed.size());
+}
+
+TEST_CASE("the zero set's section is made of closed curves on which f vanishes") {
+  const StateSnapshot& state = *torus().state;
+  const SectionPlane plane = slanted();
+  const SectionGeometry geometry = section_geometry(state, plane, {true, 0});
+  REQUIRE(geometry.zero_set.size() > 4);
+  std::map<std::pair<long, long>, int> ends;
+  const auto key = [](PlanePoint p) { return std::pair{std::lround(p.u * 1e9), std::lround(p.v * 1e9)}; };
+  for (const auto& s : geometry.zero_set) {
+    ++ends[key(s.a)];
+    ++ends[key(s.b)];
+    const PlanePoint middle{0.5 * (s.a.u + s.b.u), 0.5 * (s.a.v + s.b.v)};
+    const TetId tet = section_tet(state, plane, middle, true);
+    REQUIRE(tet.valid());
+    const AffineFunction f = interpolate(state.complex.positions(tet), state.complex.values(tet));
+    CHECK(std::abs(f(plane.lift(middle))) < 1e-6);
+  }
+  std::size_t even = 0;
+  for (const auto& [point, count] : ends) even += count % 2 == 0 ? 1u : 0u;
+  CHECK(even == ends.size());
+  CHECK(total(geometry.gamma) > total(geometry.zero_set)); // ∂Γ encloses Z on both sides
+}
+
+TEST_CASE("samples are those near the plane, with their classes") {
+  const StateSnapshot& state = *torus().state;
+  const SectionPlane plane = slanted();
+  const double reach = section_sample_distance(state);
+  CHECK(reach == doctest::Approx(0.5 * state.samples->sigma));
+  const SectionGeometry geometry = section_geometry(state, plane, {true, reach});
+  std::size_t expected = 0;
+  for (const Vec3 p : state.samples->positions) expected += std::abs(plane.height(p)) <= reach ? 1u : 0u;
+  CHECK(expected > 0);
+  CHECK(geometry.samples.size() == expected);
+  for (const auto& s : geometry.samples) {
+    CHECK(s.bad == (state.errors[s.id.index()] >= 1.0f));
+    CHECK(s.outer == (state.samples->labels[s.id.index()] > 0));
+  }
+}
+
+TEST_CASE("the section's camera shows the plane's coordinates upright") {
+  ClipSettings clip;
+  clip.point = {1, 2, 3};
+  clip.normal = normalized(Vec3{0.2, -0.5, 0.7});
+  const Renderer::SectionView view{0.5, -0.25, 2};
+  const Camera camera = section_camera(view, clip);
+  const SectionPlane plane = section_plane(clip);
+  const ScreenPoint center = project(camera, plane.lift({0.5, -0.25}), 400, 200);
+  CHECK(center.x == doctest::Approx(200));
+  CHECK(center.y == doctest::Approx(100));
+  const ScreenPoint up = project(camera, plane.lift({0.5, 0.75}), 400, 200);
+  CHECK(up.x == doctest::Approx(200));
+  CHECK(up.y == doctest::Approx(0).epsilon(1e-9));
+}
