@@ -97,6 +97,21 @@ Error non_manifold(Vec3 where) {
           "Remove inner walls, or split the input into its closed parts."};
 }
 
+/// Whether both sides of the surface at its known border are in one region.
+bool is_open_at_border(const ToleranceVolume& volume) {
+  if (!volume.input().border) return false;
+  const Vec3 border = *volume.input().border;
+  const ClosestPointIndex& index = volume.index();
+  const Triangle3& t = index.triangle(index.closest(border).triangle);
+  const Vec3 step = 1.5 * volume.thresholds().boundary * normalized(cross(t[1] - t[0], t[2] - t[0]));
+  const auto region = [&](Vec3 p) {
+    const ClosestPoint closest = index.closest(p);
+    return closest.distance() > volume.thresholds().boundary ? volume.escape(p, closest).region : RegionId();
+  };
+  const RegionId above = region(border + step), below = region(border - step);
+  return above.valid() && above == below;
+}
+
 } // namespace
 
 std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component) {
@@ -156,7 +171,10 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume) {
         if (sides[c].size() > 2) {
           const auto here = unanimous_parity(volume.index(), volume.regions()[from.index()].deepest);
           const auto there = unanimous_parity(volume.index(), volume.regions()[to.index()].deepest);
-          if (!here || !there) return non_manifold(volume.regions()[to.index()].deepest);
+          if (!here || !there) {
+            if (is_open_at_border(volume)) return open_surface(volume, c);
+            return non_manifold(volume.regions()[to.index()].deepest);
+          }
           sign = *here == *there ? +1 : -1;
         }
         labels[to.index()] = sign * labels[from.index()];
