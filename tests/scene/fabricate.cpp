@@ -6,6 +6,7 @@
 #include "tolerance/grid_sides.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace isoscope::testing {
@@ -69,30 +70,15 @@ template <class T> T take(Result<T> result) {
   return std::move(*result);
 }
 
-} // namespace
-
-Fabricated fabricate(const TriangleSoup& soup, double delta, double sigma, std::size_t steps,
-                     int resolution) {
+/// Refines over the samples of a scene that is complete but for them.
+Fabricated refine(const std::shared_ptr<Scene>& scene, std::shared_ptr<const BoundarySamples> samples,
+                  std::size_t steps, int resolution) {
   RunControl control;
-  auto scene = std::make_shared<Scene>();
-  scene->input = std::make_shared<TriangleSoup>(soup);
-  auto index = std::make_shared<ClosestPointIndex>(soup);
-  scene->index = index;
-  scene->longest_edge = soup.bounds().longest_edge();
-  scene->delta = delta / 100 * scene->longest_edge;
-  scene->input_topology = analyse_input(soup);
-  ToleranceVolume volume =
-      take(ToleranceVolume::build(index, scene->input_topology, {scene->delta, 0.95}, control));
-  auto samples =
-      std::make_shared<BoundarySamples>(take(sample_boundary(volume, sigma * scene->delta, control)));
   scene->samples = samples;
-  scene->thresholds = volume.thresholds();
-  scene->regions.assign(volume.regions().begin(), volume.regions().end());
-
   auto state = std::make_shared<StateSnapshot>();
   state->samples = samples;
   Delaunay delaunay;
-  const Box3 box = soup.bounds().grown(0.6 * scene->longest_edge);
+  const Box3 box = scene->input->bounds().grown(0.6 * scene->longest_edge);
   state->complex.apply(delaunay.start(box_corners(box, 127)));
   judge(*state);
   for (std::size_t step = 0; step < steps && state->largest_error > 0.8f; ++step) {
@@ -127,27 +113,60 @@ Fabricated fabricate(const TriangleSoup& soup, double delta, double sigma, std::
     judge(*state);
   }
   describe(*state);
-  auto grid =
-      std::make_shared<DistanceGrid>(take(make_distance_grid(*index, scene->delta, resolution, control)));
-  if (const Status found = find_sides(*grid, *index, scene->delta, scene->regions, control); !found)
+  auto grid = std::make_shared<DistanceGrid>(
+      take(make_distance_grid(*scene->index, scene->delta, resolution, control)));
+  if (const Status found = find_sides(*grid, *scene->index, scene->delta, scene->regions, control); !found)
     throw std::runtime_error(found.error().line());
   return {scene, state, grid};
 }
 
-std::shared_ptr<const StateSnapshot> single_tetrahedron(const std::array<Vec3, 4>& p,
-                                                        const std::array<double, 4>& f) {
-  auto state = std::make_shared<StateSnapshot>();
-  Tet tet;
-  for (std::size_t i = 0; i < 4; ++i) {
-    Vertex v;
-    v.position = p[i];
-    v.value = f[i];
-    state->complex.vertices.push_back(v);
-    tet.v[i] = VertexId(i);
+/// Points spread evenly over a sphere along a spiral.
+void add_sphere(BoundarySamples& samples, Vec3 center, double radius, std::size_t count, int label) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double z = 1 - (2.0 * static_cast<double>(i) + 1) / static_cast<double>(count);
+    const double angle = 2.39996322972865332 * static_cast<double>(i), around = std::sqrt(1 - z * z);
+    samples.positions.push_back(center +
+                                radius * Vec3{around * std::cos(angle), around * std::sin(angle), z});
+    samples.labels.push_back(static_cast<std::int8_t>(label));
+    samples.components.push_back(label > 0 ? 0 : 1);
   }
-  state->complex.tets.push_back(tet);
-  describe(*state);
-  return state;
+}
+
+std::shared_ptr<Scene> prepare(const TriangleSoup& soup, double delta) {
+  auto scene = std::make_shared<Scene>();
+  scene->input = std::make_shared<TriangleSoup>(soup);
+  scene->index = std::make_shared<ClosestPointIndex>(soup);
+  scene->longest_edge = soup.bounds().longest_edge();
+  scene->delta = delta / 100 * scene->longest_edge;
+  return scene;
+}
+
+} // namespace
+
+Fabricated fabricate(const TriangleSoup& soup, double delta, double sigma, std::size_t steps,
+                     int resolution) {
+  RunControl control;
+  auto scene = prepare(soup, delta);
+  scene->input_topology = analyse_input(soup);
+  ToleranceVolume volume =
+      take(ToleranceVolume::build(scene->index, scene->input_topology, {scene->delta, 0.95}, control));
+  auto samples =
+      std::make_shared<BoundarySamples>(take(sample_boundary(volume, sigma * scene->delta, control)));
+  scene->thresholds = volume.thresholds();
+  scene->regions.assign(volume.regions().begin(), volume.regions().end());
+  return refine(scene, samples, steps, resolution);
+}
+
+Fabricated fabricate_ball(const TriangleSoup& sphere, double delta, std::size_t count, std::size_t steps,
+                          int resolution) {
+  auto scene = prepare(sphere, delta);
+  const Box3 box = sphere.bounds();
+  const double radius = 0.5 * box.longest_edge(), away = 0.95 * scene->delta;
+  auto samples = std::make_shared<BoundarySamples>();
+  add_sphere(*samples, box.center(), radius + away, count, 1);
+  add_sphere(*samples, box.center(), radius - away, count, -1);
+  samples->sigma = radius * std::sqrt(12.5 / static_cast<double>(count));
+  return refine(scene, samples, steps, resolution);
 }
 
 } // namespace isoscope::testing

@@ -20,8 +20,9 @@ struct Fabricated {
 /// percent of the longest edge, `sigma` in parts of delta.
 Fabricated fabricate(const TriangleSoup& soup, double delta, double sigma, std::size_t steps, int resolution);
 
-/// One tetrahedron with the given values at its corners, its zero set and nothing else.
-std::shared_ptr<const StateSnapshot> single_tetrahedron(const std::array<Vec3, 4>& p,
-                                                        const std::array<double, 4>& f);
+/// The same over `count` samples on each side of a sphere's model, whose places depend on nothing else: for
+/// pictures that are compared with stored ones.
+Fabricated fabricate_ball(const TriangleSoup& sphere, double delta, std::size_t count, std::size_t steps,
+                          int resolution);
 
 } // namespace isoscope::testing

@@ -19,7 +19,7 @@ namespace {
 /// Everything that lives for the whole program: the context, the renderer, a sphere under refinement.
 struct Studio {
   testing::GlContext context;
-  testing::Fabricated sphere = testing::fabricate(*make_gallery_model("sphere"), 6, 0.7, 60, 48);
+  testing::Fabricated sphere = testing::fabricate_ball(*make_gallery_model("sphere"), 6, 1500, 60, 48);
   std::unique_ptr<Renderer> renderer;
   Camera camera;
   FrameRequest request;
@@ -115,7 +115,7 @@ TEST_CASE("the outer boundary reaches beyond the inner one by the thickness of Î
 TEST_CASE("an opaque zero set hides the inner boundary behind it") {
   Studio& s = studio();
   // Once all samples are good, Z lies between the boundaries.
-  const auto refined = testing::fabricate(*make_gallery_model("sphere"), 6, 0.7, 2000, 8).state;
+  const auto refined = testing::fabricate_ball(*make_gallery_model("sphere"), 6, 1500, 2000, 8).state;
   REQUIRE(refined->bad_samples == 0);
   s.renderer->set_state(refined);
   ViewSettings view = nothing();
