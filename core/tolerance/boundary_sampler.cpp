@@ -7,6 +7,8 @@
 #include "tolerance/sample_grid.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace isoscope {
 namespace {
@@ -70,13 +72,13 @@ class Sampler {
     });
     for (auto& list : candidates) {
       settle_regions(list);
-      cover(list);
+      cover_in_units(list);
       std::vector<SampleCandidate>().swap(list);
     }
   }
 
   /// Asks the octree about the few candidates in crevices wide enough to have a side.
-  void settle_regions(std::vector<SampleCandidate>& list) {
+  void settle_regions(std::span<SampleCandidate> list) {
     for (SampleCandidate& c : list) {
       if (!c.ask_octree) continue;
       c.region = volume_.region_at(c.reached, crevice_budget);
@@ -85,9 +87,25 @@ class Sampler {
     }
   }
 
+  /// Where cells are much larger than σ, the choice among all of a cell's candidates would be slow: it is
+  /// made in cubes of about σ, which are runs of the list because it is in Morton order.
+  void cover_in_units(std::span<const SampleCandidate> list) {
+    const Regions& octree = volume_.octree();
+    double unit = octree.side(octree.main_level());
+    while (unit > samples_.sigma) unit *= 0.5;
+    const auto cube = [&](const SampleCandidate& c) {
+      const Vec3 u = (c.center - octree.origin()) / unit;
+      return std::array{std::floor(u.x), std::floor(u.y), std::floor(u.z)};
+    };
+    for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end) {
+      while (end < list.size() && cube(list[end]) == cube(list[begin])) ++end;
+      cover(list.subspan(begin, end - begin));
+    }
+  }
+
   /// Adds samples until every cell of the list lies within σ of a sample of its side. Of the candidates that
   /// would do, the one that covers the most cells is taken.
-  void cover(const std::vector<SampleCandidate>& list) {
+  void cover(std::span<const SampleCandidate> list) {
     if (list.empty()) return;
     const double sigma = samples_.sigma;
     Box3 box;
@@ -130,7 +148,7 @@ class Sampler {
   }
 
   /// The candidate that covers cell i and most others of the list; its size when none covers it.
-  std::size_t best_for(const std::vector<SampleCandidate>& list, std::size_t i) const {
+  std::size_t best_for(std::span<const SampleCandidate> list, std::size_t i) const {
     std::size_t best = list.size(), most = 0;
     for (std::size_t j = 0; j < list.size(); ++j) {
       if (!list[j].has_point || !covers(list[j], list[i])) continue;
@@ -141,7 +159,7 @@ class Sampler {
     return best;
   }
 
-  void add_sample(const SampleCandidate& c, const std::vector<SampleCandidate>& list) {
+  void add_sample(const SampleCandidate& c, std::span<const SampleCandidate> list) {
     samples_.positions.push_back(c.point);
     samples_.labels.push_back(c.label);
     samples_.components.push_back(
