@@ -1,4 +1,5 @@
-// Refines T until Z separates the boundaries of Ω and has the right topology (§2.3), as journalled operations.
+// Refines T until Z separates the boundaries of Ω and has the right topology (§2.3), as journalled
+// operations.
 #pragma once
 
 #include "base/run_control.h"
@@ -14,7 +15,7 @@ namespace isoscope {
 
 /// How far refinement may go before it reports what it could not do.
 struct RefinementLimits {
-  std::size_t insertions = 0;          ///< 0: derived from the number of samples and the spacing bounds
+  std::size_t insertions = 0;              ///< 0: derived from the number of samples and the spacing bounds
   std::size_t topology_insertions = 20000; ///< for mending handles and components (condition 4)
 };
 
@@ -22,9 +23,9 @@ struct RefinementLimits {
 struct RefinementOutcome {
   enum class End { finished, stopped, limit };
   End end = End::finished;
-  bool classified = false;       ///< condition 1 holds
-  bool contained = false;        ///< certified mode: every zero polygon proven inside Ω
-  bool witnessed = false;        ///< f has the right sign at every region's deepest point
+  bool classified = false; ///< condition 1 holds
+  bool contained = false;  ///< certified mode: every zero polygon proven inside Ω
+  bool witnessed = false;  ///< f has the right sign at every region's deepest point
   TopologyVerdict topology;
   std::size_t unmet_height = 0;      ///< exhausted tetrahedra that still violate condition 2 (sampled mode)
   std::size_t unmet_orientation = 0; ///< the same for condition 3
@@ -32,24 +33,25 @@ struct RefinementOutcome {
   std::size_t sample_moves = 0;      ///< how often a sample changed its tetrahedron
 };
 
-/// One refinement of one Ω. Owns T; everything it does goes to the recorder. run() may be called again after it ended, with
-/// changed parameters (the gate's): it goes on from the present T.
+/// One refinement of one Ω. Owns T; everything it does goes to the recorder. run() may be called again after
+/// it ended, with changed parameters (the gate's): it goes on from the present T.
 class Refinement {
-public:
+ public:
   /// `volume` and `samples` must outlive the refinement. `samples` is set 0 of the journal.
-  Refinement(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples, const CriteriaParameters& criteria,
-             const ExpectedTopology& expected, const RefinementLimits& limits, Recorder& recorder,
-             const RunControl& control);
+  Refinement(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
+             const CriteriaParameters& criteria, const ExpectedTopology& expected,
+             const RefinementLimits& limits, Recorder& recorder, const RunControl& control);
   ~Refinement();
 
-  /// Runs until the conditions hold, nothing more can be done, the gate stops it, or the control is cancelled.
+  /// Runs until the conditions hold, nothing more can be done, the gate stops it, or the control is
+  /// cancelled.
   RefinementOutcome run();
   /// Replaces S (σ changed); T stays. Recorded as an operation.
   void replace_samples(std::shared_ptr<const BoundarySamples> samples);
 
   const Complex& complex() const;
 
-private:
+ private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -1,0 +1,156 @@
+// Certifies zero polygons in parallel, mends violations one by one in slot order.
+#include "refine/containment.h"
+
+#include "base/parallel.h"
+#include "mesh/zero_set.h"
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t parallel_grain = 16;
+constexpr int march_steps = 2000;
+/// The march has reached d = δ' when it is this near, relative to δ'.
+constexpr double march_precision = 1e-6;
+
+/// The triangles of a zero polygon, a quad split along its shorter diagonal.
+std::vector<Triangle3> triangles_of(const ZeroPolygon& polygon) {
+  const auto& c = polygon.corner;
+  if (polygon.count == 0) return {};
+  if (polygon.count == 3) return {{c[0], c[1], c[2]}};
+  if (squared_length(c[2] - c[0]) <= squared_length(c[3] - c[1])) {
+    return {{c[0], c[1], c[2]}, {c[0], c[2], c[3]}};
+  }
+  return {{c[0], c[1], c[3]}, {c[1], c[2], c[3]}};
+}
+
+} // namespace
+
+void ContainmentCondition::tighten(ToleranceVolume& volume) {
+  volume_ = &volume;
+  context_.requeue_all();
+}
+
+FacetVerdict::Kind ContainmentCondition::certify(TetId t, Violation* violation) const {
+  const Complex& complex = context_.live().complex();
+  const ToleranceThresholds& limits = volume_->thresholds();
+  auto worst = FacetVerdict::Kind::inside;
+  for (const Triangle3& facet : triangles_of(zero_polygon(complex.positions(t), complex.values(t)))) {
+    const FacetVerdict verdict =
+        certify_facet(volume_->index(), facet, limits.delta, std::min(limits.reject, limits.delta));
+    if (verdict.kind == FacetVerdict::Kind::inside) continue;
+    worst = verdict.kind;
+    if (verdict.kind != FacetVerdict::Kind::outside) continue;
+    if (violation) *violation = {verdict.witness, verdict.closest};
+    return worst;
+  }
+  return worst;
+}
+
+Checklist::State ContainmentCondition::judge(TetId t) const {
+  switch (certify(t, nullptr)) {
+  case FacetVerdict::Kind::inside:
+    return Checklist::State::good;
+  case FacetVerdict::Kind::outside:
+    return Checklist::State::violated;
+  case FacetVerdict::Kind::undecided:
+    break;
+  }
+  return Checklist::State::undecided;
+}
+
+void ContainmentCondition::judge_pending() {
+  const std::vector<TetId> pending = checklist_.pending();
+  std::vector<Checklist::State> states(pending.size());
+  parallel_for(pending.size(), parallel_grain, [&](std::size_t i) { states[i] = judge(pending[i]); });
+  for (std::size_t i = 0; i < pending.size(); ++i) checklist_.set(pending[i], states[i]);
+}
+
+Turn ContainmentCondition::turn() {
+  judge_pending();
+  const TetId t = checklist_.first_violated();
+  if (!t.valid()) return Turn::satisfied;
+  Violation violation;
+  certify(t, &violation);
+  return mend(t, violation);
+}
+
+Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
+  Event event;
+  event.condition = Condition::containment;
+  event.tet = t;
+  event.witness = violation.witness;
+  event.value = violation.closest.distance();
+  event.limit = volume_->thresholds().delta;
+  const int label = volume_->label_at(violation.witness);
+  if (label == 0) {
+    event.reason = Reason::budget;
+    return give_up(t, Checklist::State::exhausted, event);
+  }
+  const std::optional<Candidate> chosen = candidate(t, violation, label);
+  event.reason = chosen ? chosen->reason : Reason::too_close;
+  const std::uint32_t generation = context_.live().generation(t);
+  if (!chosen ||
+      !context_.insert(context_.free_vertex(chosen->point, label, VertexKind::containment), t, event)) {
+    return give_up(t, Checklist::State::exhausted, event);
+  }
+  // The new vertex may lie outside the circumscribed ball: then the tetrahedron lives on and is asked again.
+  if (context_.live().alive(t) && context_.live().generation(t) == generation) checklist_.add(t);
+  return Turn::acted;
+}
+
+Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event) {
+  checklist_.set(t, state);
+  event.kind = EventKind::exhausted;
+  if (event.reason != Reason::budget) event.reason = Reason::too_close;
+  event.count = static_cast<std::uint32_t>(checklist_.exhausted());
+  context_.note(event);
+  return Turn::acted;
+}
+
+std::optional<ContainmentCondition::Candidate>
+ContainmentCondition::candidate(TetId t, const Violation& violation, int label) const {
+  const ToleranceThresholds& limits = volume_->thresholds();
+  const double spacing = 0.5 * std::min(limits.delta - limits.boundary, 0.5 * limits.boundary);
+  const Vec3 away = violation.witness - violation.closest.point;
+  const Vec3 projected = violation.closest.point + (limits.boundary / violation.closest.distance()) * away;
+  if (context_.spacing(context_.snapped(projected), t) >= spacing) {
+    return Candidate{projected, Reason::projected};
+  }
+  const Vec3 center = context_.live().delaunay().circumcenter(t);
+  if (!is_finite(center)) return std::nullopt;
+  std::optional<Candidate> best;
+  if (const auto p = first_boundary_point(violation.witness, center)) {
+    best = Candidate{*p, Reason::toward_circumcenter};
+  } else {
+    const Complex& complex = context_.live().complex();
+    double farthest = -1;
+    for (const VertexId v : complex.tet(t).v) {
+      if (complex.value(v) * label > 0) continue;
+      const auto q = first_boundary_point(center, complex.position(v));
+      if (!q || distance(*q, complex.position(v)) <= farthest) continue;
+      farthest = distance(*q, complex.position(v));
+      best = Candidate{*q, Reason::toward_opposite};
+    }
+  }
+  if (best && context_.spacing(context_.snapped(best->point), t) < context_.smallest_spacing()) {
+    return std::nullopt;
+  }
+  return best;
+}
+
+std::optional<Vec3> ContainmentCondition::first_boundary_point(Vec3 from, Vec3 to) const {
+  const double boundary = volume_->thresholds().boundary;
+  const double length = distance(from, to);
+  const Vec3 direction = normalized(to - from);
+  double travelled = 0;
+  for (int step = 0; step < march_steps; ++step) {
+    const Vec3 p = from + travelled * direction;
+    const double clearance = volume_->index().distance(p) - boundary;
+    if (clearance < march_precision * boundary) return p;
+    travelled += clearance;
+    if (travelled >= length) return std::nullopt;
+  }
+  return from + travelled * direction;
+}
+
+} // namespace isoscope

@@ -1,0 +1,52 @@
+// Containment by certificate: every zero polygon is proven inside Ω, else a point outside becomes a vertex
+// (algorithm notes §2).
+#pragma once
+
+#include "refine/context.h"
+#include "tolerance/facet_certificate.h"
+
+#include <optional>
+
+namespace isoscope {
+
+/// Replaces condition 2 in certified mode. The Ω it certifies against may be exchanged for a tighter one.
+class ContainmentCondition {
+ public:
+  explicit ContainmentCondition(RefinementContext& context) : context_(context), volume_(&context.volume()) {
+    context.follow(checklist_);
+  }
+  Turn turn();
+  /// Polygons that are not proven inside Ω, among those judged.
+  std::size_t unproven() const {
+    return checklist_.exhausted() + checklist_.violated() + checklist_.undecided();
+  }
+  /// Certifies against another Ω of the same input from now on; everything is to be judged anew.
+  void tighten(ToleranceVolume& volume);
+  const ToleranceThresholds& thresholds() const { return volume_->thresholds(); }
+
+ private:
+  /// A vertex that would push Z back into Ω.
+  struct Candidate {
+    Vec3 point;
+    Reason reason = Reason::projected;
+  };
+  /// Where Z leaves Ω.
+  struct Violation {
+    Vec3 witness;
+    ClosestPoint closest;
+  };
+
+  RefinementContext& context_;
+  ToleranceVolume* volume_;
+  Checklist checklist_;
+
+  void judge_pending();
+  Checklist::State judge(TetId t) const;
+  FacetVerdict::Kind certify(TetId t, Violation* violation) const;
+  Turn mend(TetId t, const Violation& violation);
+  Turn give_up(TetId t, Checklist::State state, Event event);
+  std::optional<Candidate> candidate(TetId t, const Violation& violation, int label) const;
+  std::optional<Vec3> first_boundary_point(Vec3 from, Vec3 to) const;
+};
+
+} // namespace isoscope

@@ -1,0 +1,148 @@
+// The loop "in order": the first violated condition acts, then all are looked at again (§2.3).
+#include "refine/refinement.h"
+
+#include "refine/containment.h"
+#include "refine/sample_conditions.h"
+#include "refine/topology_repair.h"
+#include "refine/witnesses.h"
+
+namespace isoscope {
+
+struct Refinement::Impl {
+  Impl(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
+       const CriteriaParameters& criteria, const ExpectedTopology& expected, const RefinementLimits& limits,
+       Recorder& recorder, const RunControl& control)
+      : context(volume, std::move(samples), criteria, recorder, control), classification(context),
+        height(context), containment(context), witnesses(context), orientation(context),
+        topology(context, expected, limits.topology_insertions), limit(limits.insertions) {}
+
+  RefinementContext context;
+  ClassificationCondition classification;
+  HeightCondition height;
+  ContainmentCondition containment;
+  WitnessCondition witnesses;
+  OrientationCondition orientation;
+  TopologyCondition topology;
+  std::size_t limit;
+  bool started = false;
+
+  Turn turn();
+  void begin();
+  /// Goes on under the gate's parameters, when it has any (δ > 0) and they differ.
+  void adopt_parameters();
+  std::size_t insertion_limit() const;
+  bool both_sides() const;
+  RefinementOutcome outcome(RefinementOutcome::End end);
+};
+
+namespace {
+
+/// Insertions beyond the samples that containment and topology may ask for.
+constexpr std::size_t spare_insertions = 200000;
+
+Event stage_event(EventKind kind) {
+  Event event;
+  event.kind = kind;
+  return event;
+}
+
+} // namespace
+
+Turn Refinement::Impl::turn() {
+  const CriteriaParameters& criteria = context.criteria();
+  if (criteria.condition_1 && classification.turn() == Turn::acted) return Turn::acted;
+  if (criteria.certified) {
+    if (criteria.condition_2 && containment.turn() == Turn::acted) return Turn::acted;
+    if (witnesses.turn() == Turn::acted) return Turn::acted;
+  } else if (criteria.condition_2 && both_sides() && height.turn() == Turn::acted) {
+    return Turn::acted;
+  }
+  if (criteria.condition_3 && both_sides() && orientation.turn() == Turn::acted) return Turn::acted;
+  if (criteria.condition_4 && topology.turn() == Turn::acted) return Turn::acted;
+  return Turn::satisfied;
+}
+
+bool Refinement::Impl::both_sides() const {
+  return context.nearest().nearest({}, +1).valid() && context.nearest().nearest({}, -1).valid();
+}
+
+std::size_t Refinement::Impl::insertion_limit() const {
+  return limit > 0 ? limit : context.live().samples().size() + spare_insertions;
+}
+
+void Refinement::Impl::begin() {
+  context.note(stage_event(EventKind::stage_begin));
+  if (started) return;
+  started = true;
+  context.start();
+}
+
+void Refinement::Impl::adopt_parameters() {
+  const CriteriaParameters wanted = context.recorder().gate().wanted_parameters();
+  if (!(wanted.delta > 0) || wanted == context.criteria()) return;
+  context.set_criteria(wanted);
+  topology.reconsider();
+}
+
+RefinementOutcome Refinement::Impl::outcome(RefinementOutcome::End end) {
+  RefinementOutcome result;
+  result.end = end;
+  result.classified = classification.holds();
+  result.uncertified = containment.unproven();
+  result.contained = end == RefinementOutcome::End::finished && context.criteria().certified &&
+                     context.criteria().condition_2 && result.uncertified == 0;
+  result.witnessed = witnesses.holds();
+  result.topology = topology.verdict();
+  result.unmet_height = context.criteria().certified ? 0 : height.unmet();
+  result.unmet_orientation = orientation.unmet();
+  result.sample_moves = context.live().sample_moves();
+  return result;
+}
+
+Refinement::Refinement(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
+                       const CriteriaParameters& criteria, const ExpectedTopology& expected,
+                       const RefinementLimits& limits, Recorder& recorder, const RunControl& control) {
+  Journal& journal = recorder.journal();
+  if (journal.sample_sets().empty()) journal.add_sample_set(samples);
+  if (journal.parameters().empty() || journal.parameters().back().criteria != criteria) {
+    journal.add_parameters(criteria);
+  }
+  impl_ = std::make_unique<Impl>(volume, std::move(samples), criteria, expected, limits, recorder, control);
+}
+
+Refinement::~Refinement() = default;
+
+const Complex& Refinement::complex() const {
+  return impl_->context.live().complex();
+}
+
+void Refinement::replace_samples(std::shared_ptr<const BoundarySamples> samples) {
+  impl_->context.replace_samples(std::move(samples));
+}
+
+RefinementOutcome Refinement::run() {
+  using End = RefinementOutcome::End;
+  Impl& impl = *impl_;
+  RefinementContext& context = impl.context;
+  impl.begin();
+  impl.adopt_parameters();
+  const std::size_t limit = impl.insertion_limit();
+  for (;;) {
+    const Gate::Verdict verdict = context.take_verdict();
+    if (verdict == Gate::Verdict::stop || context.cancelled()) {
+      context.warn("Refinement ended before all conditions were met, as it was told to.", EventKind::stopped);
+      return impl.outcome(End::stopped);
+    }
+    if (verdict == Gate::Verdict::parameters_changed) impl.adopt_parameters();
+    if (context.live().complex().vertices.size() >= limit) {
+      context.warn("Refinement reached its limit of " + std::to_string(limit) + " vertices.",
+                   EventKind::stopped);
+      return impl.outcome(End::limit);
+    }
+    if (impl.turn() == Turn::satisfied) break;
+  }
+  context.note(stage_event(EventKind::stage_end));
+  return impl.outcome(End::finished);
+}
+
+} // namespace isoscope

@@ -1,0 +1,114 @@
+// Judges conditions 1 to 3 and inserts samples where they are violated.
+#include "refine/sample_conditions.h"
+
+#include "base/parallel.h"
+#include "criteria/orientation.h"
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t parallel_grain = 64;
+
+/// Inserts the sample near the circumcentre of a violating tetrahedron, or notes that there is none.
+Turn refine_at_circumcenter(RefinementContext& context, Checklist& checklist, TetId t, Event event) {
+  const SampleId s = steiner_sample(context, t);
+  event.tet = t;
+  event.reason = Reason::circumcenter_sample;
+  if (s.valid() && context.insert(context.sample_vertex(s), t, event)) return Turn::acted;
+  checklist.set(t, Checklist::State::exhausted);
+  event.kind = EventKind::exhausted;
+  event.reason = s.valid() ? Reason::already_vertex : Reason::no_sample_inside;
+  event.sample = s;
+  event.count = static_cast<std::uint32_t>(checklist.exhausted());
+  context.note(event);
+  return Turn::acted;
+}
+
+} // namespace
+
+SampleId steiner_sample(const RefinementContext& context, TetId t) {
+  const Delaunay& delaunay = context.live().delaunay();
+  const Vec3 center = delaunay.circumcenter(t);
+  if (!is_finite(center)) return {};
+  const SampleId s = context.nearest().nearest(center);
+  if (!s.valid()) return {};
+  return delaunay.strictly_inside_circumsphere(t, context.nearest().positions()[s.index()]) ? s : SampleId();
+}
+
+bool ClassificationCondition::holds() const {
+  const SteinerQueue& queue = context_.live().errors();
+  return context_.live().blocked() == 0 &&
+         (queue.empty() || queue.top_key() <= context_.criteria().error_limit());
+}
+
+Turn ClassificationCondition::turn() {
+  LiveTriangulation& live = context_.live();
+  const SteinerQueue& queue = live.errors();
+  if (queue.empty() || queue.top_key() <= context_.criteria().error_limit()) return Turn::satisfied;
+  const TetId t = queue.top();
+  const SampleId worst = live.figures(t).worst;
+  Event event;
+  event.condition = Condition::classification;
+  event.reason = Reason::largest_error;
+  event.tet = t;
+  event.witness = live.samples().positions[worst.index()];
+  event.value = queue.top_key();
+  event.limit = context_.criteria().error_limit();
+  if (context_.insert(context_.sample_vertex(worst), t, event)) return Turn::acted;
+  live.block(worst);
+  event.kind = EventKind::exhausted;
+  event.reason = Reason::already_vertex;
+  event.sample = worst;
+  event.count = static_cast<std::uint32_t>(live.blocked());
+  context_.note(event);
+  return Turn::acted;
+}
+
+Turn HeightCondition::turn() {
+  const LiveTriangulation& live = context_.live();
+  const double limit = context_.criteria().height_limit();
+  for (const TetId t : std::vector<TetId>(checklist_.pending())) {
+    checklist_.set(t, live.figures(t).height < limit ? Checklist::State::violated : Checklist::State::good);
+  }
+  const TetId t = checklist_.first_violated();
+  if (!t.valid()) return Turn::satisfied;
+  Event event;
+  event.condition = Condition::height;
+  event.witness = live.delaunay().circumcenter(t);
+  event.value = live.figures(t).height;
+  event.limit = limit;
+  return refine_at_circumcenter(context_, checklist_, t, event);
+}
+
+void OrientationCondition::judge_pending() {
+  const std::vector<TetId> pending = checklist_.pending();
+  std::vector<std::uint8_t> misoriented(pending.size());
+  const Complex& complex = context_.live().complex();
+  parallel_for(pending.size(), parallel_grain, [&](std::size_t i) {
+    const TetId t = pending[i];
+    misoriented[i] = check_orientation(complex.positions(t), complex.values(t), context_.criteria().shrink,
+                                       context_.nearest())
+                         .misoriented;
+  });
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    checklist_.set(pending[i], misoriented[i] ? Checklist::State::violated : Checklist::State::good);
+  }
+}
+
+Turn OrientationCondition::turn() {
+  judge_pending();
+  const TetId t = checklist_.first_violated();
+  if (!t.valid()) return Turn::satisfied;
+  const Complex& complex = context_.live().complex();
+  const OrientationVerdict verdict = check_orientation(complex.positions(t), complex.values(t),
+                                                       context_.criteria().shrink, context_.nearest());
+  const OrientationTest& worst = verdict.tests[static_cast<std::size_t>(verdict.worst)];
+  Event event;
+  event.condition = Condition::orientation;
+  event.witness = context_.nearest().positions()[worst.sample.index()];
+  event.value = worst.f * worst.label;
+  event.limit = 0;
+  return refine_at_circumcenter(context_, checklist_, t, event);
+}
+
+} // namespace isoscope

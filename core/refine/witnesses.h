@@ -1,0 +1,32 @@
+// Separation: f has the sign of every region of the complement at its deepest point (algorithm notes §2, §4).
+#pragma once
+
+#include "refine/context.h"
+
+#include <vector>
+
+namespace isoscope {
+
+/// Asks f at the witness of every region deeper than δ; where the sign is wrong the witness becomes a vertex.
+class WitnessCondition {
+ public:
+  explicit WitnessCondition(RefinementContext& context) : context_(context) {}
+  Turn turn();
+  /// Whether every witness has its sign now.
+  bool holds();
+
+ private:
+  /// Where a witness was found last, so that it is only looked for again when that place changed.
+  struct Place {
+    TetId tet;
+    std::uint32_t generation = 0;
+    bool good = false;
+    bool given_up = false;
+  };
+  RefinementContext& context_;
+  std::vector<Place> places_; ///< by region
+
+  bool good(std::size_t region);
+};
+
+} // namespace isoscope
