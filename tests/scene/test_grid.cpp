@@ -1,6 +1,7 @@
 // Sides of the distance grid and the empty space around Ω.
 #include "scene/empty_space.h"
 #include "scene/quality_control.h"
+#include "scene/thinning.h"
 
 #include "input/gallery.h"
 #include "scene/fabricate.h"
@@ -8,7 +9,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace isoscope;
 
@@ -88,4 +91,31 @@ TEST_CASE("slow frames make moving coarser, quick ones finer, rest stays full") 
   for (int i = 0; i < 10; ++i) control.took(Quality::moving, 0.001);
   CHECK(control.choose(Quality::moving).scale == 1);
   CHECK(control.choose(Quality::moving).volume_scale >= volume);
+}
+
+TEST_CASE("every prefix of the thinning order is spread over the surface") {
+  std::vector<Vec3> positions;
+  std::vector<std::int8_t> labels;
+  for (int x = 0; x < 64; ++x)
+    for (int y = 0; y < 64; ++y) {
+      positions.push_back({x + 0.5, y + 0.5, 0});
+      labels.push_back((x + y) % 2 == 0 ? 1 : -1);
+    }
+  const std::vector<std::uint32_t> order = thinning_order(positions, labels);
+  REQUIRE(order.size() == positions.size());
+  std::vector<std::uint32_t> sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::uint32_t i = 0; i < sorted.size(); ++i) CHECK(sorted[i] == i);
+  // A sixteenth of them: each quarter of the square and each label has its share.
+  std::set<std::pair<int, int>> cells;
+  int positive = 0;
+  for (std::size_t i = 0; i < order.size() / 16; ++i) {
+    const Vec3 p = positions[order[i]];
+    cells.insert({static_cast<int>(p.x) / 8, static_cast<int>(p.y) / 8});
+    positive += labels[order[i]] > 0 ? 1 : 0;
+  }
+  CHECK(cells.size() >= 60); // of 64
+  CHECK(positive > 96);
+  CHECK(positive < 160);
+  CHECK(thinning_order(positions, labels) == order);
 }

@@ -2,12 +2,12 @@
 #include "scene/layer_samples.h"
 
 #include "mesh/sample_sets.h"
+#include "scene/thinning.h"
 
 #include <glad/gl.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace isoscope {
 namespace {
@@ -16,16 +16,6 @@ struct SampleVertex {
   glm::vec3 position;
   std::uint32_t outer;
 };
-
-/// A fixed scattering of ids. Neighbouring ids are neighbours in space, so reversing the bits spreads every
-/// prefix evenly.
-std::uint32_t scatter(std::uint32_t x) {
-  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-  return (x >> 16) | (x << 16);
-}
 
 } // namespace
 
@@ -37,10 +27,7 @@ void SamplesLayer::upload_positions(std::shared_ptr<const BoundarySamples> sampl
   for (std::size_t i = 0; i < count; ++i)
     vertices[i] = {space.local(samples_->positions[i]), samples_->labels[i] > 0 ? 1u : 0u};
   positions_.upload(std::span<const SampleVertex>(vertices));
-  order_.resize(count);
-  std::iota(order_.begin(), order_.end(), 0u);
-  std::sort(order_.begin(), order_.end(),
-            [](std::uint32_t a, std::uint32_t b) { return scatter(a) < scatter(b); });
+  order_ = thinning_order(samples_->positions, samples_->labels);
   using Type = gl::Attribute::Type;
   const std::array<gl::Attribute, 2> attributes{{{0, 3, Type::f32, 0}, {1, 1, Type::u32, 12}}};
   good_.array.attach(positions_, sizeof(SampleVertex), attributes);

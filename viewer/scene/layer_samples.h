@@ -35,7 +35,7 @@ class SamplesLayer {
 
   std::shared_ptr<const BoundarySamples> samples_;
   SceneSpace space_;
-  std::vector<std::uint32_t> order_; ///< sample ids by a stable hash: any prefix is an even thinning
+  std::vector<std::uint32_t> order_; ///< every prefix is an even thinning
   gl::Buffer positions_;
   Class good_, bad_;
   std::size_t thinned_ = 0;

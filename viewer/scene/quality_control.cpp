@@ -8,16 +8,20 @@ namespace isoscope {
 namespace {
 
 constexpr double too_slow = 0.075, quick = 0.028;
+constexpr std::size_t software_sprites = 200000; // about a microsecond each
 constexpr std::array<FrameQuality, 5> levels{{{1.0, 0.6, 1.5f, 4, 1000000},
-                                              {1.0, 0.5, 2.0f, 1, 400000},
-                                              {1.0, 0.4, 2.5f, 1, 150000},
-                                              {0.7, 0.5, 2.5f, 1, 80000},
-                                              {0.5, 0.5, 3.0f, 1, 40000}}};
+                                              {1.0, 0.5, 2.0f, 1, 200000},
+                                              {1.0, 0.4, 2.5f, 1, 40000},
+                                              {0.7, 0.5, 2.5f, 1, 20000},
+                                              {0.5, 0.5, 3.0f, 1, 10000}}};
 
 } // namespace
 
 FrameQuality QualityControl::choose(Quality quality) const {
-  return quality == Quality::rest ? FrameQuality{} : levels[static_cast<std::size_t>(level_)];
+  if (quality == Quality::moving) return levels[static_cast<std::size_t>(level_)];
+  FrameQuality full;
+  if (software_) full.sprites = software_sprites;
+  return full;
 }
 
 void QualityControl::took(Quality quality, double seconds) {

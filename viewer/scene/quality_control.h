@@ -19,12 +19,13 @@ struct FrameQuality {
 /// Levels from fine to coarse; a slow moving frame makes the next one coarser, a quick one finer.
 class QualityControl {
  public:
-  explicit QualityControl(bool software) : level_(software ? 2 : 0) {}
+  explicit QualityControl(bool software) : software_(software), level_(software ? 2 : 0) {}
   FrameQuality choose(Quality quality) const;
   /// Tells how long a frame of that quality took.
   void took(Quality quality, double seconds);
 
  private:
+  bool software_;
   int level_;
 };
 

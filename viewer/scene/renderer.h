@@ -66,9 +66,11 @@ class Renderer {
                    int height) const;
   /// Reads back a frame as RGBA, rows top to bottom.
   std::vector<std::uint8_t> read_pixels(const Frame& frame) const;
-  /// Seconds the GPU or the software driver needed for the last frame, and how many samples were thinned
-  /// away.
+  /// Seconds the GPU or the software driver needed for the last frame. A frame at rest may take several times
+  /// one that moves: ask for rest once the mouse is still and the shown step no longer changes.
   double last_frame_seconds() const;
+  /// How many visible samples the last frame left out, because they were too many or would have merged on the
+  /// screen; zooming in brings them back.
   std::size_t thinned_samples() const;
 
  private:
