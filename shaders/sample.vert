@@ -14,7 +14,7 @@ void main() {
   float depth = eye.w > 0.5 ? view_depth(position) : forward.w;
   float near = clamp(forward.w / max(depth, 1e-20), 0.35, 2.5);
   float wanted = size * viewport.z * near;
-  if (spacing > 0.0) wanted = min(wanted, 0.62 * spacing * pixels_per_unit(position));
+  if (spacing > 0.0) wanted = min(wanted, 0.52 * spacing * pixels_per_unit(position));
   float diameter = max(wanted, smallest * viewport.z);
   radius = 0.5 * diameter;
   fog = clamp(1.0 - near, 0.0, 0.5);

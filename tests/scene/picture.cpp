@@ -36,8 +36,8 @@ double compare_with_reference(const Picture& picture, const std::string& name) {
   stbi_image_free(pixels);
   const double found = difference(picture, reference);
   if (found > 1)
-    stbi_write_png(("differs_" + name + ".png").c_str(), picture.width, picture.height, 4,
-                   picture.rgba.data(), 4 * picture.width);
+    stbi_write_png((std::string(ISOSCOPE_PICTURE_FOLDER) + "/differs_" + name + ".png").c_str(),
+                   picture.width, picture.height, 4, picture.rgba.data(), 4 * picture.width);
   return found;
 }
 

@@ -36,7 +36,7 @@ double difference(const Picture& a, const Picture& b);
 
 /// Compares with tests/scene/reference/NAME.png; with ISOSCOPE_UPDATE_REFERENCES set in the environment
 /// writes it instead. Returns the mean difference, 255 when there is no such file. The picture is left in the
-/// working folder when it differs.
+/// build folder when it differs.
 double compare_with_reference(const Picture& picture, const std::string& name);
 
 } // namespace isoscope::testing

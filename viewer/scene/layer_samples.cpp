@@ -88,7 +88,7 @@ void SamplesLayer::draw(gl::Program& program, const ViewFrame& frame, std::size_
   if (good_.count + bad_.count == 0) return;
   // Sprites closer to each other than this (pixels) would merge into a sheet that hides the rest of the
   // scene.
-  constexpr double good_gap = 4.6, bad_gap = 5.0;
+  constexpr double good_gap = 5.5, bad_gap = 5.5;
   const double spacing = samples_->sigma * frame.pixels_per_unit / static_cast<double>(frame.pixel_scale);
   const auto thinned = [&](std::size_t count, double gap, std::size_t limit) {
     const double part = spacing > 0 ? std::min(1.0, spacing * spacing / (gap * gap)) : 1.0;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace isoscope {
 
@@ -13,20 +12,6 @@ void LineBuilder::segment(glm::vec3 from, glm::vec3 to, Color8 tint, float width
   const auto eighths = static_cast<std::uint8_t>(std::clamp(std::lround(8 * width), 1l, 255l));
   for (std::uint8_t corner = 0; corner < 4; ++corner)
     vertices_.push_back({from, to, {corner, eighths, static_cast<std::uint8_t>(dashed ? 1 : 0), 0}, tint});
-}
-
-void LineBuilder::tetrahedron(const std::array<glm::vec3, 4>& p, Color8 tint, float width, bool dashed) {
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j) segment(p[i], p[j], tint, width, dashed);
-}
-
-void LineBuilder::circle(glm::vec3 center, glm::vec3 u, glm::vec3 v, float radius, Color8 tint, float width) {
-  constexpr int pieces = 40;
-  const auto at = [&](int i) {
-    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / pieces;
-    return center + radius * (std::cos(angle) * u + std::sin(angle) * v);
-  };
-  for (int i = 0; i < pieces; ++i) segment(at(i), at(i + 1), tint, width);
 }
 
 void LineBatch::upload(const LineBuilder& builder) {

@@ -24,9 +24,6 @@ class LineBuilder {
  public:
   /// Width in interface pixels, at most 31.
   void segment(glm::vec3 from, glm::vec3 to, Color8 tint, float width, bool dashed = false);
-  void tetrahedron(const std::array<glm::vec3, 4>& p, Color8 tint, float width, bool dashed = false);
-  /// A circle about `center` in the plane of u and v (unit vectors).
-  void circle(glm::vec3 center, glm::vec3 u, glm::vec3 v, float radius, Color8 tint, float width);
   void clear() { vertices_.clear(); }
   const std::vector<LineVertex>& vertices() const { return vertices_; }
 
