@@ -7,6 +7,7 @@ uniform vec3 tint;
 uniform vec3 ground;
 uniform int cross_glyph;
 uniform float opacity;
+uniform int smooth_edges; // 1: the alpha becomes coverage
 layout(location = 0) out vec4 colour;
 
 float capsule(vec2 p, vec2 tip) { return length(p - tip * clamp(dot(p, tip) / dot(tip, tip), -1.0, 1.0)); }
@@ -32,5 +33,5 @@ void main() {
   if (alpha < 0.3) discard;
   float rim = cross_glyph == 1 || radius < 2.5 || outer == 0u ? 1.0 : 0.72 + 0.28 * clamp(distance_in - 0.4, 0.0, 1.0);
   float bulb = cross_glyph == 1 ? 1.0 : 1.06 - 0.14 * length(p - vec2(-0.3, -0.3) * radius) / max(radius, 1.0);
-  colour = vec4(mix(tint * rim * bulb, ground, fog), alpha);
+  colour = vec4(mix(tint * rim * bulb, ground, fog), smooth_edges == 1 ? alpha : 1.0);
 }

@@ -88,6 +88,14 @@ TEST_CASE("an empty view shows the gradient, or nothing when transparent") {
   ViewSettings view = nothing();
   view.zero_set.visible = true;
   CHECK(s.draw(view).at(80, 70)[3] == 255);
+  // Translucent things keep their own colour, whatever they will be laid over.
+  view = nothing();
+  view.outer.visible = true;
+  const Picture::Color outer = s.draw(view).at(80, 70);
+  CHECK(outer[3] > 40);
+  CHECK(outer[3] < 220);
+  CHECK(bluish(outer));
+  CHECK(outer[2] > 110);
   s.request.transparent_background = false;
 }
 
@@ -193,11 +201,13 @@ TEST_CASE("a selected tetrahedron is outlined, through other things too") {
 TEST_CASE("moving frames show the same thing") {
   Studio& s = studio();
   const Picture rest = s.draw(ViewSettings());
+  CHECK(rest.count([](const Picture::Color& c) { return c[3] < 250; }) == 0);
   s.request.quality = Quality::moving;
   const auto frame = s.renderer->render(s.camera, ViewSettings(), s.request);
   s.request.quality = Quality::rest;
   const Picture moving = testing::take(*s.renderer, frame);
   CHECK(moving.width <= rest.width);
+  CHECK(moving.count([](const Picture::Color& c) { return c[3] < 250; }) == 0);
   double sum = 0;
   for (int y = 0; y < rest.height; ++y)
     for (int x = 0; x < rest.width; ++x) {

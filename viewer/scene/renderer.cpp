@@ -238,9 +238,16 @@ void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& req
   if (solid(view.zero_set)) zero_set.draw(programs.mesh_opaque, frame);
   if (solid(view.tetrahedra)) tetrahedra.draw_solid(programs.mesh_opaque, frame);
   if (view.samples.shown()) {
-    if (quality.samples > 1) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    // Coverage smooths the sprites' edges; what is covered is opaque.
+    if (quality.samples > 1) {
+      glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+      glEnable(GL_SAMPLE_ALPHA_TO_ONE);
+    }
+    programs.sample.use();
+    programs.sample.set("smooth_edges", quality.samples > 1 ? 1 : 0);
     samples.draw(programs.sample, frame, quality.sprites);
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glDisable(GL_SAMPLE_ALPHA_TO_ONE);
   }
   if (view.gamma.shown()) {
     glEnable(GL_BLEND);
@@ -444,6 +451,13 @@ std::vector<std::uint8_t> Renderer::read_pixels(const Frame& frame) const {
   for (std::size_t row = 0; row < height; ++row)
     std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(4 * width * (height - 1 - row)), 4 * width,
                 pixels.begin() + static_cast<std::ptrdiff_t>(4 * width * row));
+  // Frames are premultiplied, picture files are not.
+  for (std::size_t i = 0; i < pixels.size(); i += 4) {
+    const unsigned alpha = pixels[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      pixels[i + k] = static_cast<std::uint8_t>(std::min(255u, (pixels[i + k] * 255u + alpha / 2) / alpha));
+  }
   return pixels;
 }
 

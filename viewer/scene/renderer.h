@@ -64,7 +64,7 @@ class Renderer {
   /// The visible surface point under a position, for orbiting; the target's depth where nothing is hit.
   Vec3 point_under(const Camera& camera, const ViewSettings& view, double x, double y, int width,
                    int height) const;
-  /// Reads back a frame as RGBA, rows top to bottom.
+  /// Reads back a frame as RGBA with straight alpha, rows top to bottom.
   std::vector<std::uint8_t> read_pixels(const Frame& frame) const;
   /// Seconds the GPU or the software driver needed for the last frame. A frame at rest may take several times
   /// one that moves: ask for rest once the mouse is still and the shown step no longer changes.
