@@ -1,5 +1,4 @@
-// Balanced kd-trees stored as permutations: the median of a range splits it, short ranges are searched
-// through.
+// Balanced bounding box trees stored as permutations: each range is halved at the median of its longest axis.
 #include "criteria/nearest_sample.h"
 
 #include "base/parallel.h"
@@ -7,11 +6,27 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t leaf_size = 8;
+constexpr std::size_t leaf_size = 12;
 constexpr std::size_t parallel_build_size = 50000;
 
-struct Best {
-  double squared_distance = std::numeric_limits<double>::infinity();
+int longest_axis(Vec3 extent) {
+  const int a = extent.y > extent.x ? 1 : 0;
+  return extent.z > extent[a] ? 2 : a;
+}
+
+double squared_distance(const Box3& box, Vec3 p) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double d = std::max({box.lo[i] - p[i], 0.0, p[i] - box.hi[i]});
+    sum += d * d;
+  }
+  return sum;
+}
+
+} // namespace
+
+struct NearestSample::Best {
+  double squared_distance = Box3::inf;
   std::uint32_t sample = SampleId::none;
 
   void offer(double d, std::uint32_t s) {
@@ -22,44 +37,13 @@ struct Best {
   }
 };
 
-struct Searcher {
-  std::span<const Vec3> positions;
-  std::span<const std::uint32_t> order;
-  std::span<const std::uint8_t> axis;
-  Vec3 query;
+struct NearestSample::Range {
+  std::size_t node = 0, begin = 0, end = 0;
 
-  void visit(std::size_t begin, std::size_t end, Best& best) const {
-    if (end - begin <= leaf_size) {
-      for (std::size_t i = begin; i < end; ++i) offer(i, best);
-      return;
-    }
-    const std::size_t middle = begin + (end - begin) / 2;
-    offer(middle, best);
-    const int a = axis[middle];
-    const double offset = query[a] - positions[order[middle]][a];
-    const bool left_first = offset < 0;
-    if (left_first)
-      visit(begin, middle, best);
-    else
-      visit(middle + 1, end, best);
-    if (offset * offset > best.squared_distance) return;
-    if (left_first)
-      visit(middle + 1, end, best);
-    else
-      visit(begin, middle, best);
-  }
-
-  void offer(std::size_t i, Best& best) const {
-    best.offer(squared_length(positions[order[i]] - query), order[i]);
-  }
+  bool leaf() const { return end - begin <= leaf_size; }
+  Range left() const { return {2 * node + 1, begin, begin + (end - begin) / 2}; }
+  Range right() const { return {2 * node + 2, begin + (end - begin) / 2, end}; }
 };
-
-int longest_axis(Vec3 extent) {
-  int a = extent.y > extent.x ? 1 : 0;
-  return extent.z > extent[a] ? 2 : a;
-}
-
-} // namespace
 
 NearestSample::NearestSample(std::span<const Vec3> positions, std::span<const std::int8_t> labels)
     : positions_(positions) {
@@ -67,54 +51,64 @@ NearestSample::NearestSample(std::span<const Vec3> positions, std::span<const st
     (labels[i] > 0 ? positive_ : negative_).order.push_back(i);
   }
   for (Tree* tree : {&positive_, &negative_}) {
-    tree->axis.resize(tree->order.size());
-    build(*tree, 0, tree->order.size());
+    std::size_t nodes = 1;
+    for (std::size_t size = tree->order.size(); size > leaf_size; size = size - size / 2)
+      nodes = 2 * nodes + 1;
+    tree->boxes.resize(nodes);
+    build(*tree, {0, 0, tree->order.size()});
   }
 }
 
-void NearestSample::build(Tree& tree, std::size_t begin, std::size_t end) {
-  if (end - begin <= leaf_size) return;
-  Box3 box;
-  for (std::size_t i = begin; i < end; ++i) box.add(positions_[tree.order[i]]);
+void NearestSample::build(Tree& tree, const Range& range) {
+  Box3& box = tree.boxes[range.node];
+  for (std::size_t i = range.begin; i < range.end; ++i) box.add(positions_[tree.order[i]]);
+  if (range.leaf()) return;
   const int a = longest_axis(box.extent());
-  const std::size_t middle = begin + (end - begin) / 2;
   const auto at = [&](std::size_t i) { return tree.order.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t i, std::uint32_t j) {
-    const double x = positions_[i][a], y = positions_[j][a];
-    return x < y || (x == y && i < j);
-  });
-  tree.axis[middle] = static_cast<std::uint8_t>(a);
-  const auto half = [&](std::size_t which) {
-    if (which == 0)
-      build(tree, begin, middle);
-    else
-      build(tree, middle + 1, end);
-  };
-  parallel_for(2, end - begin >= parallel_build_size ? 1 : 2, half);
+  std::nth_element(at(range.begin), at(range.left().end), at(range.end),
+                   [&](std::uint32_t i, std::uint32_t j) {
+                     const double x = positions_[i][a], y = positions_[j][a];
+                     return x < y || (x == y && i < j);
+                   });
+  const std::size_t grain = range.end - range.begin >= parallel_build_size ? 1 : 2;
+  parallel_for(2, grain, [&](std::size_t half) { build(tree, half == 0 ? range.left() : range.right()); });
 }
 
-SampleId NearestSample::search(const Tree& tree, Vec3 p) const {
-  Best best;
-  Searcher{positions_, tree.order, tree.axis, p}.visit(0, tree.order.size(), best);
+void NearestSample::search(const Tree& tree, const Range& range, Vec3 p, Best& best) const {
+  if (range.leaf()) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      best.offer(squared_length(positions_[tree.order[i]] - p), tree.order[i]);
+    }
+    return;
+  }
+  Range near = range.left(), far = range.right();
+  double to_near = squared_distance(tree.boxes[near.node], p),
+         to_far = squared_distance(tree.boxes[far.node], p);
+  if (to_far < to_near) {
+    std::swap(near, far);
+    std::swap(to_near, to_far);
+  }
+  if (to_near <= best.squared_distance) search(tree, near, p, best);
+  if (to_far <= best.squared_distance) search(tree, far, p, best);
+}
+
+SampleId NearestSample::nearest(Vec3 p, double radius) const {
+  Best best{radius * radius, SampleId::none};
+  for (const Tree* tree : {&positive_, &negative_}) search(*tree, {0, 0, tree->order.size()}, p, best);
   return SampleId(best.sample);
 }
 
-SampleId NearestSample::nearest(Vec3 p) const {
-  const SampleId a = search(positive_, p), b = search(negative_, p);
-  if (!a.valid() || !b.valid()) return a.valid() ? a : b;
+SampleId NearestSample::nearest_of(Vec3 p, int label) const {
+  const Tree& tree = label > 0 ? positive_ : negative_;
   Best best;
-  for (const SampleId s : {a, b}) best.offer(squared_length(positions_[s.index()] - p), s.value);
+  search(tree, {0, 0, tree.order.size()}, p, best);
   return SampleId(best.sample);
-}
-
-SampleId NearestSample::nearest(Vec3 p, int label) const {
-  return search(label > 0 ? positive_ : negative_, p);
 }
 
 std::size_t NearestSample::memory_bytes() const {
   std::size_t bytes = 0;
   for (const Tree* tree : {&positive_, &negative_}) {
-    bytes += tree->order.capacity() * sizeof(std::uint32_t) + tree->axis.capacity();
+    bytes += tree->order.capacity() * sizeof(std::uint32_t) + tree->boxes.capacity() * sizeof(Box3);
   }
   return bytes;
 }

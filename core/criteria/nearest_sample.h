@@ -10,23 +10,29 @@
 
 namespace isoscope {
 
-/// kd-trees over S and over each side; immutable, thread-safe. Ties go to the smallest id.
+/// Bounding box trees over each side of S; immutable, thread-safe. Ties go to the smallest id.
 class NearestSample {
  public:
   NearestSample(std::span<const Vec3> positions, std::span<const std::int8_t> labels);
-  /// Invalid when there is no sample (of that side).
-  SampleId nearest(Vec3 p) const;
-  SampleId nearest(Vec3 p, int label) const;
+  /// The nearest sample at most `radius` from p; invalid when there is none.
+  SampleId nearest(Vec3 p, double radius = Box3::inf) const;
+  /// The same among the samples of one side; invalid when there is none.
+  SampleId nearest_of(Vec3 p, int label) const;
+  bool has(int label) const { return !(label > 0 ? positive_ : negative_).order.empty(); }
   std::span<const Vec3> positions() const { return positions_; }
   std::size_t memory_bytes() const;
 
  private:
+  /// A balanced tree in heap order: node k halves its range of `order` between nodes 2k + 1 and 2k + 2.
   struct Tree {
     std::vector<std::uint32_t> order;
-    std::vector<std::uint8_t> axis;
+    std::vector<Box3> boxes;
   };
-  void build(Tree& tree, std::size_t begin, std::size_t end);
-  SampleId search(const Tree& tree, Vec3 p) const;
+  struct Best;
+  struct Range;
+  void build(Tree& tree, const Range& range);
+  void search(const Tree& tree, const Range& range, Vec3 p, Best& best) const;
+
   std::span<const Vec3> positions_;
   Tree positive_, negative_; ///< a search over all of S asks both
 };

@@ -13,7 +13,7 @@ OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::ar
     OrientationTest& test = verdict.tests[i];
     test.shrunk = centroid + shrink * (p[i / 2] - centroid);
     test.label = i % 2 == 0 ? +1 : -1;
-    test.sample = samples.nearest(test.shrunk, test.label);
+    test.sample = samples.nearest_of(test.shrunk, test.label);
     test.f = function(samples.positions()[test.sample.index()]);
     const double agreement = test.f * test.label;
     if (verdict.worst < 0 || agreement < smallest) {

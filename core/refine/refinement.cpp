@@ -63,7 +63,7 @@ Turn Refinement::Impl::turn() {
 }
 
 bool Refinement::Impl::both_sides() const {
-  return context.nearest().nearest({}, +1).valid() && context.nearest().nearest({}, -1).valid();
+  return context.nearest().has(+1) && context.nearest().has(-1);
 }
 
 std::size_t Refinement::Impl::insertion_limit() const {

@@ -8,6 +8,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t parallel_grain = 64;
+/// Samples farther from the circumcentre than the computed radius times this are outside the ball for sure.
+constexpr double radius_margin = 1 + 1e-6;
 
 /// Inserts the sample near the circumcentre of a violating tetrahedron, or notes that there is none.
 Turn refine_at_circumcenter(RefinementContext& context, Checklist& checklist, TetId t, Event event) {
@@ -30,7 +32,8 @@ SampleId steiner_sample(const RefinementContext& context, TetId t) {
   const Delaunay& delaunay = context.live().delaunay();
   const Vec3 center = delaunay.circumcenter(t);
   if (!is_finite(center)) return {};
-  const SampleId s = context.nearest().nearest(center);
+  const double radius = distance(center, context.live().complex().positions(t)[0]);
+  const SampleId s = context.nearest().nearest(center, radius * radius_margin);
   if (!s.valid()) return {};
   return delaunay.strictly_inside_circumsphere(t, context.nearest().positions()[s.index()]) ? s : SampleId();
 }
