@@ -57,7 +57,9 @@ Turn Refinement::Impl::turn() {
   } else if (criteria.condition_2 && both_sides() && height.turn() == Turn::acted) {
     return Turn::acted;
   }
-  if (criteria.condition_3 && both_sides() && orientation.turn() == Turn::acted) return Turn::acted;
+  const bool mending = criteria.condition_4 && topology.mending();
+  if (criteria.condition_3 && !mending && both_sides() && orientation.turn() == Turn::acted)
+    return Turn::acted;
   if (criteria.condition_4 && topology.turn() == Turn::acted) return Turn::acted;
   return Turn::satisfied;
 }

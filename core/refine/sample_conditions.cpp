@@ -4,6 +4,8 @@
 #include "base/parallel.h"
 #include "criteria/orientation.h"
 
+#include <algorithm>
+
 namespace isoscope {
 namespace {
 
@@ -24,6 +26,13 @@ Turn refine_at_circumcenter(RefinementContext& context, Checklist& checklist, Te
   event.count = static_cast<std::uint32_t>(checklist.exhausted());
   context.note(event);
   return Turn::acted;
+}
+
+/// Such a tetrahedron lies in a crevice or wall thinner than Ω, where no sample tells the sides.
+bool has_topology_vertex(const Complex& complex, TetId t) {
+  const auto& v = complex.tet(t).v;
+  return std::any_of(v.begin(), v.end(),
+                     [&](VertexId id) { return complex.vertices[id.index()].kind == VertexKind::topology; });
 }
 
 } // namespace
@@ -89,6 +98,7 @@ void OrientationCondition::judge_pending() {
   const Complex& complex = context_.live().complex();
   parallel_for(pending.size(), parallel_grain, [&](std::size_t i) {
     const TetId t = pending[i];
+    if (has_topology_vertex(complex, t)) return;
     misoriented[i] = check_orientation(complex.positions(t), complex.values(t), context_.criteria().shrink,
                                        context_.nearest())
                          .misoriented;

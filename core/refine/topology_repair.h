@@ -4,25 +4,32 @@
 
 #include "criteria/topology.h"
 #include "refine/context.h"
+#include "refine/misclassified_points.h"
 
 #include <optional>
 #include <vector>
 
 namespace isoscope {
 
-/// The paper's rule: while the topology is wrong, refine the tetrahedron that carries Z with the largest
-/// circumradius.
+/// Mends Z while its topology is wrong. Where the input tells the side of any point (closed, free of
+/// self-intersections, certified mode), points that f has on the wrong side go in, deepest first; else the
+/// paper's rule: refine the tetrahedron that carries Z with the largest circumradius.
 class TopologyCondition {
  public:
   TopologyCondition(RefinementContext& context, const ExpectedTopology& expected, std::size_t insertion_limit)
       : context_(context), expected_(expected), insertion_limit_(insertion_limit) {}
   Turn turn();
+  /// Whether points on the wrong side are going in: condition 3, which asks samples, has to wait until they
+  /// are through.
+  bool mending() const { return mending_; }
   /// Tries anew what it had given up.
-  void reconsider() { given_up_ = false; }
+  void reconsider();
   /// Z as it is now; cached until T changes.
   const TopologyVerdict& verdict();
 
  private:
+  /// What is tried, in this order.
+  enum class Phase { edges, facets, circumradii, given_up };
   struct Candidate {
     TetId tet;
     std::uint32_t generation = 0;
@@ -34,12 +41,21 @@ class TopologyCondition {
   std::optional<TopologyVerdict> verdict_;
   Step judged_at_ = 0;
   std::optional<Step> noted_at_;
-  std::vector<Candidate> candidates_; ///< ascending by circumradius
-  bool given_up_ = false;
+  Phase phase_ = Phase::edges;
+  std::vector<Candidate> candidates_;      ///< ascending by circumradius
+  std::vector<MisclassifiedPoint> points_; ///< shallowest first: taken from the back
+  bool mending_ = false;
+  bool fresh_ = true; ///< no point went in since the present phase last looked for points
 
   void note_check();
+  bool sides_known() const;
+  void enter(Phase phase);
+  Turn mend();
+  void collect_points();
+  bool insert_point(const MisclassifiedPoint& point);
   void collect_candidates();
-  Turn refine_largest();
+  bool refine_largest();
+  Event event(Reason reason) const;
 };
 
 } // namespace isoscope

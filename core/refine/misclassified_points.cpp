@@ -1,0 +1,186 @@
+// Looks along the edges and across the facets of T for stretches of the input's other side.
+#include "refine/misclassified_points.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t parallel_grain = 64;
+constexpr int points_per_stretch = 7;
+/// Facets pierced more often are judged by this many of their piercings.
+constexpr std::size_t piercings_considered = 12;
+
+int true_label(const ToleranceVolume& volume, Vec3 p) {
+  return volume.index().inside_by_parity(p) ? -1 : +1;
+}
+
+/// An edge or facet with a tetrahedron that has it.
+template <std::size_t N> struct Simplex {
+  std::array<VertexId, N> v;
+  TetId tet;
+};
+
+template <std::size_t N> void sort_unique(std::vector<Simplex<N>>& simplices) {
+  std::sort(simplices.begin(), simplices.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.v, a.tet) < std::tie(b.v, b.tet); });
+  const auto same = [](const auto& a, const auto& b) { return a.v == b.v; };
+  simplices.erase(std::unique(simplices.begin(), simplices.end(), same), simplices.end());
+}
+
+std::vector<Simplex<2>> all_edges(const Complex& complex) {
+  std::vector<Simplex<2>> edges;
+  for (std::uint32_t t = 0; t < complex.tets.size(); ++t) {
+    const Tet& tet = complex.tets[t];
+    if (!tet.alive()) continue;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const auto [a, b] = std::minmax(tet.v[i], tet.v[j]);
+        edges.push_back({{a, b}, TetId(t)});
+      }
+    }
+  }
+  sort_unique(edges);
+  return edges;
+}
+
+std::vector<Simplex<3>> facets_of_one_label(const Complex& complex) {
+  std::vector<Simplex<3>> facets;
+  for (std::uint32_t t = 0; t < complex.tets.size(); ++t) {
+    const Tet& tet = complex.tets[t];
+    if (!tet.alive()) continue;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Simplex<3> facet{{}, TetId(t)};
+      int positives = 0;
+      for (std::size_t j = 0, k = 0; j < 4; ++j) {
+        if (j == i) continue;
+        facet.v[k++] = tet.v[j];
+        positives += complex.value(tet.v[j]) > 0 ? 1 : 0;
+      }
+      if (positives != 0 && positives != 3) continue;
+      std::sort(facet.v.begin(), facet.v.end());
+      facets.push_back(facet);
+    }
+  }
+  sort_unique(facets);
+  return facets;
+}
+
+void keep_deeper(std::optional<MisclassifiedPoint>& best, const MisclassifiedPoint& candidate) {
+  if (!best || candidate.depth > best->depth) best = candidate;
+}
+
+/// The deepest of some points strictly between a and b.
+MisclassifiedPoint deepest_between(const ToleranceVolume& volume, Vec3 a, Vec3 b, TetId tet) {
+  MisclassifiedPoint best;
+  best.tet = tet;
+  best.depth = -1;
+  for (int k = 1; k <= points_per_stretch; ++k) {
+    const Vec3 p = a + (k / (points_per_stretch + 1.0)) * (b - a);
+    const double d = volume.index().distance(p);
+    if (d <= best.depth) continue;
+    best.depth = d;
+    best.point = p;
+  }
+  return best;
+}
+
+std::optional<MisclassifiedPoint> judge_edge(const LiveTriangulation& live, const ToleranceVolume& volume,
+                                             const Simplex<2>& edge) {
+  const Complex& complex = live.complex();
+  const Vec3 a = complex.position(edge.v[0]), b = complex.position(edge.v[1]);
+  const double fa = complex.value(edge.v[0]), fb = complex.value(edge.v[1]);
+  const std::vector<double> crossings = volume.index().crossings(a, b);
+  std::optional<MisclassifiedPoint> best;
+  for (std::size_t k = 0; k + 1 < crossings.size(); ++k) {
+    MisclassifiedPoint candidate =
+        deepest_between(volume, a + crossings[k] * (b - a), a + crossings[k + 1] * (b - a), edge.tet);
+    if (best && candidate.depth <= best->depth) continue;
+    candidate.label = true_label(volume, candidate.point);
+    const double along = distance(candidate.point, a) / distance(a, b);
+    if ((fa + along * (fb - fa)) * candidate.label < 0) best = candidate;
+  }
+  return best;
+}
+
+/// Where segment ab pierces triangle t, in floating point.
+std::optional<Vec3> piercing(Vec3 a, Vec3 b, const Triangle3& t) {
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0], d = b - a;
+  const Vec3 h = cross(d, v);
+  const double determinant = dot(u, h);
+  if (determinant == 0) return std::nullopt;
+  const Vec3 s = a - t[0];
+  const double x = dot(s, h) / determinant;
+  const Vec3 q = cross(s, u);
+  const double y = dot(d, q) / determinant, along = dot(v, q) / determinant;
+  if (x < 0 || y < 0 || x + y > 1 || along < 0 || along > 1) return std::nullopt;
+  return a + along * d;
+}
+
+std::vector<Vec3> piercings(const ToleranceVolume& volume, const Triangle3& facet) {
+  Box3 box;
+  for (const Vec3& p : facet) box.add(p);
+  std::vector<Vec3> points;
+  for (const TriangleId id : volume.index().triangles_in(box)) {
+    const Triangle3& t = volume.index().triangle(id);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (const auto p = piercing(t[i], t[(i + 1) % 3], facet)) points.push_back(*p);
+    }
+  }
+  return points;
+}
+
+std::optional<MisclassifiedPoint> judge_facet(const LiveTriangulation& live, const ToleranceVolume& volume,
+                                              const Simplex<3>& facet) {
+  const Complex& complex = live.complex();
+  const Triangle3 corners{complex.position(facet.v[0]), complex.position(facet.v[1]),
+                          complex.position(facet.v[2])};
+  const int label = complex.value(facet.v[0]) > 0 ? +1 : -1;
+  const std::vector<Vec3> points = piercings(volume, corners);
+  const std::size_t stride = 1 + points.size() / piercings_considered;
+  std::optional<MisclassifiedPoint> best;
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    for (std::size_t j = i + stride; j < points.size(); j += stride) {
+      MisclassifiedPoint candidate;
+      candidate.point = 0.5 * (points[i] + points[j]);
+      candidate.tet = facet.tet;
+      candidate.label = -label;
+      candidate.depth = volume.index().distance(candidate.point);
+      if (best && candidate.depth <= best->depth) continue;
+      if (true_label(volume, candidate.point) != label) keep_deeper(best, candidate);
+    }
+  }
+  return best;
+}
+
+template <std::size_t N, class Judge>
+std::vector<MisclassifiedPoint> judge_all(const std::vector<Simplex<N>>& simplices, const Judge& judge) {
+  std::vector<std::optional<MisclassifiedPoint>> found(simplices.size());
+  parallel_for(simplices.size(), parallel_grain, [&](std::size_t i) { found[i] = judge(simplices[i]); });
+  std::vector<MisclassifiedPoint> result;
+  for (const auto& point : found) {
+    if (point) result.push_back(*point);
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.depth > b.depth; });
+  return result;
+}
+
+} // namespace
+
+std::vector<MisclassifiedPoint> misclassified_on_edges(const LiveTriangulation& live,
+                                                       const ToleranceVolume& volume) {
+  return judge_all(all_edges(live.complex()),
+                   [&](const Simplex<2>& edge) { return judge_edge(live, volume, edge); });
+}
+
+std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation& live,
+                                                        const ToleranceVolume& volume) {
+  return judge_all(facets_of_one_label(live.complex()),
+                   [&](const Simplex<3>& facet) { return judge_facet(live, volume, facet); });
+}
+
+} // namespace isoscope

@@ -1,0 +1,32 @@
+// Points whose side of the input is known and which f has on the other side: where Z may have a handle too
+// many or too few (condition 4).
+#pragma once
+
+#include "refine/live_triangulation.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <vector>
+
+namespace isoscope {
+
+/// A candidate to mend the topology. Only meaningful for closed input without self-intersections, where
+/// parity tells sides.
+struct MisclassifiedPoint {
+  Vec3 point;
+  int label = +1;   ///< its true side
+  double depth = 0; ///< its distance to the input
+  TetId tet;        ///< a tetrahedron that holds it
+};
+
+/// On every edge of T that crosses the input more than once: the deepest point of each stretch between two
+/// crossings that f has on the wrong side. If no simplex with vertices of one label met the input, the
+/// input's genus would bound that of Z. Deepest first.
+std::vector<MisclassifiedPoint> misclassified_on_edges(const LiveTriangulation& live,
+                                                       const ToleranceVolume& volume);
+
+/// On every facet of T with vertices of one label that edges of the input pierce: the deepest point found
+/// between two piercings that is on the other side. Deepest first.
+std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation& live,
+                                                        const ToleranceVolume& volume);
+
+} // namespace isoscope
