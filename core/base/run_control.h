@@ -17,6 +17,12 @@ class RunControl {
   using Progress = std::function<void(std::string_view part, double fraction)>;
 
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+  /// Cancels, and nobody wants what is there: even the certificate of a stopped run is left out.
+  void abandon() {
+    abandoned_.store(true, std::memory_order_relaxed);
+    cancel();
+  }
+  bool abandoned() const { return abandoned_.load(std::memory_order_relaxed); }
   /// From `seconds` from now on everything that polls is cancelled too; 0 takes the limit away.
   void cancel_after(double seconds) {
     deadline_.store(seconds > 0 ? now() + static_cast<std::int64_t>(seconds * 1e9) : 0,
@@ -29,6 +35,7 @@ class RunControl {
     return deadline != 0 && now() > deadline;
   }
   void reset() {
+    abandoned_.store(false, std::memory_order_relaxed);
     cancelled_.store(false, std::memory_order_relaxed);
     deadline_.store(0, std::memory_order_relaxed);
   }
@@ -43,7 +50,7 @@ class RunControl {
   static std::int64_t now() {
     return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
   }
-  std::atomic<bool> cancelled_{false};
+  std::atomic<bool> cancelled_{false}, abandoned_{false};
   std::atomic<std::int64_t> deadline_{0};
   Progress progress_;
 };

@@ -1,7 +1,9 @@
 // The batch program: the whole run without a display, a mesh and a report at its end.
 #include "base/parallel.h"
 #include "cli/options.h"
+#include "cli/outputs.h"
 #include "cli/progress_line.h"
+#include "cli/summary.h"
 #include "input/mesh_io.h"
 #include "run/pipeline.h"
 #include "run/report.h"
@@ -12,6 +14,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 #include <unistd.h>
 
@@ -19,33 +22,33 @@ namespace {
 
 using namespace isoscope;
 
-/// Counts SIGINT and SIGTERM; the run polls it between operations. A signal handler can reach nothing but a
-/// global.
-volatile std::sig_atomic_t signals_received = 0;
+/// The control of the run under way: a signal handler can reach nothing but a global. Null before the run and
+/// after the first signal.
+std::atomic<RunControl*> interruptible{nullptr};
+static_assert(std::atomic<RunControl*>::is_always_lock_free);
 
+/// The first signal stops the run cleanly; the second one finds nothing to stop and ends the program.
 extern "C" void on_signal(int) {
-  signals_received = signals_received + 1;
-  if (signals_received > 1) _exit(4);
+  RunControl* control = interruptible.exchange(nullptr);
+  if (control == nullptr) _exit(4);
+  control->cancel();
 }
 
-/// Never pauses; passes signals on to the run's control and shows progress.
+/// Never pauses; ends the stage once the run is cancelled, and shows progress.
 class BatchGate : public Gate {
  public:
-  BatchGate(RunControl& control, ProgressLine& progress) : control_(&control), progress_(&progress) {}
+  BatchGate(const RunControl& control, ProgressLine& progress) : control_(&control), progress_(&progress) {}
   Verdict pass(const Journal& journal, const Event& event) override {
-    if (signals_received > 0) control_->cancel();
     if (event.operation) progress_->operation(journal, event.stage);
     return control_->cancelled() ? Verdict::stop : Verdict::go_on;
   }
-  CriteriaParameters wanted_parameters() const override {
-    CriteriaParameters unchanged;
-    unchanged.sigma = 0;
-    return unchanged;
-  }
+  CriteriaParameters wanted_parameters() const override { return criteria_; }
+  void set(const CriteriaParameters& criteria) { criteria_ = criteria; }
 
  private:
-  RunControl* control_;
+  const RunControl* control_;
   ProgressLine* progress_;
+  CriteriaParameters criteria_;
 };
 
 int exit_status(ErrorCode code) {
@@ -68,37 +71,14 @@ int fail(const Error& error, int status) {
   return status;
 }
 
-/// Tries what the run will need at its end, before hours of work.
-Status check_outputs(const std::string& mesh, const std::string& report) {
-  if (!mesh.empty()) {
-    if (Status s = check_writable_mesh(mesh); !s) return s;
-  }
-  if (report.empty() || report == "-") return {};
-  const std::filesystem::path probe = report + ".part";
-  if (std::filesystem::is_directory(report)) {
-    return Error{ErrorCode::io, "Cannot write " + report + ": it is a directory.", "Give a file."};
-  }
-  return write_text_file(probe, "").ok() && std::remove(probe.c_str()) == 0
-             ? Status()
-             : Status(Error{ErrorCode::io,
-                            "Cannot write " + report + ": its folder is missing or not writable.",
-                            "Give another file."});
+void note(const std::string& text) {
+  std::fprintf(stderr, "isoscope-run: note: %s\n", text.c_str());
 }
 
-void print_summary(const Scene& scene, const RunResult& result, const Journal& journal) {
-  const Certificate& c = result.certificate;
-  std::printf("%zu samples, %u Steiner points, Z: %zu vertices, %zu facets, %zu component%s, χ %ld; %.2f s\n",
-              scene.samples->size(), static_cast<unsigned>(journal.steps()), result.mesh.points.size(),
-              result.mesh.triangles.size(), c.components, c.components == 1 ? "" : "s",
-              c.euler_characteristic, result.seconds);
-  if (c.holds()) {
-    std::printf("certified: closed 2-manifold, intersection-free, inside Ω (d <= %.4f δ), separating, "
-                "topology as expected\n",
-                c.max_distance / scene.delta);
-  } else {
-    std::printf("not certified:\n");
-    for (const std::string& failure : c.failures) std::printf("  %s\n", failure.c_str());
-  }
+/// Writes to standard output and makes sure that it arrived.
+Status print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return {};
+  return Error{ErrorCode::io, "Cannot write to standard output.", "Is the disk full, or the reader gone?"};
 }
 
 int run(int argc, char** argv) {
@@ -106,10 +86,10 @@ int run(int argc, char** argv) {
       "Isoscope's batch program: isotopic approximation within a tolerance volume, without a window.",
       "isoscope-run"};
   RunOptions options(app, false);
-  std::string output, report;
+  Outputs outputs;
   bool quiet = false, list_gallery = false;
-  app.add_option("-o,--output", output, "the resulting mesh: .off, .obj, .ply or .stl");
-  app.add_option("--report", report, "the report as JSON; - for standard output");
+  app.add_option("-o,--output", outputs.mesh, "the resulting mesh: .off, .obj, .ply or .stl");
+  app.add_option("--report", outputs.report, "the report as JSON; - for standard output");
   app.add_flag("--quiet", quiet, "print nothing but errors");
   app.add_flag("--list-gallery", list_gallery, "list the bundled models");
   app.set_version_flag("--version", std::string("isoscope-run ") + std::string(version()));
@@ -122,8 +102,8 @@ int run(int argc, char** argv) {
     return app.exit(e) == 0 ? 0 : 2;
   }
   if (list_gallery) {
-    std::fputs(gallery_table().c_str(), stdout);
-    return 0;
+    const Status printed = print(gallery_table());
+    return printed.ok() ? 0 : fail(printed.error(), 1);
   }
   const auto parameters = options.finish();
   if (!parameters) return fail(parameters.error(), 2);
@@ -131,15 +111,14 @@ int run(int argc, char** argv) {
     return fail(
         {ErrorCode::usage, "INPUT is missing.", "Give a mesh file or gallery:NAME; --help tells more."}, 2);
   }
-  if (Status writable = check_outputs(output, report); !writable) return fail(writable.error(), 2);
+  if (Status writable = check_outputs(outputs, parameters->input); !writable)
+    return fail(writable.error(), 2);
 
   const ThreadLimit threads(parameters->threads);
   RunControl control;
-  ProgressLine progress(quiet);
-  control.on_progress([&](std::string_view part, double fraction) {
-    if (signals_received > 0) control.cancel();
-    progress.part(part, fraction);
-  });
+  interruptible = &control;
+  ProgressLine progress(!quiet);
+  control.on_progress([&](std::string_view part, double fraction) { progress.part(part, fraction); });
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   std::signal(SIGXFSZ, SIG_IGN);
@@ -149,33 +128,33 @@ int run(int argc, char** argv) {
   BatchGate gate(control, progress);
   Pipeline pipeline(*parameters, journal, gate, control);
   const auto scene = pipeline.prepare();
-  progress.clear();
+  progress.finish();
   if (!scene) return fail(scene.error(), exit_status(scene.error().code));
+  gate.set(parameters->criteria((*scene)->delta));
   if (!quiet) {
-    for (const ParameterWarning& w : (*scene)->warnings)
-      std::fprintf(stderr, "warning: %s\n", w.message.c_str());
-    if (!(*scene)->thickening_note.empty())
-      std::fprintf(stderr, "note: %s\n", (*scene)->thickening_note.c_str());
+    for (const ParameterWarning& w : (*scene)->warnings) note(w.message);
+    if (!(*scene)->thickening_note.empty()) note((*scene)->thickening_note);
   }
   const auto result = pipeline.run();
-  progress.clear();
+  progress.finish();
   if (!result) return fail(result.error(), exit_status(result.error().code));
 
   int status = result->exit_status();
-  if (!output.empty()) {
-    if (Status written = write_mesh(output, result->mesh); !written) status = fail(written.error(), 1);
+  if (!outputs.mesh.empty()) {
+    if (Status written = write_mesh(outputs.mesh, result->mesh); !written) status = fail(written.error(), 1);
   }
-  if (!report.empty()) {
-    const std::string text = report_json(*parameters, **scene, *result, gather_statistics(*journal));
-    if (report == "-") {
-      if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
-        status = fail({ErrorCode::io, "Cannot write the report to standard output.", ""}, 1);
-      }
-    } else if (Status written = write_text_file(report, text); !written) {
+  const std::vector<StageStatistics> stages = gather_statistics(*journal);
+  const bool report_to_stdout = outputs.report == "-";
+  if (!outputs.report.empty()) {
+    const std::string text = report_json(*parameters, **scene, *result, stages);
+    Status written = report_to_stdout ? print(text) : write_text_file(outputs.report, text);
+    if (!written) status = fail(written.error(), 1);
+  }
+  if (!quiet && !report_to_stdout) {
+    if (Status written = print(summary(*parameters, **scene, *result, stages)); !written) {
       status = fail(written.error(), 1);
     }
   }
-  if (!quiet && report != "-") print_summary(**scene, *result, *journal);
   return status;
 }
 

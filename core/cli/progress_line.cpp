@@ -1,56 +1,87 @@
-// Terminal progress by carriage return and erase-line.
+// Rewrites a line with carriage return and "erase to the end".
 #include "cli/progress_line.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace isoscope {
 
 namespace {
-constexpr std::chrono::milliseconds interval{100};
+
+constexpr std::chrono::milliseconds redraw_interval{100};
+
+int terminal_columns() {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
 }
 
-ProgressLine::ProgressLine(bool quiet) : active_(!quiet && isatty(STDERR_FILENO) != 0) {}
+} // namespace
 
-bool ProgressLine::due() {
-  if (!active_) return false;
-  const auto now = std::chrono::steady_clock::now();
-  if (drawn_ && now - last_ < interval) return false;
-  last_ = now;
-  return true;
+std::string grouped(std::size_t n) {
+  std::string text = std::to_string(n);
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+  return text;
 }
 
-void ProgressLine::draw(const std::string& text) {
-  std::fprintf(stderr, "\r\x1b[K%s", text.c_str());
-  std::fflush(stderr);
-  drawn_ = true;
+ProgressLine::ProgressLine(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  finish();
 }
 
-void ProgressLine::part(std::string_view what, double fraction) {
-  if (!due()) return;
-  std::string text(what);
-  if (fraction >= 0) text += " " + std::to_string(static_cast<int>(100 * fraction)) + " %";
-  draw(text);
+bool ProgressLine::due() const {
+  return Clock::now() - drawn_ >= redraw_interval;
+}
+
+void ProgressLine::begin(std::string_view name) {
+  if (part_ == name) return;
+  finish();
+  part_ = name;
+  part_began_ = Clock::now();
+  drawn_ = {};
+}
+
+void ProgressLine::part(std::string_view name, double fraction) {
+  if (!shown_) return;
+  begin(name);
+  line_ = fraction >= 0 ? std::to_string(static_cast<int>(100 * std::min(fraction, 1.0))) + " %" : "";
+  if (due()) draw();
 }
 
 void ProgressLine::operation(const Journal& journal, Stage stage) {
-  if (!due()) return;
-  const auto& figures = journal.operations().back().figures;
-  const double seconds = figures.seconds;
-  char text[160];
-  std::snprintf(text, sizeof text, "%s: %u operations, Z %u vertices, %u bad samples, %.0f /s, %.1f s",
-                std::string(name(stage)).c_str(), static_cast<unsigned>(journal.steps()),
-                figures.zero_set_vertices, figures.bad_samples, seconds > 0 ? journal.steps() / seconds : 0.0,
-                seconds);
-  draw(text);
+  if (!shown_) return;
+  begin(name(stage));
+  const bool first = line_.empty();
+  if (!first && !due()) return;
+  const std::size_t steps = journal.operations().size();
+  if (steps == 0) return;
+  const StepFigures& figures = journal.operations()[steps - 1].figures;
+  const double seconds = std::chrono::duration<double>(Clock::now() - part_began_).count();
+  line_ = grouped(steps) + " operations   Z " + grouped(figures.zero_set_vertices) + " vertices   " +
+          grouped(static_cast<std::size_t>(static_cast<double>(steps) / std::max(seconds, 1e-3))) + "/s";
+  draw();
 }
 
-void ProgressLine::clear() {
-  if (!drawn_) return;
-  std::fprintf(stderr, "\r\x1b[K");
+void ProgressLine::draw() {
+  drawn_ = Clock::now();
+  char text[200];
+  const double seconds = std::chrono::duration<double>(drawn_ - part_began_).count();
+  std::snprintf(text, sizeof text, "%-18s%s   %.1f s", part_.c_str(), line_.c_str(), seconds);
+  const auto width = static_cast<std::size_t>(std::max(1, terminal_columns() - 1));
+  std::fprintf(stderr, "\r%.*s\x1b[K", static_cast<int>(std::min(width, sizeof text)), text);
   std::fflush(stderr);
-  drawn_ = false;
+}
+
+void ProgressLine::finish() {
+  if (!shown_ || part_.empty()) return;
+  draw();
+  std::fputc('\n', stderr);
+  part_.clear();
+  line_.clear();
 }
 
 } // namespace isoscope

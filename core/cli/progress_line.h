@@ -1,7 +1,7 @@
-// One line on a terminal that tells how far a run is; silent where nobody watches.
+// One line per part of a run on a terminal, rewritten in place while the part goes on.
 #pragma once
 
-#include "journal/recorder.h"
+#include "journal/journal.h"
 
 #include <chrono>
 #include <string>
@@ -9,24 +9,35 @@
 
 namespace isoscope {
 
-/// Rewrites one line on standard error at most ten times a second, when that is a terminal. Used on the run's
-/// thread only.
+/// Writes to standard error and only when that is a terminal: elsewhere nothing is ever rewritten, so nothing
+/// is shown. For the computing thread alone.
 class ProgressLine {
  public:
-  explicit ProgressLine(bool quiet);
-  /// A part of the preparation.
-  void part(std::string_view what, double fraction);
-  /// After an operation of a stage.
+  /// `wanted`: false keeps silent on a terminal too.
+  explicit ProgressLine(bool wanted);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// A part and its fraction done; negative: unknown.
+  void part(std::string_view name, double fraction);
+  /// A stage's figures after an operation; cheap when it is too early to draw again.
   void operation(const Journal& journal, Stage stage);
-  /// Clears the line, so that something else can be written.
-  void clear();
+  /// Ends the present line: what is printed next starts on its own.
+  void finish();
 
  private:
-  bool active_;
-  bool drawn_ = false;
-  std::chrono::steady_clock::time_point last_;
-  bool due();
-  void draw(const std::string& text);
+  using Clock = std::chrono::steady_clock;
+  bool shown_;
+  std::string part_;
+  std::string line_;
+  Clock::time_point part_began_, drawn_;
+  bool due() const;
+  void begin(std::string_view name);
+  void draw();
 };
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::size_t n);
 
 } // namespace isoscope

@@ -8,8 +8,10 @@ namespace isoscope {
 
 namespace {
 
-/// A keyframe is worth its memory once replaying from the last one touches this many tetrahedra (some 50 ms).
-constexpr std::size_t work_per_keyframe = 200000;
+/// A keyframe is worth its memory once replaying from the last one touches this many tetrahedra, and so many
+/// for each tetrahedron of the state to copy (some 20 ms).
+constexpr std::size_t work_per_keyframe = 100000;
+constexpr std::size_t work_per_copied_tet = 2;
 /// Restoring a keyframe copies the complex: about as costly as this many operations.
 constexpr Step restore_cost = 200;
 
@@ -63,7 +65,8 @@ void Playback::forward_one() {
   ++step_;
   if (keyframes_.empty() || step_ > keyframes_.rbegin()->first) {
     work_since_keyframe_ += delta.removed.size() + delta.added.size();
-    if (work_since_keyframe_ > work_per_keyframe + 4 * complex_.tets.size()) keep_keyframe();
+    if (work_since_keyframe_ > work_per_keyframe + work_per_copied_tet * complex_.tets.size())
+      keep_keyframe();
   }
 }
 
@@ -75,11 +78,12 @@ void Playback::backward_one() {
 }
 
 void Playback::keep_keyframe() {
+  if (complex_.memory_bytes() > keyframe_limit_) return;
   Keyframe keyframe{complex_, sample_set_, complex_.memory_bytes()};
   keyframe_bytes_ += keyframe.bytes;
   keyframes_.emplace(step_, std::move(keyframe));
   work_since_keyframe_ = 0;
-  while (keyframe_bytes_ > keyframe_limit_ && keyframes_.size() > 1) {
+  while (keyframe_bytes_ > keyframe_limit_) {
     bool drop = true;
     for (auto it = keyframes_.begin(); it != keyframes_.end(); drop = !drop) {
       if (!drop) {

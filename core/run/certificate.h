@@ -29,6 +29,7 @@ struct Certificate {
   }
 };
 
+/// What is there is judged in full even when the control is cancelled, but not when it is abandoned.
 Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
                     const RunControl& control);
 

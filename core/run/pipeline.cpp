@@ -192,10 +192,7 @@ Result<RunResult> Pipeline::run() {
     result.end = m.control->timed_out() ? RunResult::End::limit : RunResult::End::stopped;
   }
   result.mesh = triangulate(extract_zero_set(m.refinement->complex()));
-  // What is there is judged in full even when the run was stopped.
-  RunControl judging;
-  judging.on_progress([&m](std::string_view part, double fraction) { m.control->report(part, fraction); });
-  result.certificate = certify(result.mesh, *m.volume, m.scene->expected, judging);
+  result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control);
   m.seconds += watch.seconds();
   result.seconds = m.seconds;
   result.peak_memory_bytes = peak_memory_bytes();

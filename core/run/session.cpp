@@ -1,10 +1,15 @@
 // The run's thread, its gate and its commands.
 #include "run/session.h"
 
+#include "base/parallel.h"
+
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -13,6 +18,10 @@ namespace isoscope {
 namespace {
 
 constexpr std::uint32_t unlimited = 0xffffffffu;
+
+std::shared_ptr<const Breakpoint> shared(Breakpoint breakpoint) {
+  return breakpoint ? std::make_shared<const Breakpoint>(std::move(breakpoint)) : nullptr;
+}
 
 } // namespace
 
@@ -31,8 +40,8 @@ struct Session::Impl : public Gate {
   bool stop_pending = false;
   bool quit = false;
   bool pause_pending = false;
-  std::uint32_t steps_left = unlimited; ///< operations until the next pause
-  Breakpoint standing, until;
+  std::uint32_t steps_left = unlimited;              ///< operations until the next pause
+  std::shared_ptr<const Breakpoint> standing, until; ///< shared, so that they can be asked without the lock
 
   std::atomic<bool> attention{false};
 
@@ -48,30 +57,58 @@ struct Session::Impl : public Gate {
 
   Verdict pass(const Journal& journal, const Event& event) override {
     if (!attention.load(std::memory_order_acquire)) return Verdict::go_on;
+    std::string note = ask_breakpoints(journal, event);
     std::unique_lock lock(mutex);
-    std::string note;
-    for (const Breakpoint* breakpoint : {&standing, &until}) {
-      if (*breakpoint && note.empty()) note = (*breakpoint)(journal, event);
+    if (!note.empty()) until.reset();
+    if (event.operation && steps_left != unlimited && steps_left > 0 && --steps_left == 0 && note.empty()) {
+      note = "step";
     }
-    if (!note.empty()) until = {};
-    if (event.operation && steps_left != unlimited && steps_left > 0 && --steps_left == 0) note = "step";
     if (pause_pending && note.empty()) note = "pause";
     if (!note.empty()) wait_paused(lock, note);
-    return verdict();
+    const Verdict answer = verdict();
+    update_attention();
+    return answer;
+  }
+
+  /// What the first breakpoint that speaks says.
+  std::string ask_breakpoints(const Journal& journal, const Event& event) const {
+    std::array<std::shared_ptr<const Breakpoint>, 2> breakpoints;
+    {
+      const std::lock_guard lock(mutex);
+      breakpoints = {standing, until};
+    }
+    for (const auto& breakpoint : breakpoints) {
+      if (!breakpoint) continue;
+      if (std::string note = (*breakpoint)(journal, event); !note.empty()) return note;
+    }
+    return {};
   }
 
   /// Holds the run's thread until somebody lets it go on.
   void wait_paused(std::unique_lock<std::mutex>& lock, const std::string& note) {
     pause_pending = true;
+    steps_left = unlimited;
     shown.phase = SessionPhase::paused;
     shown.pause_note = note;
     changed.notify_all();
     changed.wait(lock, [this] { return !pause_pending || stop_pending || parameters_pending || quit; });
     if (stop_pending || quit) pause_pending = false;
-    if (!pause_pending) {
-      shown.phase = SessionPhase::running;
-      shown.pause_note.clear();
-    }
+    if (!pause_pending) show_running();
+  }
+
+  /// At once, not when the run's thread wakes: who waits for the next pause must not take the present one for
+  /// it.
+  void show_running() {
+    if (shown.phase != SessionPhase::paused) return;
+    shown.phase = SessionPhase::running;
+    shown.pause_note.clear();
+  }
+
+  /// Lets a paused run go on for `steps` operations.
+  void go_on(std::uint32_t steps) {
+    pause_pending = false;
+    steps_left = steps;
+    show_running();
     update_attention();
   }
 
@@ -98,17 +135,31 @@ struct Session::Impl : public Gate {
     return wanted;
   }
 
-  void work(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup,
+  void fail(Error error) {
+    publish([&](SessionSnapshot& s) {
+      s.error = std::move(error);
+      s.phase = SessionPhase::failed;
+    });
+  }
+
+  /// The whole life of the run's thread; nothing may escape from it.
+  void work(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> soup,
             std::shared_ptr<Journal> journal) {
+    try {
+      run_pipeline(parameters, std::move(soup), std::move(journal));
+    } catch (const std::bad_alloc&) {
+      fail({ErrorCode::internal, "Memory is exhausted.", "Take a larger tolerance or a larger σ."});
+    } catch (const std::exception& e) {
+      fail({ErrorCode::internal, std::string("The run failed: ") + e.what() + ".", ""});
+    }
+  }
+
+  void run_pipeline(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> soup,
+                    std::shared_ptr<Journal> journal) {
+    const ThreadLimit threads(parameters.threads);
     Pipeline pipeline(parameters, std::move(journal), *this, control);
     auto prepared = pipeline.prepare(std::move(soup));
-    if (!prepared) {
-      publish([&](SessionSnapshot& s) {
-        s.error = prepared.error();
-        s.phase = SessionPhase::failed;
-      });
-      return;
-    }
+    if (!prepared) return fail(prepared.error());
     const std::shared_ptr<const Scene> scene = *prepared;
     publish([&](SessionSnapshot& s) {
       s.scene = scene;
@@ -117,23 +168,21 @@ struct Session::Impl : public Gate {
     });
     for (;;) {
       auto result = pipeline.run();
-      if (!result) {
-        publish([&](SessionSnapshot& s) {
-          s.error = result.error();
-          s.phase = SessionPhase::failed;
-        });
-        return;
-      }
+      if (!result) return fail(result.error());
       auto shared = std::make_shared<const RunResult>(std::move(*result));
       std::unique_lock lock(mutex);
       shown.result = shared;
       shown.phase = SessionPhase::finished;
       shown.part.clear();
+      shown.fraction = -1;
+      pause_pending = stop_pending = false;
+      steps_left = unlimited;
+      until.reset();
+      update_attention();
       changed.notify_all();
       changed.wait(lock, [this] { return quit || parameters_pending; });
       if (quit) return;
-      parameters_pending = false;
-      stop_pending = false;
+      parameters_pending = stop_pending = false;
       control.reset();
       update_attention();
       shown.phase = SessionPhase::running;
@@ -148,7 +197,7 @@ struct Session::Impl : public Gate {
       pause_pending = false;
       update_attention();
     }
-    control.cancel();
+    control.abandon();
     changed.notify_all();
     if (thread.joinable()) thread.join();
   }
@@ -180,9 +229,9 @@ void Session::start(RunParameters parameters, std::shared_ptr<const TriangleSoup
     m.shown.journal = journal;
     m.wanted = {};
     m.quit = m.stop_pending = m.parameters_pending = false;
-    m.pause_pending = paused;
-    m.steps_left = unlimited;
-    m.until = {};
+    m.pause_pending = false;
+    m.steps_left = paused ? 1 : unlimited; // the first operation puts the box there
+    m.until.reset();
     m.update_attention();
   }
   m.changed.notify_all();
@@ -201,9 +250,7 @@ void Session::pause() {
 void Session::resume() {
   {
     const std::lock_guard lock(impl_->mutex);
-    impl_->pause_pending = false;
-    impl_->steps_left = unlimited;
-    impl_->update_attention();
+    impl_->go_on(unlimited);
   }
   impl_->changed.notify_all();
 }
@@ -212,9 +259,7 @@ void Session::step(std::uint32_t n) {
   if (n == 0) return;
   {
     const std::lock_guard lock(impl_->mutex);
-    impl_->pause_pending = false;
-    impl_->steps_left = n;
-    impl_->update_attention();
+    impl_->go_on(n);
   }
   impl_->changed.notify_all();
 }
@@ -222,10 +267,8 @@ void Session::step(std::uint32_t n) {
 void Session::run_until(Breakpoint breakpoint) {
   {
     const std::lock_guard lock(impl_->mutex);
-    impl_->until = std::move(breakpoint);
-    impl_->pause_pending = false;
-    impl_->steps_left = unlimited;
-    impl_->update_attention();
+    impl_->until = shared(std::move(breakpoint));
+    impl_->go_on(unlimited);
   }
   impl_->changed.notify_all();
 }
@@ -235,6 +278,7 @@ void Session::stop() {
     const std::lock_guard lock(impl_->mutex);
     if (impl_->shown.phase == SessionPhase::finished || impl_->shown.phase == SessionPhase::failed) return;
     impl_->stop_pending = true;
+    impl_->show_running();
     impl_->update_attention();
   }
   impl_->control.cancel();
@@ -247,6 +291,7 @@ void Session::apply(const RunParameters& parameters) {
     impl_->shown.parameters = parameters;
     if (impl_->shown.scene) impl_->wanted = parameters.criteria(impl_->shown.scene->delta);
     impl_->parameters_pending = true;
+    if (impl_->shown.phase == SessionPhase::finished) impl_->shown.phase = SessionPhase::running;
     impl_->update_attention();
   }
   impl_->changed.notify_all();
@@ -254,7 +299,7 @@ void Session::apply(const RunParameters& parameters) {
 
 void Session::set_breakpoint(Breakpoint breakpoint) {
   const std::lock_guard lock(impl_->mutex);
-  impl_->standing = std::move(breakpoint);
+  impl_->standing = shared(std::move(breakpoint));
   impl_->update_attention();
 }
 

@@ -1,0 +1,16 @@
+// What isoscope-run says when a run has ended.
+#pragma once
+
+#include "run/pipeline.h"
+#include "run/statistics.h"
+
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// A few lines for a person: input, samples, stages, the mesh, the certificate.
+std::string summary(const RunParameters& parameters, const Scene& scene, const RunResult& result,
+                    const std::vector<StageStatistics>& stages);
+
+} // namespace isoscope

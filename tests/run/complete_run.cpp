@@ -1,0 +1,46 @@
+// Runs the pipeline step by step, keeping what comes out.
+#include "run/complete_run.h"
+
+#include "input/gallery.h"
+
+namespace isoscope::test {
+
+bool CompleteRun::prepare() {
+  pipeline = std::make_unique<Pipeline>(parameters, journal, gate, control);
+  auto prepared = pipeline->prepare();
+  if (!prepared) {
+    error = prepared.error();
+    return false;
+  }
+  scene = *prepared;
+  gate.wanted = parameters.criteria(scene->delta);
+  return true;
+}
+
+bool CompleteRun::run() {
+  if (!scene && !prepare()) return false;
+  auto finished = pipeline->run();
+  if (!finished) {
+    error = finished.error();
+    return false;
+  }
+  result = std::move(*finished);
+  return true;
+}
+
+RunParameters gallery_parameters(const std::string& name) {
+  RunParameters parameters;
+  parameters.input = "gallery:" + name;
+  for (const GalleryEntry& entry : gallery()) {
+    if (entry.name == name) parameters.tolerance = {entry.tolerance_percent, true};
+  }
+  return parameters;
+}
+
+Complex replayed(const Journal& journal) {
+  Complex complex;
+  for (std::size_t k = 0; k < journal.operations().size(); ++k) complex.apply(*journal.operations()[k].delta);
+  return complex;
+}
+
+} // namespace isoscope::test

@@ -1,0 +1,79 @@
+// The report has the keys it promises, with the run's own figures.
+#include "run/report.h"
+
+#include "run/complete_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+using namespace isoscope;
+using namespace isoscope::test;
+using Json = nlohmann::json;
+
+namespace {
+
+void check_keys(const Json& object, const std::vector<const char*>& keys) {
+  for (const char* key : keys) {
+    CAPTURE(key);
+    CHECK(object.contains(key));
+  }
+}
+
+} // namespace
+
+TEST_CASE("The report of a finished run is one JSON object with the promised keys") {
+  CompleteRun run(gallery_parameters("torus"));
+  REQUIRE(run.run());
+  const std::string text =
+      report_json(run.parameters, *run.scene, *run.result, gather_statistics(*run.journal));
+  CHECK(text.back() == '\n');
+  const Json report = Json::parse(text);
+  check_keys(report, {"version", "input", "parameters", "samples", "stages", "output", "certificate",
+                      "seconds", "peak_memory_bytes"});
+  check_keys(report["input"], {"path", "vertices", "faces", "longest_edge"});
+  check_keys(report["parameters"], {"tolerance", "sigma", "alpha", "shrink", "threads"});
+  check_keys(report["samples"], {"count", "components"});
+  REQUIRE(report["stages"].is_array());
+  REQUIRE(report["stages"].size() == 1);
+  check_keys(report["stages"][0], {"name", "seconds", "operations", "rejected", "zero_set_vertices"});
+  check_keys(report["output"], {"vertices", "faces", "components", "euler_characteristic", "genus"});
+  check_keys(report["certificate"], {"closed_manifold", "oriented", "intersection_free", "within_tolerance",
+                                     "max_distance", "separates", "topology_as_expected"});
+
+  CHECK(report["version"] == version());
+  CHECK(report["input"]["path"] == "gallery:torus");
+  CHECK(report["input"]["vertices"] == run.scene->input->points.size());
+  CHECK(report["parameters"]["alpha"] == 0.2);
+  CHECK(report["samples"]["count"] == run.scene->samples->size());
+  CHECK(report["stages"][0]["operations"] == run.journal->steps());
+  CHECK(report["output"]["vertices"] == run.result->mesh.points.size());
+  CHECK(report["output"]["genus"] == 1);
+  CHECK(report["output"]["euler_characteristic"] == 0);
+  CHECK(report["certificate"]["max_distance"].get<double>() <= run.scene->delta);
+  CHECK(report["certificate"]["within_tolerance"] == true);
+  CHECK(report["peak_memory_bytes"].get<double>() > 1e6);
+}
+
+TEST_CASE("Text files are written whole or not at all") {
+  const auto folder = std::filesystem::temp_directory_path() / "isoscope test report";
+  std::filesystem::create_directories(folder);
+  const auto file = folder / "a report.json";
+  CHECK(write_text_file(file, "one\n").ok());
+  CHECK(write_text_file(file, "two\n").ok());
+  std::ifstream in(file);
+  CHECK(std::string(std::istreambuf_iterator<char>(in), {}) == "two\n");
+  CHECK(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
+  const Status missing = write_text_file(folder / "nowhere" / "x.json", "x");
+  REQUIRE(!missing.ok());
+  CHECK(missing.error().code == ErrorCode::io);
+  CHECK(missing.error().line().find("nowhere") != std::string::npos);
+  CHECK(!write_text_file(folder, "x").ok());
+  std::filesystem::remove_all(folder);
+}
