@@ -29,6 +29,7 @@ Status check_writable(const std::string& file) {
   if (fs::is_directory(file, failure)) {
     return Error{ErrorCode::io, "Cannot write " + file + ": it is a folder.", "Give a file in it."};
   }
+  if (fs::exists(file, failure) && !fs::is_regular_file(file, failure)) return {}; // a device or a pipe
   const std::string probe = file + ".probe";
   if (!write_text_file(probe, "").ok()) {
     return Error{ErrorCode::io, "Cannot write " + file + ": its folder is missing or not writable.",

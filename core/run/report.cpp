@@ -133,18 +133,25 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
 }
 
 Status write_text_file(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path temporary = file.string() + ".part";
-  std::FILE* out = std::fopen(temporary.c_str(), "wb");
+  // A device or a pipe is written itself: nothing may take its place.
+  std::error_code ignored;
+  const bool in_place =
+      std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
+  const std::filesystem::path target = in_place ? file : std::filesystem::path(file.string() + ".part");
+  std::FILE* out = std::fopen(target.c_str(), "wb");
   if (out == nullptr) return io_error(file, "write");
   bool good = std::fwrite(text.data(), 1, text.size(), out) == text.size();
-  good = std::fflush(out) == 0 && good;
-  good = fsync(fileno(out)) == 0 && good;
-  const int failure = errno;
-  good = std::fclose(out) == 0 && good;
-  if (good && std::rename(temporary.c_str(), file.c_str()) == 0) return {};
+  good = good && std::fflush(out) == 0;
+  good = good && (in_place || fsync(fileno(out)) == 0);
+  int failure = errno;
+  if (std::fclose(out) != 0 && good) {
+    good = false;
+    failure = errno;
+  }
+  if (good && (in_place || std::rename(target.c_str(), file.c_str()) == 0)) return {};
   if (!good) errno = failure;
   const Error error = io_error(file, "write");
-  std::remove(temporary.c_str());
+  if (!in_place) std::remove(target.c_str());
   return error;
 }
 

@@ -12,7 +12,8 @@ namespace isoscope {
 /// The report's text, indented, ending in a newline. Keys as in the README; the program's version included.
 std::string report_json(const RunParameters& parameters, const Scene& scene, const RunResult& result,
                         const std::vector<StageStatistics>& stages);
-/// Writes through a temporary file; fails with io on a full disk.
+/// Writes through a temporary file in the same folder (devices and pipes directly); fails with io on a full
+/// disk.
 Status write_text_file(const std::filesystem::path& file, const std::string& text);
 
 /// "0.1.0"

@@ -200,7 +200,7 @@ TEST_CASE("A session ends at once, whatever it is doing") {
   for (const int operations : {0, 1, 100}) {
     Session session;
     RunParameters p = gallery_parameters("bracket");
-    p.tolerance = {0.3, true};
+    p.tolerance = {1.5, true};
     session.start(p);
     const auto journal = session.snapshot().journal;
     while (journal->steps() < static_cast<Step>(operations) &&

@@ -1,0 +1,103 @@
+// The command line: what is answered, what is refused, and with which exit status.
+#include "batch/child_process.h"
+#include "input/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+TEST_CASE("Questions are answered on standard output with status 0") {
+  const Ended version = run_batch({"--version"});
+  CHECK(version.status == 0);
+  CHECK(version.out.starts_with("isoscope-run "));
+  const Ended help = run_batch({"--help"});
+  CHECK(help.status == 0);
+  for (const char* option : {"--tolerance", "--sigma", "--alpha", "--shrink", "--until", "--threads",
+                             "--containment", "--topology", "--time-limit", "-o", "--report", "--quiet",
+                             "--no-condition", "--no-normals", "--list-gallery"}) {
+    CAPTURE(option);
+    CHECK(help.out.find(option) != std::string::npos);
+  }
+  CHECK(help.out.find("--effort") == std::string::npos);
+  const Ended list = run_batch({"--list-gallery"});
+  CHECK(list.status == 0);
+  CHECK(list.out.find("gallery:torus") != std::string::npos);
+  CHECK(list.error.empty());
+}
+
+TEST_CASE("Wrong usage is named on one line with status 2") {
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string named;
+  };
+  const std::vector<Case> cases = {
+      {{}, "INPUT"},
+      {{"gallery:sphere", "--tolerance", "0"}, "--tolerance"},
+      {{"gallery:sphere", "--tolerance", "-1%"}, "--tolerance"},
+      {{"gallery:sphere", "--tolerance", "much"}, "--tolerance"},
+      {{"gallery:sphere", "--sigma", "0"}, "--sigma"},
+      {{"gallery:sphere", "--sigma", "2"}, "--sigma"},
+      {{"gallery:sphere", "--sigma", "fine"}, "--sigma"},
+      {{"gallery:sphere", "--alpha", "1"}, "--alpha"},
+      {{"gallery:sphere", "--shrink", "0"}, "--shrink"},
+      {{"gallery:sphere", "--threads", "-2"}, "--threads"},
+      {{"gallery:sphere", "--time-limit", "-1"}, "--time-limit"},
+      {{"gallery:sphere", "--containment", "both"}, "--containment"},
+      {{"gallery:sphere", "--topology", "lose"}, "--topology"},
+      {{"gallery:sphere", "--no-condition", "5"}, "--no-condition"},
+      {{"gallery:sphere", "--until", "sunset"}, "--until"},
+      {{"gallery:sphere", "--wrong"}, "--wrong"},
+      {{"gallery:sphere", "gallery:torus"}, "gallery:torus"},
+  };
+  for (const Case& c : cases) {
+    const Ended ended = run_batch(c.arguments);
+    CAPTURE(c.named);
+    CHECK(ended.status == 2);
+    CHECK(ended.out.empty());
+    CHECK(ended.error.find(c.named) != std::string::npos);
+  }
+}
+
+TEST_CASE("Options of later stages are refused by name") {
+  const std::vector<std::vector<std::string>> cases = {
+      {"--until", "gamma"},   {"--until", "tessellation"}, {"--until", "zero-set"},  {"--until", "all"},
+      {"--until", "improve"}, {"--effort", "1"},           {"--record", "x.isorun"}, {"--break", "ε > 2"}};
+  for (const auto& option : cases) {
+    std::vector<std::string> arguments{"gallery:sphere"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const Ended ended = run_batch(arguments);
+    CAPTURE(option[1]);
+    CHECK(ended.status == 2);
+    CHECK(ended.error.find(option[0]) != std::string::npos);
+    CHECK(ended.error.find("later") != std::string::npos);
+  }
+  const Ended replay = run_batch({"replay", "x.isorun"});
+  CHECK(replay.status == 2);
+  CHECK(replay.error.find("replay") != std::string::npos);
+}
+
+TEST_CASE("Input that is no closed surface is named with status 3") {
+  const TemporaryFolder folder;
+  const Ended missing = run_batch({(folder / "missing.off").string()});
+  CHECK(missing.status == 3);
+  CHECK(missing.error.find("missing.off") != std::string::npos);
+  const Ended garbage = run_batch({folder.file("garbage.off", "OFF\n1 2 banana\n").string()});
+  CHECK(garbage.status == 3);
+  CHECK(garbage.error.find("garbage.off") != std::string::npos);
+  const Ended open = run_batch(
+      {folder.file("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").string(), "--tolerance", "2%"});
+  CHECK(open.status == 3);
+  CHECK(open.error.find("open") != std::string::npos);
+  const Ended unknown = run_batch({"gallery:teapot"});
+  CHECK(unknown.status == 3);
+  CHECK(unknown.error.find("torus") != std::string::npos);
+  for (const Ended& ended : {missing, garbage, open, unknown}) {
+    CHECK(ended.out.empty());
+    CHECK(std::count(ended.error.begin(), ended.error.end(), '\n') == 1);
+  }
+}

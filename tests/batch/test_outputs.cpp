@@ -1,0 +1,112 @@
+// Meshes and reports: written whole, found unwritable before the work starts, silent when told so.
+#include "batch/child_process.h"
+#include "input/gallery.h"
+#include "input/mesh_io.h"
+#include "input/temporary_folder.h"
+#include "run/certificate.h"
+
+#include <nlohmann/json.hpp>
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+using namespace isoscope;
+using namespace isoscope::test;
+using Json = nlohmann::json;
+
+TEST_CASE("A certified run writes a mesh that is certified again when it is read, and its report") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "a folder with spaces");
+  for (const char* extension : {".off", ".obj"}) {
+    const auto mesh_file = folder / "a folder with spaces" / (std::string("the mesh") + extension);
+    const auto report_file = folder / "a folder with spaces" / "the report.json";
+    const Ended ended =
+        run_batch({"gallery:torus", "-o", mesh_file.string(), "--report", report_file.string()});
+    CHECK(ended.status == 0);
+    CHECK(ended.says("Certificate"));
+    const Json report = Json::parse(bytes_of(report_file));
+    CHECK(report["certificate"]["within_tolerance"] == true);
+
+    const auto read = read_mesh(mesh_file);
+    REQUIRE(read.ok());
+    const auto input = std::make_shared<const ClosestPointIndex>(*make_gallery_model("torus"));
+    const double delta = report["parameters"]["tolerance"];
+    auto volume = ToleranceVolume::build(input, analyse_input(*make_gallery_model("torus")), {delta, 0.95},
+                                         RunControl());
+    REQUIRE(volume.ok());
+    const Certificate c = certify({read->points, read->triangles}, *volume,
+                                  expected_topology(*volume, TopologyMode::keep), RunControl());
+    CHECK(c.holds());
+    CHECK(report["output"]["faces"] == read->triangles.size());
+    CHECK(report["output"]["euler_characteristic"] == c.euler_characteristic);
+  }
+  // Nothing temporary is left behind.
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "a folder with spaces")) {
+    const std::string name = entry.path().filename().string();
+    CHECK((name.starts_with("the mesh.") || name == "the report.json"));
+  }
+}
+
+TEST_CASE("Options that differ only in threads give the same mesh") {
+  const TemporaryFolder folder;
+  for (const char* threads : {"1", "7"}) {
+    const auto file = folder / (std::string(threads) + ".off");
+    REQUIRE(run_batch({"gallery:sphere", "--quiet", "--threads", threads, "-o", file.string()}).status == 0);
+  }
+  CHECK(bytes_of(folder / "1.off") == bytes_of(folder / "7.off"));
+}
+
+TEST_CASE("Quiet runs print nothing, the report goes to standard output when asked to") {
+  const Ended quiet = run_batch({"gallery:sphere", "--quiet"});
+  CHECK(quiet.status == 0);
+  CHECK(quiet.out.empty());
+  CHECK(quiet.error.empty());
+  const Ended report = run_batch({"gallery:sphere", "--report", "-", "--no-normals"});
+  CHECK(report.status == 0);
+  const Json parsed = Json::parse(report.out);
+  CHECK(parsed["input"]["path"] == "gallery:sphere");
+  CHECK(parsed["parameters"]["conditions"][2] == false);
+  const Ended wrong = run_batch({"gallery:teapot", "--quiet"});
+  CHECK(wrong.status == 3);
+  CHECK(!wrong.error.empty());
+}
+
+TEST_CASE("Nothing is rewritten where no terminal is") {
+  const Ended ended = run_batch({"gallery:sphere"});
+  CHECK(ended.status == 0);
+  CHECK(!ended.says("\r"));
+  CHECK(!ended.says("\x1b"));
+}
+
+TEST_CASE("Outputs that cannot be written are found before the input is read") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "folder.off");
+  const std::string missing_input = (folder / "missing.off").string();
+  const std::vector<std::vector<std::string>> cases = {
+      {"-o", (folder / "no such folder" / "x.off").string()},
+      {"-o", (folder / "folder.off").string()},
+      {"-o", (folder / "mesh.docx").string()},
+      {"--report", (folder / "no such folder" / "x.json").string()},
+      {"--report", (folder / "folder.off").string()},
+      {"-o", missing_input},
+      {"-o", (folder / "same.off").string(), "--report", (folder / "same.off").string()},
+  };
+  for (const auto& options : cases) {
+    std::vector<std::string> arguments{missing_input};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Ended ended = run_batch(arguments);
+    CAPTURE(options[1]);
+    CHECK(ended.status == 2);
+    CHECK(ended.error.find(options[0] == "-o" && options.size() == 2
+                               ? std::filesystem::path(options[1]).filename().string()
+                               : std::string("json")) != std::string::npos);
+  }
+}
+
+TEST_CASE("A full disk is reported") {
+  if (!std::filesystem::exists("/dev/full")) return;
+  const Ended ended = run_batch({"gallery:sphere", "--quiet", "--report", "/dev/full"});
+  CHECK(ended.status != 0);
+  CHECK(!ended.error.empty());
+}
