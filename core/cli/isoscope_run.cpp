@@ -14,6 +14,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <unistd.h>
@@ -96,6 +97,10 @@ int run(int argc, char** argv) {
   app.footer("Exit status: 0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 "
              "stopped by a limit "
              "or by the user.");
+  if (argc > 1 && std::string_view(argv[1]) == "replay") {
+    return fail({ErrorCode::usage, "replay belongs to a later stage, which this version does not have.", ""},
+                2);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -139,14 +139,14 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   const bool certified = parameters_.containment == Containment::certified;
   const ToleranceVolume::Options options{scene->delta, certified ? certified_boundary_ratio : 1.0};
   auto volume = ToleranceVolume::build(scene->index, scene->input_topology, options, *m.control);
-  if (!volume) return volume.error();
+  if (!volume) return m.control->cancelled() ? cancelled_error(*m.control) : volume.error();
   m.volume.emplace(std::move(*volume));
   scene->volume_seconds = watch.seconds() - scene->input_seconds;
 
   const CriteriaParameters criteria = parameters_.criteria(scene->delta);
   auto samples = m.sample(criteria.sigma);
-  if (!samples) return samples.error();
   if (m.control->cancelled()) return cancelled_error(*m.control);
+  if (!samples) return samples.error();
   scene->samples = *samples;
   scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;
 

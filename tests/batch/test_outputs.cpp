@@ -83,24 +83,27 @@ TEST_CASE("Outputs that cannot be written are found before the input is read") {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "folder.off");
   const std::string missing_input = (folder / "missing.off").string();
-  const std::vector<std::vector<std::string>> cases = {
-      {"-o", (folder / "no such folder" / "x.off").string()},
-      {"-o", (folder / "folder.off").string()},
-      {"-o", (folder / "mesh.docx").string()},
-      {"--report", (folder / "no such folder" / "x.json").string()},
-      {"--report", (folder / "folder.off").string()},
-      {"-o", missing_input},
-      {"-o", (folder / "same.off").string(), "--report", (folder / "same.off").string()},
+  struct Case {
+    std::vector<std::string> options;
+    std::string named;
   };
-  for (const auto& options : cases) {
+  const std::string same = (folder / "same.off").string();
+  const std::vector<Case> cases = {
+      {{"-o", (folder / "no such folder" / "x.off").string()}, "no such folder"},
+      {{"-o", (folder / "folder.off").string()}, "folder.off"},
+      {{"-o", (folder / "mesh.docx").string()}, "docx"},
+      {{"--report", (folder / "no such folder" / "x.json").string()}, "no such folder"},
+      {{"--report", (folder / "folder.off").string()}, "folder.off"},
+      {{"-o", missing_input}, "input"},
+      {{"-o", same, "--report", same}, "same.off"},
+  };
+  for (const Case& c : cases) {
     std::vector<std::string> arguments{missing_input};
-    arguments.insert(arguments.end(), options.begin(), options.end());
+    arguments.insert(arguments.end(), c.options.begin(), c.options.end());
     const Ended ended = run_batch(arguments);
-    CAPTURE(options[1]);
+    CAPTURE(c.named);
     CHECK(ended.status == 2);
-    CHECK(ended.error.find(options[0] == "-o" && options.size() == 2
-                               ? std::filesystem::path(options[1]).filename().string()
-                               : std::string("json")) != std::string::npos);
+    CHECK(ended.error.find(c.named) != std::string::npos);
   }
 }
 

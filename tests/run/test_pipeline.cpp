@@ -20,8 +20,8 @@ using namespace isoscope::test;
 
 namespace {
 
-constexpr std::string_view golden_model = "torus";
-constexpr std::uint64_t golden_digest = 0;
+constexpr std::string_view golden_model = "sphere";
+constexpr std::uint64_t golden_digest = 0x79eac22a3a7f6074;
 
 } // namespace
 
