@@ -8,6 +8,8 @@
 #include "run/pipeline.h"
 #include "run/report.h"
 
+#include <CLI/CLI.hpp>
+
 #include <atomic>
 #include <csignal>
 #include <cstdio>

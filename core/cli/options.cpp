@@ -3,6 +3,8 @@
 
 #include "input/gallery.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -4,11 +4,13 @@
 #include "base/status.h"
 #include "run/parameters.h"
 
-#include <CLI/CLI.hpp>
-
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace isoscope {
 
