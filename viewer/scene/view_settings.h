@@ -61,6 +61,7 @@ struct ViewSettings {
   ViewMode mode = ViewMode::scene;
   ThemeKind theme = ThemeKind::dark;
   bool axes = true, scale_bar = true;
+  friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
 
 /// What is picked or selected.

@@ -1,0 +1,341 @@
+// One frame, and when the next one is due.
+#include "app/app.h"
+
+#include "input/gallery.h"
+#include "panels/panels.h"
+#include "platform/image_file.h"
+
+#include <GLFW/glfw3.h>
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace isoscope {
+namespace {
+
+constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+constexpr int frames_after_input = 3;
+constexpr double script_step = 1.0 / 60; ///< scripts see an even clock
+constexpr double hover_seconds = 0.8; ///< after the last input, for hovers and tooltips that come late
+constexpr double idle_wait = 0.25, running_wait = 0.03;
+
+struct Pane {
+  Pane(const char* name, ImVec2 low, ImVec2 size, bool scrolls, ImVec2 padding, Rgb color) {
+    ImGui::SetNextWindowPos(low);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(color));
+    const ImGuiWindowFlags flags = scrolls ? pane_flags & ~ImGuiWindowFlags_NoScrollbar : pane_flags | ImGuiWindowFlags_NoScrollWithMouse;
+    ImGui::Begin(name, nullptr, flags);
+  }
+  ~Pane() {
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+  }
+  Pane(const Pane&) = delete;
+  Pane& operator=(const Pane&) = delete;
+};
+
+} // namespace
+
+Result<std::unique_ptr<App>> App::create(const ProgramOptions& options) {
+  std::unique_ptr<App> app(new App());
+  if (Status s = app->setup(options); !s) return s.error();
+  return app;
+}
+
+Status App::setup(const ProgramOptions& options) {
+  std::vector<ScriptLine> lines;
+  if (!options.script.empty()) {
+    auto read = read_script(options.script);
+    if (!read) return read.error();
+    lines = *std::move(read);
+  }
+  if (!options.screenshot.empty()) {
+    lines.push_back({0, {"wait", {"settled"}}});
+    lines.push_back({0, {"screenshot", {options.screenshot}}});
+    lines.push_back({0, {"quit", {}}});
+  }
+  auto window = Window::open("Isoscope", options.size);
+  if (!window) return window.error();
+  window_ = *std::move(window);
+  auto imgui = ImguiLayer::create(*window_);
+  if (!imgui) return imgui.error();
+  imgui_ = *std::move(imgui);
+  auto renderer = Renderer::create();
+  if (!renderer) return renderer.error();
+  renderer_ = *std::move(renderer);
+
+  model_ = std::make_unique<AppModel>([] { Window::wake(); });
+  AppModel& m = *model_;
+  m.scripted = !lines.empty();
+  if (m.scripted)
+    script_.emplace(std::move(lines));
+  else
+    settings_path_ = settings_file();
+  if (!settings_path_.empty()) m.settings = load_settings(settings_path_);
+  m.view.theme = options.theme.value_or(m.settings.theme);
+  if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
+  scene_view_ = std::make_unique<SceneView>(*renderer_);
+  m.draft = options.run;
+  const std::string input = options.run.input.empty() ? "gallery:" + std::string(gallery().front().name) : options.run.input;
+  m.open(input, options.paused);
+  if (options.tolerance_given && m.draft.tolerance.text() != options.run.tolerance.text()) {
+    m.draft.tolerance = options.run.tolerance;
+    m.session.start(m.draft, nullptr, options.paused);
+  }
+  return {};
+}
+
+App::~App() {
+  if (model_ && !settings_path_.empty()) {
+    model_->settings.theme = model_->view.theme;
+    save_settings(settings_path_, model_->settings);
+  }
+  // Workers wake the window: they end before it does.
+  scene_view_.reset();
+  model_.reset();
+}
+
+void App::keys(CommandSink& commands) {
+  const ImGuiIO& io = ImGui::GetIO();
+  for (const Command& command : command_table())
+    for (const Chord& chord : command.keys) {
+      if (!ImGui::IsKeyPressed(chord.key)) continue;
+      if (io.KeyCtrl != chord.control || io.KeyShift != chord.shift || io.KeyAlt) continue;
+      // While text is typed, only what cannot be text is a command.
+      const bool text_key = !chord.control && chord.key != GLFW_KEY_ESCAPE && !(chord.key >= GLFW_KEY_F1 && chord.key <= GLFW_KEY_F25);
+      const bool clipboard = chord.control && (chord.key == 'C' || chord.key == 'V' || chord.key == 'A');
+      if (io.WantTextInput && (text_key || clipboard)) continue;
+      if (command.enabled != nullptr && !command.enabled(*model_)) continue;
+      commands.post(std::string(command.name));
+    }
+}
+
+void App::run_commands(CommandSink& commands) {
+  for (const CommandCall& call : commands.take()) {
+    const Status status = run_command(*model_, call);
+    if (!status) model_->report(status.error());
+    frames_owed_ = frames_after_input;
+  }
+}
+
+void App::take_drops() {
+  for (const std::string& path : window_->take_dropped()) {
+    const Status status = run_command(*model_, {"open", {path}});
+    if (!status) model_->report(status.error());
+  }
+}
+
+void App::upload_thumbnails() {
+  Thumbnails& thumbnails = overlays_.thumbnails();
+  if (model_->overlay != Overlay::gallery) return;
+  thumbnails.begin(480, 300, [] { Window::wake(); });
+  for (std::size_t i = 0; i < thumbnails.textures.size(); ++i)
+    if (const auto picture = thumbnails.picture(i); picture && thumbnails.textures[i] == 0)
+      thumbnails.textures[i] = make_texture(picture->width, picture->height, picture->pixels.data());
+}
+
+void App::take_requests() {
+  WindowRequests& r = model_->requests;
+  if (r.copy) window_->set_clipboard(*std::exchange(r.copy, std::nullopt));
+  if (std::exchange(r.paste, false)) {
+    const Status status = run_command(*model_, {"view", {window_->clipboard()}});
+    if (!status) model_->report(status.error());
+  }
+  if (std::exchange(r.close, false)) window_->request_close();
+}
+
+void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign, float least, float most) {
+  Pane pane(id, low, size, false, {0, 0}, ui.colors.ground);
+  ImGui::InvisibleButton("grip", size);
+  const bool hot = ImGui::IsItemActive() || ImGui::IsItemHovered();
+  if (hot) {
+    ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y}, to_u32(ui.colors.accent, 0.7f));
+  }
+  if (ImGui::IsItemActive()) {
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    value = std::clamp(value + sign * (upright ? delta.x : delta.y) / ui.scale, least, std::max(least, most));
+  }
+}
+
+void App::draw_window(Ui& ui) {
+  AppModel& m = *model_;
+  PaneLayout& p = m.settings.panes;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float top = ui.px(40), status = ui.px(24), grip = std::max(ui.px(3), 2.0f), folded = ui.px(0);
+  const float width = size.x / ui.scale, height = size.y / ui.scale;
+  const float left = p.show_left ? ui.px(std::min(p.left, width * 0.35f)) : folded;
+  const float right = p.show_right ? ui.px(std::min(p.right, width * 0.35f)) : folded;
+  const float bottom = p.show_bottom ? ui.px(std::min(p.bottom, height * 0.6f)) : 0;
+  const float middle_y = top + grip, bottom_y = size.y - status - bottom;
+  const float middle_high = bottom_y - middle_y - (bottom > 0 ? grip : 0);
+  const ImVec2 padding{ui.px(14), ui.px(10)};
+
+  {
+    Pane pane("##top", {0, 0}, {size.x, top}, false, {0, 0}, ui.colors.panel);
+    panels::top_bar(ui);
+  }
+  if (left > 0) {
+    {
+      Pane pane("##left", {0, middle_y}, {left, middle_high}, true, padding, ui.colors.panel);
+      panels::layers(ui);
+      ImGui::Separator();
+      panels::parameters(ui);
+      ImGui::Separator();
+      panels::clip_and_filter(ui);
+    }
+    splitter(ui, "##grip-left", {left, middle_y}, {grip, middle_high}, true, p.left, 1, 240, width * 0.35f);
+  }
+  if (right > 0) {
+    {
+      Pane pane("##right", {size.x - right, middle_y}, {right, middle_high}, true, padding, ui.colors.panel);
+      panels::inspector(ui);
+    }
+    splitter(ui, "##grip-right", {size.x - right - grip, middle_y}, {grip, middle_high}, true, p.right, -1, 260, width * 0.35f);
+  }
+  if (bottom > 0) {
+    splitter(ui, "##grip-bottom", {0, bottom_y - grip}, {size.x, grip}, false, p.bottom, -1, 110, height * 0.6f);
+    Pane pane("##bottom", {0, bottom_y}, {size.x, bottom}, false, {ui.px(10), ui.px(4)}, ui.colors.panel);
+    timeline_.draw(ui);
+  }
+  const float view_x = left > 0 ? left + grip : 0, view_end = right > 0 ? size.x - right - grip : size.x;
+  {
+    Pane pane("##view", {view_x, middle_y}, {std::max(view_end - view_x, 1.0f), std::max(middle_high, 1.0f)}, false, {0, 0}, ui.colors.ground);
+    scene_view_->draw(ui);
+  }
+  {
+    Pane pane("##status", {0, size.y - status}, {size.x, status}, false, {0, 0}, ui.colors.ground);
+    panels::status_bar(ui);
+  }
+  panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(46)}, std::min(view_end - view_x - ui.px(24), ui.px(560)));
+  overlays_.draw(ui, size);
+}
+
+void App::frame(double seconds) {
+  AppModel& m = *model_;
+  const float scale = std::clamp(window_->content_scale() * m.settings.ui_scale, 0.5f, 8.0f);
+  if (Status s = imgui_->prepare(scale, m.view.theme); !s) {
+    std::fprintf(stderr, "isoscope: %s\n", s.error().line().c_str());
+    exit_status_ = 2;
+    window_->request_close();
+    return;
+  }
+  std::optional<MouseStep> mouse;
+  if (!m.requests.mouse.empty()) {
+    mouse = m.requests.mouse.front();
+    m.requests.mouse.pop_front();
+  } else if (m.scripted) {
+    mouse = MouseStep{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; // the real mouse must not disturb a script
+  }
+  upload_thumbnails();
+  imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : seconds);
+  CommandSink commands;
+  Ui ui{m, commands, palette(m.view.theme), m.view.theme, imgui_->fonts(), scale};
+  if (!m.scripted) keys(commands);
+  draw_window(ui);
+
+  const PixelSize size = window_->framebuffer_size();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, size.width, size.height);
+  const ImVec4 ground = to_vec(ui.colors.ground);
+  glClearColor(ground.x, ground.y, ground.z, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  imgui_->end_frame();
+  ++frames_since_command_;
+
+  const bool complete = !scene_view_->unfinished() && frames_since_command_ >= frames_after_input;
+  if (complete && !m.requests.screenshots.empty() && (m.state_is_current() || !m.scripted)) {
+    for (const ScreenshotRequest& request : std::exchange(m.requests.screenshots, {})) {
+      Image image{size.width, size.height, {}};
+      if (request.view_only) {
+        const Renderer::Frame& shown = scene_view_->picture();
+        image = {shown.width, shown.height, renderer_->read_pixels(shown)};
+      } else {
+        image.pixels = window_->read_pixels();
+      }
+      const Status written = write_png(request.file, image);
+      if (!written)
+        m.report(written.error());
+      else if (!m.scripted)
+        m.tell("The picture is written to " + request.file + ".");
+      if (!written && m.scripted) {
+        std::fprintf(stderr, "isoscope: %s\n", written.error().line().c_str());
+        exit_status_ = 1;
+        window_->request_close();
+      }
+    }
+  }
+  window_->swap();
+  run_commands(commands);
+  take_requests();
+}
+
+bool App::at_rest() const {
+  const AppModel& m = *model_;
+  if (!m.requests.screenshots.empty() || !m.requests.mouse.empty() || frames_since_command_ < frames_after_input) return false;
+  if (m.wait_until > 0 && m.clock < m.wait_until) return false;
+  if (m.wait_until < 0) // wait settled: the run too
+    return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() && !scene_view_->unfinished();
+  // A run that goes on need not be waited for; what stands still is shown first.
+  return m.running() || (m.playhead.idle() && !scene_view_->unfinished());
+}
+
+bool App::advance_script() {
+  if (!script_ || !at_rest()) return true;
+  model_->wait_until = 0;
+  if (script_->done()) return false;
+  frames_since_command_ = 0;
+  const Status status = script_->next(*model_);
+  if (status) return true;
+  std::fprintf(stderr, "isoscope: %s\n", status.error().line().c_str());
+  exit_status_ = 1;
+  return false;
+}
+
+bool App::needs_frame(bool changed) const {
+  return changed || script_ || frames_owed_ > 0 || scene_view_->unfinished() || model_->transport.mode() == Transport::Mode::playing ||
+         ImGui::GetIO().WantTextInput || ImGui::IsAnyMouseDown();
+}
+
+int App::run() {
+  last_time_ = glfwGetTime();
+  bool changed = true;
+  while (!window_->should_close()) {
+    AppModel& m = *model_;
+    if (needs_frame(changed) && !window_->minimised())
+      window_->poll();
+    else
+      window_->wait(m.running() ? running_wait : idle_wait);
+    const double now = glfwGetTime(), seconds = now - last_time_;
+    last_time_ = now;
+    m.clock += m.scripted ? script_step : seconds;
+    if (window_->take_activity()) {
+      frames_owed_ = frames_after_input;
+      active_at_ = m.clock;
+    }
+    take_drops();
+    const auto state = m.state();
+    const bool awaited = m.messages.empty();
+    changed = m.update(m.scripted ? script_step : seconds);
+    changed = changed || state != m.state() || awaited != m.messages.empty() || m.grid.working();
+    if (changed) frames_owed_ = std::max(frames_owed_, 2);
+    // A resting mouse still owes a hover and a tooltip.
+    if (frames_owed_ == 0 && ImGui::IsMousePosValid() && m.clock - active_at_ < hover_seconds) frames_owed_ = 1;
+    if (needs_frame(changed)) {
+      frame(seconds);
+      if (frames_owed_ > 0) --frames_owed_;
+    }
+    if (!advance_script()) break;
+    const std::string title = m.run.parameters.input.empty() ? "Isoscope" : m.run.parameters.input + " – Isoscope";
+    if (title != title_) window_->set_title(title_ = title);
+  }
+  return exit_status_;
+}
+
+} // namespace isoscope

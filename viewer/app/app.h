@@ -1,0 +1,58 @@
+// The program: window, interface, renderer and model, and the loop that makes one frame after the other.
+#pragma once
+
+#include "app/app_model.h"
+#include "app/imgui_layer.h"
+#include "app/options.h"
+#include "app/script.h"
+#include "panels/overlays.h"
+#include "panels/scene_view.h"
+#include "panels/timeline_panel.h"
+
+#include <memory>
+#include <optional>
+
+namespace isoscope {
+
+class App {
+ public:
+  /// Opens the window and starts the run that the options ask for. Fails with device, usage or bad_input.
+  static Result<std::unique_ptr<App>> create(const ProgramOptions& options);
+  ~App();
+  /// Runs until the window closes or the script ends; the exit status.
+  int run();
+
+ private:
+  App() = default;
+  Status setup(const ProgramOptions& options);
+  void frame(double seconds);
+  void draw_window(Ui& ui);
+  void splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign, float least, float most);
+  void keys(CommandSink& commands);
+  void run_commands(CommandSink& commands);
+  void take_requests();
+  void take_drops();
+  void upload_thumbnails();
+  /// Advances the script when the command before is done and shown; false when the program is to end.
+  bool advance_script();
+  bool at_rest() const;
+  bool needs_frame(bool changed) const;
+
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<ImguiLayer> imgui_;
+  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<AppModel> model_;
+  std::unique_ptr<SceneView> scene_view_;
+  TimelinePane timeline_;
+  Overlays overlays_;
+  std::optional<ScriptRunner> script_;
+  std::filesystem::path settings_path_;
+  double last_time_ = 0;
+  double active_at_ = 0; ///< when the last input arrived
+  int frames_since_command_ = 0;
+  int frames_owed_ = 3; ///< the interface settles over a few frames after an input
+  int exit_status_ = 0;
+  std::string title_;
+};
+
+} // namespace isoscope

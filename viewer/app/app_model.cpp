@@ -1,0 +1,189 @@
+// What happens between two frames: the run's news, the play head, the workers.
+#include "app/app_model.h"
+
+#include "input/gallery.h"
+#include "scene/section_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+
+constexpr std::string_view gallery_prefix = "gallery:";
+constexpr std::size_t message_limit = 4;
+
+/// From above right in front: depth is seen at once.
+CameraPose first_pose() {
+  CameraPose pose;
+  const double yaw = 0.6 / 2, pitch = -0.42 / 2;
+  const double cy = std::cos(yaw), sy = std::sin(yaw), cp = std::cos(pitch), sp = std::sin(pitch);
+  pose.orientation = {cy * sp, sy * cp, -sy * sp, cy * cp};
+  pose.fov = 35;
+  return pose;
+}
+
+} // namespace
+
+AppModel::AppModel(std::function<void()> notify) : playhead(notify), grid(notify) {
+  camera.set(first_pose());
+}
+
+void AppModel::open(const std::string& input, bool paused) {
+  draft.input = input;
+  if (input.starts_with(gallery_prefix)) {
+    for (const GalleryEntry& entry : gallery())
+      if (entry.name == std::string_view(input).substr(gallery_prefix.size()))
+        draft.tolerance = {entry.tolerance_percent, true};
+  } else if (!scripted) {
+    settings.add_recent(input);
+  }
+  overlay = Overlay::none;
+  transport.restart();
+  session.start(draft, nullptr, paused);
+}
+
+void AppModel::restart() {
+  if (draft.input.empty()) return;
+  transport.restart();
+  session.start(draft);
+}
+
+void AppModel::apply() {
+  session.apply(draft);
+  transport.follow();
+}
+
+bool AppModel::draft_needs_restart() const {
+  const RunParameters& p = run.parameters;
+  return draft.input != p.input || draft.tolerance.value != p.tolerance.value ||
+         draft.tolerance.percent != p.tolerance.percent || draft.containment != p.containment ||
+         draft.topology != p.topology;
+}
+
+bool AppModel::draft_differs() const {
+  const RunParameters& p = run.parameters;
+  return draft_needs_restart() || draft.sigma_ratio() != p.sigma_ratio() || draft.alpha != p.alpha ||
+         draft.shrink != p.shrink || draft.condition_1 != p.condition_1 || draft.condition_2 != p.condition_2 ||
+         draft.condition_3 != p.condition_3 || draft.condition_4 != p.condition_4;
+}
+
+void AppModel::report(const Error& error) {
+  messages.push_back({true, error.message, error.remedy});
+  while (messages.size() > message_limit) messages.pop_front();
+}
+
+void AppModel::tell(std::string text) {
+  messages.push_back({false, std::move(text), ""});
+  while (messages.size() > message_limit) messages.pop_front();
+}
+
+CriteriaParameters AppModel::draft_criteria() const {
+  return draft.criteria(run.scene ? run.scene->delta : 0.0);
+}
+
+std::optional<ViolationPreview> AppModel::draft_preview() const {
+  const auto preview = playhead.preview();
+  if (!preview || preview->criteria != draft_criteria()) return std::nullopt;
+  return preview->violations;
+}
+
+Box3 AppModel::scene_bounds() const {
+  Box3 box;
+  if (run.scene && run.scene->input) box = run.scene->input->bounds().grown(run.scene->delta);
+  return box;
+}
+
+void AppModel::take_run() {
+  run = session.snapshot();
+  if (run.generation != generation_) {
+    generation_ = run.generation;
+    playhead.clear();
+    result_.reset();
+    asked_.reset();
+    preview_asked_.reset();
+    selection.picked = selection.hovered = {};
+    index.reset(nullptr);
+    error_seen_.clear();
+  }
+  if (run.journal && index.journal() != run.journal) index.reset(run.journal);
+  if (run.scene != scene_seen_) {
+    scene_seen_ = run.scene;
+    grid.want(run.scene);
+  }
+  if (run.error && run.error->message != error_seen_) {
+    error_seen_ = run.error->message;
+    report(*run.error);
+  }
+}
+
+// A loaded model is framed once, and never when somebody had set the view.
+void AppModel::place_view() {
+  if (!run.scene || framed_generation_ == run.generation) return;
+  const bool first = framed_generation_ == 0;
+  framed_generation_ = run.generation;
+  const Box3 box = scene_bounds();
+  if (box.empty()) return;
+  camera.set_scene_bounds(box);
+  if (!camera.was_set()) camera.frame(box, false);
+  if (first || !section_set) {
+    view.clip.point = box.center();
+    view.clip.radius = 0.15 * box.longest_edge();
+    section = {0, 0, 1.15 * box.longest_edge()};
+  }
+}
+
+void AppModel::request_state() {
+  if (!run.journal) return;
+  PlayheadRequest wanted;
+  wanted.generation = run.generation;
+  wanted.journal = run.journal;
+  wanted.step = transport.step();
+  wanted.options.recent = view.tets.recent;
+  // Judging condition 3 costs more than all the rest: it waits until the head rests.
+  wanted.options.orientation = !transport.moving() || (transport.at_live_end(live_step()) && !running());
+  const bool pending = asked_ && !playhead.idle();
+  if (pending && transport.moving()) return; // let each state that was begun be seen
+  if (asked_ == wanted) return;
+  asked_ = wanted;
+  playhead.request(std::move(wanted));
+}
+
+bool AppModel::update(double seconds) {
+  const SessionPhase phase = run.phase;
+  const auto step_before = transport.step();
+  take_run();
+  place_view();
+  bool changed = phase != run.phase || running();
+  changed |= index.update();
+  transport.set_immediate(scripted);
+  const bool growing = running() || !index.complete();
+  transport.update(std::min(seconds, 0.1), live_step(), growing);
+  changed |= transport.step() != step_before;
+  request_state();
+
+  const auto newest = playhead.result();
+  if (newest != result_ && (!newest || newest->request.generation == run.generation)) {
+    result_ = newest;
+    changed = true;
+  }
+  if (result_ && run.scene && draft_differs() && !transport.moving()) {
+    const CriteriaParameters criteria = draft_criteria();
+    if (preview_asked_ != criteria || preview_state_ != result_->state) {
+      preview_asked_ = criteria;
+      preview_state_ = result_->state;
+      playhead.request_preview(criteria);
+    }
+  }
+  changed |= camera.update(scripted ? 1.0 : seconds);
+  return changed;
+}
+
+bool AppModel::state_is_current() const {
+  if (!playhead.idle() || !index.complete() || grid.working()) return false;
+  if (!run.journal) return true;
+  return result_ && asked_ && result_->request == *asked_ && asked_->step == transport.step() &&
+         (!transport.moving() || transport.step() >= live_step());
+}
+
+} // namespace isoscope

@@ -1,0 +1,132 @@
+// Everything the window shows and steers, without the window: commands change it, panels read it, one update a frame.
+#pragma once
+
+#include "app/grid_loader.h"
+#include "app/journal_index.h"
+#include "app/playhead.h"
+#include "app/settings.h"
+#include "app/transport.h"
+#include "run/session.h"
+#include "scene/camera.h"
+#include "scene/renderer.h"
+#include "scene/view_settings.h"
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// What lies over the window.
+enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about };
+
+/// A line that tells the user something, with what to do about it.
+struct Message {
+  bool error = false;
+  std::string text, remedy;
+};
+
+/// A picture asked for; taken after the next frame at full quality.
+struct ScreenshotRequest {
+  std::string file;
+  bool view_only = false; ///< the 3D view without the panels
+};
+
+/// A mouse position or button change that a script makes, one a frame; window units.
+struct MouseStep {
+  float x = 0, y = 0;
+  int button = -1; ///< -1 none, 0 left, 1 right
+  bool down = false;
+  float wheel = 0;
+  bool shift = false, control = false;
+};
+
+/// What commands ask of the program around the model.
+struct WindowRequests {
+  std::vector<ScreenshotRequest> screenshots;
+  std::deque<MouseStep> mouse;
+  std::optional<std::string> copy;
+  bool paste = false, close = false;
+  bool frame_selection = false, frame_all = false;
+};
+
+/// What is selected and hovered, and which kinds a pick may hit.
+struct Selection {
+  Pick picked, hovered;
+  unsigned kinds = 7; ///< bit 0 vertices, 1 tetrahedra, 2 samples
+};
+
+class AppModel {
+ public:
+  /// `notify` is called from workers when something new is ready.
+  explicit AppModel(std::function<void()> notify);
+
+  // The run and its past.
+  Session session;
+  SessionSnapshot run; ///< taken once a frame
+  Playhead playhead;
+  GridLoader grid;
+  JournalIndex index;
+  Transport transport;
+  RunParameters draft;   ///< what the parameter panel shows: asked for when applied
+  double wait_until = 0; ///< scripts: seconds on the clock until which `wait SECONDS` holds
+
+  // The view.
+  ViewSettings view;
+  Camera camera;
+  Renderer::SectionView section;
+  bool section_set = false; ///< a person or a script has chosen the section's place
+  Selection selection;
+  Settings settings;
+  Overlay overlay = Overlay::none;
+  std::deque<Message> messages;
+  WindowRequests requests;
+  double clock = 0;        ///< seconds since the start
+  bool scripted = false;   ///< no easing, nothing remembered, following is immediate
+  std::string failed_expectation;
+
+  /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ.
+  void open(const std::string& input, bool paused = false);
+  /// Runs again from the beginning with the draft's parameters.
+  void restart();
+  /// Goes on with the draft's parameters.
+  void apply();
+  /// Whether the draft differs from what the run was asked, and whether that needs a restart.
+  bool draft_differs() const;
+  bool draft_needs_restart() const;
+
+  void report(const Error& error);
+  void tell(std::string text);
+
+  /// Once a frame: takes what the workers have, moves the play head, asks for what is missing. True when something changed.
+  bool update(double seconds);
+  /// The state shown; may be null.
+  std::shared_ptr<const StateSnapshot> state() const { return result_ ? result_->state : nullptr; }
+  std::shared_ptr<const SampleIndex> sample_index() const { return result_ ? result_->index : nullptr; }
+  Step live_step() const { return run.journal ? run.journal->steps() : 0; }
+  bool running() const { return run.phase == SessionPhase::preparing || run.phase == SessionPhase::running; }
+  /// The state shown is the one the play head asks for and nothing is under way that would change it.
+  bool state_is_current() const;
+  /// The live preview for the draft, absent while it is computed.
+  std::optional<ViolationPreview> draft_preview() const;
+  /// The draft as criteria, in the units of the present scene.
+  CriteriaParameters draft_criteria() const;
+  Box3 scene_bounds() const;
+
+ private:
+  void take_run();
+  void request_state();
+  void place_view();
+  std::shared_ptr<const PlayheadResult> result_;
+  std::uint64_t generation_ = 0;
+  std::uint64_t framed_generation_ = 0;
+  std::optional<PlayheadRequest> asked_;
+  std::optional<CriteriaParameters> preview_asked_;
+  std::shared_ptr<const StateSnapshot> preview_state_;
+  std::shared_ptr<const Scene> scene_seen_;
+  std::string error_seen_;
+};
+
+} // namespace isoscope

@@ -1,0 +1,38 @@
+// Dear ImGui with its GLFW and OpenGL backends, style and fonts at the present scale.
+#pragma once
+
+#include "app/app_model.h"
+#include "app/theme.h"
+#include "platform/window.h"
+
+#include <memory>
+
+namespace isoscope {
+
+/// Owns the library's context; needs the window's OpenGL context during its whole life.
+class ImguiLayer {
+ public:
+  static Result<std::unique_ptr<ImguiLayer>> create(Window& window);
+  ~ImguiLayer();
+  ImguiLayer(const ImguiLayer&) = delete;
+  ImguiLayer& operator=(const ImguiLayer&) = delete;
+
+  /// Loads fonts and style anew when scale or theme changed. Between frames only.
+  Status prepare(float scale, ThemeKind theme);
+  /// `mouse`: a scripted mouse that replaces the real one for this frame; `step` seconds of time, negative: the clock's.
+  void begin_frame(const MouseStep* mouse, double step);
+  void end_frame();
+  const Fonts& fonts() const { return fonts_; }
+  float scale() const { return scale_; }
+
+ private:
+  ImguiLayer() = default;
+  Fonts fonts_;
+  float scale_ = 0;
+  ThemeKind theme_ = ThemeKind::dark;
+};
+
+/// A texture of the interface made of RGBA rows; returns its name.
+std::uint32_t make_texture(int width, int height, const std::uint8_t* rgba);
+
+} // namespace isoscope

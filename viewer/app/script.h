@@ -1,0 +1,36 @@
+// Scripts: one command a line, each run when the one before is done and shown.
+#pragma once
+
+#include "app/commands.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// A script's line with its number, from 1.
+struct ScriptLine {
+  std::size_t number = 0;
+  CommandCall call;
+};
+
+/// Reads a script; blank lines and those that begin with # are skipped. Fails with usage on an unknown command, naming the
+/// line, so that nothing has run then.
+Result<std::vector<ScriptLine>> parse_script(std::string_view text);
+Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& file);
+
+/// Runs a script, a line whenever asked.
+class ScriptRunner {
+ public:
+  explicit ScriptRunner(std::vector<ScriptLine> lines) : lines_(std::move(lines)) {}
+  bool done() const { return at_ >= lines_.size(); }
+  /// Runs the next line; the error names its number.
+  Status next(AppModel& model);
+
+ private:
+  std::vector<ScriptLine> lines_;
+  std::size_t at_ = 0;
+};
+
+} // namespace isoscope

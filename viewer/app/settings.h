@@ -1,0 +1,36 @@
+// What is remembered between sessions: pane sizes, theme, scale, recent files. A small JSON file in the user's configuration.
+#pragma once
+
+#include "scene/view_settings.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// Sizes in units of the interface, before scaling.
+struct PaneLayout {
+  float left = 300, right = 340, bottom = 190;
+  bool show_left = true, show_right = true, show_bottom = true;
+  int tab = 0; ///< of the bottom pane: timeline, plots, events
+};
+
+struct Settings {
+  PaneLayout panes;
+  ThemeKind theme = ThemeKind::dark;
+  float ui_scale = 1; ///< on top of the monitor's content scale, in [0.5, 4]
+  std::vector<std::string> recent; ///< newest first, at most ten
+  std::string last_folder;
+
+  void add_recent(const std::string& input);
+};
+
+/// $XDG_CONFIG_HOME/isoscope/settings.json, or under ~/.config; empty where there is neither.
+std::filesystem::path settings_file();
+/// Defaults where the file is missing or damaged.
+Settings load_settings(const std::filesystem::path& file);
+/// Best effort: a read-only home is no error.
+void save_settings(const std::filesystem::path& file, const Settings& settings);
+
+} // namespace isoscope

@@ -1,0 +1,49 @@
+// Where the play head is and how it moves: paused, playing at a speed, or following the live end.
+#pragma once
+
+#include "base/ids.h"
+
+#include <span>
+
+namespace isoscope {
+
+/// Pure bookkeeping over step numbers; the run itself is elsewhere and goes on while one looks at its past.
+class Transport {
+ public:
+  enum class Mode { paused, playing, following };
+
+  /// Speeds that the window offers, steps a second; 0 is automatic (a whole run in about ten seconds).
+  static std::span<const double> speeds();
+  static constexpr double automatic = 0, unlimited = 1e12;
+
+  Mode mode() const { return mode_; }
+  double speed() const { return speed_; }
+  Step step() const { return static_cast<Step>(position_); }
+  bool moving() const { return mode_ != Mode::paused; }
+
+  /// Back to step 0, following from the start.
+  void restart();
+  void pause() { mode_ = Mode::paused; }
+  void play();
+  void follow();
+  void jump(Step step);
+  void step_by(long steps, Step live);
+  void set_speed(double steps_per_second);
+  /// Whether following jumps to the live end at once instead of playing up to it (scripts).
+  void set_immediate(bool immediate) { immediate_ = immediate; }
+
+  /// Moves by `seconds` of real time towards `live`, the last step there is; `growing`: more may come.
+  void update(double seconds, Step live, bool growing);
+  /// Whether the head is where new steps appear.
+  bool at_live_end(Step live) const { return step() >= live; }
+
+ private:
+  double automatic_speed(double remaining) const;
+  Mode mode_ = Mode::following;
+  double position_ = 0;
+  double speed_ = automatic;
+  double elapsed_ = 0; ///< seconds of automatic play, for its gentle start
+  bool immediate_ = false;
+};
+
+} // namespace isoscope

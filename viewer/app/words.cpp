@@ -1,0 +1,94 @@
+// The words.
+#include "app/words.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace isoscope {
+namespace {
+
+constexpr std::array<LayerName, 10> layers{{
+    {"outer", "Ω outer boundary", "The outer boundary surface of the tolerance volume Ω, d = δ outside (§2.1).",
+     &ViewSettings::outer},
+    {"inner", "Ω inner boundary", "The inner boundary surface of the tolerance volume Ω, d = δ inside (§2.1).",
+     &ViewSettings::inner},
+    {"zero", "Z zero set", "Z, the zero set of the piecewise linear function f: the mesh under construction (§2.3).",
+     &ViewSettings::zero_set},
+    {"samples", "S samples", "The σ-dense samples S of ∂Ω with their labels F = ±1 (§2.2).", &ViewSettings::samples},
+    {"good", "Good samples", "Samples that f classifies as their label says: ε(s) < 1 (§2.2).", &ViewSettings::good_samples},
+    {"bad", "Bad samples", "Samples on the wrong side of Z: ε(s) ≥ 1 (§2.2).", &ViewSettings::bad_samples},
+    {"tets", "T tetrahedra", "Tetrahedra of the triangulation T that the filter lets through.", &ViewSettings::tetrahedra},
+    {"gamma", "∂Γ boundary of Γ", "The boundary of Γ, the union of tetrahedra that carry Z (§2.3).", &ViewSettings::gamma},
+    {"highlight", "Current operation", "What the last operation touched: the inserted vertex, its conflict zone, the "
+                                       "violated tetrahedron.",
+     &ViewSettings::highlight},
+    {"input", "Input triangles", "The triangles as they were read.", &ViewSettings::input},
+}};
+
+} // namespace
+
+std::string_view phase_word(SessionPhase phase) {
+  constexpr std::array<std::string_view, 6> words{"idle", "preparing", "running", "paused", "finished", "failed"};
+  return words.at(static_cast<std::size_t>(phase));
+}
+std::string_view transport_word(Transport::Mode mode) {
+  constexpr std::array<std::string_view, 3> words{"paused", "playing", "following"};
+  return words.at(static_cast<std::size_t>(mode));
+}
+std::string_view pick_word(Pick::Kind kind) {
+  constexpr std::array<std::string_view, 4> words{"none", "vertex", "tet", "sample"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+std::string_view theme_word(ThemeKind theme) {
+  constexpr std::array<std::string_view, 3> words{"dark", "light", "paper"};
+  return words.at(static_cast<std::size_t>(theme));
+}
+std::span<const LayerName> layer_names() {
+  return layers;
+}
+std::string_view stage_title(Stage stage) {
+  constexpr std::array<std::string_view, 7> words{"set-up", "refine", "∂Γ", "tessellate", "Z", "all", "improve"};
+  return words.at(static_cast<std::size_t>(stage));
+}
+std::string_view condition_title(Condition condition) {
+  constexpr std::array<std::string_view, 7> words{"set-up",     "1 classification", "2 height", "3 orientation",
+                                                  "4 topology", "containment",      "witness"};
+  return words.at(static_cast<std::size_t>(condition));
+}
+
+std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+std::string short_number(double value) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
+  const double size = std::abs(value);
+  if (size >= 10000 && size < 1e12)
+    return (value < 0 ? "−" : "") + grouped(static_cast<std::size_t>(std::llround(size)));
+  std::array<char, 40> text{};
+  if (size != 0 && (size < 1e-4 || size >= 1e12))
+    std::snprintf(text.data(), text.size(), "%.2e", value);
+  else
+    std::snprintf(text.data(), text.size(), "%.*f", size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 4,
+                  value);
+  return text.data();
+}
+
+std::string bytes_text(std::size_t bytes) {
+  constexpr std::array<const char*, 4> units{"B", "kB", "MB", "GB"};
+  double value = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  while (value >= 1000 && unit + 1 < units.size()) {
+    value /= 1000;
+    ++unit;
+  }
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), value < 10 && unit > 0 ? "%.1f %s" : "%.0f %s", value, units[unit]);
+  return text.data();
+}
+
+} // namespace isoscope

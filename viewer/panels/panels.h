@@ -1,0 +1,16 @@
+// The panels by name: each draws itself into the present window of the interface.
+#pragma once
+
+#include "panels/ui.h"
+
+namespace isoscope::panels {
+
+void layers(Ui& ui);
+void parameters(Ui& ui);
+void clip_and_filter(Ui& ui);
+void inspector(Ui& ui);
+void top_bar(Ui& ui);
+void status_bar(Ui& ui);
+void messages(Ui& ui, ImVec2 low, float width);
+
+} // namespace isoscope::panels

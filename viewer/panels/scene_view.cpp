@@ -1,0 +1,251 @@
+// Mouse, pictures and what lies over them.
+#include "panels/scene_view.h"
+
+#include "panels/scene_overlay.h"
+#include "panels/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+
+constexpr double settle_seconds = 0.15; ///< after the last change the picture is drawn at full quality
+constexpr ImGuiButtonFlags every_button =
+    ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
+constexpr double hover_delay = 0.12;
+
+ImVec2 local(ImVec2 mouse, ImVec2 low) {
+  return {mouse.x - low.x, mouse.y - low.y};
+}
+
+} // namespace
+
+void SceneView::draw(Ui& ui) {
+  AppModel& m = ui.model;
+  renderer_->set_scene(m.run.scene);
+  renderer_->set_grid(m.grid.grid());
+  renderer_->set_state(m.state());
+  frame_requests(ui);
+
+  const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
+  scene_.shown = m.view.mode != ViewMode::section;
+  section_.shown = m.view.mode != ViewMode::scene;
+  if (!scene_.shown) scene_.unfinished = false;
+  if (!section_.shown) section_.unfinished = false;
+  if (m.view.mode == ViewMode::split) {
+    const float gap = ui.px(2), half = std::floor((all.x - gap) / 2);
+    draw_scene(ui, {low, {half, all.y}});
+    draw_section(ui, {{low.x + half + gap, low.y}, {all.x - half - gap, all.y}});
+  } else if (scene_.shown) {
+    draw_scene(ui, {low, all});
+  } else {
+    draw_section(ui, {low, all});
+  }
+  overlay::mode_switch(ui, {low.x + all.x, low.y});
+  overlay::caption(ui, low, all.x);
+  overlay::progress(ui, low, all);
+}
+
+void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
+  const AppModel& m = ui.model;
+  const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
+  Key key;
+  key.view = m.view;
+  key.state = m.state().get();
+  key.grid = m.grid.grid().get();
+  key.scene = m.run.scene.get();
+  key.width = static_cast<int>(area.size.x * density.x);
+  key.pixel_height = static_cast<int>(area.size.y * density.y);
+  key.selection = m.selection.picked;
+  key.hover = m.selection.hovered;
+  key.scale = ui.scale;
+  if (section)
+    key.u = m.section.u, key.v = m.section.v, key.height = m.section.height;
+  else
+    key.pose = m.camera.pose();
+  if (key.width <= 0 || key.pixel_height <= 0) return;
+
+  FrameRequest request;
+  request.width = key.width;
+  request.height = key.pixel_height;
+  request.pixel_scale = ui.scale * density.x;
+  request.selection = key.selection;
+  request.hover = key.hover;
+  const auto make = [&](Quality quality) {
+    request.quality = quality;
+    picture.frame = section ? renderer_->render_section(m.section, m.view, request) : renderer_->render(m.camera, m.view, request);
+  };
+  if (key != picture.key) {
+    const bool first = picture.changed_at < 0;
+    picture.key = key;
+    picture.changed_at = m.clock;
+    picture.unfinished = !first && !m.scripted;
+    make(picture.unfinished ? Quality::moving : Quality::rest);
+  } else if (picture.unfinished && m.clock - picture.changed_at > settle_seconds) {
+    picture.unfinished = false;
+    make(Quality::rest);
+  }
+  if (picture.frame.texture == 0) return;
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.frame.texture));
+  ImGui::GetWindowDrawList()->AddImage(texture, area.low, {area.low.x + area.size.x, area.low.y + area.size.y}, {0, 1}, {1, 0});
+}
+
+void SceneView::draw_scene(Ui& ui, Area area) {
+  if (area.size.x < 1 || area.size.y < 1) return;
+  ImGui::SetCursorScreenPos(area.low);
+  ImGui::InvisibleButton("scene", area.size, every_button);
+  ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
+  scene_mouse(ui, area);
+  render(ui, scene_, area, false);
+  overlay::axes(ui, area.low, area.size);
+  overlay::scale_bar(ui, area.low, area.size, 2 * ui.model.camera.pose().distance * std::tan(ui.model.camera.pose().fov * 3.14159265358979 / 360));
+}
+
+void SceneView::draw_section(Ui& ui, Area area) {
+  if (area.size.x < 1 || area.size.y < 1) return;
+  ImGui::SetCursorScreenPos(area.low);
+  ImGui::InvisibleButton("section", area.size, every_button);
+  ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
+  section_mouse(ui, area);
+  render(ui, section_, area, true);
+  overlay::section_caption(ui, area.low, area.size);
+  overlay::scale_bar(ui, area.low, area.size, ui.model.section.height);
+}
+
+void SceneView::picked(Ui& ui, const Pick& pick) {
+  ui.model.selection.picked = pick;
+  if (pick.kind != Pick::Kind::none) ui.model.settings.panes.show_right = true;
+}
+
+Pick SceneView::hover_pick(Ui& ui, Area area, bool section) {
+  AppModel& m = ui.model;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MousePos.x != hover_at_.x || io.MousePos.y != hover_at_.y) {
+    hover_at_ = io.MousePos;
+    hover_since_ = m.clock;
+    hover_asked_ = false;
+  }
+  if (hover_asked_ || m.transport.moving() || m.clock - hover_since_ < hover_delay) return m.selection.hovered;
+  hover_asked_ = true;
+  const ImVec2 at = local(io.MousePos, area.low);
+  const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
+  return section ? renderer_->pick_section(m.section, m.view, at.x, at.y, width, height, m.selection.kinds)
+                 : renderer_->pick(m.camera, m.view, at.x, at.y, width, height, m.selection.kinds);
+}
+
+void SceneView::scene_mouse(Ui& ui, Area area) {
+  AppModel& m = ui.model;
+  ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  const ImVec2 at = local(io.MousePos, area.low);
+  const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
+  const auto under = [&] { return renderer_->point_under(m.camera, m.view, at.x, at.y, width, height); };
+  if (ImGui::IsItemActivated()) {
+    pivot_ = under();
+    dragged_ = false;
+  }
+  if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    const float threshold = ui.px(4);
+    const int button = ImGui::IsMouseDown(0) ? 0 : ImGui::IsMouseDown(1) ? 1 : 2;
+    const ImVec2 total = ImGui::GetMouseDragDelta(button, 0);
+    dragged_ = dragged_ || std::hypot(total.x, total.y) > threshold;
+    if (dragged_) {
+      m.camera.mark_set();
+      if (button != 0 || io.KeyShift)
+        m.camera.pan(io.MouseDelta.x, io.MouseDelta.y, area.size.y, pivot_);
+      else
+        m.camera.orbit(io.MouseDelta.x, io.MouseDelta.y, area.size.y, pivot_);
+    }
+  }
+  if (hovered && io.MouseWheel != 0) {
+    m.camera.mark_set();
+    m.camera.zoom(io.MouseWheel, under());
+  }
+  if (hovered && ImGui::IsMouseDoubleClicked(0)) {
+    CameraPose pose = m.camera.pose();
+    const Vec3 point = under();
+    pose.distance = distance(m.camera.eye(), point);
+    pose.target = point;
+    m.camera.set(pose, !m.scripted);
+    m.camera.mark_set();
+    dragged_ = true;
+  }
+  if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
+    if (ImGui::IsMouseReleased(0)) picked(ui, renderer_->pick(m.camera, m.view, at.x, at.y, width, height, m.selection.kinds));
+    if (ImGui::IsMouseReleased(1)) picked(ui, {});
+  }
+  if (hovered && !ImGui::IsAnyMouseDown()) {
+    m.selection.hovered = hover_pick(ui, area, false);
+    overlay::hover_tip(ui);
+  } else if (scene_.shown && !section_.shown) {
+    m.selection.hovered = {};
+  }
+}
+
+void SceneView::section_mouse(Ui& ui, Area area) {
+  AppModel& m = ui.model;
+  ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  const ImVec2 at = local(io.MousePos, area.low);
+  const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
+  const double unit = m.section.height / static_cast<double>(area.size.y);
+  if (ImGui::IsItemActivated()) dragged_ = false;
+  if (ImGui::IsItemActive()) {
+    const int button = ImGui::IsMouseDown(0) ? 0 : ImGui::IsMouseDown(1) ? 1 : 2;
+    const ImVec2 total = ImGui::GetMouseDragDelta(button, 0);
+    dragged_ = dragged_ || std::hypot(total.x, total.y) > ui.px(4);
+    if (dragged_) {
+      m.section.u -= io.MouseDelta.x * unit;
+      m.section.v += io.MouseDelta.y * unit;
+      m.section_set = true;
+    }
+  }
+  if (hovered && io.MouseWheel != 0) {
+    const double factor = std::pow(0.88, static_cast<double>(io.MouseWheel));
+    const double du = (static_cast<double>(at.x) - area.size.x / 2) * unit, dv = (area.size.y / 2 - static_cast<double>(at.y)) * unit;
+    m.section.u += du * (1 - factor);
+    m.section.v += dv * (1 - factor);
+    m.section.height *= factor;
+    m.section_set = true;
+  }
+  if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
+    if (ImGui::IsMouseReleased(0)) picked(ui, renderer_->pick_section(m.section, m.view, at.x, at.y, width, height, m.selection.kinds));
+    if (ImGui::IsMouseReleased(1)) picked(ui, {});
+  }
+  if (hovered && !ImGui::IsAnyMouseDown()) {
+    m.selection.hovered = hover_pick(ui, area, true);
+    overlay::hover_tip(ui);
+  } else if (section_.shown && !scene_.shown) {
+    m.selection.hovered = {};
+  }
+}
+
+void SceneView::frame_requests(Ui& ui) {
+  AppModel& m = ui.model;
+  const bool all = std::exchange(m.requests.frame_all, false);
+  const bool selected = std::exchange(m.requests.frame_selection, false);
+  if (!all && !selected) return;
+  Box3 box = m.scene_bounds();
+  if (box.empty()) box = renderer_->bounds();
+  const Pick& pick = m.selection.picked;
+  const auto state = m.state();
+  if (selected && !all && pick.kind != Pick::Kind::none && state) {
+    const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * box.longest_edge();
+    box = {};
+    if (pick.kind == Pick::Kind::tet && pick.id < state->complex.tets.size() && state->complex.tets[pick.id].alive())
+      for (const Vec3& p : state->complex.positions(TetId(pick.id))) box.add(p);
+    else
+      box.add(pick.point);
+    box = box.grown(margin);
+  }
+  m.camera.frame(box, !m.scripted);
+  m.camera.mark_set();
+  const PlaneAxes axes = plane_axes(m.view.clip.normal);
+  const Vec3 offset = box.center() - m.view.clip.point;
+  m.section.u = dot(offset, axes.u);
+  m.section.v = dot(offset, axes.v);
+  m.section.height = 1.15 * box.longest_edge();
+}
+
+} // namespace isoscope

@@ -1,0 +1,63 @@
+// The 3D view and the section: draws the renderer's picture, turns the mouse into camera moves and picks.
+#pragma once
+
+#include "panels/ui.h"
+#include "scene/renderer.h"
+
+#include <memory>
+
+namespace isoscope {
+
+/// Keeps the last picture and redraws it only when something in it changed.
+class SceneView {
+ public:
+  explicit SceneView(Renderer& renderer) : renderer_(&renderer) {}
+
+  /// Fills the present window of the interface.
+  void draw(Ui& ui);
+  /// Whether another frame is due although nothing asks for one: the picture is not yet at full quality.
+  bool unfinished() const { return scene_.unfinished || section_.unfinished; }
+  /// The last picture of the main view.
+  const Renderer::Frame& picture() const { return scene_.shown ? scene_.frame : section_.frame; }
+  /// Moves camera or section to what was asked for.
+  void frame_requests(Ui& ui);
+
+ private:
+  /// Everything a picture depends on.
+  struct Key {
+    CameraPose pose;
+    ViewSettings view;
+    double u = 0, v = 0, height = 0;
+    const void *state = nullptr, *grid = nullptr, *scene = nullptr;
+    int width = 0, pixel_height = 0;
+    Pick selection, hover;
+    float scale = 1;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct Picture {
+    Key key;
+    Renderer::Frame frame;
+    double changed_at = -1;
+    bool unfinished = false, shown = false;
+  };
+  struct Area {
+    ImVec2 low, size;
+  };
+  void draw_scene(Ui& ui, Area area);
+  void draw_section(Ui& ui, Area area);
+  void render(Ui& ui, Picture& picture, Area area, bool section);
+  void scene_mouse(Ui& ui, Area area);
+  void section_mouse(Ui& ui, Area area);
+  void picked(Ui& ui, const Pick& pick);
+  Pick hover_pick(Ui& ui, Area area, bool section);
+
+  Renderer* renderer_;
+  Picture scene_, section_;
+  Vec3 pivot_;
+  bool dragged_ = false;
+  double hover_since_ = 0;
+  ImVec2 hover_at_{-1, -1};
+  bool hover_asked_ = false;
+};
+
+} // namespace isoscope
