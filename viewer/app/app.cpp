@@ -14,11 +14,12 @@
 namespace isoscope {
 namespace {
 
-constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoSavedSettings |
                                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 constexpr int frames_after_input = 3;
 constexpr double script_step = 1.0 / 60; ///< scripts see an even clock
-constexpr double hover_seconds = 0.8; ///< after the last input, for hovers and tooltips that come late
+constexpr double hover_seconds = 0.8;    ///< after the last input, for hovers and tooltips that come late
 constexpr double idle_wait = 0.25, running_wait = 0.03;
 
 struct Pane {
@@ -28,7 +29,8 @@ struct Pane {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(color));
-    const ImGuiWindowFlags flags = scrolls ? pane_flags & ~ImGuiWindowFlags_NoScrollbar : pane_flags | ImGuiWindowFlags_NoScrollWithMouse;
+    const ImGuiWindowFlags flags = scrolls ? pane_flags & ~ImGuiWindowFlags_NoScrollbar
+                                           : pane_flags | ImGuiWindowFlags_NoScrollWithMouse;
     ImGui::Begin(name, nullptr, flags);
   }
   ~Pane() {
@@ -53,7 +55,7 @@ Status App::setup(const ProgramOptions& options) {
   if (!options.script.empty()) {
     auto read = read_script(options.script);
     if (!read) return read.error();
-    lines = *std::move(read);
+    lines = std::move(*read);
   }
   if (!options.screenshot.empty()) {
     lines.push_back({0, {"wait", {"settled"}}});
@@ -62,13 +64,13 @@ Status App::setup(const ProgramOptions& options) {
   }
   auto window = Window::open("Isoscope", options.size);
   if (!window) return window.error();
-  window_ = *std::move(window);
+  window_ = std::move(*window);
   auto imgui = ImguiLayer::create(*window_);
   if (!imgui) return imgui.error();
-  imgui_ = *std::move(imgui);
+  imgui_ = std::move(*imgui);
   auto renderer = Renderer::create();
   if (!renderer) return renderer.error();
-  renderer_ = *std::move(renderer);
+  renderer_ = std::move(*renderer);
 
   model_ = std::make_unique<AppModel>([] { Window::wake(); });
   AppModel& m = *model_;
@@ -82,7 +84,8 @@ Status App::setup(const ProgramOptions& options) {
   if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
   scene_view_ = std::make_unique<SceneView>(*renderer_);
   m.draft = options.run;
-  const std::string input = options.run.input.empty() ? "gallery:" + std::string(gallery().front().name) : options.run.input;
+  const std::string input =
+      options.run.input.empty() ? "gallery:" + std::string(gallery().front().name) : options.run.input;
   m.open(input, options.paused);
   if (options.tolerance_given && m.draft.tolerance.text() != options.run.tolerance.text()) {
     m.draft.tolerance = options.run.tolerance;
@@ -108,7 +111,8 @@ void App::keys(CommandSink& commands) {
       if (!ImGui::IsKeyPressed(chord.key)) continue;
       if (io.KeyCtrl != chord.control || io.KeyShift != chord.shift || io.KeyAlt) continue;
       // While text is typed, only what cannot be text is a command.
-      const bool text_key = !chord.control && chord.key != GLFW_KEY_ESCAPE && !(chord.key >= GLFW_KEY_F1 && chord.key <= GLFW_KEY_F25);
+      const bool text_key = !chord.control && chord.key != GLFW_KEY_ESCAPE &&
+                            !(chord.key >= GLFW_KEY_F1 && chord.key <= GLFW_KEY_F25);
       const bool clipboard = chord.control && (chord.key == 'C' || chord.key == 'V' || chord.key == 'A');
       if (io.WantTextInput && (text_key || clipboard)) continue;
       if (command.enabled != nullptr && !command.enabled(*model_)) continue;
@@ -150,13 +154,15 @@ void App::take_requests() {
   if (std::exchange(r.close, false)) window_->request_close();
 }
 
-void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign, float least, float most) {
+void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign,
+                   float least, float most) {
   Pane pane(id, low, size, false, {0, 0}, ui.colors.ground);
   ImGui::InvisibleButton("grip", size);
   const bool hot = ImGui::IsItemActive() || ImGui::IsItemHovered();
   if (hot) {
     ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y}, to_u32(ui.colors.accent, 0.7f));
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
+                                              to_u32(ui.colors.accent, 0.7f));
   }
   if (ImGui::IsItemActive()) {
     const ImVec2 delta = ImGui::GetIO().MouseDelta;
@@ -197,23 +203,27 @@ void App::draw_window(Ui& ui) {
       Pane pane("##right", {size.x - right, middle_y}, {right, middle_high}, true, padding, ui.colors.panel);
       panels::inspector(ui);
     }
-    splitter(ui, "##grip-right", {size.x - right - grip, middle_y}, {grip, middle_high}, true, p.right, -1, 260, width * 0.35f);
+    splitter(ui, "##grip-right", {size.x - right - grip, middle_y}, {grip, middle_high}, true, p.right, -1,
+             260, width * 0.35f);
   }
   if (bottom > 0) {
-    splitter(ui, "##grip-bottom", {0, bottom_y - grip}, {size.x, grip}, false, p.bottom, -1, 110, height * 0.6f);
+    splitter(ui, "##grip-bottom", {0, bottom_y - grip}, {size.x, grip}, false, p.bottom, -1, 110,
+             height * 0.6f);
     Pane pane("##bottom", {0, bottom_y}, {size.x, bottom}, false, {ui.px(10), ui.px(4)}, ui.colors.panel);
     timeline_.draw(ui);
   }
   const float view_x = left > 0 ? left + grip : 0, view_end = right > 0 ? size.x - right - grip : size.x;
   {
-    Pane pane("##view", {view_x, middle_y}, {std::max(view_end - view_x, 1.0f), std::max(middle_high, 1.0f)}, false, {0, 0}, ui.colors.ground);
+    Pane pane("##view", {view_x, middle_y}, {std::max(view_end - view_x, 1.0f), std::max(middle_high, 1.0f)},
+              false, {0, 0}, ui.colors.ground);
     scene_view_->draw(ui);
   }
   {
     Pane pane("##status", {0, size.y - status}, {size.x, status}, false, {0, 0}, ui.colors.ground);
     panels::status_bar(ui);
   }
-  panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(46)}, std::min(view_end - view_x - ui.px(24), ui.px(560)));
+  panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(46)},
+                   std::min(view_end - view_x - ui.px(24), ui.px(560)));
   overlays_.draw(ui, size);
 }
 
@@ -231,7 +241,8 @@ void App::frame(double seconds) {
     mouse = m.requests.mouse.front();
     m.requests.mouse.pop_front();
   } else if (m.scripted) {
-    mouse = MouseStep{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; // the real mouse must not disturb a script
+    mouse = MouseStep{ImGui::GetIO().MousePos.x,
+                      ImGui::GetIO().MousePos.y}; // the real mouse must not disturb a script
   }
   upload_thumbnails();
   imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : seconds);
@@ -278,10 +289,13 @@ void App::frame(double seconds) {
 
 bool App::at_rest() const {
   const AppModel& m = *model_;
-  if (!m.requests.screenshots.empty() || !m.requests.mouse.empty() || frames_since_command_ < frames_after_input) return false;
+  if (!m.requests.screenshots.empty() || !m.requests.mouse.empty() ||
+      frames_since_command_ < frames_after_input)
+    return false;
   if (m.wait_until > 0 && m.clock < m.wait_until) return false;
   if (m.wait_until < 0) // wait settled: the run too
-    return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() && !scene_view_->unfinished();
+    return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() &&
+           !scene_view_->unfinished();
   // A run that goes on need not be waited for; what stands still is shown first.
   return m.running() || (m.playhead.idle() && !scene_view_->unfinished());
 }
@@ -299,8 +313,9 @@ bool App::advance_script() {
 }
 
 bool App::needs_frame(bool changed) const {
-  return changed || script_ || frames_owed_ > 0 || scene_view_->unfinished() || model_->transport.mode() == Transport::Mode::playing ||
-         ImGui::GetIO().WantTextInput || ImGui::IsAnyMouseDown();
+  return changed || script_ || frames_owed_ > 0 || scene_view_->unfinished() ||
+         model_->transport.mode() == Transport::Mode::playing || ImGui::GetIO().WantTextInput ||
+         ImGui::IsAnyMouseDown();
 }
 
 int App::run() {
@@ -326,13 +341,15 @@ int App::run() {
     changed = changed || state != m.state() || awaited != m.messages.empty() || m.grid.working();
     if (changed) frames_owed_ = std::max(frames_owed_, 2);
     // A resting mouse still owes a hover and a tooltip.
-    if (frames_owed_ == 0 && ImGui::IsMousePosValid() && m.clock - active_at_ < hover_seconds) frames_owed_ = 1;
+    if (frames_owed_ == 0 && ImGui::IsMousePosValid() && m.clock - active_at_ < hover_seconds)
+      frames_owed_ = 1;
     if (needs_frame(changed)) {
       frame(seconds);
       if (frames_owed_ > 0) --frames_owed_;
     }
     if (!advance_script()) break;
-    const std::string title = m.run.parameters.input.empty() ? "Isoscope" : m.run.parameters.input + " – Isoscope";
+    const std::string title =
+        m.run.parameters.input.empty() ? "Isoscope" : m.run.parameters.input + " – Isoscope";
     if (title != title_) window_->set_title(title_ = title);
   }
   return exit_status_;

@@ -27,7 +27,8 @@ class App {
   Status setup(const ProgramOptions& options);
   void frame(double seconds);
   void draw_window(Ui& ui);
-  void splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign, float least, float most);
+  void splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign,
+                float least, float most);
   void keys(CommandSink& commands);
   void run_commands(CommandSink& commands);
   void take_requests();

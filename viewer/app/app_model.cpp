@@ -64,8 +64,9 @@ bool AppModel::draft_needs_restart() const {
 bool AppModel::draft_differs() const {
   const RunParameters& p = run.parameters;
   return draft_needs_restart() || draft.sigma_ratio() != p.sigma_ratio() || draft.alpha != p.alpha ||
-         draft.shrink != p.shrink || draft.condition_1 != p.condition_1 || draft.condition_2 != p.condition_2 ||
-         draft.condition_3 != p.condition_3 || draft.condition_4 != p.condition_4;
+         draft.shrink != p.shrink || draft.condition_1 != p.condition_1 ||
+         draft.condition_2 != p.condition_2 || draft.condition_3 != p.condition_3 ||
+         draft.condition_4 != p.condition_4;
 }
 
 void AppModel::report(const Error& error) {

@@ -1,4 +1,5 @@
-// Everything the window shows and steers, without the window: commands change it, panels read it, one update a frame.
+// Everything the window shows and steers, without the window: commands change it, panels read it, one update
+// a frame.
 #pragma once
 
 #include "app/grid_loader.h"
@@ -83,8 +84,8 @@ class AppModel {
   Overlay overlay = Overlay::none;
   std::deque<Message> messages;
   WindowRequests requests;
-  double clock = 0;        ///< seconds since the start
-  bool scripted = false;   ///< no easing, nothing remembered, following is immediate
+  double clock = 0;      ///< seconds since the start
+  bool scripted = false; ///< no easing, nothing remembered, following is immediate
   std::string failed_expectation;
 
   /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ.
@@ -100,7 +101,8 @@ class AppModel {
   void report(const Error& error);
   void tell(std::string text);
 
-  /// Once a frame: takes what the workers have, moves the play head, asks for what is missing. True when something changed.
+  /// Once a frame: takes what the workers have, moves the play head, asks for what is missing. True when
+  /// something changed.
   bool update(double seconds);
   /// The state shown; may be null.
   std::shared_ptr<const StateSnapshot> state() const { return result_ ? result_->state : nullptr; }

@@ -28,7 +28,8 @@ Error usage(const std::string& name, const std::string& what) {
 Result<long> count_of(const std::string& name, const Arguments& a) {
   if (a.empty()) return 1L;
   const auto n = parse_number(a[0]);
-  if (!n || *n < 1 || *n > 1e9 || *n != std::floor(*n)) return usage(name, "\"" + a[0] + "\" is not a count of operations.");
+  if (!n || *n < 1 || *n > 1e9 || *n != std::floor(*n))
+    return usage(name, "\"" + a[0] + "\" is not a count of operations.");
   return static_cast<long>(*n);
 }
 
@@ -43,7 +44,8 @@ std::string time_stamp() {
 
 bool has_extension(const std::string& name, std::string_view extension) {
   std::string end = std::filesystem::path(name).extension().string();
-  std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(end.begin(), end.end(), end.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return end == extension;
 }
 
@@ -89,12 +91,14 @@ Status export_mesh(AppModel& model, const Arguments& a) {
   if (!state) return usage("export", "There is no zero set yet.");
   std::string file = a.empty() ? "" : a[0];
   if (file.empty()) {
-    const std::string name = model.run.scene && model.run.scene->input ? model.run.scene->input->name : "model";
+    const std::string name =
+        model.run.scene && model.run.scene->input ? model.run.scene->input->name : "model";
     file = name + "-step-" + std::to_string(state->step) + ".off";
   }
   const TriangleMesh mesh = triangulate(state->zero_set);
   if (Status s = write_mesh(file, mesh); !s) return s;
-  model.tell("Z of step " + grouped(state->step) + " is written to " + std::filesystem::absolute(file).string() + ".");
+  model.tell("Z of step " + grouped(state->step) + " is written to " +
+             std::filesystem::absolute(file).string() + ".");
   return {};
 }
 
@@ -210,7 +214,8 @@ Status hold_or_resume(AppModel& model, const Arguments&) {
 
 Status apply_parameters(AppModel& model, const Arguments&) {
   if (model.draft_needs_restart())
-    return Error{ErrorCode::usage, "These parameters change Ω itself and need a new run.", "Use Restart (Ctrl+R)."};
+    return Error{ErrorCode::usage, "These parameters change Ω itself and need a new run.",
+                 "Use Restart (Ctrl+R)."};
   if (Status s = check(model.draft); !s) return s;
   model.apply();
   return {};
@@ -269,7 +274,8 @@ Status look_along(AppModel& model, const Arguments& a) {
   const bool negative = axis.starts_with("-");
   const std::string name = negative ? axis.substr(1) : axis;
   const std::size_t index = std::string_view("xyz").find(name);
-  if (name.size() != 1 || index == std::string_view::npos) return usage("look", "\"" + axis + "\" is not an axis.");
+  if (name.size() != 1 || index == std::string_view::npos)
+    return usage("look", "\"" + axis + "\" is not an axis.");
   model.camera.look_along(static_cast<int>(index), negative ? -1 : 1, !model.scripted);
   model.camera.mark_set();
   return {};
@@ -303,7 +309,8 @@ Status set_view(AppModel& model, const Arguments& a) {
   if (a.size() != 1) return usage("view", "The view's JSON is missing.");
   const auto state = view_from_json(a[0], {model.camera.pose(), model.view, model.section});
   if (!state)
-    return Error{ErrorCode::usage, "This text is no view.", "Copy one with Ctrl+C in the window, then paste that."};
+    return Error{ErrorCode::usage, "This text is no view.",
+                 "Copy one with Ctrl+C in the window, then paste that."};
   const ThemeKind theme = model.view.theme;
   model.view = state->view;
   model.view.theme = theme;
@@ -344,7 +351,9 @@ Status choose_theme(AppModel& model, const Arguments& a) {
 
 Status change_scale(AppModel& model, int direction) {
   float& scale = model.settings.ui_scale;
-  scale = direction == 0 ? 1.0f : std::clamp(std::round((scale + 0.1f * static_cast<float>(direction)) * 10) / 10, 0.5f, 4.0f);
+  scale = direction == 0
+              ? 1.0f
+              : std::clamp(std::round((scale + 0.1f * static_cast<float>(direction)) * 10) / 10, 0.5f, 4.0f);
   return {};
 }
 

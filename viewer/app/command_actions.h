@@ -1,4 +1,5 @@
-// What the commands do that takes more than a line. Each checks its arguments and fails with usage where they are wrong.
+// What the commands do that takes more than a line. Each checks its arguments and fails with usage where they
+// are wrong.
 #pragma once
 
 #include "app/commands.h"

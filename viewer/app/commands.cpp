@@ -13,19 +13,32 @@ struct KeyName {
   int key;
   std::string_view name;
 };
-constexpr std::array<KeyName, 26> key_names{{{GLFW_KEY_SPACE, "Space"},   {GLFW_KEY_LEFT, "Left"},
-                                             {GLFW_KEY_RIGHT, "Right"},   {GLFW_KEY_UP, "Up"},
-                                             {GLFW_KEY_DOWN, "Down"},     {GLFW_KEY_HOME, "Home"},
-                                             {GLFW_KEY_END, "End"},       {GLFW_KEY_ESCAPE, "Esc"},
-                                             {GLFW_KEY_ENTER, "Enter"},   {GLFW_KEY_TAB, "Tab"},
-                                             {GLFW_KEY_DELETE, "Del"},    {GLFW_KEY_PAGE_UP, "PageUp"},
-                                             {GLFW_KEY_PAGE_DOWN, "PageDown"}, {GLFW_KEY_EQUAL, "+"},
-                                             {GLFW_KEY_MINUS, "-"},       {GLFW_KEY_LEFT_BRACKET, "["},
-                                             {GLFW_KEY_RIGHT_BRACKET, "]"}, {GLFW_KEY_COMMA, ","},
-                                             {GLFW_KEY_PERIOD, "."},      {GLFW_KEY_SLASH, "/"},
-                                             {GLFW_KEY_KP_1, "Num1"},     {GLFW_KEY_KP_3, "Num3"},
-                                             {GLFW_KEY_KP_5, "Num5"},     {GLFW_KEY_KP_7, "Num7"},
-                                             {GLFW_KEY_KP_ADD, "Num+"},   {GLFW_KEY_KP_SUBTRACT, "Num-"}}};
+constexpr std::array<KeyName, 26> key_names{{{GLFW_KEY_SPACE, "Space"},
+                                             {GLFW_KEY_LEFT, "Left"},
+                                             {GLFW_KEY_RIGHT, "Right"},
+                                             {GLFW_KEY_UP, "Up"},
+                                             {GLFW_KEY_DOWN, "Down"},
+                                             {GLFW_KEY_HOME, "Home"},
+                                             {GLFW_KEY_END, "End"},
+                                             {GLFW_KEY_ESCAPE, "Esc"},
+                                             {GLFW_KEY_ENTER, "Enter"},
+                                             {GLFW_KEY_TAB, "Tab"},
+                                             {GLFW_KEY_DELETE, "Del"},
+                                             {GLFW_KEY_PAGE_UP, "PageUp"},
+                                             {GLFW_KEY_PAGE_DOWN, "PageDown"},
+                                             {GLFW_KEY_EQUAL, "+"},
+                                             {GLFW_KEY_MINUS, "-"},
+                                             {GLFW_KEY_LEFT_BRACKET, "["},
+                                             {GLFW_KEY_RIGHT_BRACKET, "]"},
+                                             {GLFW_KEY_COMMA, ","},
+                                             {GLFW_KEY_PERIOD, "."},
+                                             {GLFW_KEY_SLASH, "/"},
+                                             {GLFW_KEY_KP_1, "Num1"},
+                                             {GLFW_KEY_KP_3, "Num3"},
+                                             {GLFW_KEY_KP_5, "Num5"},
+                                             {GLFW_KEY_KP_7, "Num7"},
+                                             {GLFW_KEY_KP_ADD, "Num+"},
+                                             {GLFW_KEY_KP_SUBTRACT, "Num-"}}};
 
 std::string key_text(int key) {
   for (const KeyName& k : key_names)
@@ -77,12 +90,14 @@ const Command* find_command(const Chord& chord) {
 CommandCall parse_call(std::string_view line) {
   CommandCall call;
   const auto skip = [&] {
-    while (!line.empty() && (line.front() == ' ' || line.front() == '\t' || line.front() == '\r')) line.remove_prefix(1);
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t' || line.front() == '\r'))
+      line.remove_prefix(1);
   };
   const auto word = [&] {
     const char quote = line.front() == '"' ? '"' : '\0';
     if (quote != '\0') line.remove_prefix(1);
-    const std::size_t end = std::min(quote != '\0' ? line.find('"') : line.find_first_of(" \t\r"), line.size());
+    const std::size_t end =
+        std::min(quote != '\0' ? line.find('"') : line.find_first_of(" \t\r"), line.size());
     std::string taken(line.substr(0, end));
     line.remove_prefix(std::min(line.size(), end + (quote != '\0' ? 1 : 0)));
     return taken;

@@ -24,17 +24,17 @@ Chord parse_chord(std::string_view text);
 using Arguments = std::vector<std::string>;
 
 struct Command {
-  std::string_view name;      ///< what scripts type
-  std::string_view title;     ///< what menus show
-  std::string_view usage;     ///< its arguments: "[N]"
-  std::string_view help;      ///< one sentence
-  std::string_view menu;      ///< "File"; empty: only palette, keys and scripts
+  std::string_view name;  ///< what scripts type
+  std::string_view title; ///< what menus show
+  std::string_view usage; ///< its arguments: "[N]"
+  std::string_view help;  ///< one sentence
+  std::string_view menu;  ///< "File"; empty: only palette, keys and scripts
   const char* icon = nullptr;
   std::vector<Chord> keys;
   Status (*run)(AppModel&, const Arguments&) = nullptr;
   bool (*enabled)(const AppModel&) = nullptr;
   bool (*checked)(const AppModel&) = nullptr;
-  bool for_scripts = false;   ///< makes sense in scripts alone: not in the palette
+  bool for_scripts = false; ///< makes sense in scripts alone: not in the palette
 };
 
 std::span<const Command> command_table();
@@ -48,7 +48,8 @@ struct CommandCall {
   Arguments arguments;
 };
 
-/// Splits a line at blanks; "double quotes" keep them. The commands `view` and `expect` take the rest of the line as it is.
+/// Splits a line at blanks; "double quotes" keep them. The commands `view` and `expect` take the rest of the
+/// line as it is.
 CommandCall parse_call(std::string_view line);
 /// Runs it; fails with usage on an unknown name or wrong arguments, and with what the command itself says.
 Status run_command(AppModel& model, const CommandCall& call);
@@ -56,7 +57,9 @@ Status run_command(AppModel& model, const CommandCall& call);
 /// Where panels put what they want done.
 class CommandSink {
  public:
-  void post(std::string name, Arguments arguments = {}) { calls_.push_back({std::move(name), std::move(arguments)}); }
+  void post(std::string name, Arguments arguments = {}) {
+    calls_.push_back({std::move(name), std::move(arguments)});
+  }
   std::vector<CommandCall> take() { return std::exchange(calls_, {}); }
 
  private:

@@ -8,7 +8,8 @@
 namespace isoscope {
 namespace {
 
-/// Voxels along the longest side: Ω is 2δ thick and wants at least four voxels across, within what memory and time allow.
+/// Voxels along the longest side: Ω is 2δ thick and wants at least four voxels across, within what memory and
+/// time allow.
 int resolution_for(const Scene& scene) {
   const double voxels = 4 * scene.longest_edge / std::max(2 * scene.delta, 1e-300);
   return static_cast<int>(std::clamp(voxels, 96.0, 224.0));

@@ -18,7 +18,8 @@ Result<std::unique_ptr<ImguiLayer>> ImguiLayer::create(Window& window) {
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NavNoCaptureKeyboard;
   if (!ImGui_ImplGlfw_InitForOpenGL(window.handle(), true) || !ImGui_ImplOpenGL3_Init("#version 410 core"))
-    return Error{ErrorCode::device, "The user interface cannot use this OpenGL context.", "Update the graphics driver."};
+    return Error{ErrorCode::device, "The user interface cannot use this OpenGL context.",
+                 "Update the graphics driver."};
   return layer;
 }
 

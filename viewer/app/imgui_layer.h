@@ -19,7 +19,8 @@ class ImguiLayer {
 
   /// Loads fonts and style anew when scale or theme changed. Between frames only.
   Status prepare(float scale, ThemeKind theme);
-  /// `mouse`: a scripted mouse that replaces the real one for this frame; `step` seconds of time, negative: the clock's.
+  /// `mouse`: a scripted mouse that replaces the real one for this frame; `step` seconds of time, negative:
+  /// the clock's.
   void begin_frame(const MouseStep* mouse, double step);
   void end_frame();
   const Fonts& fonts() const { return fonts_; }

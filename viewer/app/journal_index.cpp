@@ -14,7 +14,8 @@ void JournalIndex::reset(std::shared_ptr<const Journal> journal) {
 bool JournalIndex::update(std::size_t budget) {
   if (!journal_) return false;
   const std::size_t event_end = std::min(journal_->events().size(), events_ + budget);
-  const std::size_t step_end = std::min<std::size_t>(journal_->operations().size(), conditions_.size() + budget);
+  const std::size_t step_end =
+      std::min<std::size_t>(journal_->operations().size(), conditions_.size() + budget);
   bool any = false;
   for (; events_ < event_end; ++events_) {
     const Event& event = journal_->events()[events_];
@@ -47,14 +48,16 @@ bool JournalIndex::update(std::size_t budget) {
 }
 
 bool JournalIndex::complete() const {
-  return !journal_ || (events_ == journal_->events().size() && conditions_.size() == journal_->operations().size());
+  return !journal_ ||
+         (events_ == journal_->events().size() && conditions_.size() == journal_->operations().size());
 }
 
 std::array<std::uint32_t, condition_count> JournalIndex::counts(Step begin, Step end) const {
   std::array<std::uint32_t, condition_count> n{};
   end = std::min(end, steps());
   begin = std::min(begin, end);
-  for (std::size_t c = 0; c < sums_.size(); ++c) n[c] = sums_[c].empty() ? 0 : sums_[c][end] - sums_[c][begin];
+  for (std::size_t c = 0; c < sums_.size(); ++c)
+    n[c] = sums_[c].empty() ? 0 : sums_[c][end] - sums_[c][begin];
   return n;
 }
 

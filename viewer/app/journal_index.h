@@ -1,4 +1,5 @@
-// Figures of a growing journal in plain arrays, for the timeline, the plots and jumps; taken in a little at a time.
+// Figures of a growing journal in plain arrays, for the timeline, the plots and jumps; taken in a little at a
+// time.
 #pragma once
 
 #include "journal/journal.h"

@@ -1,4 +1,5 @@
-// The window program: reads the command line, opens the window, runs, and turns what went wrong into a word and an exit status.
+// The window program: reads the command line, opens the window, runs, and turns what went wrong into a word
+// and an exit status.
 #include "app/app.h"
 #include "app/options.h"
 
@@ -9,12 +10,15 @@ namespace {
 int exit_status(isoscope::ErrorCode code) {
   switch (code) {
   case isoscope::ErrorCode::bad_input:
-  case isoscope::ErrorCode::unsupported: return 3;
-  case isoscope::ErrorCode::cancelled: return 4;
+  case isoscope::ErrorCode::unsupported:
+    return 3;
+  case isoscope::ErrorCode::cancelled:
+    return 4;
   case isoscope::ErrorCode::usage:
   case isoscope::ErrorCode::device:
   case isoscope::ErrorCode::io:
-  case isoscope::ErrorCode::internal: break;
+  case isoscope::ErrorCode::internal:
+    break;
   }
   return 2;
 }

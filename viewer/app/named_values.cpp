@@ -26,7 +26,8 @@ Error wrong(const std::string& text, const std::string& wanted) {
   return {ErrorCode::usage, "\"" + text + "\" is not " + wanted + ".", ""};
 }
 
-template <class Get> void add_number(Table& t, std::string name, std::string help, Get get, double low, double high) {
+template <class Get>
+void add_number(Table& t, std::string name, std::string help, Get get, double low, double high) {
   t.push_back({std::move(name), std::move(help),
                [get](const AppModel& m) { return text_of(static_cast<double>(get(m))); },
                [get, low, high](AppModel& m, const std::string& text) -> Status {
@@ -54,9 +55,7 @@ template <class Get> void add_switch(Table& t, std::string name, std::string hel
 template <class Get>
 void add_choice(Table& t, std::string name, std::string help, std::vector<std::string> words, Get get) {
   t.push_back({std::move(name), std::move(help),
-               [get, words](const AppModel& m) {
-                 return words.at(static_cast<std::size_t>(get(m)));
-               },
+               [get, words](const AppModel& m) { return words.at(static_cast<std::size_t>(get(m))); },
                [get, words](AppModel& m, const std::string& text) -> Status {
                  const auto found = std::find(words.begin(), words.end(), text);
                  if (found == words.end()) {
@@ -70,15 +69,19 @@ void add_choice(Table& t, std::string name, std::string help, std::vector<std::s
                }});
 }
 
-void add_reading(Table& t, std::string name, std::string help, std::function<std::string(const AppModel&)> get) {
+void add_reading(Table& t, std::string name, std::string help,
+                 std::function<std::string(const AppModel&)> get) {
   t.push_back({std::move(name), std::move(help), std::move(get), nullptr});
 }
 
 void add_parameters(Table& t) {
-  add_number(t, "alpha", "α, margin of condition 1", [](auto& m) -> auto& { return m.draft.alpha; }, 0.01, 0.99);
-  add_number(t, "sigma", "σ/δ, density of the samples; 0 is the mode's own",
-             [](auto& m) -> auto& { return m.draft.sigma; }, 0, 1);
-  add_number(t, "shrink", "factor of condition 3's copy", [](auto& m) -> auto& { return m.draft.shrink; }, 0.01, 1);
+  add_number(
+      t, "alpha", "α, margin of condition 1", [](auto& m) -> auto& { return m.draft.alpha; }, 0.01, 0.99);
+  add_number(
+      t, "sigma", "σ/δ, density of the samples; 0 is the mode's own",
+      [](auto& m) -> auto& { return m.draft.sigma; }, 0, 1);
+  add_number(
+      t, "shrink", "factor of condition 3's copy", [](auto& m) -> auto& { return m.draft.shrink; }, 0.01, 1);
   t.push_back({"tolerance", "δ: a percentage of the longest edge, or a length",
                [](const AppModel& m) { return m.draft.tolerance.text(); },
                [](AppModel& m, const std::string& text) -> Status {
@@ -87,31 +90,45 @@ void add_parameters(Table& t) {
                  m.draft.tolerance = *tolerance;
                  return {};
                }});
-  add_choice(t, "containment", "how Z is kept inside Ω", {"certified", "sampled"},
-             [](auto& m) -> auto& { return m.draft.containment; });
-  add_choice(t, "topology", "what is asked of Z where Ω is no thickening", {"keep", "separate"},
-             [](auto& m) -> auto& { return m.draft.topology; });
-  add_switch(t, "condition-1", "classification", [](auto& m) -> auto& { return m.draft.condition_1; });
-  add_switch(t, "condition-2", "heights", [](auto& m) -> auto& { return m.draft.condition_2; });
-  add_switch(t, "condition-3", "orientation", [](auto& m) -> auto& { return m.draft.condition_3; });
-  add_switch(t, "condition-4", "topology", [](auto& m) -> auto& { return m.draft.condition_4; });
+  add_choice(
+      t, "containment", "how Z is kept inside Ω", {"certified", "sampled"},
+      [](auto& m) -> auto& { return m.draft.containment; });
+  add_choice(
+      t, "topology", "what is asked of Z where Ω is no thickening", {"keep", "separate"},
+      [](auto& m) -> auto& { return m.draft.topology; });
+  add_switch(
+      t, "condition-1", "classification", [](auto& m) -> auto& { return m.draft.condition_1; });
+  add_switch(
+      t, "condition-2", "heights", [](auto& m) -> auto& { return m.draft.condition_2; });
+  add_switch(
+      t, "condition-3", "orientation", [](auto& m) -> auto& { return m.draft.condition_3; });
+  add_switch(
+      t, "condition-4", "topology", [](auto& m) -> auto& { return m.draft.condition_4; });
 }
 
 void add_view(Table& t) {
   for (const LayerName& layer : layer_names()) {
     const auto member = layer.member;
     const std::string name = "layer." + std::string(layer.name);
-    add_switch(t, name, std::string(layer.title) + " shown",
-               [member](auto& m) -> auto& { return (m.view.*member).visible; });
-    add_number(t, name + ".opacity", std::string(layer.title) + ", opacity",
-               [member](auto& m) -> auto& { return (m.view.*member).opacity; }, 0, 1);
+    add_switch(
+        t, name,
+        std::string(layer.title) + " shown", [member](auto& m) -> auto& { return (m.view.*member).visible; });
+    add_number(
+        t, name + ".opacity", std::string(layer.title) + ", opacity",
+        [member](auto& m) -> auto& { return (m.view.*member).opacity; }, 0, 1);
   }
-  add_switch(t, "zero-edges", "edges of Z drawn", [](auto& m) -> auto& { return m.view.zero_set_edges; });
-  add_number(t, "sample-size", "size of samples, pixels", [](auto& m) -> auto& { return m.view.sample_size; }, 1, 30);
-  add_switch(t, "axes", "axes drawn", [](auto& m) -> auto& { return m.view.axes; });
-  add_switch(t, "scale-bar", "scale bar drawn", [](auto& m) -> auto& { return m.view.scale_bar; });
+  add_switch(
+      t, "zero-edges", "edges of Z drawn", [](auto& m) -> auto& { return m.view.zero_set_edges; });
+  add_number(
+      t, "sample-size", "size of samples, pixels", [](auto& m) -> auto& { return m.view.sample_size; }, 1,
+      30);
+  add_switch(
+      t, "axes", "axes drawn", [](auto& m) -> auto& { return m.view.axes; });
+  add_switch(
+      t, "scale-bar", "scale bar drawn", [](auto& m) -> auto& { return m.view.scale_bar; });
   const auto filter = [&](const char* name, const char* help, bool TetFilter::*member) {
-    add_switch(t, std::string("tets.") + name, help, [member](auto& m) -> auto& { return m.view.tets.*member; });
+    add_switch(
+        t, std::string("tets.") + name, help, [member](auto& m) -> auto& { return m.view.tets.*member; });
   };
   filter("zero", "tetrahedra that carry Z", &TetFilter::carry_zero_set);
   filter("violate-1", "tetrahedra that violate condition 1", &TetFilter::violate_1);
@@ -120,29 +137,40 @@ void add_view(Table& t) {
   filter("changed", "tetrahedra made by the last operations", &TetFilter::changed);
   filter("all", "all tetrahedra", &TetFilter::all);
   filter("box", "also those at the bounding box", &TetFilter::box);
-  add_number(t, "tets.recent", "operations back that count as the last ones",
-             [](auto& m) -> auto& { return m.view.tets.recent; }, 1, 100000);
-  add_number(t, "tets.shrink", "display shrink of tetrahedra", [](auto& m) -> auto& { return m.view.tets.shrink; },
-             0.05, 1);
-  add_choice(t, "clip", "shape that cuts the scene", {"none", "plane", "slab", "ball"},
-             [](auto& m) -> auto& { return m.view.clip.shape; });
-  add_choice(t, "clip.mode", "what happens to cells at the cut", {"cut", "whole", "straddle"},
-             [](auto& m) -> auto& { return m.view.clip.mode; });
-  add_switch(t, "clip.flip", "the other side is cut away", [](auto& m) -> auto& { return m.view.clip.flipped; });
-  add_number(t, "clip.radius", "radius of the ball, half the slab", [](auto& m) -> auto& { return m.view.clip.radius; },
-             1e-12, 1e12);
+  add_number(
+      t, "tets.recent", "operations back that count as the last ones",
+      [](auto& m) -> auto& { return m.view.tets.recent; }, 1, 100000);
+  add_number(
+      t, "tets.shrink", "display shrink of tetrahedra", [](auto& m) -> auto& { return m.view.tets.shrink; },
+      0.05, 1);
+  add_choice(
+      t, "clip", "shape that cuts the scene", {"none", "plane", "slab", "ball"},
+      [](auto& m) -> auto& { return m.view.clip.shape; });
+  add_choice(
+      t, "clip.mode", "what happens to cells at the cut", {"cut", "whole", "straddle"},
+      [](auto& m) -> auto& { return m.view.clip.mode; });
+  add_switch(
+      t, "clip.flip", "the other side is cut away", [](auto& m) -> auto& { return m.view.clip.flipped; });
+  add_number(
+      t, "clip.radius", "radius of the ball, half the slab",
+      [](auto& m) -> auto& { return m.view.clip.radius; }, 1e-12, 1e12);
   const std::array<const char*, 3> axis{"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
     const std::string name = axis[static_cast<std::size_t>(i)];
-    add_number(t, "clip." + name, "a point of the clip", [i](auto& m) -> decltype(auto) { return m.view.clip.point[i]; }, -1e12,
-               1e12);
-    add_number(t, "clip.normal." + name, "the clip's normal", [i](auto& m) -> decltype(auto) { return m.view.clip.normal[i]; },
-               -1, 1);
+    add_number(
+        t, "clip." + name, "a point of the clip",
+        [i](auto& m) -> decltype(auto) { return m.view.clip.point[i]; }, -1e12, 1e12);
+    add_number(
+        t, "clip.normal." + name, "the clip's normal",
+        [i](auto& m) -> decltype(auto) { return m.view.clip.normal[i]; }, -1, 1);
   }
-  add_choice(t, "mode", "what the view shows", {"scene", "section", "split"},
-             [](auto& m) -> auto& { return m.view.mode; });
-  add_choice(t, "theme", "colours", {"dark", "light", "paper"}, [](auto& m) -> auto& { return m.view.theme; });
-  add_number(t, "ui-scale", "size of the interface", [](auto& m) -> auto& { return m.settings.ui_scale; }, 0.5, 4);
+  add_choice(
+      t, "mode", "what the view shows", {"scene", "section", "split"},
+      [](auto& m) -> auto& { return m.view.mode; });
+  add_choice(
+      t, "theme", "colours", {"dark", "light", "paper"}, [](auto& m) -> auto& { return m.view.theme; });
+  add_number(
+      t, "ui-scale", "size of the interface", [](auto& m) -> auto& { return m.settings.ui_scale; }, 0.5, 4);
 }
 
 void add_readings(Table& t) {
@@ -152,35 +180,48 @@ void add_readings(Table& t) {
       return state ? text_of(static_cast<double>(get(*state))) : std::string("nan");
     });
   };
-  add_reading(t, "step", "the step shown", [](const AppModel& m) { return std::to_string(m.transport.step()); });
-  of_state("state_step", "the step of the state that is drawn", [](const StateSnapshot& s) { return s.step; });
-  add_reading(t, "steps", "operations so far", [](const AppModel& m) { return std::to_string(m.live_step()); });
-  add_reading(t, "events", "events so far",
-              [](const AppModel& m) { return std::to_string(m.run.journal ? m.run.journal->events().size() : 0); });
-  add_reading(t, "phase", "what the run is doing", [](const AppModel& m) { return std::string(phase_word(m.run.phase)); });
+  add_reading(t, "step", "the step shown",
+              [](const AppModel& m) { return std::to_string(m.transport.step()); });
+  of_state("state_step", "the step of the state that is drawn",
+           [](const StateSnapshot& s) { return s.step; });
+  add_reading(t, "steps", "operations so far",
+              [](const AppModel& m) { return std::to_string(m.live_step()); });
+  add_reading(t, "events", "events so far", [](const AppModel& m) {
+    return std::to_string(m.run.journal ? m.run.journal->events().size() : 0);
+  });
+  add_reading(t, "phase", "what the run is doing",
+              [](const AppModel& m) { return std::string(phase_word(m.run.phase)); });
   add_reading(t, "transport", "what the play head is doing",
               [](const AppModel& m) { return std::string(transport_word(m.transport.mode())); });
   of_state("bad_samples", "samples with ε ≥ 1", [](const StateSnapshot& s) { return s.bad_samples; });
   of_state("beyond_margin", "samples with ε > 1 − α", [](const StateSnapshot& s) { return s.beyond_margin; });
-  of_state("violating_2", "tetrahedra that violate condition 2", [](const StateSnapshot& s) { return s.violating_2; });
-  of_state("violating_3", "tetrahedra that violate condition 3", [](const StateSnapshot& s) { return s.violating_3; });
+  of_state("violating_2", "tetrahedra that violate condition 2",
+           [](const StateSnapshot& s) { return s.violating_2; });
+  of_state("violating_3", "tetrahedra that violate condition 3",
+           [](const StateSnapshot& s) { return s.violating_3; });
   of_state("largest_error", "the largest ε", [](const StateSnapshot& s) { return s.largest_error; });
-  of_state("samples", "samples in S", [](const StateSnapshot& s) { return s.samples ? s.samples->size() : 0; });
+  of_state("samples", "samples in S",
+           [](const StateSnapshot& s) { return s.samples ? s.samples->size() : 0; });
   of_state("tets", "tetrahedra of T", [](const StateSnapshot& s) { return s.complex.alive_tets(); });
   of_state("vertices", "vertices of T", [](const StateSnapshot& s) { return s.complex.vertices.size(); });
-  of_state("zero_vertices", "vertices of Z", [](const StateSnapshot& s) { return s.zero_set.vertices.size(); });
-  of_state("components", "components of Z", [](const StateSnapshot& s) { return s.zero_set.components.size(); });
+  of_state("zero_vertices", "vertices of Z",
+           [](const StateSnapshot& s) { return s.zero_set.vertices.size(); });
+  of_state("components", "components of Z",
+           [](const StateSnapshot& s) { return s.zero_set.components.size(); });
   of_state("euler", "Euler characteristic of Z",
            [](const StateSnapshot& s) { return s.zero_set.euler_characteristic(); });
   add_reading(t, "selection", "what is selected: none, vertex, tet or sample",
               [](const AppModel& m) { return std::string(pick_word(m.selection.picked.kind)); });
   add_reading(t, "selected_id", "its number", [](const AppModel& m) {
-    return m.selection.picked.kind == Pick::Kind::none ? std::string("nan") : std::to_string(m.selection.picked.id);
+    return m.selection.picked.kind == Pick::Kind::none ? std::string("nan")
+                                                       : std::to_string(m.selection.picked.id);
   });
-  add_reading(t, "certified", "whether the finished run's mesh is proven",
-              [](const AppModel& m) { return std::string(m.run.result && m.run.result->certificate.holds() ? "on" : "off"); });
+  add_reading(t, "certified", "whether the finished run's mesh is proven", [](const AppModel& m) {
+    return std::string(m.run.result && m.run.result->certificate.holds() ? "on" : "off");
+  });
   add_reading(t, "model", "what is open", [](const AppModel& m) { return m.run.parameters.input; });
-  add_reading(t, "messages", "messages shown", [](const AppModel& m) { return std::to_string(m.messages.size()); });
+  add_reading(t, "messages", "messages shown",
+              [](const AppModel& m) { return std::to_string(m.messages.size()); });
   add_reading(t, "distance", "of the camera from its target",
               [](const AppModel& m) { return text_of(m.camera.pose().distance); });
   add_reading(t, "heading", "x of the camera's backward axis", [](const AppModel& m) {
@@ -206,11 +247,13 @@ bool compare(double a, const std::string& op, double b) {
   return a >= b;
 }
 
-Status judge(const AppModel& model, const std::string& name, const std::string& op, const std::string& wanted) {
+Status judge(const AppModel& model, const std::string& name, const std::string& op,
+             const std::string& wanted) {
   static constexpr std::array<std::string_view, 6> operators{"==", "!=", "<", "<=", ">", ">="};
   const NamedValue* value = find_value(name);
   if (value == nullptr) return wrong(name, "a value that has a name (F1 lists them)");
-  if (std::find(operators.begin(), operators.end(), op) == operators.end()) return wrong(op, "== != < <= > or >=");
+  if (std::find(operators.begin(), operators.end(), op) == operators.end())
+    return wrong(op, "== != < <= > or >=");
   const std::string found = value->get(model);
   const auto a = parse_number(found), b = parse_number(wanted);
   const bool numbers = a.ok() && b.ok();
@@ -252,7 +295,8 @@ Status expect(const AppModel& model, const std::string& expression) {
   std::string name, op, wanted, joint;
   while (true) {
     if (!(words >> name >> op >> wanted))
-      return Error{ErrorCode::usage, "Expected NAME OP VALUE in \"" + expression + "\".", "For example: bad_samples == 0"};
+      return Error{ErrorCode::usage, "Expected NAME OP VALUE in \"" + expression + "\".",
+                   "For example: bad_samples == 0"};
     if (Status s = judge(model, name, op, wanted); !s) return s;
     if (!(words >> joint)) return {};
     if (joint != "and") return wrong(joint, "\"and\"");

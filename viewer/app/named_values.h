@@ -27,9 +27,9 @@ Result<double> parse_number(const std::string& text);
 /// Reads on/off, true/false, 1/0; fails with usage.
 Result<bool> parse_switch(const std::string& text);
 
-/// Judges "bad_samples == 0 and phase == finished": comparisons (== != < <= > >=) of a named value with a number or word,
-/// joined by `and`. Success when all hold; otherwise a usage error for what cannot be read, or an internal error whose message
-/// says what was found.
+/// Judges "bad_samples == 0 and phase == finished": comparisons (== != < <= > >=) of a named value with a
+/// number or word, joined by `and`. Success when all hold; otherwise a usage error for what cannot be read,
+/// or an internal error whose message says what was found.
 Status expect(const AppModel& model, const std::string& expression);
 
 } // namespace isoscope

@@ -20,7 +20,8 @@ Result<PixelSize> parse_size(const std::string& text) {
   PixelSize size;
   int used = 0;
   if (std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &used) != 2 ||
-      static_cast<std::size_t>(used) != text.size() || size.width < 640 || size.height < 400 || size.width > 16384 || size.height > 16384)
+      static_cast<std::size_t>(used) != text.size() || size.width < 640 || size.height < 400 ||
+      size.width > 16384 || size.height > 16384)
     return bad("--size takes WIDTHxHEIGHT from 640x400 to 16384x16384, not \"" + text + "\".");
   return size;
 }
@@ -33,7 +34,8 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   std::string tolerance, containment = "certified", topology = "keep", until = "refinement", size, theme;
   bool show_version = false;
   CLI::App app{"Isoscope: watch and debug isotopic approximation within a tolerance volume.", "isoscope"};
-  app.add_option("INPUT", o.run.input, "a model (OFF, OBJ, PLY, STL) or gallery:NAME; without it a bundled model opens");
+  app.add_option("INPUT", o.run.input,
+                 "a model (OFF, OBJ, PLY, STL) or gallery:NAME; without it a bundled model opens");
   app.add_option("--tolerance", tolerance, "δ: a percentage of the longest edge (0.6%) or a length");
   app.add_option("--sigma", o.run.sigma, "σ/δ in (0, 1]");
   app.add_option("--alpha", o.run.alpha, "α in (0, 1)");
@@ -46,7 +48,8 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   app.add_flag("--paused", o.paused, "hold the run before its first operation");
   app.add_option("--script", o.script, "run the commands of a file, one a line, then quit");
   app.add_option("--screenshot", o.screenshot, "run to the end, write a picture, quit");
-  app.add_option("--ui-scale", o.ui_scale, "size of text and controls, 0.5 to 4")->check(CLI::Range(0.5, 4.0));
+  app.add_option("--ui-scale", o.ui_scale, "size of text and controls, 0.5 to 4")
+      ->check(CLI::Range(0.5, 4.0));
   app.add_option("--size", size, "of the window: WIDTHxHEIGHT");
   app.add_option("--theme", theme)->check(CLI::IsMember({"dark", "light", "paper"}));
   app.add_flag("--version", show_version, "say the version");
@@ -73,7 +76,8 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
     if (!s) return s.error();
     o.size = *s;
   }
-  if (until != "refinement") return bad("--until " + until + " is not known to this version; it runs to refinement.");
+  if (until != "refinement")
+    return bad("--until " + until + " is not known to this version; it runs to refinement.");
   o.run.containment = containment == "sampled" ? Containment::sampled : Containment::certified;
   o.run.topology = topology == "separate" ? TopologyMode::separate : TopologyMode::keep;
   if (theme == "dark") o.theme = ThemeKind::dark;

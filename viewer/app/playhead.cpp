@@ -139,9 +139,8 @@ bool Playhead::idle() const {
 
 void Playhead::wait() const {
   std::unique_lock lock(impl_->mutex);
-  impl_->changed.wait(lock, [&] {
-    return !impl_->working && !impl_->wanted && !(impl_->wanted_preview && impl_->result);
-  });
+  impl_->changed.wait(
+      lock, [&] { return !impl_->working && !impl_->wanted && !(impl_->wanted_preview && impl_->result); });
 }
 
 } // namespace isoscope

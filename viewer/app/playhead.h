@@ -1,4 +1,5 @@
-// A worker that owns a playback of the journal and describes the state at the step asked for; newer requests replace older.
+// A worker that owns a playback of the journal and describes the state at the step asked for; newer requests
+// replace older.
 #pragma once
 
 #include "criteria/nearest_sample.h"

@@ -14,7 +14,8 @@ Result<std::vector<ScriptLine>> parse_script(std::string_view text) {
     text.remove_prefix(std::min(end + 1, text.size()));
     if (call.name.empty() || call.name.starts_with('#')) continue;
     if (find_command(call.name) == nullptr)
-      return Error{ErrorCode::usage, "Line " + std::to_string(number) + ": there is no command \"" + call.name + "\".",
+      return Error{ErrorCode::usage,
+                   "Line " + std::to_string(number) + ": there is no command \"" + call.name + "\".",
                    "isoscope's F1 lists them."};
     lines.push_back({number, std::move(call)});
   }

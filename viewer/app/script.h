@@ -15,8 +15,8 @@ struct ScriptLine {
   CommandCall call;
 };
 
-/// Reads a script; blank lines and those that begin with # are skipped. Fails with usage on an unknown command, naming the
-/// line, so that nothing has run then.
+/// Reads a script; blank lines and those that begin with # are skipped. Fails with usage on an unknown
+/// command, naming the line, so that nothing has run then.
 Result<std::vector<ScriptLine>> parse_script(std::string_view text);
 Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& file);
 

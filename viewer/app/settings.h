@@ -1,4 +1,5 @@
-// What is remembered between sessions: pane sizes, theme, scale, recent files. A small JSON file in the user's configuration.
+// What is remembered between sessions: pane sizes, theme, scale, recent files. A small JSON file in the
+// user's configuration.
 #pragma once
 
 #include "scene/view_settings.h"
@@ -19,7 +20,7 @@ struct PaneLayout {
 struct Settings {
   PaneLayout panes;
   ThemeKind theme = ThemeKind::dark;
-  float ui_scale = 1; ///< on top of the monitor's content scale, in [0.5, 4]
+  float ui_scale = 1;              ///< on top of the monitor's content scale, in [0.5, 4]
   std::vector<std::string> recent; ///< newest first, at most ten
   std::string last_folder;
 

@@ -13,21 +13,69 @@
 namespace isoscope {
 namespace {
 
-constexpr Palette dark{.ground = 0x14161A, .panel = 0x1B1E24, .raised = 0x232730, .hover = 0x2D323D, .line = 0x2E3440,
-                       .text = 0xE6E9EF, .quiet = 0x8F98A8, .accent = 0x56B4E9, .good = 0x009E73, .bad = 0xD55E00,
-                       .warning = 0xE69F00, .gamma = 0x0072B2, .zero = 0xF2F2F2, .outer = 0x56B4E9, .inner = 0xCC79A7,
-                       .selection = 0xF0E442, .good_text = 0x2FC598, .bad_text = 0xFF8A3D, .warning_text = 0xF0B429,
-                       .accent_text = 0x6CC0F0, .on_accent = 0x0B1116};
-constexpr Palette light{.ground = 0xE9ECF1, .panel = 0xF7F8FA, .raised = 0xFFFFFF, .hover = 0xE4E9F0, .line = 0xCDD3DC,
-                        .text = 0x1B1F26, .quiet = 0x596273, .accent = 0x1F7FB8, .good = 0x009E73, .bad = 0xD55E00,
-                        .warning = 0xE69F00, .gamma = 0x0072B2, .zero = 0x101216, .outer = 0x56B4E9, .inner = 0xCC79A7,
-                        .selection = 0xB59A00, .good_text = 0x00694C, .bad_text = 0xA84600, .warning_text = 0x7A5400,
-                        .accent_text = 0x00629A, .on_accent = 0xFFFFFF};
-constexpr Palette paper{.ground = 0xF4F4F4, .panel = 0xFFFFFF, .raised = 0xF7F7F7, .hover = 0xEAEAEA, .line = 0xC8C8C8,
-                        .text = 0x000000, .quiet = 0x555555, .accent = 0x1F7FB8, .good = 0x009E73, .bad = 0xD55E00,
-                        .warning = 0xE69F00, .gamma = 0x0072B2, .zero = 0x000000, .outer = 0x56B4E9, .inner = 0xCC79A7,
-                        .selection = 0xB59A00, .good_text = 0x00694C, .bad_text = 0xA84600, .warning_text = 0x7A5400,
-                        .accent_text = 0x00629A, .on_accent = 0xFFFFFF};
+constexpr Palette dark{.ground = 0x14161A,
+                       .panel = 0x1B1E24,
+                       .raised = 0x232730,
+                       .hover = 0x2D323D,
+                       .line = 0x2E3440,
+                       .text = 0xE6E9EF,
+                       .quiet = 0x8F98A8,
+                       .accent = 0x56B4E9,
+                       .good = 0x009E73,
+                       .bad = 0xD55E00,
+                       .warning = 0xE69F00,
+                       .gamma = 0x0072B2,
+                       .zero = 0xF2F2F2,
+                       .outer = 0x56B4E9,
+                       .inner = 0xCC79A7,
+                       .selection = 0xF0E442,
+                       .good_text = 0x2FC598,
+                       .bad_text = 0xFF8A3D,
+                       .warning_text = 0xF0B429,
+                       .accent_text = 0x6CC0F0,
+                       .on_accent = 0x0B1116};
+constexpr Palette light{.ground = 0xE9ECF1,
+                        .panel = 0xF7F8FA,
+                        .raised = 0xFFFFFF,
+                        .hover = 0xE4E9F0,
+                        .line = 0xCDD3DC,
+                        .text = 0x1B1F26,
+                        .quiet = 0x596273,
+                        .accent = 0x1F7FB8,
+                        .good = 0x009E73,
+                        .bad = 0xD55E00,
+                        .warning = 0xE69F00,
+                        .gamma = 0x0072B2,
+                        .zero = 0x101216,
+                        .outer = 0x56B4E9,
+                        .inner = 0xCC79A7,
+                        .selection = 0xB59A00,
+                        .good_text = 0x00694C,
+                        .bad_text = 0xA84600,
+                        .warning_text = 0x7A5400,
+                        .accent_text = 0x00629A,
+                        .on_accent = 0xFFFFFF};
+constexpr Palette paper{.ground = 0xF4F4F4,
+                        .panel = 0xFFFFFF,
+                        .raised = 0xF7F7F7,
+                        .hover = 0xEAEAEA,
+                        .line = 0xC8C8C8,
+                        .text = 0x000000,
+                        .quiet = 0x555555,
+                        .accent = 0x1F7FB8,
+                        .good = 0x009E73,
+                        .bad = 0xD55E00,
+                        .warning = 0xE69F00,
+                        .gamma = 0x0072B2,
+                        .zero = 0x000000,
+                        .outer = 0x56B4E9,
+                        .inner = 0xCC79A7,
+                        .selection = 0xB59A00,
+                        .good_text = 0x00694C,
+                        .bad_text = 0xA84600,
+                        .warning_text = 0x7A5400,
+                        .accent_text = 0x00629A,
+                        .on_accent = 0xFFFFFF};
 
 double luminance(Rgb color) {
   const auto linear = [](Rgb channel) {
@@ -38,11 +86,13 @@ double luminance(Rgb color) {
 }
 
 // Latin, Greek, punctuation, super- and subscripts, arrows, mathematics, geometric shapes.
-constexpr std::array<ImWchar, 17> text_ranges{0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2030, 0x2070, 0x209F, 0x2190,
-                                              0x21FF, 0x2200, 0x22FF, 0x2318, 0x2328, 0x25A0, 0x25FF, 0};
+constexpr std::array<ImWchar, 17> text_ranges{0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2030,
+                                              0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF,
+                                              0x2318, 0x2328, 0x25A0, 0x25FF, 0};
 constexpr std::array<ImWchar, 3> icon_ranges{0xF000, 0xF2E0, 0};
 
-ImFont* add_font(ImFontAtlas& atlas, const char* role, float size, const ImWchar* ranges, bool merge, float offset) {
+ImFont* add_font(ImFontAtlas& atlas, const char* role, float size, const ImWchar* ranges, bool merge,
+                 float offset) {
   const EmbeddedFile* file = find_embedded(embedded::fonts(), role);
   if (file == nullptr) return nullptr;
   ImFontConfig config;
@@ -59,16 +109,20 @@ ImFont* add_font(ImFontAtlas& atlas, const char* role, float size, const ImWchar
 ImFont* add_with_icons(ImFontAtlas& atlas, const char* role, float size) {
   ImFont* font = add_font(atlas, role, size, text_ranges.data(), false, 0);
   if (font == nullptr) return nullptr;
-  return add_font(atlas, "icons", size * 0.95f, icon_ranges.data(), true, std::round(size * 0.04f)) ? font : nullptr;
+  return add_font(atlas, "icons", size * 0.95f, icon_ranges.data(), true, std::round(size * 0.04f)) ? font
+                                                                                                    : nullptr;
 }
 
 } // namespace
 
 const Palette& palette(ThemeKind theme) {
   switch (theme) {
-  case ThemeKind::light: return light;
-  case ThemeKind::paper: return paper;
-  case ThemeKind::dark: break;
+  case ThemeKind::light:
+    return light;
+  case ThemeKind::paper:
+    return paper;
+  case ThemeKind::dark:
+    break;
   }
   return dark;
 }
@@ -105,8 +159,9 @@ Result<Fonts> load_fonts(ImFontAtlas& atlas, float scale) {
   fonts.title = add_font(atlas, "ui-bold", size(22), text_ranges.data(), false, 0);
   fonts.mono = add_font(atlas, "mono", size(13.5f), text_ranges.data(), false, 0);
   if (!fonts.ui || !fonts.bold || !fonts.small || !fonts.title || !fonts.mono || !atlas.Build())
-    return Error{ErrorCode::device, "The user interface's fonts cannot be loaded.",
-                 "Build again with fonts-inter, fonts-jetbrains-mono and fonts-font-awesome installed (scripts/run)."};
+    return Error{
+        ErrorCode::device, "The user interface's fonts cannot be loaded.",
+        "Build again with fonts-inter, fonts-jetbrains-mono and fonts-font-awesome installed (scripts/run)."};
   return fonts;
 }
 
@@ -137,7 +192,9 @@ void apply_style(ImGuiStyle& style, ThemeKind theme, float scale) {
   style.PopupBorderSize = 1;
   style.AntiAliasedLines = style.AntiAliasedFill = true;
 
-  const auto set = [&](ImGuiCol slot, Rgb color, float alpha = 1.0f) { style.Colors[slot] = to_vec(color, alpha); };
+  const auto set = [&](ImGuiCol slot, Rgb color, float alpha = 1.0f) {
+    style.Colors[slot] = to_vec(color, alpha);
+  };
   for (int i = 0; i < ImGuiCol_COUNT; ++i) set(i, c.line);
   set(ImGuiCol_Text, c.text);
   set(ImGuiCol_TextDisabled, c.quiet);

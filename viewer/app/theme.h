@@ -1,4 +1,5 @@
-// The look in one place: colours by role, the user interface's style and fonts. Panels take everything from here.
+// The look in one place: colours by role, the user interface's style and fonts. Panels take everything from
+// here.
 #pragma once
 
 #include "base/status.h"
@@ -13,8 +14,8 @@ namespace isoscope {
 /// A colour as 0xRRGGBB.
 using Rgb = std::uint32_t;
 
-/// Colours by role. The first group is grounds and text; the second carries meaning and is the same in every theme but for
-/// what legibility asks of text.
+/// Colours by role. The first group is grounds and text; the second carries meaning and is the same in every
+/// theme but for what legibility asks of text.
 struct Palette {
   Rgb ground, panel, raised, hover, line, text, quiet, accent;
   Rgb good, bad, warning, gamma, zero, outer, inner, selection;
@@ -33,11 +34,11 @@ Rgb condition_color(ThemeKind theme, int condition);
 
 /// Fonts at one scale; owned by the atlas.
 struct Fonts {
-  ImFont* ui = nullptr;     ///< 15 px, with icons
-  ImFont* bold = nullptr;   ///< 15 px semibold, with icons
-  ImFont* small = nullptr;  ///< 13 px, with icons
-  ImFont* title = nullptr;  ///< 22 px semibold
-  ImFont* mono = nullptr;   ///< 13.5 px, fixed digits
+  ImFont* ui = nullptr;    ///< 15 px, with icons
+  ImFont* bold = nullptr;  ///< 15 px semibold, with icons
+  ImFont* small = nullptr; ///< 13 px, with icons
+  ImFont* title = nullptr; ///< 22 px semibold
+  ImFont* mono = nullptr;  ///< 13.5 px, fixed digits
 };
 /// Fills the atlas from the embedded fonts. Fails with device when one cannot be used.
 Result<Fonts> load_fonts(ImFontAtlas& atlas, float scale);

@@ -9,9 +9,8 @@ namespace isoscope {
 namespace {
 constexpr double automatic_seconds = 10; ///< a whole run is told in this time
 constexpr double catch_up_seconds = 0.5; ///< the lag behind a run that is still growing after that
-constexpr std::array<double, 15> offered{Transport::automatic, 0.25, 0.5, 1,   2,   4,   8,
-                                         16,                   32,   64,  128, 256, 512, 1024,
-                                         Transport::unlimited};
+constexpr std::array<double, 15> offered{
+    Transport::automatic, 0.25, 0.5, 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, Transport::unlimited};
 } // namespace
 
 std::span<const double> Transport::speeds() {
@@ -50,8 +49,8 @@ void Transport::set_speed(double steps_per_second) {
   speed_ = std::clamp(steps_per_second, 0.0, unlimited);
 }
 
-// position(t) = end (t / T)^2: slow while single operations change the picture, faster where there are thousands. Solved for
-// the speed from where the head is, so that an end that moves on is followed smoothly.
+// position(t) = end (t / T)^2: slow while single operations change the picture, faster where there are
+// thousands. Solved for the speed from where the head is, so that an end that moves on is followed smoothly.
 double Transport::automatic_speed(double remaining) const {
   const double t = std::max(elapsed_, 0.05), total = automatic_seconds;
   if (t >= total - catch_up_seconds) return remaining / catch_up_seconds;

@@ -55,25 +55,37 @@ template <class Enum> bool read_choice(const json& object, const char* key, Enum
 }
 
 json filter_json(const TetFilter& f) {
-  return {{"zero", f.carry_zero_set}, {"violate_1", f.violate_1}, {"violate_2", f.violate_2}, {"violate_3", f.violate_3},
-          {"changed", f.changed},     {"all", f.all},             {"box", f.box},             {"recent", f.recent},
+  return {{"zero", f.carry_zero_set},
+          {"violate_1", f.violate_1},
+          {"violate_2", f.violate_2},
+          {"violate_3", f.violate_3},
+          {"changed", f.changed},
+          {"all", f.all},
+          {"box", f.box},
+          {"recent", f.recent},
           {"shrink", f.shrink}};
 }
 
 bool read_filter(const json& o, TetFilter& f) {
-  return read(o, "zero", f.carry_zero_set) && read(o, "violate_1", f.violate_1) && read(o, "violate_2", f.violate_2) &&
-         read(o, "violate_3", f.violate_3) && read(o, "changed", f.changed) && read(o, "all", f.all) &&
-         read(o, "box", f.box) && read(o, "recent", f.recent, 1, 1e6) && read(o, "shrink", f.shrink, 0.05, 1);
+  return read(o, "zero", f.carry_zero_set) && read(o, "violate_1", f.violate_1) &&
+         read(o, "violate_2", f.violate_2) && read(o, "violate_3", f.violate_3) &&
+         read(o, "changed", f.changed) && read(o, "all", f.all) && read(o, "box", f.box) &&
+         read(o, "recent", f.recent, 1, 1e6) && read(o, "shrink", f.shrink, 0.05, 1);
 }
 
 json clip_json(const ClipSettings& c) {
-  return {{"shape", static_cast<int>(c.shape)}, {"mode", static_cast<int>(c.mode)}, {"point", vector(c.point)},
-          {"normal", vector(c.normal)},         {"radius", c.radius},               {"flipped", c.flipped}};
+  return {{"shape", static_cast<int>(c.shape)},
+          {"mode", static_cast<int>(c.mode)},
+          {"point", vector(c.point)},
+          {"normal", vector(c.normal)},
+          {"radius", c.radius},
+          {"flipped", c.flipped}};
 }
 
 bool read_clip(const json& o, ClipSettings& c) {
-  if (!(read_choice(o, "shape", c.shape, 4) && read_choice(o, "mode", c.mode, 3) && read(o, "point", c.point) &&
-        read(o, "normal", c.normal) && read(o, "radius", c.radius, 0, 1e300) && read(o, "flipped", c.flipped)))
+  if (!(read_choice(o, "shape", c.shape, 4) && read_choice(o, "mode", c.mode, 3) &&
+        read(o, "point", c.point) && read(o, "normal", c.normal) && read(o, "radius", c.radius, 0, 1e300) &&
+        read(o, "flipped", c.flipped)))
     return false;
   if (squared_length(c.normal) == 0) return false;
   c.normal = normalized(c.normal);
@@ -135,11 +147,13 @@ std::optional<ViewState> view_from_json(const std::string& text, const ViewState
   }
   if (const json* section = part(object, "section")) {
     any = true;
-    if (!read(*section, "u", s.section.u, -1e300, 1e300) || !read(*section, "v", s.section.v, -1e300, 1e300) ||
+    if (!read(*section, "u", s.section.u, -1e300, 1e300) ||
+        !read(*section, "v", s.section.v, -1e300, 1e300) ||
         !read(*section, "height", s.section.height, 1e-300, 1e300))
       return std::nullopt;
   }
-  if (!read_choice(object, "mode", s.view.mode, 3) || !read(object, "zero_set_edges", s.view.zero_set_edges) ||
+  if (!read_choice(object, "mode", s.view.mode, 3) ||
+      !read(object, "zero_set_edges", s.view.zero_set_edges) ||
       !read(object, "sample_size", s.view.sample_size, 1, 30))
     return std::nullopt;
   any = any || object.contains("mode");

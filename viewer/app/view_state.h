@@ -18,8 +18,8 @@ struct ViewState {
 
 /// One JSON object on one line.
 std::string to_json(const ViewState& state);
-/// Reads what is there over `base`: parts that are absent keep base's values. Nullopt when the text is no view. A bare camera
-/// pose is a view too.
+/// Reads what is there over `base`: parts that are absent keep base's values. Nullopt when the text is no
+/// view. A bare camera pose is a view too.
 std::optional<ViewState> view_from_json(const std::string& text, const ViewState& base);
 
 } // namespace isoscope

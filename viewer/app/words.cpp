@@ -9,19 +9,25 @@ namespace isoscope {
 namespace {
 
 constexpr std::array<LayerName, 10> layers{{
-    {"outer", "Ω outer boundary", "The outer boundary surface of the tolerance volume Ω, d = δ outside (§2.1).",
-     &ViewSettings::outer},
-    {"inner", "Ω inner boundary", "The inner boundary surface of the tolerance volume Ω, d = δ inside (§2.1).",
-     &ViewSettings::inner},
-    {"zero", "Z zero set", "Z, the zero set of the piecewise linear function f: the mesh under construction (§2.3).",
+    {"outer", "Ω outer boundary",
+     "The outer boundary surface of the tolerance volume Ω, d = δ outside (§2.1).", &ViewSettings::outer},
+    {"inner", "Ω inner boundary",
+     "The inner boundary surface of the tolerance volume Ω, d = δ inside (§2.1).", &ViewSettings::inner},
+    {"zero", "Z zero set",
+     "Z, the zero set of the piecewise linear function f: the mesh under construction (§2.3).",
      &ViewSettings::zero_set},
-    {"samples", "S samples", "The σ-dense samples S of ∂Ω with their labels F = ±1 (§2.2).", &ViewSettings::samples},
-    {"good", "Good samples", "Samples that f classifies as their label says: ε(s) < 1 (§2.2).", &ViewSettings::good_samples},
+    {"samples", "S samples", "The σ-dense samples S of ∂Ω with their labels F = ±1 (§2.2).",
+     &ViewSettings::samples},
+    {"good", "Good samples", "Samples that f classifies as their label says: ε(s) < 1 (§2.2).",
+     &ViewSettings::good_samples},
     {"bad", "Bad samples", "Samples on the wrong side of Z: ε(s) ≥ 1 (§2.2).", &ViewSettings::bad_samples},
-    {"tets", "T tetrahedra", "Tetrahedra of the triangulation T that the filter lets through.", &ViewSettings::tetrahedra},
-    {"gamma", "∂Γ boundary of Γ", "The boundary of Γ, the union of tetrahedra that carry Z (§2.3).", &ViewSettings::gamma},
-    {"highlight", "Current operation", "What the last operation touched: the inserted vertex, its conflict zone, the "
-                                       "violated tetrahedron.",
+    {"tets", "T tetrahedra", "Tetrahedra of the triangulation T that the filter lets through.",
+     &ViewSettings::tetrahedra},
+    {"gamma", "∂Γ boundary of Γ", "The boundary of Γ, the union of tetrahedra that carry Z (§2.3).",
+     &ViewSettings::gamma},
+    {"highlight", "Current operation",
+     "What the last operation touched: the inserted vertex, its conflict zone, the "
+     "violated tetrahedron.",
      &ViewSettings::highlight},
     {"input", "Input triangles", "The triangles as they were read.", &ViewSettings::input},
 }};
@@ -29,7 +35,8 @@ constexpr std::array<LayerName, 10> layers{{
 } // namespace
 
 std::string_view phase_word(SessionPhase phase) {
-  constexpr std::array<std::string_view, 6> words{"idle", "preparing", "running", "paused", "finished", "failed"};
+  constexpr std::array<std::string_view, 6> words{"idle",   "preparing", "running",
+                                                  "paused", "finished",  "failed"};
   return words.at(static_cast<std::size_t>(phase));
 }
 std::string_view transport_word(Transport::Mode mode) {
@@ -48,12 +55,13 @@ std::span<const LayerName> layer_names() {
   return layers;
 }
 std::string_view stage_title(Stage stage) {
-  constexpr std::array<std::string_view, 7> words{"set-up", "refine", "∂Γ", "tessellate", "Z", "all", "improve"};
+  constexpr std::array<std::string_view, 7> words{"set-up", "refine", "∂Γ",     "tessellate",
+                                                  "Z",      "all",    "improve"};
   return words.at(static_cast<std::size_t>(stage));
 }
 std::string_view condition_title(Condition condition) {
-  constexpr std::array<std::string_view, 7> words{"set-up",     "1 classification", "2 height", "3 orientation",
-                                                  "4 topology", "containment",      "witness"};
+  constexpr std::array<std::string_view, 7> words{
+      "set-up", "1 classification", "2 height", "3 orientation", "4 topology", "containment", "witness"};
   return words.at(static_cast<std::size_t>(condition));
 }
 
@@ -73,7 +81,12 @@ std::string short_number(double value) {
   if (size != 0 && (size < 1e-4 || size >= 1e12))
     std::snprintf(text.data(), text.size(), "%.2e", value);
   else
-    std::snprintf(text.data(), text.size(), "%.*f", size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 4,
+    std::snprintf(text.data(), text.size(), "%.*f",
+                  size >= 1000  ? 0
+                  : size >= 100 ? 1
+                  : size >= 10  ? 2
+                  : size >= 1   ? 3
+                                : 4,
                   value);
   return text.data();
 }

@@ -12,10 +12,10 @@
 
 namespace isoscope {
 
-std::string_view phase_word(SessionPhase phase);      ///< "running"
+std::string_view phase_word(SessionPhase phase);       ///< "running"
 std::string_view transport_word(Transport::Mode mode); ///< "following"
-std::string_view pick_word(Pick::Kind kind);          ///< "tet"
-std::string_view theme_word(ThemeKind theme);         ///< "dark"
+std::string_view pick_word(Pick::Kind kind);           ///< "tet"
+std::string_view theme_word(ThemeKind theme);          ///< "dark"
 
 /// A layer by name.
 struct LayerName {

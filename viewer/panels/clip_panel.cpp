@@ -22,9 +22,11 @@ void clip_position(Ui& ui, ClipSettings& clip) {
   widgets::tip(ui, "Position of the clip", "Along its normal, from one side of the model to the other.");
   if (clip.shape == ClipSettings::Shape::slab || clip.shape == ClipSettings::Shape::ball) {
     auto radius = static_cast<float>(clip.radius / box.longest_edge());
-    if (widgets::slider(ui, "##radius", radius, 0.002f, 1, clip.shape == ClipSettings::Shape::ball ? "radius %.3f" : "half width %.3f", true))
+    if (widgets::slider(ui, "##radius", radius, 0.002f, 1,
+                        clip.shape == ClipSettings::Shape::ball ? "radius %.3f" : "half width %.3f", true))
       clip.radius = static_cast<double>(radius) * box.longest_edge();
-    widgets::tip(ui, "Size of the clip", "Radius of the ball or half the slab, as a fraction of the longest edge.");
+    widgets::tip(ui, "Size of the clip",
+                 "Radius of the ball or half the slab, as a fraction of the longest edge.");
   }
 }
 
@@ -46,7 +48,8 @@ void normal_buttons(Ui& ui, ClipSettings& clip) {
   }
   widgets::tip(ui, "Normal towards the eye", "Cuts away what is nearest to the viewer.");
   ImGui::SameLine(0, ui.px(6));
-  if (widgets::plain_button(ui, (std::string(icon::flip) + "##flip").c_str(), true, each)) ui.commands.post("clip-flip");
+  if (widgets::plain_button(ui, (std::string(icon::flip) + "##flip").c_str(), true, each))
+    ui.commands.post("clip-flip");
   widgets::command_tip(ui, *find_command("clip-flip"));
 }
 
@@ -58,11 +61,13 @@ void filter_row(Ui& ui, const char* name, const char* tip, bool& on, std::string
   widgets::tip(ui, name, tip);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = at.y + ui.px(10);
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(38), y - ui.fonts.small->FontSize / 2}, to_u32(ui.colors.text), name);
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(38), y - ui.fonts.small->FontSize / 2},
+                     to_u32(ui.colors.text), name);
   ImGui::PushFont(ui.fonts.mono);
   const float extent = widgets::text_size(count).x;
   ImGui::PopFont();
-  widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent, y - ui.fonts.mono->FontSize / 2}, to_u32(ui.colors.quiet), count);
+  widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent, y - ui.fonts.mono->FontSize / 2},
+                     to_u32(ui.colors.quiet), count);
   ImGui::PopID();
 }
 
@@ -83,11 +88,15 @@ void clip_and_filter(Ui& ui) {
     constexpr std::array<const char*, 4> shapes{"none", "plane", "slab", "ball"};
     constexpr std::array<const char*, 3> modes{"cut", "whole cells", "straddle"};
     int shape = static_cast<int>(view.clip.shape), mode = static_cast<int>(view.clip.mode);
-    if (widgets::segmented(ui, "shape", shapes, shape)) view.clip.shape = static_cast<ClipSettings::Shape>(shape);
+    if (widgets::segmented(ui, "shape", shapes, shape))
+      view.clip.shape = static_cast<ClipSettings::Shape>(shape);
     widgets::tip(ui, "Shape of the clip   X", "Cuts the scene by a plane, keeps a slab, or keeps a ball.");
     if (view.clip.shape != ClipSettings::Shape::none) {
-      if (widgets::segmented(ui, "cells", modes, mode)) view.clip.mode = static_cast<ClipSettings::Mode>(mode);
-      widgets::tip(ui, "Cells at the cut   C", "Cut them, keep those whole that have a part inside, or show only those that straddle the cut.");
+      if (widgets::segmented(ui, "cells", modes, mode))
+        view.clip.mode = static_cast<ClipSettings::Mode>(mode);
+      widgets::tip(
+          ui, "Cells at the cut   C",
+          "Cut them, keep those whole that have a part inside, or show only those that straddle the cut.");
     }
     ImGui::PopFont();
     if (view.clip.shape != ClipSettings::Shape::none || view.mode != ViewMode::scene) {
@@ -99,22 +108,29 @@ void clip_and_filter(Ui& ui) {
   if (!widgets::section(ui, "Tetrahedra", true)) return;
   TetFilter& f = view.tets;
   const AppModel& m = ui.model;
-  filter_row(ui, "violate condition 1", "Hold a sample with ε > 1 − α. §2.3", f.violate_1, count_of(m, tet_violates_1));
-  filter_row(ui, "violate condition 2", "Carry Z and are lower than 2σ/α. §2.3", f.violate_2, count_of(m, tet_violates_2));
-  filter_row(ui, "violate condition 3", "Carry Z and are misoriented; judged when the play head rests. §2.3", f.violate_3, count_of(m, tet_violates_3));
+  filter_row(ui, "violate condition 1", "Hold a sample with ε > 1 − α. §2.3", f.violate_1,
+             count_of(m, tet_violates_1));
+  filter_row(ui, "violate condition 2", "Carry Z and are lower than 2σ/α. §2.3", f.violate_2,
+             count_of(m, tet_violates_2));
+  filter_row(ui, "violate condition 3", "Carry Z and are misoriented; judged when the play head rests. §2.3",
+             f.violate_3, count_of(m, tet_violates_3));
   filter_row(ui, "changed last", "Made by the last operations.", f.changed, count_of(m, tet_changed));
-  filter_row(ui, "carry Z", "Have vertices of both labels: Γ.", f.carry_zero_set, count_of(m, tet_heterogeneous));
+  filter_row(ui, "carry Z", "Have vertices of both labels: Γ.", f.carry_zero_set,
+             count_of(m, tet_heterogeneous));
   filter_row(ui, "all", "Every tetrahedron inside the bounding box.", f.all, count_of(m, tet_alive));
-  filter_row(ui, "at the bounding box", "Also those with a corner of the loose bounding box. §2.2", f.box, count_of(m, tet_box));
+  filter_row(ui, "at the bounding box", "Also those with a corner of the loose bounding box. §2.2", f.box,
+             count_of(m, tet_box));
   auto recent = static_cast<int>(f.recent);
   ImGui::PushFont(ui.fonts.mono);
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderInt("##recent", &recent, 1, 1000, "last %d operations", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+  if (ImGui::SliderInt("##recent", &recent, 1, 1000, "last %d operations",
+                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
     f.recent = static_cast<std::uint32_t>(recent);
   ImGui::PopFont();
   widgets::tip(ui, "How far back “changed” reaches", "Operations before the step shown, 1 to 1,000.");
   widgets::slider(ui, "##shrink", f.shrink, 0.1f, 1, "display shrink %.2f");
-  widgets::tip(ui, "Display shrink   [ and ]", "Size of a tetrahedron on screen about its centroid; not condition 3's factor.");
+  widgets::tip(ui, "Display shrink   [ and ]",
+               "Size of a tetrahedron on screen about its centroid; not condition 3's factor.");
   ImGui::Dummy({0, ui.px(6)});
 }
 

@@ -28,13 +28,15 @@ bool chip(const Ui& ui, const char* label, Rgb color, bool& on) {
   ImGui::PopID();
   if (pressed) on = !on;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, to_u32(on ? ui.colors.hover : ui.colors.panel), ui.px(12));
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, to_u32(on ? ui.colors.hover : ui.colors.panel),
+                     ui.px(12));
   list.AddRect(at, {at.x + size.x, at.y + size.y}, to_u32(ui.colors.line), ui.px(12));
   if (on)
     list.AddCircleFilled({at.x + ui.px(11), at.y + size.y / 2}, ui.px(4), to_u32(color), 16);
   else
     list.AddCircle({at.x + ui.px(11), at.y + size.y / 2}, ui.px(3.5f), to_u32(color), 16, ui.px(1.2f));
-  widgets::draw_text(list, ImGui::GetFont(), {at.x + ui.px(19), at.y + (size.y - extent.y) / 2}, to_u32(ui.colors.text, on ? 1.0f : 0.6f), label);
+  widgets::draw_text(list, ImGui::GetFont(), {at.x + ui.px(19), at.y + (size.y - extent.y) / 2},
+                     to_u32(ui.colors.text, on ? 1.0f : 0.6f), label);
   return pressed;
 }
 
@@ -58,16 +60,19 @@ void EventList::gather(const AppModel& model) {
   const std::size_t budget = applied_.empty() ? 50 * scan_budget : scan_budget;
   const std::size_t end = std::min(journal_->events().size(), scanned_ + budget);
   for (; scanned_ < end; ++scanned_)
-    if (passes(*journal_, journal_->events()[scanned_])) rows_.push_back(static_cast<std::uint32_t>(scanned_));
+    if (passes(*journal_, journal_->events()[scanned_]))
+      rows_.push_back(static_cast<std::uint32_t>(scanned_));
 }
 
 void EventList::draw(Ui& ui) {
   AppModel& m = ui.model;
   ImGui::PushFont(ui.fonts.small);
   ImGui::SetNextItemWidth(ui.px(220));
-  ImGui::InputTextWithHint("##filter", (std::string(icon::search) + "  filter by words").c_str(), text_.data(), text_.size());
+  ImGui::InputTextWithHint("##filter", (std::string(icon::search) + "  filter by words").c_str(),
+                           text_.data(), text_.size());
   bool changed = false;
-  constexpr std::array<const char*, condition_count> names{"stages", "1", "2", "3", "4", "containment", "witness"};
+  constexpr std::array<const char*, condition_count> names{"stages", "1",           "2",      "3",
+                                                           "4",      "containment", "witness"};
   for (std::size_t c = 0; c < conditions_.size(); ++c) {
     ImGui::SameLine(0, ui.px(c == 0 ? 10 : 5));
     changed |= chip(ui, names[c], condition_color(ui.theme, static_cast<int>(c)), conditions_[c]);
@@ -114,18 +119,24 @@ void EventList::draw(Ui& ui) {
         }
         ImGui::PopID();
         const bool here = target == step && event.operation;
-        if (here || ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(here ? ui.colors.accent : ui.colors.hover, here ? 0.18f : 1.0f), ui.px(4));
+        if (here || ImGui::IsItemHovered())
+          list.AddRectFilled(at, {at.x + width, at.y + high},
+                             to_u32(here ? ui.colors.accent : ui.colors.hover, here ? 0.18f : 1.0f),
+                             ui.px(4));
         const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
         const std::string number = grouped(target);
         const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, number.c_str()).x;
-        widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet), number);
+        widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet),
+                           number);
         const ImVec2 dot{at.x + ui.px(80), at.y + high / 2};
         const ImU32 color = to_u32(condition_color(ui.theme, static_cast<int>(event.condition)));
         if (event.operation)
           list.AddCircleFilled(dot, ui.px(4), color, 16);
         else
-          list.AddRect({dot.x - ui.px(3.5f), dot.y - ui.px(3.5f)}, {dot.x + ui.px(3.5f), dot.y + ui.px(3.5f)}, color, 0, 0, ui.px(1.2f));
-        widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y}, to_u32(ui.colors.text), widgets::fitted(describe(*journal_, event), width - ui.px(100)));
+          list.AddRect({dot.x - ui.px(3.5f), dot.y - ui.px(3.5f)}, {dot.x + ui.px(3.5f), dot.y + ui.px(3.5f)},
+                       color, 0, 0, ui.px(1.2f));
+        widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y}, to_u32(ui.colors.text),
+                           widgets::fitted(describe(*journal_, event), width - ui.px(100)));
       }
     ImGui::PopStyleVar();
   }

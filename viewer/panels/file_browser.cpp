@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t entry_limit = 20000;
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -36,7 +37,8 @@ void store(std::array<char, 1024>& out, const std::string& text) {
 void FileBrowser::go(const fs::path& folder) {
   std::error_code error;
   std::vector<Entry> found;
-  for (fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end; !error && it != end && found.size() < entry_limit; it.increment(error)) {
+  for (fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
+       !error && it != end && found.size() < entry_limit; it.increment(error)) {
     Entry entry;
     std::error_code ignored;
     entry.name = it->path().filename().string();
@@ -47,7 +49,9 @@ void FileBrowser::go(const fs::path& folder) {
   }
   trouble_ = error ? folder.string() + " cannot be read: " + error.message() + "." : "";
   if (error) return;
-  std::sort(found.begin(), found.end(), [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name); });
+  std::sort(found.begin(), found.end(), [](const Entry& a, const Entry& b) {
+    return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+  });
   entries_ = std::move(found);
   folder_ = folder;
   store(path_, folder.string());
@@ -57,7 +61,8 @@ void FileBrowser::go(const fs::path& folder) {
 void FileBrowser::sidebar(Ui& ui, float width) {
   ImGui::BeginChild("places", {width, 0});
   const auto place = [&](const char* glyph, const std::string& name, const fs::path& target) {
-    if (ImGui::Selectable((std::string(glyph) + "   " + name).c_str(), folder_ == target, 0, {0, ui.px(24)})) go(target);
+    if (ImGui::Selectable((std::string(glyph) + "   " + name).c_str(), folder_ == target, 0, {0, ui.px(24)}))
+      go(target);
   };
   widgets::quiet_text(ui, "Places");
   if (const char* home = std::getenv("HOME")) place(icon::home, "Home", home);
@@ -68,7 +73,9 @@ void FileBrowser::sidebar(Ui& ui, float width) {
   widgets::quiet_text(ui, "Recent");
   for (const std::string& file : ui.model.settings.recent) {
     ImGui::PushID(file.c_str());
-    if (ImGui::Selectable((std::string(icon::history) + "   " + fs::path(file).filename().string()).c_str(), false, 0, {0, ui.px(24)})) ui.commands.post("open", {file});
+    if (ImGui::Selectable((std::string(icon::history) + "   " + fs::path(file).filename().string()).c_str(),
+                          false, 0, {0, ui.px(24)}))
+      ui.commands.post("open", {file});
     widgets::tip(ui, {}, file);
     ImGui::PopID();
   }
@@ -95,14 +102,19 @@ void FileBrowser::listing(Ui& ui) {
       const bool pressed = ImGui::InvisibleButton("entry", {std::max(width, 1.0f), high});
       ImGui::PopID();
       ImDrawList& list = *ImGui::GetWindowDrawList();
-      if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover), ui.px(5));
+      if (ImGui::IsItemHovered())
+        list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover), ui.px(5));
       const float y = at.y + (high - ui.fonts.ui->FontSize) / 2;
-      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(10), y}, to_u32(entry.folder ? ui.colors.accent_text : ui.colors.quiet), entry.folder ? icon::folder : icon::cube);
-      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(36), y}, to_u32(ui.colors.text), widgets::fitted(entry.name, width - ui.px(140)));
+      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(10), y},
+                         to_u32(entry.folder ? ui.colors.accent_text : ui.colors.quiet),
+                         entry.folder ? icon::folder : icon::cube);
+      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(36), y}, to_u32(ui.colors.text),
+                         widgets::fitted(entry.name, width - ui.px(140)));
       if (!entry.folder) {
         const std::string size = bytes_text(entry.bytes);
         const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, size.c_str()).x;
-        widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(10), y}, to_u32(ui.colors.quiet), size);
+        widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(10), y},
+                           to_u32(ui.colors.quiet), size);
       }
       if (!pressed) continue;
       if (entry.folder)
@@ -130,11 +142,13 @@ void FileBrowser::draw(Ui& ui) {
   ImGui::SameLine();
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - ui.px(28), ui.px(14)});
   if (widgets::icon_button(ui, "close", icon::close)) ui.commands.post("clear");
-  if (widgets::icon_button(ui, "up", icon::level_up, false, folder_.has_parent_path())) go(folder_.parent_path());
+  if (widgets::icon_button(ui, "up", icon::level_up, false, folder_.has_parent_path()))
+    go(folder_.parent_path());
   widgets::tip(ui, "To the folder above");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.px(210));
-  if (ImGui::InputTextWithHint("##path", "a path", path_.data(), path_.size(), ImGuiInputTextFlags_EnterReturnsTrue)) {
+  if (ImGui::InputTextWithHint("##path", "a path", path_.data(), path_.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue)) {
     std::error_code ignored;
     if (fs::is_directory(path_.data(), ignored))
       go(path_.data());
@@ -144,7 +158,8 @@ void FileBrowser::draw(Ui& ui) {
   widgets::tip(ui, "Path", "Type a folder or a model and press Enter.");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##filter", (std::string(icon::search) + "  filter").c_str(), filter_.data(), filter_.size());
+  ImGui::InputTextWithHint("##filter", (std::string(icon::search) + "  filter").c_str(), filter_.data(),
+                           filter_.size());
   if (!trouble_.empty()) ImGui::TextColored(to_vec(ui.colors.warning_text), "%s", trouble_.c_str());
   ImGui::Dummy({0, ui.px(4)});
   sidebar(ui, ui.px(210));

@@ -36,7 +36,12 @@ void heading(Ui& ui, const char* glyph, const std::string& title, const std::str
 }
 
 const char* kind_text(VertexKind kind) {
-  constexpr std::array<const char*, 6> words{"corner of the bounding box", "sample of S", "containment", "region witness", "topology", "vertex of Z"};
+  constexpr std::array<const char*, 6> words{"corner of the bounding box",
+                                             "sample of S",
+                                             "containment",
+                                             "region witness",
+                                             "topology",
+                                             "vertex of Z"};
   return words.at(static_cast<std::size_t>(kind));
 }
 
@@ -48,17 +53,24 @@ struct Sphere {
 Sphere circumsphere(const std::array<Vec3, 4>& p) {
   const Vec3 a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
   const double det = 2 * dot(a, cross(b, c));
-  const Vec3 offset = (squared_length(a) * cross(b, c) + squared_length(b) * cross(c, a) + squared_length(c) * cross(a, b)) / det;
+  const Vec3 offset =
+      (squared_length(a) * cross(b, c) + squared_length(b) * cross(c, a) + squared_length(c) * cross(a, b)) /
+      det;
   return {p[0] + offset, length(offset)};
 }
 
 void vertex_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
-  if (id >= s.complex.vertices.size()) return widgets::quiet_text(ui, "This vertex is not there at this step.", true);
+  if (id >= s.complex.vertices.size())
+    return widgets::quiet_text(ui, "This vertex is not there at this step.", true);
   const Vertex& v = s.complex.vertices[id];
   heading(ui, icon::dot, "Vertex " + grouped(id), kind_text(v.kind));
   widgets::value_row(ui, "position", position_text(v.position));
-  widgets::value_row(ui, "F", short_number(v.value), v.value > 0 ? ui.colors.accent_text : v.value < 0 ? ui.colors.inner : ui.colors.text);
-  if (v.sample.valid() && widgets::link_row(ui, "sample", "made of sample", grouped(v.sample.value), "Selects the sample that became this vertex."))
+  widgets::value_row(ui, "F", short_number(v.value),
+                     v.value > 0   ? ui.colors.accent_text
+                     : v.value < 0 ? ui.colors.inner
+                                   : ui.colors.text);
+  if (v.sample.valid() && widgets::link_row(ui, "sample", "made of sample", grouped(v.sample.value),
+                                            "Selects the sample that became this vertex."))
     pick(ui, "sample", v.sample.value);
   const Journal* journal = ui.model.run.journal.get();
   for (std::size_t k = 0; journal != nullptr && k < journal->operations().size(); ++k) {
@@ -76,7 +88,8 @@ void vertex_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
         ++degree;
         if (first == TetId::none) first = static_cast<std::uint32_t>(t);
       }
-  if (first != TetId::none && widgets::link_row(ui, "star", "tetrahedra around it", grouped(degree), "Selects one of them."))
+  if (first != TetId::none &&
+      widgets::link_row(ui, "star", "tetrahedra around it", grouped(degree), "Selects one of them."))
     pick(ui, "tet", first);
 }
 
@@ -88,9 +101,11 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   heading(ui, is_bad(error) ? icon::close : icon::dot, "Sample " + grouped(id),
           is_bad(error) ? "bad: f has the wrong sign here (§2.2)" : "good: f has its sign (§2.2)");
   widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
-  widgets::value_row(ui, "side F(s)", label > 0 ? "+1  outer" : "−1  inner", label > 0 ? ui.colors.accent_text : ui.colors.inner);
+  widgets::value_row(ui, "side F(s)", label > 0 ? "+1  outer" : "−1  inner",
+                     label > 0 ? ui.colors.accent_text : ui.colors.inner);
   widgets::value_row(ui, "f(s)", short_number((1 - error) * label));
-  widgets::limit_bar(ui, "error ε(s)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(), "", true);
+  widgets::limit_bar(ui, "error ε(s)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(), "",
+                     true);
   if (id < s.sample_tets.size() && s.sample_tets[id].valid() &&
       widgets::link_row(ui, "tet", "lies in tetrahedron", grouped(s.sample_tets[id].value), "Selects it."))
     pick(ui, "tet", s.sample_tets[id].value);
@@ -98,7 +113,8 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   if (component != 0xffff) widgets::value_row(ui, "component of ∂Ω", std::to_string(component));
 }
 
-void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<double, 4>& f, double shrink) {
+void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
+                         double shrink) {
   const auto index = ui.model.sample_index();
   if (!index) return widgets::quiet_text(ui, "Condition 3 is judged when the play head rests.", true);
   const OrientationVerdict verdict = check_orientation(p, f, shrink, index->nearest);
@@ -113,20 +129,25 @@ void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<
     widgets::verdict_glyph(ui, test.good());
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({at.x + ui.px(20), at.y});
-    const std::string name = "vertex " + std::to_string(i / 2) + ", " + (test.label > 0 ? "outer" : "inner") + " sample " + grouped(test.sample.value);
-    if (widgets::link_row(ui, "test", name, "f " + short_number(test.f), "f at the nearest sample of that side to the shrunk vertex must have the side's sign. Click selects the sample."))
+    const std::string name = "vertex " + std::to_string(i / 2) + ", " + (test.label > 0 ? "outer" : "inner") +
+                             " sample " + grouped(test.sample.value);
+    if (widgets::link_row(ui, "test", name, "f " + short_number(test.f),
+                          "f at the nearest sample of that side to the shrunk vertex must have the side's "
+                          "sign. Click selects the sample."))
       pick(ui, "sample", test.sample.value);
     ImGui::SetCursorScreenPos({at.x, ImGui::GetCursorScreenPos().y});
     ImGui::PopID();
   }
 }
 
-void height_details(Ui& ui, const StateSnapshot& s, const std::array<Vec3, 4>& p, const std::array<double, 4>& f, const Tet& tet) {
+void height_details(Ui& ui, const StateSnapshot& s, const std::array<Vec3, 4>& p,
+                    const std::array<double, 4>& f, const Tet& tet) {
   const Height height = tetrahedron_height(p, f);
   if (height.split == Height::Split::none) return;
   const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
   const double limit = s.criteria.height_limit() / delta;
-  widgets::limit_bar(ui, "height (condition 2)", height.value / delta, limit, height.value / delta >= limit, "δ", false);
+  widgets::limit_bar(ui, "height (condition 2)", height.value / delta, limit, height.value / delta >= limit,
+                     "δ", false);
   const auto name = [&](std::size_t i) { return std::to_string(tet.v.at(height.order.at(i)).value); };
   const std::string between = height.split == Height::Split::one_three
                                   ? "point " + name(0) + " – plane " + name(1) + " " + name(2) + " " + name(3)
@@ -143,10 +164,13 @@ void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   const std::uint8_t flags = id < s.tet_flags.size() ? s.tet_flags[id] : std::uint8_t{0};
   const bool carries = (flags & tet_heterogeneous) != 0;
   heading(ui, icon::cube, "Tetrahedron " + grouped(id),
-          carries ? "carries Z: in Γ" : (flags & tet_box) != 0 ? "at the bounding box" : "one label: no Z in it");
+          carries                  ? "carries Z: in Γ"
+          : (flags & tet_box) != 0 ? "at the bounding box"
+                                   : "one label: no Z in it");
   for (std::size_t i = 0; i < 4; ++i) {
     ImGui::PushID(static_cast<int>(i));
-    if (widgets::link_row(ui, "vertex", "vertex " + grouped(tet.v[i].value), "F " + short_number(f[i]), "Selects the vertex."))
+    if (widgets::link_row(ui, "vertex", "vertex " + grouped(tet.v[i].value), "F " + short_number(f[i]),
+                          "Selects the vertex."))
       pick(ui, "vertex", tet.v[i].value);
     ImGui::PopID();
   }
@@ -165,12 +189,15 @@ void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
     beyond += static_cast<double>(s.errors[k]) > s.criteria.error_limit();
     if (worst == SampleId::none || s.errors[k] > s.errors[worst]) worst = static_cast<std::uint32_t>(k);
   }
-  widgets::value_row(ui, "samples inside", grouped(held) + (beyond ? ", " + grouped(beyond) + " beyond 1 − α" : ""),
+  widgets::value_row(ui, "samples inside",
+                     grouped(held) + (beyond ? ", " + grouped(beyond) + " beyond 1 − α" : ""),
                      beyond ? ui.colors.bad_text : ui.colors.text);
   if (worst != SampleId::none) {
     const auto error = static_cast<double>(s.errors[worst]);
-    widgets::limit_bar(ui, "largest ε (condition 1)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(), "", true);
-    if (widgets::link_row(ui, "worst", "its worst sample", grouped(worst), "Selects it.")) pick(ui, "sample", worst);
+    widgets::limit_bar(ui, "largest ε (condition 1)", error, s.criteria.error_limit(),
+                       error <= s.criteria.error_limit(), "", true);
+    if (widgets::link_row(ui, "worst", "its worst sample", grouped(worst), "Selects it."))
+      pick(ui, "sample", worst);
   }
   if (!carries) return;
   height_details(ui, s, p, f, tet);
@@ -185,10 +212,13 @@ void run_summary(Ui& ui, const StateSnapshot& s) {
   widgets::value_row(ui, "step", grouped(s.step) + " of " + grouped(m.live_step()));
   const std::size_t samples = s.samples ? s.samples->size() : 0;
   widgets::value_row(ui, "samples", grouped(samples));
-  widgets::value_row(ui, "bad samples", grouped(s.bad_samples), s.bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+  widgets::value_row(ui, "bad samples", grouped(s.bad_samples),
+                     s.bad_samples ? ui.colors.bad_text : ui.colors.good_text);
   const auto largest = static_cast<double>(s.largest_error);
-  widgets::limit_bar(ui, "largest ε", largest, s.criteria.error_limit(), largest <= s.criteria.error_limit(), "", true);
-  if (s.worst_sample.valid() && widgets::link_row(ui, "worst", "worst sample", grouped(s.worst_sample.value), "Selects the sample with the largest ε."))
+  widgets::limit_bar(ui, "largest ε", largest, s.criteria.error_limit(), largest <= s.criteria.error_limit(),
+                     "", true);
+  if (s.worst_sample.valid() && widgets::link_row(ui, "worst", "worst sample", grouped(s.worst_sample.value),
+                                                  "Selects the sample with the largest ε."))
     pick(ui, "sample", s.worst_sample.value);
   widgets::value_row(ui, "vertices of T", grouped(s.complex.vertices.size()));
   widgets::value_row(ui, "tetrahedra of T", grouped(s.complex.alive_tets()));
@@ -212,12 +242,13 @@ void certificate(Ui& ui) {
     bool good;
     const char* tip;
   };
-  const std::array<Row, 6> rows{{{"closed 2-manifold", c.closed_manifold, "Every edge has two triangles, every vertex one fan."},
-                                 {"oriented", c.oriented, "Neighbours agree on which side is outside."},
-                                 {"free of self-intersections", c.intersection_free, "By exact predicates."},
-                                 {"within Ω", c.within_tolerance, "Every triangle is proven nearer than δ to the input."},
-                                 {"separates the boundaries", c.separates, "The winding number is right in every region."},
-                                 {"topology as expected", c.topology_as_expected, "Components and Euler characteristic."}}};
+  const std::array<Row, 6> rows{
+      {{"closed 2-manifold", c.closed_manifold, "Every edge has two triangles, every vertex one fan."},
+       {"oriented", c.oriented, "Neighbours agree on which side is outside."},
+       {"free of self-intersections", c.intersection_free, "By exact predicates."},
+       {"within Ω", c.within_tolerance, "Every triangle is proven nearer than δ to the input."},
+       {"separates the boundaries", c.separates, "The winding number is right in every region."},
+       {"topology as expected", c.topology_as_expected, "Components and Euler characteristic."}}};
   ImGui::PushFont(ui.fonts.small);
   for (const Row& row : rows) {
     widgets::verdict_glyph(ui, row.good);
@@ -227,7 +258,8 @@ void certificate(Ui& ui) {
   }
   ImGui::PopFont();
   if (ui.model.run.scene && ui.model.run.scene->delta > 0)
-    widgets::limit_bar(ui, "proven distance", c.max_distance / ui.model.run.scene->delta, 1, c.within_tolerance, "δ", true);
+    widgets::limit_bar(ui, "proven distance", c.max_distance / ui.model.run.scene->delta, 1,
+                       c.within_tolerance, "δ", true);
   for (const std::string& failure : c.failures) widgets::quiet_text(ui, failure, true);
 }
 
@@ -241,14 +273,23 @@ void inspector(Ui& ui) {
     ImGui::PushFont(ui.fonts.bold);
     ImGui::TextUnformatted("Inspector");
     ImGui::PopFont();
-    widgets::quiet_text(ui, m.run.phase == SessionPhase::preparing ? "The run is being prepared." : "Open a model to begin.", true);
+    widgets::quiet_text(
+        ui, m.run.phase == SessionPhase::preparing ? "The run is being prepared." : "Open a model to begin.",
+        true);
     return;
   }
   switch (picked.kind) {
-  case Pick::Kind::vertex: vertex_details(ui, *state, picked.id); break;
-  case Pick::Kind::tet: tet_details(ui, *state, picked.id); break;
-  case Pick::Kind::sample: sample_details(ui, *state, picked.id); break;
-  case Pick::Kind::none: break;
+  case Pick::Kind::vertex:
+    vertex_details(ui, *state, picked.id);
+    break;
+  case Pick::Kind::tet:
+    tet_details(ui, *state, picked.id);
+    break;
+  case Pick::Kind::sample:
+    sample_details(ui, *state, picked.id);
+    break;
+  case Pick::Kind::none:
+    break;
   }
   if (picked.kind != Pick::Kind::none) {
     ImGui::Dummy({0, ui.px(6)});
@@ -257,7 +298,9 @@ void inspector(Ui& ui) {
   }
   run_summary(ui, *state);
   certificate(ui);
-  if (picked.kind == Pick::Kind::none) widgets::quiet_text(ui, "Click an element in the view to inspect it; 1, 2 and 3 restrict what a click hits.", true);
+  if (picked.kind == Pick::Kind::none)
+    widgets::quiet_text(
+        ui, "Click an element in the view to inspect it; 1, 2 and 3 restrict what a click hits.", true);
 }
 
 } // namespace isoscope::panels

@@ -29,15 +29,22 @@ void draw_swatch(const Ui& ui, Swatch swatch, Rgb color, ImVec2 middle, float st
   const float r = ui.px(5);
   const ImU32 c = to_u32(color, strength);
   switch (swatch) {
-  case Swatch::surface: list.AddRectFilled({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, c, ui.px(3)); break;
-  case Swatch::disc: list.AddCircleFilled(middle, r, c, 20); break;
+  case Swatch::surface:
+    list.AddRectFilled({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, c, ui.px(3));
+    break;
+  case Swatch::disc:
+    list.AddCircleFilled(middle, r, c, 20);
+    break;
   case Swatch::cross:
     list.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, c, ui.px(2));
     list.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, c, ui.px(2));
     break;
-  case Swatch::line: list.AddLine({middle.x - r, middle.y + r * 0.6f}, {middle.x + r, middle.y - r * 0.6f}, c, ui.px(2)); break;
+  case Swatch::line:
+    list.AddLine({middle.x - r, middle.y + r * 0.6f}, {middle.x + r, middle.y - r * 0.6f}, c, ui.px(2));
+    break;
   case Swatch::cell:
-    list.AddTriangle({middle.x, middle.y - r}, {middle.x - r, middle.y + r * 0.8f}, {middle.x + r, middle.y + r * 0.8f}, c, ui.px(1.5f));
+    list.AddTriangle({middle.x, middle.y - r}, {middle.x - r, middle.y + r * 0.8f},
+                     {middle.x + r, middle.y + r * 0.8f}, c, ui.px(1.5f));
     break;
   }
 }
@@ -51,16 +58,20 @@ bool opacity(const Ui& ui, float& value, float width, bool active) {
   if (held) value = std::clamp((ImGui::GetIO().MousePos.x - at.x - grab) / (width - 2 * grab), 0.0f, 1.0f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = at.y + height / 2, x = at.x + grab + value * (width - 2 * grab);
-  list.AddRectFilled({at.x + grab, y - thick / 2}, {at.x + width - grab, y + thick / 2}, to_u32(ui.colors.line), thick / 2);
-  list.AddRectFilled({at.x + grab, y - thick / 2}, {x, y + thick / 2}, to_u32(ui.colors.accent, active ? 0.9f : 0.35f), thick / 2);
+  list.AddRectFilled({at.x + grab, y - thick / 2}, {at.x + width - grab, y + thick / 2},
+                     to_u32(ui.colors.line), thick / 2);
+  list.AddRectFilled({at.x + grab, y - thick / 2}, {x, y + thick / 2},
+                     to_u32(ui.colors.accent, active ? 0.9f : 0.35f), thick / 2);
   const bool hot = held || ImGui::IsItemHovered();
-  list.AddCircleFilled({x, y}, hot ? grab + ui.px(1) : grab, to_u32(active ? ui.colors.text : ui.colors.quiet, hot ? 1.0f : 0.85f), 20);
+  list.AddCircleFilled({x, y}, hot ? grab + ui.px(1) : grab,
+                       to_u32(active ? ui.colors.text : ui.colors.quiet, hot ? 1.0f : 0.85f), 20);
   return held;
 }
 
 void layer_row(Ui& ui, const Row& row) {
   const auto names = layer_names();
-  const auto name = std::find_if(names.begin(), names.end(), [&](const LayerName& l) { return l.name == row.layer; });
+  const auto name =
+      std::find_if(names.begin(), names.end(), [&](const LayerName& l) { return l.name == row.layer; });
   LayerSettings& layer = ui.model.view.*(name->member);
   ImGui::PushID(name->title.data());
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -76,9 +87,10 @@ void layer_row(Ui& ui, const Row& row) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float strength = layer.visible ? 1.0f : 0.35f;
   const float y = at.y + (high - ui.fonts.ui->FontSize) / 2;
-  widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(2), y},
-                     to_u32(ImGui::IsItemHovered() ? ui.colors.accent_text : ui.colors.text, layer.visible ? 0.9f : 0.4f),
-                     layer.visible ? icon::eye : icon::eye_off);
+  widgets::draw_text(
+      list, ui.fonts.ui, {at.x + ui.px(2), y},
+      to_u32(ImGui::IsItemHovered() ? ui.colors.accent_text : ui.colors.text, layer.visible ? 0.9f : 0.4f),
+      layer.visible ? icon::eye : icon::eye_off);
   widgets::tip(ui, layer.visible ? "Hide" : "Show", "Ctrl-click shows this layer alone.");
   draw_swatch(ui, row.swatch, ui.colors.*(row.color), {at.x + ui.px(36), at.y + high / 2}, strength);
   ImGui::SetCursorScreenPos({at.x + ui.px(26), at.y});
@@ -91,7 +103,9 @@ void layer_row(Ui& ui, const Row& row) {
                      to_u32(ui.colors.text, layer.visible ? 1.0f : 0.55f), shown);
   ImGui::SetCursorScreenPos({at.x + width - slider, at.y});
   opacity(ui, layer.opacity, slider, layer.visible);
-  widgets::tip(ui, "Opacity", "From invisible to solid, 0 to 1; now " + short_number(static_cast<double>(layer.opacity)) + ".");
+  widgets::tip(ui, "Opacity",
+               "From invisible to solid, 0 to 1; now " + short_number(static_cast<double>(layer.opacity)) +
+                   ".");
   ImGui::SetCursorScreenPos({at.x, at.y + high});
   ImGui::PopID();
 }

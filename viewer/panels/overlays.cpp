@@ -26,7 +26,9 @@ void heading(Ui& ui, const char* title, const char* note) {
 }
 
 bool contains_folded(std::string_view text, std::string_view part) {
-  const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); };
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
@@ -41,22 +43,28 @@ void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size)
   const ImVec2 end{at.x + size.x, at.y + size.y};
   const float picture = size.y - ui.px(104);
   list.AddRectFilled(at, end, to_u32(hovered ? ui.colors.hover : ui.colors.raised), ui.px(8));
-  list.AddRectFilled(at, {end.x, at.y + picture}, to_u32(ui.colors.ground), ui.px(8), ImDrawFlags_RoundCornersTop);
+  list.AddRectFilled(at, {end.x, at.y + picture}, to_u32(ui.colors.ground), ui.px(8),
+                     ImDrawFlags_RoundCornersTop);
   if (texture != 0) {
     const float side = std::min(size.x, picture * 1.6f), x = at.x + (size.x - side) / 2;
-    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), {x, at.y + (picture - side / 1.6f) / 2}, {x + side, at.y + (picture + side / 1.6f) / 2});
+    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)),
+                  {x, at.y + (picture - side / 1.6f) / 2}, {x + side, at.y + (picture + side / 1.6f) / 2});
   }
   if (hovered) {
     list.AddRect(at, end, to_u32(ui.colors.accent), ui.px(8), 0, ui.px(1.5f));
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
   const float pad = ui.px(12);
-  widgets::draw_text(list, ui.fonts.bold, {at.x + pad, at.y + picture + ui.px(10)}, to_u32(ui.colors.text), entry.title);
+  widgets::draw_text(list, ui.fonts.bold, {at.x + pad, at.y + picture + ui.px(10)}, to_u32(ui.colors.text),
+                     entry.title);
   const std::string delta = "δ " + short_number(entry.tolerance_percent) + "%";
   const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, delta.c_str()).x;
-  widgets::draw_text(list, ui.fonts.mono, {end.x - pad - extent, at.y + picture + ui.px(11)}, to_u32(ui.colors.quiet), delta);
+  widgets::draw_text(list, ui.fonts.mono, {end.x - pad - extent, at.y + picture + ui.px(11)},
+                     to_u32(ui.colors.quiet), delta);
   const ImVec4 clip{at.x + pad, at.y + picture, end.x - pad + 1, end.y - ui.px(4)};
-  list.AddText(ui.fonts.small, ui.fonts.small->FontSize, {at.x + pad, at.y + picture + ui.px(34)}, to_u32(ui.colors.quiet), entry.lesson.data(), entry.lesson.data() + entry.lesson.size(), size.x - 2 * pad, &clip);
+  list.AddText(ui.fonts.small, ui.fonts.small->FontSize, {at.x + pad, at.y + picture + ui.px(34)},
+               to_u32(ui.colors.quiet), entry.lesson.data(), entry.lesson.data() + entry.lesson.size(),
+               size.x - 2 * pad, &clip);
 }
 
 void drop_zone(Ui& ui, ImVec2 size) {
@@ -76,18 +84,23 @@ void drop_zone(Ui& ui, ImVec2 size) {
     list.AddLine({at.x, y}, {at.x, end}, color, ui.px(1.2f));
     list.AddLine({at.x + size.x, y}, {at.x + size.x, end}, color, ui.px(1.2f));
   }
-  const std::string text = std::string(icon::upload) + "   Drop a model here: OFF, OBJ, PLY or STL; or click to look for one";
+  const std::string text =
+      std::string(icon::upload) + "   Drop a model here: OFF, OBJ, PLY or STL; or click to look for one";
   const float width = ui.fonts.ui->CalcTextSizeA(ui.fonts.ui->FontSize, 1e9f, 0, text.c_str()).x;
-  widgets::draw_text(list, ui.fonts.ui, {at.x + (size.x - width) / 2, at.y + (size.y - ui.fonts.ui->FontSize) / 2}, to_u32(hovered ? ui.colors.text : ui.colors.quiet), text);
+  widgets::draw_text(list, ui.fonts.ui,
+                     {at.x + (size.x - width) / 2, at.y + (size.y - ui.fonts.ui->FontSize) / 2},
+                     to_u32(hovered ? ui.colors.text : ui.colors.quiet), text);
 }
 
 } // namespace
 
 void Overlays::gallery(Ui& ui) {
-  heading(ui, "Gallery", "Bundled models, each with what it teaches. A click opens it and refinement begins.");
+  heading(ui, "Gallery",
+          "Bundled models, each with what it teaches. A click opens it and refinement begins.");
   ImGui::BeginChild("cards", {0, -ui.px(66)});
   constexpr int columns = 3;
-  const float gap = ui.px(14), width = (ImGui::GetContentRegionAvail().x - (columns - 1) * gap - ui.px(12)) / columns;
+  const float gap = ui.px(14),
+              width = (ImGui::GetContentRegionAvail().x - (columns - 1) * gap - ui.px(12)) / columns;
   const ImVec2 size{width, ui.px(226)};
   int column = 0;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
@@ -102,9 +115,13 @@ void Overlays::gallery(Ui& ui) {
 }
 
 void Overlays::help(Ui& ui) {
-  heading(ui, "Help", "Every command with its key; scripts use the name on the left. In the view: left-drag turns, Shift-left- or right-drag moves, the wheel zooms to the cursor, a click selects, a double-click sets the centre.");
+  heading(ui, "Help",
+          "Every command with its key; scripts use the name on the left. In the view: left-drag turns, "
+          "Shift-left- or right-drag moves, the wheel zooms to the cursor, a click selects, a double-click "
+          "sets the centre.");
   ImGui::SetNextItemWidth(ui.px(320));
-  ImGui::InputTextWithHint("##help", (std::string(icon::search) + "  filter").c_str(), query_.data(), query_.size());
+  ImGui::InputTextWithHint("##help", (std::string(icon::search) + "  filter").c_str(), query_.data(),
+                           query_.size());
   ImGui::BeginChild("commands", {0, 0});
   ImGui::PushFont(ui.fonts.small);
   if (ImGui::BeginTable("table", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
@@ -130,9 +147,11 @@ void Overlays::help(Ui& ui) {
     for (const Command& command : command_table()) {
       std::string keys;
       for (const Chord& chord : command.keys) keys += (keys.empty() ? "" : ", ") + text(chord);
-      row(std::string(command.name) + (command.usage.empty() ? "" : " " + std::string(command.usage)), keys, command.help);
+      row(std::string(command.name) + (command.usage.empty() ? "" : " " + std::string(command.usage)), keys,
+          command.help);
     }
-    for (const NamedValue& value : named_values()) row((value.set ? "set " : "expect ") + value.name, value.get(ui.model), value.help);
+    for (const NamedValue& value : named_values())
+      row((value.set ? "set " : "expect ") + value.name, value.get(ui.model), value.help);
     ImGui::EndTable();
   }
   ImGui::PopFont();
@@ -142,10 +161,15 @@ void Overlays::help(Ui& ui) {
 void Overlays::palette(Ui& ui) {
   if (shown_ != Overlay::palette) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##palette", (std::string(icon::search) + "  type a command").c_str(), query_.data(), query_.size())) chosen_ = 0;
+  if (ImGui::InputTextWithHint("##palette", (std::string(icon::search) + "  type a command").c_str(),
+                               query_.data(), query_.size()))
+    chosen_ = 0;
   std::vector<const Command*> found;
   for (const Command& command : command_table())
-    if (!command.for_scripts && contains_folded(std::string(command.title) + " " + std::string(command.name) + " " + std::string(command.help), query_.data())) found.push_back(&command);
+    if (!command.for_scripts && contains_folded(std::string(command.title) + " " + std::string(command.name) +
+                                                    " " + std::string(command.help),
+                                                query_.data()))
+      found.push_back(&command);
   const int count = static_cast<int>(found.size());
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) chosen_ = std::min(chosen_ + 1, count - 1);
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) chosen_ = std::max(chosen_ - 1, 0);
@@ -160,17 +184,26 @@ void Overlays::palette(Ui& ui) {
     const bool pressed = ImGui::InvisibleButton("row", {std::max(width, 1.0f), high});
     ImGui::PopID();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (i == chosen_ || ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(i == chosen_ ? ui.colors.accent : ui.colors.hover, i == chosen_ ? 0.18f : 1.0f), ui.px(6));
+    if (i == chosen_ || ImGui::IsItemHovered())
+      list.AddRectFilled(
+          at, {at.x + width, at.y + high},
+          to_u32(i == chosen_ ? ui.colors.accent : ui.colors.hover, i == chosen_ ? 0.18f : 1.0f), ui.px(6));
     const float strength = enabled ? 1.0f : 0.5f;
-    if (command.icon) widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(12), at.y + ui.px(14)}, to_u32(ui.colors.quiet, strength), command.icon);
-    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)}, to_u32(ui.colors.text, strength), std::string(command.title) + (command.usage.empty() ? "" : "  " + std::string(command.usage)));
+    if (command.icon)
+      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(12), at.y + ui.px(14)},
+                         to_u32(ui.colors.quiet, strength), command.icon);
+    widgets::draw_text(
+        list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)}, to_u32(ui.colors.text, strength),
+        std::string(command.title) + (command.usage.empty() ? "" : "  " + std::string(command.usage)));
     ImGui::PushFont(ui.fonts.small);
-    widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(40), at.y + ui.px(23)}, to_u32(ui.colors.quiet, strength), widgets::fitted(command.help, width - ui.px(170)));
+    widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(40), at.y + ui.px(23)},
+                       to_u32(ui.colors.quiet, strength), widgets::fitted(command.help, width - ui.px(170)));
     ImGui::PopFont();
     if (!command.keys.empty()) {
       const std::string key = text(command.keys.front());
       const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, key.c_str()).x;
-      widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(12), at.y + ui.px(14)}, to_u32(ui.colors.accent_text, strength), key);
+      widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(12), at.y + ui.px(14)},
+                         to_u32(ui.colors.accent_text, strength), key);
     }
     if (enabled && (pressed || (entered && i == chosen_))) {
       ui.commands.post("clear");
@@ -183,7 +216,9 @@ void Overlays::palette(Ui& ui) {
 }
 
 void Overlays::about(Ui& ui) {
-  heading(ui, "Isoscope", "A visualizer and debugger for Isotopic Approximation within a Tolerance Volume, after Mandad, Cohen-Steiner and Alliez, SIGGRAPH 2015.");
+  heading(ui, "Isoscope",
+          "A visualizer and debugger for Isotopic Approximation within a Tolerance Volume, after Mandad, "
+          "Cohen-Steiner and Alliez, SIGGRAPH 2015.");
   const auto paragraph = [&](const char* text) {
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(text);
@@ -192,7 +227,8 @@ void Overlays::about(Ui& ui) {
   };
   paragraph("Free software under the GNU General Public License, version 3 or later.");
   paragraph("The method is described in the patent application FR 3039686 A1 of its authors' institute.");
-  paragraph("Built on CGAL, oneTBB, GLFW, Dear ImGui, GLM, glad, stb and nlohmann-json. Fonts: Inter and JetBrains Mono (SIL Open Font License), Font Awesome (SIL Open Font License).");
+  paragraph("Built on CGAL, oneTBB, GLFW, Dear ImGui, GLM, glad, stb and nlohmann-json. Fonts: Inter and "
+            "JetBrains Mono (SIL Open Font License), Font Awesome (SIL Open Font License).");
 }
 
 void Overlays::draw(Ui& ui, ImVec2 size) {
@@ -207,9 +243,11 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
     return;
   }
   ImVec2 extent{std::min(size.x - ui.px(60), ui.px(980)), std::min(size.y - ui.px(60), ui.px(760))};
-  if (now == Overlay::palette) extent = {std::min(size.x - ui.px(60), ui.px(620)), std::min(size.y - ui.px(120), ui.px(460))};
+  if (now == Overlay::palette)
+    extent = {std::min(size.x - ui.px(60), ui.px(620)), std::min(size.y - ui.px(120), ui.px(460))};
   if (now == Overlay::about) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(300)};
-  if (now == Overlay::files) extent = {std::min(size.x - ui.px(60), ui.px(860)), std::min(size.y - ui.px(60), ui.px(560))};
+  if (now == Overlay::files)
+    extent = {std::min(size.x - ui.px(60), ui.px(860)), std::min(size.y - ui.px(60), ui.px(560))};
   const float y = now == Overlay::palette ? ui.px(64) : (size.y - extent.y) / 2;
   const ImVec2 low{std::round((size.x - extent.x) / 2), std::round(y)};
 
@@ -217,7 +255,8 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(ui.colors.ground, 0.62f));
-  constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  constexpr ImGuiWindowFlags fixed =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   ImGui::Begin("##veil", nullptr, fixed | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
   if (now != shown_) ImGui::SetWindowFocus();
   ImGui::InvisibleButton("veil", size);
@@ -233,12 +272,23 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(20), ui.px(16)});
   ImGui::Begin("##overlay", nullptr, fixed);
   switch (now) {
-  case Overlay::gallery: gallery(ui); break;
-  case Overlay::files: files_.draw(ui); break;
-  case Overlay::help: help(ui); break;
-  case Overlay::palette: palette(ui); break;
-  case Overlay::about: about(ui); break;
-  case Overlay::none: break;
+  case Overlay::gallery:
+    gallery(ui);
+    break;
+  case Overlay::files:
+    files_.draw(ui);
+    break;
+  case Overlay::help:
+    help(ui);
+    break;
+  case Overlay::palette:
+    palette(ui);
+    break;
+  case Overlay::about:
+    about(ui);
+    break;
+  case Overlay::none:
+    break;
   }
   ImGui::End();
   ImGui::PopStyleVar(3);

@@ -18,31 +18,36 @@ void label(const Ui& ui, const char* symbol, const char* tip_title, const char* 
   ImGui::InvisibleButton("label", {width, high});
   ImGui::PopID();
   widgets::tip(ui, tip_title, tip);
-  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small, {at.x, at.y + (high - ui.fonts.small->FontSize) / 2},
-                     to_u32(ui.colors.quiet), symbol);
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+                     {at.x, at.y + (high - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet), symbol);
   ImGui::SameLine(0, 0);
 }
 
-void number(const Ui& ui, const char* id, double& value, float low, float high, const char* format, bool logarithmic = false) {
+void number(const Ui& ui, const char* id, double& value, float low, float high, const char* format,
+            bool logarithmic = false) {
   auto shown = static_cast<float>(value);
-  if (widgets::slider(ui, id, shown, low, high, format, logarithmic)) value = std::round(static_cast<double>(shown) * 1e4) / 1e4;
+  if (widgets::slider(ui, id, shown, low, high, format, logarithmic))
+    value = std::round(static_cast<double>(shown) * 1e4) / 1e4;
 }
 
 void tolerance(Ui& ui, RunParameters& p) {
-  constexpr const char* tip = "δ, half the thickness of Ω. In percent of the longest edge of the input's bounding box, or as a "
-                              "length of the input's units. Range: above 0. A change needs a restart. §2.1";
+  constexpr const char* tip =
+      "δ, half the thickness of Ω. In percent of the longest edge of the input's bounding box, or as a "
+      "length of the input's units. Range: above 0. A change needs a restart. §2.1";
   label(ui, "δ tolerance", "Tolerance δ", tip);
   const float unit = ui.px(52);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit - ui.px(6));
   ImGui::PushFont(ui.fonts.mono);
   double value = p.tolerance.value;
-  if (ImGui::InputDouble("##delta", &value, 0, 0, "%.6g") && std::isfinite(value) && value > 0) p.tolerance.value = value;
+  if (ImGui::InputDouble("##delta", &value, 0, 0, "%.6g") && std::isfinite(value) && value > 0)
+    p.tolerance.value = value;
   ImGui::PopFont();
   widgets::tip(ui, "Tolerance δ", tip);
   ImGui::SameLine(0, ui.px(6));
   if (widgets::plain_button(ui, p.tolerance.percent ? "%##unit" : "abs##unit", true, unit)) {
     const double edge = ui.model.run.scene ? ui.model.run.scene->longest_edge : 0;
-    if (edge > 0) p.tolerance.value = p.tolerance.percent ? p.tolerance.absolute(edge) : 100 * p.tolerance.value / edge;
+    if (edge > 0)
+      p.tolerance.value = p.tolerance.percent ? p.tolerance.absolute(edge) : 100 * p.tolerance.value / edge;
     p.tolerance.percent = !p.tolerance.percent;
   }
   widgets::tip(ui, "Unit of δ", "Percent of the longest edge, or a length in the input's units.");
@@ -56,10 +61,15 @@ void conditions(Ui& ui, RunParameters& p) {
     Condition condition;
   };
   constexpr std::array<Row, 4> rows{{
-      {"1  classification", "ε(s) ≤ 1 − α for every sample s: f classifies S with a margin. §2.3", &RunParameters::condition_1, Condition::classification},
-      {"2  height", "Every tetrahedron that carries Z is at least 2σ/α high. §2.3, Figure 5", &RunParameters::condition_2, Condition::height},
-      {"3  orientation", "The shrunk copy of a tetrahedron that carries Z classifies its nearest samples. §2.3, Figure 4", &RunParameters::condition_3, Condition::orientation},
-      {"4  topology", "Z has the components and the genus that are expected. §2.3", &RunParameters::condition_4, Condition::topology},
+      {"1  classification", "ε(s) ≤ 1 − α for every sample s: f classifies S with a margin. §2.3",
+       &RunParameters::condition_1, Condition::classification},
+      {"2  height", "Every tetrahedron that carries Z is at least 2σ/α high. §2.3, Figure 5",
+       &RunParameters::condition_2, Condition::height},
+      {"3  orientation",
+       "The shrunk copy of a tetrahedron that carries Z classifies its nearest samples. §2.3, Figure 4",
+       &RunParameters::condition_3, Condition::orientation},
+      {"4  topology", "Z has the components and the genus that are expected. §2.3",
+       &RunParameters::condition_4, Condition::topology},
   }};
   for (const Row& row : rows) {
     ImGui::PushID(row.name);
@@ -67,8 +77,11 @@ void conditions(Ui& ui, RunParameters& p) {
     widgets::toggle(ui, "on", p.*(row.member));
     widgets::tip(ui, "Condition " + std::string(row.name), row.tip);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddCircleFilled({at.x + ui.px(43), at.y + ui.px(10)}, ui.px(4), to_u32(condition_color(ui.theme, static_cast<int>(row.condition))), 16);
-    widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(54), at.y + ui.px(10) - ui.fonts.small->FontSize / 2}, to_u32(ui.colors.text), row.name);
+    list.AddCircleFilled({at.x + ui.px(43), at.y + ui.px(10)}, ui.px(4),
+                         to_u32(condition_color(ui.theme, static_cast<int>(row.condition))), 16);
+    widgets::draw_text(list, ui.fonts.small,
+                       {at.x + ui.px(54), at.y + ui.px(10) - ui.fonts.small->FontSize / 2},
+                       to_u32(ui.colors.text), row.name);
     ImGui::PopID();
   }
 }
@@ -76,7 +89,9 @@ void conditions(Ui& ui, RunParameters& p) {
 void preview_line(const Ui& ui, const char* name, std::size_t now, std::size_t then, bool known) {
   std::string value = grouped(now);
   if (known) value += "  →  " + grouped(then);
-  const Rgb color = !known || then == now ? ui.colors.text : then > now ? ui.colors.bad_text : ui.colors.good_text;
+  const Rgb color = !known || then == now ? ui.colors.text
+                    : then > now          ? ui.colors.bad_text
+                                          : ui.colors.good_text;
   widgets::value_row(ui, name, value, color);
 }
 
@@ -112,13 +127,16 @@ void buttons(Ui& ui) {
   const bool differs = m.draft_differs(), restart_only = m.draft_needs_restart();
   const float half = (ImGui::GetContentRegionAvail().x - ui.px(8)) / 2;
   const bool can_apply = m.run.journal != nullptr && differs && !restart_only;
-  if (can_apply ? widgets::primary_button(ui, "Apply", true, half) : widgets::plain_button(ui, "Apply", false, half))
+  if (can_apply ? widgets::primary_button(ui, "Apply", true, half)
+                : widgets::plain_button(ui, "Apply", false, half))
     ui.commands.post("apply");
-  widgets::tip(ui, "Apply   Ctrl+Enter", restart_only ? "δ, containment and topology mode change Ω itself: they need a restart."
-                                                      : "Goes on with these parameters from the present state of the run.");
+  widgets::tip(ui, "Apply   Ctrl+Enter",
+               restart_only ? "δ, containment and topology mode change Ω itself: they need a restart."
+                            : "Goes on with these parameters from the present state of the run.");
   ImGui::SameLine(0, ui.px(8));
   const bool restart = !m.draft.input.empty();
-  if (differs && restart_only ? widgets::primary_button(ui, "Restart", restart, half) : widgets::plain_button(ui, "Restart", restart, half))
+  if (differs && restart_only ? widgets::primary_button(ui, "Restart", restart, half)
+                              : widgets::plain_button(ui, "Restart", restart, half))
     ui.commands.post("restart");
   widgets::tip(ui, "Restart   Ctrl+R", "Runs again from the beginning with these parameters.");
 }
@@ -128,15 +146,21 @@ void buttons(Ui& ui) {
 void parameters(Ui& ui) {
   if (!widgets::section(ui, "Parameters")) return;
   RunParameters& p = ui.model.draft;
-  label(ui, "α margin", "Margin α", "How far f must be on the right side at every sample: ε(s) ≤ 1 − α. No unit, in (0, 1). Larger is safer and asks for more Steiner points. §2.3");
+  label(ui, "α margin", "Margin α",
+        "How far f must be on the right side at every sample: ε(s) ≤ 1 − α. No unit, in (0, 1). Larger is "
+        "safer and asks for more Steiner points. §2.3");
   number(ui, "##alpha", p.alpha, 0.02f, 0.95f, "%.2f");
   widgets::tip(ui, "Margin α", "No unit, in (0, 1); 0.2 in the paper. §2.3");
-  label(ui, "σ/δ density", "Sampling density σ", "Radius within which every point of ∂Ω has a sample, as a fraction of δ, in (0, 1]. Smaller means more samples. §2.2");
+  label(ui, "σ/δ density", "Sampling density σ",
+        "Radius within which every point of ∂Ω has a sample, as a fraction of δ, in (0, 1]. Smaller means "
+        "more samples. §2.2");
   double sigma = p.sigma_ratio();
   number(ui, "##sigma", sigma, 0.05f, 1.0f, "%.3f", true);
   if (sigma != p.sigma_ratio()) p.sigma = sigma;
   widgets::tip(ui, "Sampling density σ/δ", "Fraction of δ, in (0, 1]. §2.2");
-  label(ui, "shrink", "Shrink factor", "Size of the shrunk copy about its centroid by which condition 3 judges a tetrahedron, in (0, 1]. §2.3, Figure 4");
+  label(ui, "shrink", "Shrink factor",
+        "Size of the shrunk copy about its centroid by which condition 3 judges a tetrahedron, in (0, 1]. "
+        "§2.3, Figure 4");
   number(ui, "##shrink", p.shrink, 0.05f, 1.0f, "%.2f");
   widgets::tip(ui, "Shrink factor of condition 3", "No unit, in (0, 1]; 0.7 in the paper. §2.3");
   tolerance(ui, p);
@@ -144,10 +168,15 @@ void parameters(Ui& ui) {
   ImGui::PushFont(ui.fonts.small);
   constexpr std::array<const char*, 2> containment{"certified", "sampled"}, topology{"keep", "separate"};
   int chosen = static_cast<int>(p.containment);
-  label(ui, "containment", "Containment of Z in Ω", "Certified: every facet of Z is proven inside Ω; a coarse S suffices. Sampled: the paper to the letter, dense S and condition 2. Needs a restart.");
-  if (widgets::segmented(ui, "containment", containment, chosen)) p.containment = static_cast<Containment>(chosen);
+  label(ui, "containment", "Containment of Z in Ω",
+        "Certified: every facet of Z is proven inside Ω; a coarse S suffices. Sampled: the paper to the "
+        "letter, dense S and condition 2. Needs a restart.");
+  if (widgets::segmented(ui, "containment", containment, chosen))
+    p.containment = static_cast<Containment>(chosen);
   chosen = static_cast<int>(p.topology);
-  label(ui, "topology", "Topology mode", "What is asked of Z where Ω is no thickening of a surface: keep the input's topology, or only separate the two sides. Needs a restart. §1.2");
+  label(ui, "topology", "Topology mode",
+        "What is asked of Z where Ω is no thickening of a surface: keep the input's topology, or only "
+        "separate the two sides. Needs a restart. §1.2");
   if (widgets::segmented(ui, "topology", topology, chosen)) p.topology = static_cast<TopologyMode>(chosen);
   ImGui::PopFont();
   ImGui::Dummy({0, ui.px(2)});

@@ -37,9 +37,11 @@ std::string pick_line(const AppModel& m, const Pick& pick) {
     return "tetrahedron " + grouped(pick.id);
   case Pick::Kind::sample:
     if (pick.id < state->errors.size())
-      return "sample " + grouped(pick.id) + "   ε = " + short_number(static_cast<double>(state->errors[pick.id]));
+      return "sample " + grouped(pick.id) +
+             "   ε = " + short_number(static_cast<double>(state->errors[pick.id]));
     break;
-  case Pick::Kind::none: break;
+  case Pick::Kind::none:
+    break;
   }
   return {};
 }
@@ -69,9 +71,11 @@ void axes(const Ui& ui, ImVec2 low, ImVec2 size) {
     const char* name;
     Rgb color;
   };
-  std::array<Axis, 3> all{{{view * glm::vec4(1, 0, 0, 0), "x", 0xE0705A}, {view * glm::vec4(0, 1, 0, 0), "y", 0x4FB98A},
+  std::array<Axis, 3> all{{{view * glm::vec4(1, 0, 0, 0), "x", 0xE0705A},
+                           {view * glm::vec4(0, 1, 0, 0), "y", 0x4FB98A},
                            {view * glm::vec4(0, 0, 1, 0), "z", 0x5BA4E6}}};
-  std::sort(all.begin(), all.end(), [](const Axis& a, const Axis& b) { return a.direction.z < b.direction.z; });
+  std::sort(all.begin(), all.end(),
+            [](const Axis& a, const Axis& b) { return a.direction.z < b.direction.z; });
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const Axis& axis : all) {
     const ImVec2 end{origin.x + axis.direction.x * reach, origin.y - axis.direction.y * reach};
@@ -80,8 +84,8 @@ void axes(const Ui& ui, ImVec2 low, ImVec2 size) {
     const float r = ui.px(8);
     const ImVec2 tip{origin.x + axis.direction.x * (reach + r), origin.y - axis.direction.y * (reach + r)};
     const float width = width_of(ui.fonts.small, axis.name);
-    widgets::draw_text(list, ui.fonts.small, {tip.x - width / 2, tip.y - ui.fonts.small->FontSize / 2}, to_u32(axis.color, strength),
-                       axis.name);
+    widgets::draw_text(list, ui.fonts.small, {tip.x - width / 2, tip.y - ui.fonts.small->FontSize / 2},
+                       to_u32(axis.color, strength), axis.name);
   }
 }
 
@@ -94,7 +98,8 @@ void scale_bar(const Ui& ui, ImVec2 low, ImVec2 size, double height) {
   const double multiple = wanted / decade >= 5 ? 5 * decade : wanted / decade >= 2 ? 2 * decade : decade;
   const auto length = static_cast<float>(multiple * pixels_per_delta);
   if (!(length > ui.px(8)) || length > size.x / 2) return;
-  const std::string label = (multiple >= 1 ? grouped(static_cast<std::size_t>(multiple)) : short_number(multiple)) + " δ";
+  const std::string label =
+      (multiple >= 1 ? grouped(static_cast<std::size_t>(multiple)) : short_number(multiple)) + " δ";
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 right{low.x + size.x - ui.px(18), low.y + size.y - ui.px(18)};
   const ImU32 color = to_u32(ui.colors.text, 0.9f);
@@ -102,14 +107,18 @@ void scale_bar(const Ui& ui, ImVec2 low, ImVec2 size, double height) {
   list.AddLine({right.x - length, right.y}, right, color, ui.px(1.5f));
   list.AddLine({right.x - length, right.y - tick}, {right.x - length, right.y + tick}, color, ui.px(1.5f));
   list.AddLine({right.x, right.y - tick}, {right.x, right.y + tick}, color, ui.px(1.5f));
-  widgets::draw_text(list, ui.fonts.small, {right.x - length / 2 - width_of(ui.fonts.small, label) / 2, right.y - ui.px(20)}, color, label);
+  widgets::draw_text(list, ui.fonts.small,
+                     {right.x - length / 2 - width_of(ui.fonts.small, label) / 2, right.y - ui.px(20)}, color,
+                     label);
 }
 
 void caption(const Ui& ui, ImVec2 low, float width) {
   const AppModel& m = ui.model;
   const auto state = m.state();
   if (!state || !m.run.journal) return;
-  std::string text = state->event ? describe(*m.run.journal, *state->event) : "The triangulation of the loose bounding box, before the first Steiner point.";
+  std::string text = state->event
+                         ? describe(*m.run.journal, *state->event)
+                         : "The triangulation of the loose bounding box, before the first Steiner point.";
   const float room = width - ui.px(192 + 10 + 24 + 40);
   if (room < ui.px(140)) return;
   ImGui::PushFont(ui.fonts.small);
@@ -120,15 +129,19 @@ void caption(const Ui& ui, ImVec2 low, float width) {
   pill(ui, at, {at.x + text_width + ui.px(30), at.y + high});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const int condition = state->event ? static_cast<int>(state->event->condition) : 0;
-  list.AddCircleFilled({at.x + ui.px(13), at.y + high / 2}, ui.px(4), to_u32(condition_color(ui.theme, condition)), 16);
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.text), text);
+  list.AddCircleFilled({at.x + ui.px(13), at.y + high / 2}, ui.px(4),
+                       to_u32(condition_color(ui.theme, condition)), 16);
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(ui.colors.text), text);
 }
 
 void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   const Vec3 n = ui.model.view.clip.normal;
-  const std::string text = "section by the plane with normal (" + short_number(n.x) + ", " + short_number(n.y) + ", " + short_number(n.z) + ")";
+  const std::string text = "section by the plane with normal (" + short_number(n.x) + ", " +
+                           short_number(n.y) + ", " + short_number(n.z) + ")";
   if (width_of(ui.fonts.small, text) > size.x - ui.px(160)) return;
-  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small, {low.x + ui.px(14), low.y + size.y - ui.px(28)}, to_u32(ui.colors.quiet), text);
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+                     {low.x + ui.px(14), low.y + size.y - ui.px(28)}, to_u32(ui.colors.quiet), text);
 }
 
 void hover_tip(const Ui& ui) {
@@ -149,10 +162,13 @@ void progress(Ui& ui, ImVec2 low, ImVec2 size) {
   const bool waiting = !preparing && !m.playhead.idle() && !m.state();
   const bool painting = !preparing && m.grid.working();
   if (!preparing && !waiting && !painting) return;
-  std::string text = preparing ? "Preparing: " + (m.run.part.empty() ? std::string("input") : m.run.part) : waiting ? "Reading the journal" : "Painting Ω";
+  std::string text = preparing ? "Preparing: " + (m.run.part.empty() ? std::string("input") : m.run.part)
+                     : waiting ? "Reading the journal"
+                               : "Painting Ω";
   const double fraction = preparing ? m.run.fraction : painting ? m.grid.fraction() : -1.0;
   const float width = ui.px(280), high = ui.px(preparing ? 84 : 46);
-  const ImVec2 at{low.x + (size.x - width) / 2, preparing ? low.y + (size.y - high) / 2 : low.y + size.y - high - ui.px(16)};
+  const ImVec2 at{low.x + (size.x - width) / 2,
+                  preparing ? low.y + (size.y - high) / 2 : low.y + size.y - high - ui.px(16)};
   pill(ui, at, {at.x + width, at.y + high});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float pad = ui.px(14);
@@ -161,8 +177,11 @@ void progress(Ui& ui, ImVec2 low, ImVec2 size) {
   const float length = width - 2 * pad, thick = ui.px(5);
   list.AddRectFilled(bar, {bar.x + length, bar.y + thick}, to_u32(ui.colors.line), thick / 2);
   const auto phase = static_cast<float>(std::fmod(m.clock, 1.6) / 1.6);
-  const float begin = fraction >= 0 ? 0 : std::max(0.0f, phase * 1.3f - 0.3f), end = fraction >= 0 ? static_cast<float>(std::clamp(fraction, 0.02, 1.0)) : std::min(1.0f, phase * 1.3f);
-  list.AddRectFilled({bar.x + begin * length, bar.y}, {bar.x + end * length, bar.y + thick}, to_u32(ui.colors.accent), thick / 2);
+  const float begin = fraction >= 0 ? 0 : std::max(0.0f, phase * 1.3f - 0.3f),
+              end = fraction >= 0 ? static_cast<float>(std::clamp(fraction, 0.02, 1.0))
+                                  : std::min(1.0f, phase * 1.3f);
+  list.AddRectFilled({bar.x + begin * length, bar.y}, {bar.x + end * length, bar.y + thick},
+                     to_u32(ui.colors.accent), thick / 2);
   if (!preparing) return;
   ImGui::SetCursorScreenPos({at.x + width - pad - ui.px(72), at.y + ui.px(46)});
   if (widgets::plain_button(ui, "Cancel", true, ui.px(72))) ui.commands.post("stop");

@@ -1,4 +1,5 @@
-// What lies over the view: axes, scale bar, the sentence of the current operation, mode switch, hover, progress.
+// What lies over the view: axes, scale bar, the sentence of the current operation, mode switch, hover,
+// progress.
 #pragma once
 
 #include "panels/ui.h"

@@ -74,7 +74,8 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   request.hover = key.hover;
   const auto make = [&](Quality quality) {
     request.quality = quality;
-    picture.frame = section ? renderer_->render_section(m.section, m.view, request) : renderer_->render(m.camera, m.view, request);
+    picture.frame = section ? renderer_->render_section(m.section, m.view, request)
+                            : renderer_->render(m.camera, m.view, request);
   };
   if (key != picture.key) {
     const bool first = picture.changed_at < 0;
@@ -88,7 +89,8 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   }
   if (picture.frame.texture == 0) return;
   const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.frame.texture));
-  ImGui::GetWindowDrawList()->AddImage(texture, area.low, {area.low.x + area.size.x, area.low.y + area.size.y}, {0, 1}, {1, 0});
+  ImGui::GetWindowDrawList()->AddImage(texture, area.low,
+                                       {area.low.x + area.size.x, area.low.y + area.size.y}, {0, 1}, {1, 0});
 }
 
 void SceneView::draw_scene(Ui& ui, Area area) {
@@ -99,7 +101,9 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   scene_mouse(ui, area);
   render(ui, scene_, area, false);
   overlay::axes(ui, area.low, area.size);
-  overlay::scale_bar(ui, area.low, area.size, 2 * ui.model.camera.pose().distance * std::tan(ui.model.camera.pose().fov * 3.14159265358979 / 360));
+  overlay::scale_bar(ui, area.low, area.size,
+                     2 * ui.model.camera.pose().distance *
+                         std::tan(ui.model.camera.pose().fov * 3.14159265358979 / 360));
 }
 
 void SceneView::draw_section(Ui& ui, Area area) {
@@ -126,7 +130,8 @@ Pick SceneView::hover_pick(Ui& ui, Area area, bool section) {
     hover_since_ = m.clock;
     hover_asked_ = false;
   }
-  if (hover_asked_ || m.transport.moving() || m.clock - hover_since_ < hover_delay) return m.selection.hovered;
+  if (hover_asked_ || m.transport.moving() || m.clock - hover_since_ < hover_delay)
+    return m.selection.hovered;
   hover_asked_ = true;
   const ImVec2 at = local(io.MousePos, area.low);
   const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
@@ -172,7 +177,8 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
     dragged_ = true;
   }
   if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
-    if (ImGui::IsMouseReleased(0)) picked(ui, renderer_->pick(m.camera, m.view, at.x, at.y, width, height, m.selection.kinds));
+    if (ImGui::IsMouseReleased(0))
+      picked(ui, renderer_->pick(m.camera, m.view, at.x, at.y, width, height, m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
   if (hovered && !ImGui::IsAnyMouseDown()) {
@@ -203,14 +209,16 @@ void SceneView::section_mouse(Ui& ui, Area area) {
   }
   if (hovered && io.MouseWheel != 0) {
     const double factor = std::pow(0.88, static_cast<double>(io.MouseWheel));
-    const double du = (static_cast<double>(at.x) - area.size.x / 2) * unit, dv = (area.size.y / 2 - static_cast<double>(at.y)) * unit;
+    const double du = (static_cast<double>(at.x) - area.size.x / 2) * unit,
+                 dv = (area.size.y / 2 - static_cast<double>(at.y)) * unit;
     m.section.u += du * (1 - factor);
     m.section.v += dv * (1 - factor);
     m.section.height *= factor;
     m.section_set = true;
   }
   if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
-    if (ImGui::IsMouseReleased(0)) picked(ui, renderer_->pick_section(m.section, m.view, at.x, at.y, width, height, m.selection.kinds));
+    if (ImGui::IsMouseReleased(0))
+      picked(ui, renderer_->pick_section(m.section, m.view, at.x, at.y, width, height, m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
   if (hovered && !ImGui::IsAnyMouseDown()) {
@@ -233,7 +241,8 @@ void SceneView::frame_requests(Ui& ui) {
   if (selected && !all && pick.kind != Pick::Kind::none && state) {
     const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * box.longest_edge();
     box = {};
-    if (pick.kind == Pick::Kind::tet && pick.id < state->complex.tets.size() && state->complex.tets[pick.id].alive())
+    if (pick.kind == Pick::Kind::tet && pick.id < state->complex.tets.size() &&
+        state->complex.tets[pick.id].alive())
       for (const Vec3& p : state->complex.positions(TetId(pick.id))) box.add(p);
     else
       box.add(pick.point);

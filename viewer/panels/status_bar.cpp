@@ -11,13 +11,20 @@ namespace {
 
 std::string phase_text(const AppModel& m) {
   switch (m.run.phase) {
-  case SessionPhase::idle: return "no run";
-  case SessionPhase::preparing: return "preparing " + m.run.part;
-  case SessionPhase::running: return m.run.part.empty() ? "running" : "running: " + m.run.part;
-  case SessionPhase::paused: return m.run.pause_note.empty() ? "held" : "held: " + m.run.pause_note;
+  case SessionPhase::idle:
+    return "no run";
+  case SessionPhase::preparing:
+    return "preparing " + m.run.part;
+  case SessionPhase::running:
+    return m.run.part.empty() ? "running" : "running: " + m.run.part;
+  case SessionPhase::paused:
+    return m.run.pause_note.empty() ? "held" : "held: " + m.run.pause_note;
   case SessionPhase::finished:
-    return !m.run.result ? "finished" : m.run.result->certificate.holds() ? "finished, certified" : "finished, not certified";
-  case SessionPhase::failed: return "failed";
+    return !m.run.result                       ? "finished"
+           : m.run.result->certificate.holds() ? "finished, certified"
+                                               : "finished, not certified";
+  case SessionPhase::failed:
+    return "failed";
   }
   return {};
 }
@@ -26,8 +33,10 @@ std::string phase_text(const AppModel& m) {
 std::string rate_text(const AppModel& m) {
   if (!m.run.journal || m.run.journal->operations().size() < 20) return {};
   const auto& operations = m.run.journal->operations();
-  const std::size_t last = operations.size() - 1, first = last - std::min<std::size_t>(last, std::max<std::size_t>(20, last / 10));
-  const double seconds = static_cast<double>(operations[last].figures.seconds - operations[first].figures.seconds);
+  const std::size_t last = operations.size() - 1,
+                    first = last - std::min<std::size_t>(last, std::max<std::size_t>(20, last / 10));
+  const double seconds =
+      static_cast<double>(operations[last].figures.seconds - operations[first].figures.seconds);
   if (!(seconds > 0)) return {};
   const double rate = static_cast<double>(last - first) / seconds;
   return rate >= 1000 ? short_number(rate / 1000) + " k ops/s" : short_number(rate) + " ops/s";
@@ -44,7 +53,8 @@ void status_bar(Ui& ui) {
   const float end = low.x + size.x - ui.px(12);
   const auto put = [&](std::string_view s, Rgb color, bool separator = true) {
     if (s.empty()) return;
-    const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, s.data(), s.data() + s.size()).x;
+    const float width =
+        ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, s.data(), s.data() + s.size()).x;
     if (x + width > end) return;
     if (separator) {
       list.AddCircleFilled({x + ui.px(2), low.y + size.y / 2}, ui.px(1.5f), to_u32(ui.colors.quiet, 0.7f), 8);
@@ -54,16 +64,22 @@ void status_bar(Ui& ui) {
     x += width + ui.px(8);
   };
   put("step " + grouped(m.transport.step()) + " of " + grouped(m.live_step()), ui.colors.text, false);
-  const bool failed = m.run.phase == SessionPhase::failed || (m.run.phase == SessionPhase::finished && m.run.result && !m.run.result->certificate.holds());
+  const bool failed =
+      m.run.phase == SessionPhase::failed ||
+      (m.run.phase == SessionPhase::finished && m.run.result && !m.run.result->certificate.holds());
   put(phase_text(m), failed ? ui.colors.warning_text : ui.colors.quiet);
   if (const auto state = m.state()) {
-    put(grouped(state->bad_samples) + " bad of " + grouped(state->samples ? state->samples->size() : 0) + " samples", state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+    put(grouped(state->bad_samples) + " bad of " + grouped(state->samples ? state->samples->size() : 0) +
+            " samples",
+        state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
     put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
   }
   put(rate_text(m), ui.colors.quiet);
   if (m.run.journal) put("history " + bytes_text(m.run.journal->memory_bytes()), ui.colors.quiet);
   if (m.run.scene && !m.run.scene->warnings.empty())
-    put(std::string(icon::warning) + " " + grouped(m.run.scene->warnings.size()) + (m.run.scene->warnings.size() == 1 ? " warning" : " warnings"), ui.colors.warning_text);
+    put(std::string(icon::warning) + " " + grouped(m.run.scene->warnings.size()) +
+            (m.run.scene->warnings.size() == 1 ? " warning" : " warnings"),
+        ui.colors.warning_text);
   if (m.run.scene) put(m.run.scene->thickening_note, ui.colors.warning_text);
 }
 
@@ -78,7 +94,9 @@ void messages(Ui& ui, ImVec2 low, float width) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12), ui.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(7));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(ui.colors.raised));
-    ImGui::Begin(name.c_str(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::Begin(name.c_str(), nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     const Rgb color = message.error ? ui.colors.bad_text : ui.colors.accent_text;
     ImGui::TextColored(to_vec(color), "%s", message.error ? icon::error : icon::info);
     ImGui::SameLine(0, ui.px(10));

@@ -24,13 +24,15 @@ void fill(Raster& r, const std::array<Vec3, 3>& p, float shade) {
   const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
   if (area == 0) return;
   for (int y = std::max(0, static_cast<int>(y0)); y <= std::min(r.height - 1, static_cast<int>(y1) + 1); ++y)
-    for (int x = std::max(0, static_cast<int>(x0)); x <= std::min(r.width - 1, static_cast<int>(x1) + 1); ++x) {
+    for (int x = std::max(0, static_cast<int>(x0)); x <= std::min(r.width - 1, static_cast<int>(x1) + 1);
+         ++x) {
       const double px = x + 0.5, py = y + 0.5;
       const double b = ((px - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (py - p[0].y)) / area;
       const double c = ((p[1].x - p[0].x) * (py - p[0].y) - (px - p[0].x) * (p[1].y - p[0].y)) / area;
       if (b < 0 || c < 0 || b + c > 1) continue;
       const auto z = static_cast<float>(p[0].z + b * (p[1].z - p[0].z) + c * (p[2].z - p[0].z));
-      const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(r.width) + static_cast<std::size_t>(x);
+      const std::size_t at =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(r.width) + static_cast<std::size_t>(x);
       if (z <= r.depth[at]) continue;
       r.depth[at] = z;
       r.shade[at] = shade;
@@ -53,7 +55,8 @@ Thumbnail draw_thumbnail(const TriangleSoup& soup, int width, int height) {
   for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     for (const Vec3& p : soup.triangle(i)) box.add(turned(p));
   const Vec3 extent = box.extent(), middle = box.center();
-  const double scale = 0.84 * std::min(r.width / std::max(extent.x, 1e-12), r.height / std::max(extent.y, 1e-12));
+  const double scale =
+      0.84 * std::min(r.width / std::max(extent.x, 1e-12), r.height / std::max(extent.y, 1e-12));
   const Vec3 light = normalized(Vec3{-0.35, 0.75, 0.8});
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     const Triangle3 t = soup.triangle(i);
@@ -67,19 +70,25 @@ Thumbnail draw_thumbnail(const TriangleSoup& soup, int width, int height) {
     const double diffuse = std::max(0.0, dot(normal, light));
     fill(r, p, static_cast<float>(0.28 + 0.12 * (0.5 + 0.5 * normal.y) + 0.62 * diffuse));
   }
-  Thumbnail out{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4)};
+  Thumbnail out{
+      width, height,
+      std::vector<std::uint8_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4)};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       double light_sum = 0, cover = 0;
       for (int j = 0; j < oversampling; ++j)
         for (int i = 0; i < oversampling; ++i) {
-          const auto at = static_cast<std::size_t>(y * oversampling + j) * static_cast<std::size_t>(r.width) + static_cast<std::size_t>(x * oversampling + i);
+          const auto at = static_cast<std::size_t>(y * oversampling + j) * static_cast<std::size_t>(r.width) +
+                          static_cast<std::size_t>(x * oversampling + i);
           light_sum += static_cast<double>(r.shade[at]);
           cover += r.shade[at] > 0 ? 1 : 0;
         }
       if (cover == 0) continue;
-      std::uint8_t* pixel = &out.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 4];
-      for (int c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>(std::clamp(255 * base_color[c] * light_sum / cover, 0.0, 255.0));
+      std::uint8_t* pixel = &out.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                         static_cast<std::size_t>(x)) *
+                                        4];
+      for (int c = 0; c < 3; ++c)
+        pixel[c] = static_cast<std::uint8_t>(std::clamp(255 * base_color[c] * light_sum / cover, 0.0, 255.0));
       pixel[3] = static_cast<std::uint8_t>(255 * cover / (oversampling * oversampling));
     }
   return out;
@@ -100,7 +109,8 @@ void Thumbnails::begin(int width, int height, std::function<void()> notify) {
   worker_ = std::thread([this, width, height, notify = std::move(notify)] {
     for (std::size_t i = 0; i < gallery().size(); ++i) {
       std::shared_ptr<const Thumbnail> made;
-      if (const auto soup = make_gallery_model(gallery()[i].name)) made = std::make_shared<const Thumbnail>(draw_thumbnail(*soup, width, height));
+      if (const auto soup = make_gallery_model(gallery()[i].name))
+        made = std::make_shared<const Thumbnail>(draw_thumbnail(*soup, width, height));
       {
         const std::lock_guard lock(mutex_);
         if (quit_) return;

@@ -1,4 +1,5 @@
-// Small pictures of the bundled models, shaded on a worker by a rasteriser of our own: no context, the same bits everywhere.
+// Small pictures of the bundled models, shaded on a worker by a rasteriser of our own: no context, the same
+// bits everywhere.
 #pragma once
 
 #include "input/triangle_soup.h"

@@ -34,7 +34,8 @@ void StepRange::pan(double by, Step steps) {
 }
 
 float TimelinePane::to_x(double step, ImVec2 low, ImVec2 size) const {
-  return low.x + static_cast<float>((step - range_.begin) / std::max(range_.end - range_.begin, 1e-9)) * size.x;
+  return low.x +
+         static_cast<float>((step - range_.begin) / std::max(range_.end - range_.begin, 1e-9)) * size.x;
 }
 
 void TimelinePane::tabs(Ui& ui) {
@@ -53,8 +54,11 @@ void TimelinePane::tabs(Ui& ui) {
     if (ImGui::InvisibleButton("tab", {width, high})) ui.commands.post("tab", {words[i]});
     ImGui::PopID();
     const Rgb color = lit ? ui.colors.text : ui.colors.quiet;
-    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(10), at.y + (high - extent.y) / 2}, to_u32(ImGui::IsItemHovered() ? ui.colors.text : color), label);
-    if (lit) list.AddRectFilled({at.x + ui.px(8), at.y + high - ui.px(2)}, {at.x + width - ui.px(8), at.y + high}, to_u32(ui.colors.accent), ui.px(1));
+    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(10), at.y + (high - extent.y) / 2},
+                       to_u32(ImGui::IsItemHovered() ? ui.colors.text : color), label);
+    if (lit)
+      list.AddRectFilled({at.x + ui.px(8), at.y + high - ui.px(2)}, {at.x + width - ui.px(8), at.y + high},
+                         to_u32(ui.colors.accent), ui.px(1));
     ImGui::SameLine(0, 0);
   }
   // What the colours mean, on the same line.
@@ -69,9 +73,11 @@ void TimelinePane::tabs(Ui& ui) {
     const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.c_str()).x;
     x -= width;
     if (x - ui.px(14) < left) break;
-    widgets::draw_text(list, ui.fonts.small, {x, y + (ui.px(28) - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet), label);
+    widgets::draw_text(list, ui.fonts.small, {x, y + (ui.px(28) - ui.fonts.small->FontSize) / 2},
+                       to_u32(ui.colors.quiet), label);
     x -= ui.px(14);
-    list.AddRectFilled({x, y + ui.px(10)}, {x + ui.px(8), y + ui.px(18)}, to_u32(condition_color(ui.theme, c)), ui.px(2));
+    list.AddRectFilled({x, y + ui.px(10)}, {x + ui.px(8), y + ui.px(18)},
+                       to_u32(condition_color(ui.theme, c)), ui.px(2));
     x -= ui.px(16);
   }
   ImGui::NewLine();
@@ -81,10 +87,13 @@ bool TimelinePane::scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size) {
   AppModel& m = ui.model;
   const Step live = m.live_step();
   ImGui::SetCursorScreenPos(low);
-  ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
-  const double step = range_.begin + static_cast<double>((io.MousePos.x - low.x) / size.x) * (range_.end - range_.begin);
-  if (ImGui::IsItemHovered() && io.MouseWheel != 0) range_.zoom(std::pow(0.8, static_cast<double>(io.MouseWheel)), step, live);
+  const double step =
+      range_.begin + static_cast<double>((io.MousePos.x - low.x) / size.x) * (range_.end - range_.begin);
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+    range_.zoom(std::pow(0.8, static_cast<double>(io.MouseWheel)), step, live);
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(1)) range_.fit(live);
   if (!ImGui::IsItemActive()) return false;
   if (ImGui::IsMouseDown(1)) {
@@ -128,9 +137,13 @@ void TimelinePane::timeline(Ui& ui) {
   // Stage lanes.
   for (const JournalIndex::StageSpan& span : index.stages()) {
     const float x0 = to_x(span.begin, low, size), x1 = std::max(to_x(span.end, low, size), x0 + ui.px(3));
-    list.AddRectFilled({x0, low.y}, {x1 - 1, low.y + lane}, to_u32(ui.colors.accent, span.open ? 0.30f : 0.18f), ui.px(3));
+    list.AddRectFilled({x0, low.y}, {x1 - 1, low.y + lane},
+                       to_u32(ui.colors.accent, span.open ? 0.30f : 0.18f), ui.px(3));
     const std::string title(stage_title(span.stage));
-    if (x1 - x0 > ui.px(50)) widgets::draw_text(list, ui.fonts.small, {std::max(x0, low.x) + ui.px(8), low.y + (lane - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.text, 0.9f), title);
+    if (x1 - x0 > ui.px(50))
+      widgets::draw_text(list, ui.fonts.small,
+                         {std::max(x0, low.x) + ui.px(8), low.y + (lane - ui.fonts.small->FontSize) / 2},
+                         to_u32(ui.colors.text, 0.9f), title);
   }
 
   // Density: a stacked column a few pixels wide for each stretch of steps.
@@ -140,7 +153,8 @@ void TimelinePane::timeline(Ui& ui) {
   const double per_column = (range_.end - range_.begin) / columns;
   for (int i = 0; i < columns; ++i) {
     const double from = range_.begin + i * per_column;
-    const auto begin = static_cast<Step>(from), end = static_cast<Step>(std::max(from + per_column, static_cast<double>(begin) + 1));
+    const auto begin = static_cast<Step>(from),
+               end = static_cast<Step>(std::max(from + per_column, static_cast<double>(begin) + 1));
     const auto counts = index.counts(begin, end);
     std::uint32_t total = 0;
     for (const auto n : counts) total += n;
@@ -151,7 +165,8 @@ void TimelinePane::timeline(Ui& ui) {
       const float part = static_cast<float>(counts[c]) / static_cast<float>(total) * (bottom - top);
       const float x = low.x + static_cast<float>(i) * column;
       const bool past = begin < m.transport.step();
-      list.AddRectFilled({x, y - part}, {x + column - 1, y}, to_u32(condition_color(ui.theme, static_cast<int>(c)), past ? 0.95f : 0.45f));
+      list.AddRectFilled({x, y - part}, {x + column - 1, y},
+                         to_u32(condition_color(ui.theme, static_cast<int>(c)), past ? 0.95f : 0.45f));
       y -= part;
     }
   }
@@ -159,31 +174,44 @@ void TimelinePane::timeline(Ui& ui) {
   for (const JournalIndex::Mark& mark : index.marks()) {
     const float x = to_x(mark.step, low, size);
     if (x < low.x || x > high.x) continue;
-    const Rgb color = mark.kind == EventKind::warning || mark.kind == EventKind::stopped ? ui.colors.warning : mark.kind == EventKind::topology_check ? ui.colors.gamma : ui.colors.text;
+    const Rgb color = mark.kind == EventKind::warning || mark.kind == EventKind::stopped ? ui.colors.warning
+                      : mark.kind == EventKind::topology_check                           ? ui.colors.gamma
+                                                                                         : ui.colors.text;
     list.AddCircleFilled({x, bottom + ui.px(3)}, ui.px(3), to_u32(color), 12);
   }
   // Ruler.
-  const double span = range_.end - range_.begin, wanted = span / std::max(1.0, static_cast<double>(size.x / ui.px(110)));
+  const double span = range_.end - range_.begin,
+               wanted = span / std::max(1.0, static_cast<double>(size.x / ui.px(110)));
   const double decade = std::pow(10.0, std::floor(std::log10(std::max(wanted, 1.0))));
-  const double tick = std::max(1.0, wanted / decade > 5 ? 10 * decade : wanted / decade > 2 ? 5 * decade : wanted / decade > 1 ? 2 * decade : decade);
+  const double tick = std::max(1.0, wanted / decade > 5   ? 10 * decade
+                                    : wanted / decade > 2 ? 5 * decade
+                                    : wanted / decade > 1 ? 2 * decade
+                                                          : decade);
   for (double s = std::ceil(range_.begin / tick) * tick; s <= range_.end; s += tick) {
     const float x = to_x(s, low, size);
     list.AddLine({x, bottom}, {x, bottom + ui.px(4)}, to_u32(ui.colors.quiet, 0.7f));
     const std::string label = grouped(static_cast<std::size_t>(s));
     const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.c_str()).x;
-    if (x + ui.px(4) + width < high.x) widgets::draw_text(list, ui.fonts.small, {x + ui.px(4), bottom + ui.px(2)}, to_u32(ui.colors.quiet), label);
+    if (x + ui.px(4) + width < high.x)
+      widgets::draw_text(list, ui.fonts.small, {x + ui.px(4), bottom + ui.px(2)}, to_u32(ui.colors.quiet),
+                         label);
   }
   const float live_x = to_x(m.live_step(), low, size);
-  if (m.running()) list.AddRectFilled({live_x - ui.px(2), low.y}, {live_x, bottom}, to_u32(ui.colors.good_text));
+  if (m.running())
+    list.AddRectFilled({live_x - ui.px(2), low.y}, {live_x, bottom}, to_u32(ui.colors.good_text));
   playhead(ui, low, size);
   list.PopClipRect();
   if (index.steps() == 0)
-    widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(12), (top + bottom - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet), "Operations appear here as the run makes them. Drag to scrub, wheel to zoom.");
+    widgets::draw_text(list, ui.fonts.small,
+                       {low.x + ui.px(12), (top + bottom - ui.fonts.small->FontSize) / 2},
+                       to_u32(ui.colors.quiet),
+                       "Operations appear here as the run makes them. Drag to scrub, wheel to zoom.");
   if (hovered && index.steps() > 0 && !ImGui::IsAnyMouseDown()) {
     const double at = range_.begin + static_cast<double>((ImGui::GetIO().MousePos.x - low.x) / size.x) * span;
     const auto step = static_cast<Step>(std::clamp(at, 0.0, static_cast<double>(index.steps() - 1)));
     const Journal& journal = *index.journal();
-    widgets::tip(ui, "Step " + grouped(step + 1), describe(journal, journal.events()[journal.operations()[step].event]));
+    widgets::tip(ui, "Step " + grouped(step + 1),
+                 describe(journal, journal.events()[journal.operations()[step].event]));
   }
 }
 
@@ -196,10 +224,11 @@ void TimelinePane::plots(Ui& ui) {
     bool logarithmic;
     const char* unit;
   };
-  const std::array<Plot, 4> all{{{"bad samples", Figure::bad_samples, ui.colors.bad_text, true, ""},
-                                 {"largest ε", Figure::largest_error, ui.colors.warning_text, true, ""},
-                                 {"vertices of Z", Figure::zero_set_vertices, ui.colors.text, false, ""},
-                                 {"smallest height", Figure::smallest_height, ui.colors.accent_text, true, " δ"}}};
+  const std::array<Plot, 4> all{
+      {{"bad samples", Figure::bad_samples, ui.colors.bad_text, true, ""},
+       {"largest ε", Figure::largest_error, ui.colors.warning_text, true, ""},
+       {"vertices of Z", Figure::zero_set_vertices, ui.colors.text, false, ""},
+       {"smallest height", Figure::smallest_height, ui.colors.accent_text, true, " δ"}}};
   const ImVec2 origin = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const float gap = ui.px(10), width = (room.x - 3 * gap) / 4;
   if (width < ui.px(60) || room.y < ui.px(40)) return;
@@ -230,20 +259,25 @@ void TimelinePane::plots(Ui& ui) {
       const int columns = std::max(2, static_cast<int>(size.x / 2));
       std::vector<ImVec2> line;
       for (int c = 0; c < columns; ++c) {
-        const double from = range_.begin + (range_.end - range_.begin) * c / columns, to = range_.begin + (range_.end - range_.begin) * (c + 1) / columns;
-        const auto k0 = static_cast<std::size_t>(from), k1 = std::min(last, std::max(static_cast<std::size_t>(to), k0 + 1));
+        const double from = range_.begin + (range_.end - range_.begin) * c / columns,
+                     to = range_.begin + (range_.end - range_.begin) * (c + 1) / columns;
+        const auto k0 = static_cast<std::size_t>(from),
+                   k1 = std::min(last, std::max(static_cast<std::size_t>(to), k0 + 1));
         for (std::size_t k = k0; k < k1; k += std::max<std::size_t>(1, (k1 - k0) / 2))
-          if (std::isfinite(values[k])) line.push_back({to_x(static_cast<double>(k + 1), low, size), y_of(values[k])});
+          if (std::isfinite(values[k]))
+            line.push_back({to_x(static_cast<double>(k + 1), low, size), y_of(values[k])});
       }
       list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(plot.color), 0, ui.px(1.6f));
     }
     playhead(ui, {low.x, low.y + ui.px(20)}, {size.x, size.y - ui.px(20)});
-    widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(10), low.y + ui.px(5)}, to_u32(ui.colors.quiet), plot.name);
+    widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(10), low.y + ui.px(5)}, to_u32(ui.colors.quiet),
+                       plot.name);
     const Step step = m.transport.step();
     if (step > 0 && step <= values.size()) {
       const std::string value = short_number(static_cast<double>(values[step - 1])) + plot.unit;
       const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
-      widgets::draw_text(list, ui.fonts.mono, {high.x - extent - ui.px(10), low.y + ui.px(5)}, to_u32(plot.color), value);
+      widgets::draw_text(list, ui.fonts.mono, {high.x - extent - ui.px(10), low.y + ui.px(5)},
+                         to_u32(plot.color), value);
     }
     list.PopClipRect();
   }
@@ -253,9 +287,15 @@ void TimelinePane::draw(Ui& ui) {
   if (range_.fits) range_.fit(ui.model.live_step());
   tabs(ui);
   switch (ui.model.settings.panes.tab) {
-  case 1: plots(ui); break;
-  case 2: events_.draw(ui); break;
-  default: timeline(ui); break;
+  case 1:
+    plots(ui);
+    break;
+  case 2:
+    events_.draw(ui);
+    break;
+  default:
+    timeline(ui);
+    break;
   }
 }
 

@@ -16,7 +16,8 @@ void menu_entry(Ui& ui, const Command& command) {
   const bool enabled = command.enabled == nullptr || command.enabled(ui.model);
   const bool checked = command.checked != nullptr && command.checked(ui.model);
   const std::string key = command.keys.empty() ? "" : text(command.keys.front());
-  if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str(), checked, enabled)) ui.commands.post(std::string(command.name));
+  if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str(), checked, enabled))
+    ui.commands.post(std::string(command.name));
   widgets::tip(ui, {}, command.help);
 }
 
@@ -38,8 +39,10 @@ void menus(Ui& ui) {
     const bool open = ImGui::IsPopupOpen("entries"), hovered = ImGui::IsItemHovered();
     if (pressed) ImGui::OpenPopup("entries");
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (open || hovered) list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover), ui.px(5));
-    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(8), at.y + (high - extent.y) / 2}, to_u32(ui.colors.text, 0.92f), name);
+    if (open || hovered)
+      list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover), ui.px(5));
+    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(8), at.y + (high - extent.y) / 2},
+                       to_u32(ui.colors.text, 0.92f), name);
     ImGui::SetNextWindowPos({at.x, at.y + high + ui.px(4)});
     if (ImGui::BeginPopup("entries")) {
       for (const Command& command : command_table()) {
@@ -72,24 +75,31 @@ void model_name(Ui& ui, float room) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float high = ui.px(28);
   widgets::draw_text(list, ui.fonts.bold, {at.x, at.y + (high - extent.y) / 2}, to_u32(ui.colors.text), name);
-  widgets::draw_text(list, ui.fonts.mono, {at.x + extent.x + ui.px(8), at.y + (high - ui.fonts.mono->FontSize) / 2}, to_u32(ui.colors.quiet), delta);
+  widgets::draw_text(list, ui.fonts.mono,
+                     {at.x + extent.x + ui.px(8), at.y + (high - ui.fonts.mono->FontSize) / 2},
+                     to_u32(ui.colors.quiet), delta);
   ImGui::InvisibleButton("model", {extent.x + delta_width + ui.px(8), high});
-  widgets::tip(ui, m.run.parameters.input, "δ is the tolerance: half the thickness of Ω, in percent of the longest edge of the input's bounding box or as a length. §2.1");
+  widgets::tip(ui, m.run.parameters.input,
+               "δ is the tolerance: half the thickness of Ω, in percent of the longest edge of the input's "
+               "bounding box or as a length. §2.1");
   ImGui::SameLine(0, ui.px(14));
 }
 
 enum class ChipState { later, next, running, done };
 
 ChipState chip_state(const AppModel& m, Stage stage) {
-  ChipState state = static_cast<int>(stage) > static_cast<int>(Stage::refinement) ? ChipState::later : ChipState::next;
+  ChipState state =
+      static_cast<int>(stage) > static_cast<int>(Stage::refinement) ? ChipState::later : ChipState::next;
   for (const JournalIndex::StageSpan& span : m.index.stages())
-    if (span.stage == stage) state = span.open && m.run.phase != SessionPhase::finished ? ChipState::running : ChipState::done;
+    if (span.stage == stage)
+      state = span.open && m.run.phase != SessionPhase::finished ? ChipState::running : ChipState::done;
   return state;
 }
 
 /// The stages; those that no longer fit are left out.
 void stage_chips(Ui& ui, float room) {
-  constexpr std::array<Stage, 6> stages{Stage::refinement, Stage::gamma, Stage::tessellation, Stage::zero_set, Stage::all, Stage::improve};
+  constexpr std::array<Stage, 6> stages{Stage::refinement, Stage::gamma, Stage::tessellation,
+                                        Stage::zero_set,   Stage::all,   Stage::improve};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float high = ui.px(28), pad = ui.px(7);
   float used = 0;
@@ -104,7 +114,8 @@ void stage_chips(Ui& ui, float room) {
     if (used > room) break;
     float x = at.x;
     if (i > 0) {
-      widgets::draw_text(list, ui.fonts.small, {x + ui.px(3), at.y + (high - extent.y) / 2}, to_u32(ui.colors.quiet, 0.6f), icon::right);
+      widgets::draw_text(list, ui.fonts.small, {x + ui.px(3), at.y + (high - extent.y) / 2},
+                         to_u32(ui.colors.quiet, 0.6f), icon::right);
       x += ui.px(12);
     }
     ImGui::PushID(static_cast<int>(i));
@@ -112,9 +123,15 @@ void stage_chips(Ui& ui, float room) {
     ImGui::PopID();
     const ImVec2 low{x, at.y + ui.px(4)}, end{x + extent.x + 2 * pad, at.y + high - ui.px(4)};
     if (state == ChipState::running) list.AddRectFilled(low, end, to_u32(ui.colors.accent, 0.22f), ui.px(10));
-    const Rgb color = state == ChipState::running ? ui.colors.accent_text : state == ChipState::done ? ui.colors.good_text : ui.colors.quiet;
-    widgets::draw_text(list, ui.fonts.small, {x + pad, at.y + (high - extent.y) / 2}, to_u32(color, state == ChipState::later ? 0.75f : 1.0f), label);
-    const char* tip = state == ChipState::running ? "Under way." : state == ChipState::done ? "Done." : state == ChipState::next ? "Not begun." : "Simplification comes with a later version.";
+    const Rgb color = state == ChipState::running ? ui.colors.accent_text
+                      : state == ChipState::done  ? ui.colors.good_text
+                                                  : ui.colors.quiet;
+    widgets::draw_text(list, ui.fonts.small, {x + pad, at.y + (high - extent.y) / 2},
+                       to_u32(color, state == ChipState::later ? 0.75f : 1.0f), label);
+    const char* tip = state == ChipState::running ? "Under way."
+                      : state == ChipState::done  ? "Done."
+                      : state == ChipState::next  ? "Not begun."
+                                                  : "Simplification comes with a later version.";
     widgets::tip(ui, "Stage: " + std::string(stage_title(stages[i])), tip);
     ImGui::SameLine(0, 0);
   }
@@ -133,22 +150,30 @@ void speed_menu(Ui& ui) {
   const float width = ui.px(62), high = ui.px(28);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("speed", {width, high})) ImGui::OpenPopup("speeds");
-  widgets::tip(ui, "Speed   , and .", "Operations that the play head shows in a second; auto tells a whole run in about ten seconds.");
+  widgets::tip(
+      ui, "Speed   , and .",
+      "Operations that the play head shows in a second; auto tells a whole run in about ten seconds.");
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({at.x, at.y + ui.px(1)}, {at.x + width, at.y + high - ui.px(1)}, to_u32(ImGui::IsItemHovered() ? ui.colors.hover : ui.colors.raised), ui.px(5));
-  widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(8), at.y + (high - ui.fonts.mono->FontSize) / 2}, to_u32(ui.colors.text), speed_text(ui.model.transport.speed()));
-  widgets::draw_text(list, ui.fonts.ui, {at.x + width - ui.px(16), at.y + (high - ui.fonts.ui->FontSize) / 2}, to_u32(ui.colors.quiet), icon::down);
+  list.AddRectFilled({at.x, at.y + ui.px(1)}, {at.x + width, at.y + high - ui.px(1)},
+                     to_u32(ImGui::IsItemHovered() ? ui.colors.hover : ui.colors.raised), ui.px(5));
+  widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(8), at.y + (high - ui.fonts.mono->FontSize) / 2},
+                     to_u32(ui.colors.text), speed_text(ui.model.transport.speed()));
+  widgets::draw_text(list, ui.fonts.ui, {at.x + width - ui.px(16), at.y + (high - ui.fonts.ui->FontSize) / 2},
+                     to_u32(ui.colors.quiet), icon::down);
   ImGui::SetNextWindowPos({at.x, at.y + high + ui.px(4)});
   if (ImGui::BeginPopup("speeds")) {
     for (const double speed : Transport::speeds())
-      if (ImGui::MenuItem((speed_text(speed) + "##" + std::to_string(speed)).c_str(), nullptr, speed == ui.model.transport.speed())) ui.model.transport.set_speed(speed);
+      if (ImGui::MenuItem((speed_text(speed) + "##" + std::to_string(speed)).c_str(), nullptr,
+                          speed == ui.model.transport.speed()))
+        ui.model.transport.set_speed(speed);
     ImGui::EndPopup();
   }
 }
 
 void live_badge(Ui& ui, float width) {
   const AppModel& m = ui.model;
-  const bool following = m.transport.mode() == Transport::Mode::following && m.transport.at_live_end(m.live_step());
+  const bool following =
+      m.transport.mode() == Transport::Mode::following && m.transport.at_live_end(m.live_step());
   const float high = ui.px(28);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("live", {width, high})) ui.commands.post("end");
@@ -162,7 +187,8 @@ void live_badge(Ui& ui, float width) {
     list.AddRect(low, end, to_u32(ui.colors.line), ui.px(10));
   const Rgb color = live ? ui.colors.good_text : following ? ui.colors.text : ui.colors.quiet;
   list.AddCircleFilled({at.x + ui.px(13), at.y + high / 2}, ui.px(3.5f), to_u32(color), 16);
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2}, to_u32(color), "LIVE");
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(color), "LIVE");
 }
 
 void transport(Ui& ui) {

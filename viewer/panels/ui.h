@@ -8,7 +8,8 @@
 
 namespace isoscope {
 
-/// Lives for one frame. Panels read the model through it and post commands; plain view settings they change in place.
+/// Lives for one frame. Panels read the model through it and post commands; plain view settings they change
+/// in place.
 struct Ui {
   AppModel& model;
   CommandSink& commands;

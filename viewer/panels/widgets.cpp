@@ -15,7 +15,8 @@ void text(std::string_view s) {
 }
 
 bool hovered_at_rest() {
-  return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
+         !ImGui::IsMouseDown(ImGuiMouseButton_Left);
 }
 
 /// The time that the last item has been hovered, kept in the window's storage.
@@ -39,7 +40,8 @@ ImVec2 text_size(std::string_view s) {
 }
 
 void draw_text(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 color, std::string_view s) {
-  list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, color, s.data(), s.data() + s.size());
+  list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, color, s.data(),
+               s.data() + s.size());
 }
 
 std::string fitted(std::string_view s, float width) {
@@ -113,7 +115,8 @@ void command_button(const Ui& ui, std::string_view name, const char* icon, Argum
   const bool enabled = command->enabled == nullptr || command->enabled(ui.model);
   const bool lit = command->checked != nullptr && command->checked(ui.model);
   const std::string id(name);
-  if (icon_button(ui, id.c_str(), icon ? icon : command->icon, lit, enabled)) ui.commands.post(id, std::move(arguments));
+  if (icon_button(ui, id.c_str(), icon ? icon : command->icon, lit, enabled))
+    ui.commands.post(id, std::move(arguments));
   command_tip(ui, *command);
 }
 
@@ -177,9 +180,13 @@ void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ui.px(21);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet), label);
+  draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2},
+            to_u32(ui.colors.quiet), label);
   ImGui::PushFont(ui.fonts.mono);
-  const float label_width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.data(), label.data() + label.size()).x;
+  const float label_width =
+      ui.fonts.small
+          ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.data(), label.data() + label.size())
+          .x;
   const std::string shown = fitted(value, std::max(width - label_width - ui.px(10), ui.px(40)));
   const float extent = text_size(shown).x;
   ImGui::PopFont();
@@ -188,7 +195,8 @@ void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb
   ImGui::Dummy({width, height - ImGui::GetStyle().ItemSpacing.y});
 }
 
-bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_view value, std::string_view hint) {
+bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_view value,
+              std::string_view hint) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), height = ui.px(23);
   ImGui::PushID(id);
@@ -197,10 +205,12 @@ bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) {
-    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + height}, to_u32(ui.colors.hover), ui.px(4));
+    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + height},
+                       to_u32(ui.colors.hover), ui.px(4));
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
-  draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.accent_text), label);
+  draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2},
+            to_u32(ui.colors.accent_text), label);
   ImGui::PushFont(ui.fonts.mono);
   const float extent = text_size(value).x;
   ImGui::PopFont();
@@ -211,8 +221,8 @@ bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_
   return pressed;
 }
 
-void limit_bar(const Ui& ui, std::string_view label, double value, double limit, bool good, std::string_view unit,
-               bool limit_is_upper) {
+void limit_bar(const Ui& ui, std::string_view label, double value, double limit, bool good,
+               std::string_view unit, bool limit_is_upper) {
   std::string shown = short_number(value);
   if (!unit.empty()) shown += " " + std::string(unit);
   value_row(ui, label, shown, good ? ui.colors.good_text : ui.colors.bad_text);
@@ -232,10 +242,12 @@ void limit_bar(const Ui& ui, std::string_view label, double value, double limit,
   if (part > 0)
     list.AddRectFilled(low, {std::max(low.x + width * part, low.x + thick), high.y},
                        to_u32(good ? ui.colors.good : ui.colors.bad), thick / 2);
-  list.AddRectFilled({mark - ui.px(1), low.y - ui.px(3)}, {mark + ui.px(1), high.y + ui.px(3)}, to_u32(ui.colors.text));
+  list.AddRectFilled({mark - ui.px(1), low.y - ui.px(3)}, {mark + ui.px(1), high.y + ui.px(3)},
+                     to_u32(ui.colors.text));
   ImGui::Dummy({width, thick + ui.px(4)});
   tip(ui, std::string(label),
-      std::string(limit_is_upper ? "Must not exceed " : "Must not fall below ") + short_number(limit) + " " + std::string(unit) + ".");
+      std::string(limit_is_upper ? "Must not exceed " : "Must not fall below ") + short_number(limit) + " " +
+          std::string(unit) + ".");
 }
 
 bool toggle(const Ui& ui, const char* id, bool& on) {
@@ -248,8 +260,8 @@ bool toggle(const Ui& ui, const char* id, bool& on) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = at.y + ui.px(2), radius = height / 2;
   const float bright = ImGui::IsItemHovered() ? 1.0f : 0.9f;
-  list.AddRectFilled({at.x, y}, {at.x + width, y + height}, on ? to_u32(ui.colors.accent, bright) : to_u32(ui.colors.quiet, 0.45f),
-                     radius);
+  list.AddRectFilled({at.x, y}, {at.x + width, y + height},
+                     on ? to_u32(ui.colors.accent, bright) : to_u32(ui.colors.quiet, 0.45f), radius);
   list.AddCircleFilled({on ? at.x + width - radius : at.x + radius, y + radius}, radius - ui.px(2.5f),
                        to_u32(on ? ui.colors.on_accent : ui.colors.panel), 24);
   return pressed;
@@ -280,8 +292,10 @@ bool segmented(const Ui& ui, const char* id, std::span<const char* const> labels
                          to_u32(ui.colors.accent, 0.24f), rounding - ui.px(1));
     const std::string shown = fitted(labels[i], each - ui.px(4));
     const ImVec2 extent = text_size(shown);
-    draw_text(list, ImGui::GetFont(), {x + (each - extent.x) / 2, at.y + (height - extent.y) / 2},
-              to_u32(lit ? ui.colors.accent_text : ui.colors.text, lit || ImGui::IsItemHovered() ? 1.0f : 0.8f), shown);
+    draw_text(
+        list, ImGui::GetFont(), {x + (each - extent.x) / 2, at.y + (height - extent.y) / 2},
+        to_u32(lit ? ui.colors.accent_text : ui.colors.text, lit || ImGui::IsItemHovered() ? 1.0f : 0.8f),
+        shown);
   }
   ImGui::PopID();
   ImGui::SetCursorScreenPos(at);
@@ -289,11 +303,13 @@ bool segmented(const Ui& ui, const char* id, std::span<const char* const> labels
   return changed;
 }
 
-bool slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format, bool logarithmic) {
+bool slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format,
+            bool logarithmic) {
   ImGui::PushFont(ui.fonts.mono);
   ImGui::SetNextItemWidth(-1);
-  const bool changed = ImGui::SliderFloat(id, &value, low, high, format,
-                                          ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+  const bool changed =
+      ImGui::SliderFloat(id, &value, low, high, format,
+                         ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
   ImGui::PopFont();
   return changed;
 }

@@ -14,9 +14,11 @@ void tip(const Ui& ui, std::string_view title, std::string_view text = {});
 void command_tip(const Ui& ui, const Command& command);
 
 /// A flat button with an icon; `lit` shows it as switched on. True when pressed.
-bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit = false, bool enabled = true, float width = 0);
+bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit = false, bool enabled = true,
+                 float width = 0);
 /// An icon button that posts a command; disabled when the command is.
-void command_button(const Ui& ui, std::string_view command, const char* icon = nullptr, Arguments arguments = {});
+void command_button(const Ui& ui, std::string_view command, const char* icon = nullptr,
+                    Arguments arguments = {});
 /// A filled button with text in the accent colour.
 bool primary_button(const Ui& ui, const char* label, bool enabled = true, float width = 0);
 /// A button without weight.
@@ -27,17 +29,20 @@ bool section(const Ui& ui, const char* title, bool open_at_first = true);
 /// A quiet label on the left, a monospaced value flush right.
 void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb color = 0);
 /// A row that selects what it names: true when clicked.
-bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_view value, std::string_view hint = {});
+bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_view value,
+              std::string_view hint = {});
 /// A number beside its limit: a bar on [0, reach] with the limit marked. `good`: the number keeps it.
-void limit_bar(const Ui& ui, std::string_view label, double value, double limit, bool good, std::string_view unit,
-               bool limit_is_upper);
+void limit_bar(const Ui& ui, std::string_view label, double value, double limit, bool good,
+               std::string_view unit, bool limit_is_upper);
 
 /// A switch with an accent-coloured track. True when changed.
 bool toggle(const Ui& ui, const char* id, bool& on);
 /// Buttons of which one is lit. True when changed.
-bool segmented(const Ui& ui, const char* id, std::span<const char* const> labels, int& chosen, float width = 0);
+bool segmented(const Ui& ui, const char* id, std::span<const char* const> labels, int& chosen,
+               float width = 0);
 /// A slider with its value in the field, over the width that is left.
-bool slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format, bool logarithmic = false);
+bool slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format,
+            bool logarithmic = false);
 
 /// Good: a disc; bad: a cross; drawn at the cursor like a glyph of the present line.
 void verdict_glyph(const Ui& ui, bool good);

@@ -17,7 +17,8 @@ Status write_png(const std::filesystem::path& file, const Image& image) {
     out.insert(out.end(), begin, begin + size);
   };
   const std::string name = file.string();
-  if (stbi_write_png_to_func(take, &bytes, image.width, image.height, 4, image.pixels.data(), image.width * 4) == 0)
+  if (stbi_write_png_to_func(take, &bytes, image.width, image.height, 4, image.pixels.data(),
+                             image.width * 4) == 0)
     return Error{ErrorCode::io, "The picture " + name + " cannot be encoded.", ""};
   std::ofstream out(file, std::ios::binary);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -34,10 +35,11 @@ Result<Image> read_png(const std::filesystem::path& file) {
   const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(in), {}};
   Image image;
   int channels = 0;
-  stbi_uc* data = stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width, &image.height,
-                                        &channels, 4);
+  stbi_uc* data = stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width,
+                                        &image.height, &channels, 4);
   if (data == nullptr) return Error{ErrorCode::bad_input, file.string() + " is no picture.", ""};
-  image.pixels.assign(data, data + static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
+  image.pixels.assign(data, data + static_cast<std::size_t>(image.width) *
+                                       static_cast<std::size_t>(image.height) * 4);
   stbi_image_free(data);
   return image;
 }

@@ -20,7 +20,8 @@ std::string last_error() {
 
 std::string display_remedy() {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
-    return "Neither DISPLAY nor WAYLAND_DISPLAY is set: start it in a desktop session, forward X11 (ssh -X), or use "
+    return "Neither DISPLAY nor WAYLAND_DISPLAY is set: start it in a desktop session, forward X11 (ssh -X), "
+           "or use "
            "isoscope-run, which needs no display.";
   return "Check the display server, or use isoscope-run, which needs no display.";
 }
@@ -56,7 +57,8 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, PixelSize
   glfwMakeContextCurrent(handle);
   std::unique_ptr<Window> window(new Window(handle));
   if (gladLoadGL(glfwGetProcAddress) == 0)
-    return Error{ErrorCode::device, "The functions of OpenGL 4.1 cannot be loaded.", "Update the graphics driver."};
+    return Error{ErrorCode::device, "The functions of OpenGL 4.1 cannot be loaded.",
+                 "Update the graphics driver."};
   glfwSwapInterval(1);
   glfwSetWindowSizeLimits(handle, 800, 500, GLFW_DONT_CARE, GLFW_DONT_CARE);
   return window;
@@ -153,8 +155,7 @@ std::vector<std::uint8_t> Window::read_pixels() const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   const auto at = [&](std::size_t y) { return pixels.begin() + static_cast<std::ptrdiff_t>(y * row); };
-  for (std::size_t y = 0; y < rows / 2; ++y)
-    std::swap_ranges(at(y), at(y + 1), at(rows - 1 - y));
+  for (std::size_t y = 0; y < rows / 2; ++y) std::swap_ranges(at(y), at(y + 1), at(rows - 1 - y));
   for (std::size_t i = 3; i < pixels.size(); i += 4) pixels[i] = 255;
   return pixels;
 }

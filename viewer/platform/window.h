@@ -21,8 +21,8 @@ struct PixelSize {
 /// Owns GLFW and the window. One instance a process; all methods on the main thread except wake().
 class Window {
  public:
-  /// Opens a window of `size` screen units with a current context. Fails with device where there is no display or no
-  /// OpenGL 4.1.
+  /// Opens a window of `size` screen units with a current context. Fails with device where there is no
+  /// display or no OpenGL 4.1.
   static Result<std::unique_ptr<Window>> open(const std::string& title, PixelSize size);
   ~Window();
   Window(const Window&) = delete;
