@@ -9,6 +9,8 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace isoscope {
 
@@ -16,41 +18,86 @@ namespace {
 
 constexpr std::size_t tets_per_task = 512;
 
-/// ε of every sample, the per-tetrahedron flag of condition 1 and the totals.
-void judge_samples(StateSnapshot& s, const SampleSets& sets) {
+/// Slots of tetrahedra that may differ between two steps; nullopt when a scan would not pay or not suffice.
+std::optional<std::vector<std::uint32_t>> touched_slots(const Journal& journal, Step a, Step b,
+                                                        std::size_t slots) {
+  const auto [first, last] = std::minmax(a, b);
+  std::vector<std::uint32_t> touched;
+  for (Step k = first; k < last; ++k) {
+    const Delta& delta = *journal.operations()[k].delta;
+    // Changed values and positions reach tetrahedra that the delta does not name.
+    if (!delta.values.empty() || !delta.moves.empty() || delta.sample_set) return std::nullopt;
+    for (const TetRecord& t : delta.removed) touched.push_back(t.id.value);
+    for (const TetRecord& t : delta.added) touched.push_back(t.id.value);
+    if (touched.size() > slots) return std::nullopt;
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  while (!touched.empty() && touched.back() >= slots) touched.pop_back();
+  return touched;
+}
+
+std::vector<std::uint32_t> all_slots(std::size_t slots) {
+  std::vector<std::uint32_t> all(slots);
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+/// Which slots `previous` does not tell, after everything else was taken over from it.
+std::vector<std::uint32_t> take_over(StateSnapshot& s, const StateSnapshot* previous,
+                                     const Journal& journal) {
+  const std::size_t slots = s.complex.tets.size();
+  const std::size_t samples = s.samples ? s.samples->size() : 0;
+  std::optional<std::vector<std::uint32_t>> touched;
+  if (previous != nullptr && previous->samples == s.samples && previous->criteria == s.criteria &&
+      previous->orientation_judged == s.orientation_judged && previous->step <= journal.steps()) {
+    touched = touched_slots(journal, previous->step, s.step, slots);
+  }
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  if (!touched) {
+    s.errors.assign(samples, 0);
+    s.sample_tets.assign(samples, TetId{});
+    s.tet_flags.assign(slots, 0);
+    s.heights.assign(slots, infinite);
+    return all_slots(slots);
+  }
+  s.errors = previous->errors;
+  s.sample_tets = previous->sample_tets;
+  s.tet_flags = previous->tet_flags;
+  s.heights = previous->heights;
+  s.tet_flags.resize(slots, 0);
+  s.heights.resize(slots, infinite);
+  for (std::uint8_t& flags : s.tet_flags) flags &= static_cast<std::uint8_t>(~tet_changed);
+  for (const std::uint32_t slot : *touched) {
+    s.tet_flags[slot] = 0;
+    s.heights[slot] = infinite;
+  }
+  return std::move(*touched);
+}
+
+/// ε of the samples of these slots, and the flag of condition 1.
+void judge_samples(StateSnapshot& s, const SampleSets& sets, const std::vector<std::uint32_t>& slots) {
   const BoundarySamples& samples = *s.samples;
-  s.errors.assign(samples.size(), 0);
-  s.sample_tets.assign(samples.size(), TetId{});
   const double limit = s.criteria.error_limit();
-  parallel_for(s.complex.tets.size(), tets_per_task, [&](std::size_t i) {
-    const TetId t(i);
+  parallel_for(slots.size(), tets_per_task, [&](std::size_t i) {
+    const TetId t(slots[i]);
     if (!s.complex.tet(t).alive()) return;
     const AffineFunction f = interpolate(s.complex.positions(t), s.complex.values(t));
     sets.for_each(t, [&](SampleId id) {
       const double error = sample_error(f(samples.positions[id.index()]), samples.labels[id.index()]);
       s.errors[id.index()] = static_cast<float>(error);
       s.sample_tets[id.index()] = t;
-      if (error > limit) s.tet_flags[i] |= tet_violates_1;
+      if (error > limit) s.tet_flags[t.index()] |= tet_violates_1;
     });
   });
-  s.largest_error = samples.size() == 0 ? 0.0f : -std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < s.errors.size(); ++i) {
-    const float error = s.errors[i];
-    if (is_bad(error)) ++s.bad_samples;
-    if (error > static_cast<float>(limit)) ++s.beyond_margin;
-    if (error > s.largest_error) {
-      s.largest_error = error;
-      s.worst_sample = SampleId(i);
-    }
-  }
 }
 
-void judge_tets(StateSnapshot& s, bool orientation, const NearestSample* nearest) {
+void judge_tets(StateSnapshot& s, const NearestSample* nearest, const std::vector<std::uint32_t>& slots) {
   const double limit = s.criteria.height_limit();
-  parallel_for(s.complex.tets.size(), tets_per_task, [&](std::size_t i) {
-    const TetId t(i);
+  parallel_for(slots.size(), tets_per_task, [&](std::size_t i) {
+    const TetId t(slots[i]);
     if (!s.complex.tet(t).alive()) return;
-    std::uint8_t& flags = s.tet_flags[i];
+    std::uint8_t& flags = s.tet_flags[t.index()];
     flags |= tet_alive;
     for (const VertexId v : s.complex.tet(t).v) {
       if (s.complex.vertices[v.index()].kind == VertexKind::box) flags |= tet_box;
@@ -60,13 +107,26 @@ void judge_tets(StateSnapshot& s, bool orientation, const NearestSample* nearest
     const auto p = s.complex.positions(t);
     const auto f = s.complex.values(t);
     const double height = tetrahedron_height(p, f).value;
-    s.heights[i] = static_cast<float>(height);
+    s.heights[t.index()] = static_cast<float>(height);
     if (height < limit) flags |= tet_violates_2;
-    if (orientation && nearest != nullptr &&
-        check_orientation(p, f, s.criteria.shrink, *nearest).misoriented) {
+    if (s.orientation_judged && check_orientation(p, f, s.criteria.shrink, *nearest).misoriented) {
       flags |= tet_violates_3;
     }
   });
+}
+
+void count_violations(StateSnapshot& s) {
+  const auto limit = static_cast<float>(s.criteria.error_limit());
+  s.largest_error = s.errors.empty() ? 0.0f : -std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < s.errors.size(); ++i) {
+    const float error = s.errors[i];
+    if (is_bad(error)) ++s.bad_samples;
+    if (error > limit) ++s.beyond_margin;
+    if (error > s.largest_error) {
+      s.largest_error = error;
+      s.worst_sample = SampleId(i);
+    }
+  }
   for (const std::uint8_t flags : s.tet_flags) {
     if (flags & tet_violates_2) ++s.violating_2;
     if (flags & tet_violates_3) ++s.violating_3;
@@ -97,17 +157,20 @@ void describe_operation(StateSnapshot& s, const Journal& journal) {
 
 } // namespace
 
-std::shared_ptr<const StateSnapshot>
-make_snapshot(Playback& playback, Step step, const SnapshotOptions& options, const NearestSample* nearest) {
+std::shared_ptr<const StateSnapshot> make_snapshot(Playback& playback, Step step,
+                                                   const SnapshotOptions& options,
+                                                   const NearestSample* nearest,
+                                                   const StateSnapshot* previous) {
   auto s = std::make_shared<StateSnapshot>();
   s->step = playback.seek(step);
   s->complex = playback.complex();
   s->samples = playback.samples();
   s->criteria = options.criteria.value_or(playback.parameters());
-  s->tet_flags.assign(s->complex.tets.size(), 0);
-  s->heights.assign(s->complex.tets.size(), std::numeric_limits<float>::infinity());
-  if (s->samples) judge_samples(*s, playback.sample_sets());
-  judge_tets(*s, options.orientation, nearest);
+  s->orientation_judged = options.orientation && nearest != nullptr;
+  const std::vector<std::uint32_t> slots = take_over(*s, previous, playback.journal());
+  if (s->samples) judge_samples(*s, playback.sample_sets(), slots);
+  judge_tets(*s, nearest, slots);
+  count_violations(*s);
   s->zero_set = extract_zero_set(s->complex);
   s->gamma = gamma_boundary(s->complex);
   for (const TetId t : playback.changed_in_last(options.recent)) s->tet_flags[t.index()] |= tet_changed;

@@ -41,10 +41,11 @@ struct StateSnapshot {
   std::vector<float> errors;                      ///< ε(s); bad when >= 1
   std::vector<TetId> sample_tets;                 ///< which tetrahedron holds each sample
   std::vector<std::uint8_t> tet_flags;
-  std::vector<float> heights;    ///< of tetrahedra that carry Z, absolute; infinite for others
-  CriteriaParameters criteria;   ///< what it was judged by
-  std::size_t bad_samples = 0;   ///< ε >= 1
-  std::size_t beyond_margin = 0; ///< ε > 1 − α
+  std::vector<float> heights;      ///< of tetrahedra that carry Z, absolute; infinite for others
+  CriteriaParameters criteria;     ///< what it was judged by
+  bool orientation_judged = false; ///< by condition 3 too
+  std::size_t bad_samples = 0;     ///< ε >= 1
+  std::size_t beyond_margin = 0;   ///< ε > 1 − α
   std::size_t violating_2 = 0, violating_3 = 0;
   float largest_error = 0;
   SampleId worst_sample;
@@ -57,9 +58,12 @@ struct StateSnapshot {
 };
 
 /// Moves the playback to `step` and describes it. `nearest` is needed for condition 3 only and may be null
-/// otherwise.
-std::shared_ptr<const StateSnapshot>
-make_snapshot(Playback& playback, Step step, const SnapshotOptions& options, const NearestSample* nearest);
+/// otherwise. `previous`, a snapshot of the same journal, makes a near step cheap: only what lies between is
+/// judged anew. The result does not depend on it.
+std::shared_ptr<const StateSnapshot> make_snapshot(Playback& playback, Step step,
+                                                   const SnapshotOptions& options,
+                                                   const NearestSample* nearest,
+                                                   const StateSnapshot* previous = nullptr);
 
 /// How many samples or tetrahedra would violate each condition under other parameters, on a given state
 /// (cheap: no journal).

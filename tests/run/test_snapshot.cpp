@@ -146,3 +146,33 @@ TEST_CASE("A snapshot is the same from whichever side its step is reached") {
   CHECK(a->heights == b->heights);
   CHECK(a->worst_sample == b->worst_sample);
 }
+
+TEST_CASE("A snapshot made from another one is the same as one made alone") {
+  const auto journal = recorded();
+  Playback playback(journal), alone(journal);
+  std::uint64_t random = 3;
+  std::shared_ptr<const StateSnapshot> last;
+  const NearestSample nearest(journal->sample_sets()[0]->positions, journal->sample_sets()[0]->labels);
+  Step step = 100;
+  for (int i = 0; i < 60; ++i) {
+    random = random * 6364136223846793005u + 1442695040888963407u;
+    const auto stride = static_cast<Step>((random >> 40) % 7);
+    step = (random >> 33) % 10 == 0  ? static_cast<Step>((random >> 45) % (journal->steps() + 1))
+           : (random >> 35) % 2 == 0 ? std::min(journal->steps(), step + stride)
+                                     : step - std::min(step, stride);
+    SnapshotOptions options;
+    options.orientation = i % 20 < 5;
+    options.recent = 3;
+    last = make_snapshot(playback, step, options, &nearest, last.get());
+    const auto expected = make_snapshot(alone, step, options, &nearest);
+    REQUIRE(last->complex == expected->complex);
+    REQUIRE(last->errors == expected->errors);
+    REQUIRE(last->sample_tets == expected->sample_tets);
+    REQUIRE(last->tet_flags == expected->tet_flags);
+    REQUIRE(last->heights == expected->heights);
+    CHECK(last->bad_samples == expected->bad_samples);
+    CHECK(last->worst_sample == expected->worst_sample);
+    CHECK(last->violating_2 == expected->violating_2);
+    CHECK(last->violating_3 == expected->violating_3);
+  }
+}
