@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::size_t parallel_grain = 64;
 constexpr int points_per_stretch = 7;
+constexpr int climb_steps = 12;
+/// The distance along the ray counts as the distance to the input down to this fraction of it.
+constexpr double climb_precision = 1 - 1e-6;
 /// Facets pierced more often are judged by this many of their piercings.
 constexpr std::size_t piercings_considered = 12;
 
@@ -88,6 +91,23 @@ MisclassifiedPoint deepest_between(const ToleranceVolume& volume, Vec3 a, Vec3 b
   return best;
 }
 
+/// Follows the ray from the closest point through p while the closest point stays the same, no farther than
+/// δ'.
+void climb(MisclassifiedPoint& point, const ToleranceVolume& volume) {
+  point.summit = point.point;
+  point.height = point.depth;
+  const Vec3 foot = volume.index().closest(point.point).point;
+  const Vec3 away = normalized(point.point - foot);
+  double low = point.depth, high = std::max(low, volume.thresholds().boundary);
+  for (int i = 0; i < climb_steps; ++i) {
+    const double t = i == 0 ? high : 0.5 * (low + high);
+    const bool straight = volume.index().distance(foot + t * away) >= t * climb_precision;
+    (straight ? low : high) = t;
+  }
+  point.summit = foot + low * away;
+  point.height = low;
+}
+
 std::optional<MisclassifiedPoint> judge_edge(const LiveTriangulation& live, const ToleranceVolume& volume,
                                              const Simplex<2>& edge) {
   const Complex& complex = live.complex();
@@ -157,15 +177,19 @@ std::optional<MisclassifiedPoint> judge_facet(const LiveTriangulation& live, con
 }
 
 template <std::size_t N, class Judge>
-std::vector<MisclassifiedPoint> judge_all(const std::vector<Simplex<N>>& simplices, const Judge& judge) {
+std::vector<MisclassifiedPoint> judge_all(const std::vector<Simplex<N>>& simplices,
+                                          const ToleranceVolume& volume, const Judge& judge) {
   std::vector<std::optional<MisclassifiedPoint>> found(simplices.size());
-  parallel_for(simplices.size(), parallel_grain, [&](std::size_t i) { found[i] = judge(simplices[i]); });
+  parallel_for(simplices.size(), parallel_grain, [&](std::size_t i) {
+    found[i] = judge(simplices[i]);
+    if (found[i]) climb(*found[i], volume);
+  });
   std::vector<MisclassifiedPoint> result;
   for (const auto& point : found) {
     if (point) result.push_back(*point);
   }
   std::stable_sort(result.begin(), result.end(),
-                   [](const auto& a, const auto& b) { return a.depth > b.depth; });
+                   [](const auto& a, const auto& b) { return a.height > b.height; });
   return result;
 }
 
@@ -173,13 +197,13 @@ std::vector<MisclassifiedPoint> judge_all(const std::vector<Simplex<N>>& simplic
 
 std::vector<MisclassifiedPoint> misclassified_on_edges(const LiveTriangulation& live,
                                                        const ToleranceVolume& volume) {
-  return judge_all(all_edges(live.complex()),
+  return judge_all(all_edges(live.complex()), volume,
                    [&](const Simplex<2>& edge) { return judge_edge(live, volume, edge); });
 }
 
 std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation& live,
                                                         const ToleranceVolume& volume) {
-  return judge_all(facets_of_one_label(live.complex()),
+  return judge_all(facets_of_one_label(live.complex()), volume,
                    [&](const Simplex<3>& facet) { return judge_facet(live, volume, facet); });
 }
 

@@ -15,17 +15,19 @@ struct MisclassifiedPoint {
   Vec3 point;
   int label = +1;   ///< its true side
   double depth = 0; ///< its distance to the input
-  TetId tet;        ///< a tetrahedron that holds it
+  Vec3 summit; ///< straight away from the input until another part of the input is as near: on the same side
+  double height = 0; ///< the distance of the summit
+  TetId tet;         ///< a tetrahedron that holds the point
 };
 
 /// On every edge of T that crosses the input more than once: the deepest point of each stretch between two
 /// crossings that f has on the wrong side. If no simplex with vertices of one label met the input, the
-/// input's genus would bound that of Z. Deepest first.
+/// input's genus would bound that of Z. Highest summit first.
 std::vector<MisclassifiedPoint> misclassified_on_edges(const LiveTriangulation& live,
                                                        const ToleranceVolume& volume);
 
 /// On every facet of T with vertices of one label that edges of the input pierce: the deepest point found
-/// between two piercings that is on the other side. Deepest first.
+/// between two piercings that is on the other side. Highest summit first.
 std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation& live,
                                                         const ToleranceVolume& volume);
 

@@ -126,6 +126,7 @@ RefinementOutcome Refinement::run() {
   using End = RefinementOutcome::End;
   Impl& impl = *impl_;
   RefinementContext& context = impl.context;
+  context.take_verdict(); // what ended the last run does not end this one
   impl.begin();
   impl.adopt_parameters();
   const std::size_t limit = impl.insertion_limit();

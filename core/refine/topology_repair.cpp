@@ -7,6 +7,15 @@
 #include <utility>
 
 namespace isoscope {
+namespace {
+
+/// Summits go in from high to low: each level lower than the last one by this factor, down to the lowest, in
+/// units of δ.
+constexpr double level_step = 0.7, lowest_level = 0.05;
+/// From a summit down to its point, the first of so many stations that f has on the wrong side goes in.
+constexpr int climb_stations = 4;
+
+} // namespace
 
 const TopologyVerdict& TopologyCondition::verdict() {
   const Step now = context_.recorder().journal().steps();
@@ -38,7 +47,8 @@ void TopologyCondition::enter(Phase phase) {
   phase_ = phase;
   points_.clear();
   candidates_.clear();
-  fresh_ = true;
+  fruitful_ = false;
+  if (phase == Phase::edges) level_ = context_.volume().thresholds().boundary * level_step;
 }
 
 bool TopologyCondition::sides_known() const {
@@ -68,39 +78,54 @@ Turn TopologyCondition::turn() {
 }
 
 Turn TopologyCondition::mend() {
-  while (phase_ != Phase::given_up) {
+  while (phase_ != Phase::given_up && context_.insertions(Condition::topology) < insertion_limit_) {
     if (context_.cancelled()) return Turn::satisfied;
-    if (context_.insertions(Condition::topology) >= insertion_limit_) break;
     if (phase_ == Phase::circumradii) {
       if (context_.criteria().certified || !refine_largest()) break;
       return Turn::acted;
     }
-    const bool looked = points_.empty();
-    if (looked) {
-      if (!sides_known()) {
-        enter(Phase::circumradii);
-        continue;
-      }
-      collect_points();
+    if (!sides_known()) {
+      enter(Phase::circumradii);
+      continue;
     }
-    while (!points_.empty()) {
-      const MisclassifiedPoint point = points_.back();
-      points_.pop_back();
-      if (insert_point(point)) {
-        fresh_ = false;
-        mending_ = true;
-        return Turn::acted;
-      }
+    if (insert_next_point()) {
+      mending_ = true;
+      return Turn::acted;
     }
-    if (fresh_)
-      enter(phase_ == Phase::edges ? Phase::facets : Phase::circumradii);
-    else
-      fresh_ = true;
+    advance();
   }
   enter(Phase::given_up);
   mending_ = false;
   note_check();
   return Turn::acted;
+}
+
+bool TopologyCondition::insert_next_point() {
+  if (points_.empty()) {
+    collect_points();
+    fruitful_ = false;
+  }
+  while (!points_.empty() && points_.back().height >= level_) {
+    const MisclassifiedPoint point = points_.back();
+    points_.pop_back();
+    if (!insert_point(point)) continue;
+    fruitful_ = true;
+    return true;
+  }
+  points_.clear();
+  return false;
+}
+
+void TopologyCondition::advance() {
+  if (fruitful_) return;
+  const double delta = context_.volume().thresholds().delta;
+  if (phase_ == Phase::edges) {
+    phase_ = Phase::facets;
+    return;
+  }
+  phase_ = Phase::edges;
+  level_ *= level_step;
+  if (level_ < lowest_level * delta) enter(Phase::circumradii);
 }
 
 void TopologyCondition::collect_points() {
@@ -109,19 +134,29 @@ void TopologyCondition::collect_points() {
   std::reverse(points_.begin(), points_.end());
 }
 
-bool TopologyCondition::insert_point(const MisclassifiedPoint& point) {
+bool TopologyCondition::misclassified(Vec3 p, int label, TetId t) const {
+  const Complex& complex = context_.live().complex();
+  return interpolate(complex.positions(t), complex.values(t))(p) * label <= 0;
+}
+
+bool TopologyCondition::insert_point(const MisclassifiedPoint& candidate) {
   const LiveTriangulation& live = context_.live();
-  const Vertex vertex = context_.free_vertex(point.point, point.label, VertexKind::topology);
-  const TetId start = live.alive(point.tet) ? point.tet : context_.hint();
-  const TetId t = live.delaunay().locate(vertex.position, start);
-  if (!t.valid()) return false;
-  const double f = interpolate(live.complex().positions(t), live.complex().values(t))(vertex.position);
-  if (f * point.label > 0) return false;
-  if (context_.spacing(vertex.position, t) < context_.smallest_spacing()) return false;
-  Event why = event(Reason::crossing_simplex);
-  why.tet = t;
-  why.witness = point.point;
-  return context_.insert(vertex, t, why);
+  TetId t = live.alive(candidate.tet) ? candidate.tet : context_.hint();
+  for (int k = climb_stations; k >= 0; --k) {
+    const double up = static_cast<double>(k) / climb_stations;
+    const Vec3 p = candidate.point + up * (candidate.summit - candidate.point);
+    const Vertex vertex = context_.free_vertex(p, candidate.label, VertexKind::topology);
+    const TetId at = live.delaunay().locate(vertex.position, t);
+    if (!at.valid()) continue;
+    t = at;
+    if (!misclassified(vertex.position, candidate.label, t)) continue;
+    if (context_.spacing(vertex.position, t) < context_.smallest_spacing()) continue;
+    Event why = event(Reason::crossing_simplex);
+    why.tet = t;
+    why.witness = candidate.point;
+    if (context_.insert(vertex, t, why)) return true;
+  }
+  return false;
 }
 
 void TopologyCondition::collect_candidates() {

@@ -17,7 +17,9 @@ namespace isoscope {
 class TopologyCondition {
  public:
   TopologyCondition(RefinementContext& context, const ExpectedTopology& expected, std::size_t insertion_limit)
-      : context_(context), expected_(expected), insertion_limit_(insertion_limit) {}
+      : context_(context), expected_(expected), insertion_limit_(insertion_limit) {
+    reconsider();
+  }
   Turn turn();
   /// Whether points on the wrong side are going in: condition 3, which asks samples, has to wait until they
   /// are through.
@@ -45,14 +47,18 @@ class TopologyCondition {
   std::vector<Candidate> candidates_;      ///< ascending by circumradius
   std::vector<MisclassifiedPoint> points_; ///< shallowest first: taken from the back
   bool mending_ = false;
-  bool fresh_ = true; ///< no point went in since the present phase last looked for points
+  double level_ = 0;      ///< summits lower than this wait
+  bool fruitful_ = false; ///< a point went in since the present phase last looked for points
 
   void note_check();
   bool sides_known() const;
   void enter(Phase phase);
   Turn mend();
+  void advance();
   void collect_points();
-  bool insert_point(const MisclassifiedPoint& point);
+  bool insert_next_point();
+  bool insert_point(const MisclassifiedPoint& candidate);
+  bool misclassified(Vec3 p, int label, TetId t) const;
   void collect_candidates();
   bool refine_largest();
   Event event(Reason reason) const;

@@ -1,0 +1,59 @@
+// What is expected of Z, and verdicts on hand-made zero sets.
+#include "criteria/topology.h"
+
+#include "input/gallery.h"
+
+#include <doctest/doctest.h>
+
+using namespace isoscope;
+
+namespace {
+
+ZeroSet zero_set_of(std::initializer_list<ZeroSet::Component> components) {
+  ZeroSet z;
+  z.components = components;
+  return z;
+}
+
+ToleranceVolume volume_of(const char* model, double percent) {
+  const auto soup = make_gallery_model(model);
+  REQUIRE(soup.ok());
+  auto index = std::make_shared<const ClosestPointIndex>(*soup);
+  const double delta = percent / 100 * index->bounds().longest_edge();
+  auto volume = ToleranceVolume::build(index, analyse_input(*soup), {delta, 0.95}, RunControl());
+  REQUIRE(volume.ok());
+  return std::move(*volume);
+}
+
+} // namespace
+
+TEST_CASE("a verdict judges the numbers that are expected and no others") {
+  const ZeroSet sphere = zero_set_of({{4, 6, 4}});
+  const ZeroSet two = zero_set_of({{4, 6, 4}, {9, 27, 18}});
+  ExpectedTopology expected;
+  CHECK(check_topology(sphere, expected).as_expected);
+  expected.euler_characteristic = 2;
+  CHECK(check_topology(sphere, expected).as_expected);
+  CHECK(check_topology(two, expected).as_expected);
+  expected.components = 1;
+  CHECK(check_topology(sphere, expected).as_expected);
+  CHECK_FALSE(check_topology(two, expected).as_expected);
+  CHECK(check_topology(two, expected).components == 2);
+  expected.euler_characteristic = 0;
+  CHECK_FALSE(check_topology(sphere, expected).as_expected);
+}
+
+TEST_CASE("closed input without intersections is to be kept, also where its hole closes") {
+  for (const double percent : {3.0, 10.0}) {
+    const ExpectedTopology expected = expected_topology(volume_of("torus", percent), TopologyMode::keep);
+    CHECK(expected.euler_characteristic == 0);
+    CHECK(expected.components == 1);
+    CHECK(expected.source == "the input");
+  }
+}
+
+TEST_CASE("mere separation expects nothing") {
+  const ExpectedTopology expected = expected_topology(volume_of("torus", 3), TopologyMode::separate);
+  CHECK_FALSE(expected.euler_characteristic);
+  CHECK_FALSE(expected.components);
+}
