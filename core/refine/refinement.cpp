@@ -33,12 +33,18 @@ struct Refinement::Impl {
   std::size_t insertion_limit() const;
   bool both_sides() const;
   RefinementOutcome outcome(RefinementOutcome::End end);
+  /// Says in words what a finished run could not meet.
+  void report_unmet(const RefinementOutcome& result);
 };
 
 namespace {
 
 /// Insertions beyond the samples that containment and topology may ask for.
 constexpr std::size_t spare_insertions = 200000;
+
+std::string count_in_words(std::size_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
 
 Event stage_event(EventKind kind) {
   Event event;
@@ -101,6 +107,24 @@ RefinementOutcome Refinement::Impl::outcome(RefinementOutcome::End end) {
   return result;
 }
 
+void Refinement::Impl::report_unmet(const RefinementOutcome& result) {
+  const CriteriaParameters& criteria = context.criteria();
+  if (criteria.condition_1 && !result.classified) {
+    context.warn("Condition 1 stays violated by samples that coincide with vertices of the other label.");
+  }
+  if (criteria.certified && criteria.condition_2 && !result.contained) {
+    context.warn(std::to_string(result.uncertified) + " polygons of Z could not be proven inside Ω.");
+  }
+  if (criteria.certified && !result.witnessed) {
+    context.warn("Z has the deepest point of a region on the wrong side.");
+  }
+  if (criteria.condition_4 && !result.topology.as_expected) {
+    context.warn("Z has χ = " + std::to_string(result.topology.euler_characteristic) + " and " +
+                 count_in_words(result.topology.components, "component") + ", not " + topology.expectation() +
+                 ".");
+  }
+}
+
 Refinement::Refinement(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
                        const CriteriaParameters& criteria, const ExpectedTopology& expected,
                        const RefinementLimits& limits, Recorder& recorder, const RunControl& control) {
@@ -144,8 +168,10 @@ RefinementOutcome Refinement::run() {
     }
     if (impl.turn() == Turn::satisfied) break;
   }
+  const RefinementOutcome result = impl.outcome(End::finished);
+  impl.report_unmet(result);
   context.note(stage_event(EventKind::stage_end));
-  return impl.outcome(End::finished);
+  return result;
 }
 
 } // namespace isoscope

@@ -43,6 +43,17 @@ void TopologyCondition::reconsider() {
   enter(Phase::edges);
 }
 
+std::string TopologyCondition::expectation() const {
+  std::string text;
+  if (expected_.euler_characteristic) text = "χ = " + std::to_string(*expected_.euler_characteristic);
+  if (expected_.components) {
+    if (!text.empty()) text += " with ";
+    text +=
+        std::to_string(*expected_.components) + (*expected_.components == 1 ? " component" : " components");
+  }
+  return text + " (from " + expected_.source + ")";
+}
+
 void TopologyCondition::enter(Phase phase) {
   phase_ = phase;
   points_.clear();
@@ -53,7 +64,7 @@ void TopologyCondition::enter(Phase phase) {
 
 bool TopologyCondition::sides_known() const {
   const InputTopology& input = context_.volume().input();
-  return context_.criteria().certified && input.closed_manifold && input.self_intersection_free;
+  return context_.criteria().certified && input.closed_manifold;
 }
 
 Event TopologyCondition::event(Reason reason) const {
@@ -79,7 +90,7 @@ Turn TopologyCondition::turn() {
 
 Turn TopologyCondition::mend() {
   while (phase_ != Phase::given_up && context_.insertions(Condition::topology) < insertion_limit_) {
-    if (context_.cancelled()) return Turn::satisfied;
+    if (context_.cancelled()) return Turn::acted;
     if (phase_ == Phase::circumradii) {
       if (context_.criteria().certified || !refine_largest()) break;
       return Turn::acted;

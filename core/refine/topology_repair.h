@@ -7,6 +7,7 @@
 #include "refine/misclassified_points.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace isoscope {
@@ -24,6 +25,8 @@ class TopologyCondition {
   /// Whether points on the wrong side are going in: condition 3, which asks samples, has to wait until they
   /// are through.
   bool mending() const { return mending_; }
+  /// What is expected, in words: "χ = 0 with 1 component (from the input)".
+  std::string expectation() const;
   /// Tries anew what it had given up.
   void reconsider();
   /// Z as it is now; cached until T changes.
