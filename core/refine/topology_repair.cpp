@@ -84,7 +84,7 @@ Turn TopologyCondition::turn() {
     // Condition 3 waited: it has its turn, and then the topology again.
     return std::exchange(mending_, false) ? Turn::acted : Turn::satisfied;
   }
-  if (!mending_) note_check();
+  if (!mending_ && candidates_.empty()) note_check();
   return mend();
 }
 
