@@ -11,7 +11,7 @@ namespace {
 
 /// Summits go in from high to low: each level lower than the last one by this factor, down to the lowest, in
 /// units of δ.
-constexpr double level_step = 0.7, lowest_level = 0.05;
+constexpr double level_step = 0.7, lowest_level = 0.01;
 /// From a summit down to its point, the first of so many stations that f has on the wrong side goes in.
 constexpr int climb_stations = 4;
 
