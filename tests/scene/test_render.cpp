@@ -222,6 +222,7 @@ TEST_CASE("reference pictures") {
   Studio& s = studio();
   constexpr double tolerance = 4;
   ViewSettings view;
+  view.tets.violate_1 = true;
   CHECK(testing::compare_with_reference(s.draw(view), "scene_dark") < tolerance);
   view.theme = ThemeKind::paper;
   view.samples.visible = view.tetrahedra.visible = view.highlight.visible = false;

@@ -20,7 +20,7 @@ struct LayerSettings {
 
 /// Which tetrahedra are drawn.
 struct TetFilter {
-  bool carry_zero_set = false, violate_1 = true, violate_2 = false, violate_3 = true, changed = true;
+  bool carry_zero_set = false, violate_1 = false, violate_2 = false, violate_3 = true, changed = true;
   bool all = false;
   bool box = false;         ///< also those with a corner of the bounding box
   std::uint32_t recent = 1; ///< operations back for `changed`
