@@ -5,15 +5,17 @@
 #include "tolerance/regions.h"
 #include "tolerance/sample_candidates.h"
 #include "tolerance/sample_grid.h"
+#include "tolerance/sample_units.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <span>
 
 namespace isoscope {
 namespace {
 
-constexpr std::size_t block_cells = 4096;
+constexpr std::size_t block_cells = 2048;
 /// Cells that one question about a crevice may visit.
 constexpr std::size_t crevice_budget = 2000;
 constexpr std::uint16_t no_component = 0xffff;
@@ -38,6 +40,7 @@ class Sampler {
 
   Status run(const RunControl& control) {
     const Regions& octree = volume_.octree();
+    const SampleUnitFinder finder(volume_, samples_.sigma, options_);
     std::vector<Regions::CellIndex> block;
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
       const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
@@ -47,7 +50,7 @@ class Sampler {
       if (control.cancelled())
         return Error{ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
       control.report("sampling", static_cast<double>(i + 1) / static_cast<double>(octree.main_size()));
-      sample_block(block);
+      sample_block(finder, block);
       block.clear();
     }
     count_undecided();
@@ -65,16 +68,20 @@ class Sampler {
            cell_diagonal < 1.9 * volume_.thresholds().boundary;
   }
 
-  void sample_block(const std::vector<Regions::CellIndex>& block) {
-    std::vector<std::vector<SampleCandidate>> candidates(block.size());
-    parallel_for(block.size(), 16, [&](std::size_t i) {
-      find_candidates(volume_, volume_.octree().cell(block[i]), options_, candidates[i]);
-    });
-    for (auto& list : candidates) {
-      settle_regions(list);
-      cover_in_units(list);
-      std::vector<SampleCandidate>().swap(list);
+  void sample_block(const SampleUnitFinder& finder, std::span<const Regions::CellIndex> block) {
+    std::vector<std::span<const Regions::CellIndex>> groups;
+    for (std::size_t begin = 0, end = 0; begin < block.size(); begin = end) {
+      while (end < block.size() && finder.together(block[begin], block[end])) ++end;
+      groups.push_back(block.subspan(begin, end - begin));
     }
+    std::vector<std::vector<SampleUnit>> units(groups.size());
+    parallel_for(groups.size(), 1, [&](std::size_t i) { units[i] = finder.find(groups[i]); });
+    for (auto& list : units)
+      for (SampleUnit& unit : list) {
+        settle_regions(unit.cells);
+        cover(unit);
+        unit = {};
+      }
   }
 
   /// Asks the octree about the few candidates in crevices wide enough to have a side.
@@ -87,52 +94,91 @@ class Sampler {
     }
   }
 
-  /// Where cells are much larger than σ, the choice among all of a cell's candidates would be slow: it is
-  /// made in cubes of about σ, which are runs of the list because it is in Morton order.
-  void cover_in_units(std::span<const SampleCandidate> list) {
-    const Regions& octree = volume_.octree();
-    double unit = octree.side(octree.main_level());
-    while (unit > samples_.sigma) unit *= 0.5;
-    const auto cube = [&](const SampleCandidate& c) {
-      const Vec3 u = (c.center - octree.origin()) / unit;
-      return std::array{std::floor(u.x), std::floor(u.y), std::floor(u.z)};
-    };
-    for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end) {
-      while (end < list.size() && cube(list[end]) == cube(list[begin])) ++end;
-      cover(list.subspan(begin, end - begin));
-    }
-  }
-
-  /// Adds samples until every cell of the list lies within σ of a sample of its side. Of the candidates that
-  /// would do, the one that covers the most cells is taken.
-  void cover(std::span<const SampleCandidate> list) {
-    if (list.empty()) return;
-    const double sigma = samples_.sigma;
-    Box3 box;
-    for (const SampleCandidate& c : list) {
-      const Vec3 h{c.half_side, c.half_side, c.half_side};
-      box.add(Box3{c.center - h, c.center + h});
+  /// Adds samples until every cell of the unit lies within σ of a sample of its side: always the one next
+  /// that covers the most cells not yet covered.
+  void cover(const SampleUnit& unit) {
+    const std::size_t words = unit.words();
+    open_.assign(words, 0);
+    row_.resize(words);
+    for (auto& side : coverable_) side.assign(words, 0);
+    for (std::size_t i = 0; i < unit.cells.size(); ++i) {
+      const SampleCandidate& c = unit.cells[i];
+      const std::uint64_t bit = std::uint64_t{1} << i % 64;
+      open_[i / 64] |= bit;
+      for (const int label : {-1, +1})
+        if (!c.has_point || c.label == label) coverable_[label > 0][i / 64] |= bit;
     }
     near_.clear();
-    grid_.gather(box.grown(sigma), near_);
-    covered_.assign(list.size(), 0);
-    for (std::size_t i = 0; i < list.size(); ++i) covered_[i] = covered_by_near(list[i]);
-    // Cells with a point of their own first: their samples often cover the others.
-    for (const bool own_point : {true, false}) {
-      for (std::size_t i = 0; i < list.size(); ++i) {
-        if (covered_[i] || list[i].has_point != own_point) continue;
-        const std::size_t best = best_for(list, i);
-        if (best < list.size())
-          add_sample(list[best], list);
-        else
-          orphans_.push_back({list[i].center, list[i].half_side});
+    grid_.gather(unit.box().grown(samples_.sigma), near_);
+    for (const std::uint32_t s : near_) {
+      const Vec3 p = samples_.positions[s];
+      unit.find_row(p, row_);
+      close(unit, row_, p, samples_.labels[s]);
+    }
+    bounds_.assign(unit.offers().size(), unit.cells.size());
+    for (;;) {
+      const std::size_t best = best_offer(unit);
+      if (best == unit.offers().size()) break;
+      add_sample(unit, unit.offers()[best], unit.row(best));
+    }
+    // What no offer covers, a cell's own point does, or some sample of another unit may.
+    for (const bool own_point : {true, false})
+      for (std::size_t i = 0; i < unit.cells.size(); ++i) {
+        const SampleCandidate& c = unit.cells[i];
+        if (!is_open(i) || c.has_point != own_point) continue;
+        if (c.has_point && farthest_in_cube(c.point, c.center, c.half_side) <= samples_.sigma * (1 - 1e-4)) {
+          unit.find_row(c.point, row_);
+          add_sample(unit, i, row_);
+        } else {
+          orphans_.push_back({c.center, c.half_side});
+        }
+      }
+  }
+
+  bool is_open(std::size_t cell) const { return open_[cell / 64] >> cell % 64 & 1u; }
+
+  /// The candidate point that covers the most open cells; the number of offers when none covers any.
+  std::size_t best_offer(const SampleUnit& unit) {
+    std::size_t best = unit.offers().size(), most = 0;
+    for (std::size_t i = 0; i < unit.offers().size(); ++i) {
+      const SampleCandidate& c = unit.cells[unit.offers()[i]];
+      // What a candidate covers gets less only, so that its last count bounds it.
+      if (!c.has_point || bounds_[i] <= most) continue;
+      const auto row = unit.row(i);
+      std::size_t n = 0;
+      for (std::size_t w = 0; w < row.size(); ++w)
+        n += static_cast<std::size_t>(std::popcount(row[w] & open_[w] & coverable_[c.label > 0][w]));
+      bounds_[i] = n;
+      if (n > most) most = n, best = i;
+    }
+    return best;
+  }
+
+  void add_sample(const SampleUnit& unit, std::size_t cell, std::span<const std::uint64_t> row) {
+    const SampleCandidate& c = unit.cells[cell];
+    samples_.positions.push_back(c.point);
+    samples_.labels.push_back(c.label);
+    samples_.components.push_back(
+        volume_.boundary_component(c.region, c.volume_component).value_or(no_component));
+    grid_.add(c.point);
+    close(unit, row, c.point, c.label);
+  }
+
+  /// Marks the open cells of a sample's row as covered, as far as they are of its side or of none.
+  void close(const SampleUnit& unit, std::span<const std::uint64_t> row, Vec3 p, int label) {
+    for (std::size_t w = 0; w < row.size(); ++w) {
+      const std::uint64_t covered = row[w] & open_[w] & coverable_[label > 0][w];
+      open_[w] &= ~covered;
+      for (std::uint64_t rest = covered; rest != 0; rest &= rest - 1) {
+        const SampleCandidate& cell = unit.cells[64 * w + static_cast<std::size_t>(std::countr_zero(rest))];
+        samples_.covering_radius =
+            std::max(samples_.covering_radius, farthest_in_cube(p, cell.center, cell.half_side));
       }
     }
   }
 
-  bool covered_by_near(const SampleCandidate& cell) {
+  bool covered_by_near(const OrphanCell& cell) {
     for (const std::uint32_t s : near_) {
-      if (cell.has_point && samples_.labels[s] != cell.label) continue;
       const double d = farthest_in_cube(samples_.positions[s], cell.center, cell.half_side);
       if (d > samples_.sigma) continue;
       samples_.covering_radius = std::max(samples_.covering_radius, d);
@@ -141,48 +187,13 @@ class Sampler {
     return false;
   }
 
-  /// Whether the point of `by` is near enough to all of the cell, and of its side where that is known.
-  bool covers(const SampleCandidate& by, const SampleCandidate& cell) const {
-    return (by.label == cell.label || !cell.has_point) &&
-           farthest_in_cube(by.point, cell.center, cell.half_side) <= samples_.sigma;
-  }
-
-  /// The candidate that covers cell i and most others of the list; its size when none covers it.
-  std::size_t best_for(std::span<const SampleCandidate> list, std::size_t i) const {
-    std::size_t best = list.size(), most = 0;
-    for (std::size_t j = 0; j < list.size(); ++j) {
-      if (!list[j].has_point || !covers(list[j], list[i])) continue;
-      std::size_t n = 0;
-      for (std::size_t k = 0; k < list.size(); ++k) n += !covered_[k] && covers(list[j], list[k]);
-      if (n > most) most = n, best = j;
-    }
-    return best;
-  }
-
-  void add_sample(const SampleCandidate& c, std::span<const SampleCandidate> list) {
-    samples_.positions.push_back(c.point);
-    samples_.labels.push_back(c.label);
-    samples_.components.push_back(
-        volume_.boundary_component(c.region, c.volume_component).value_or(no_component));
-    grid_.add(c.point);
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      if (covered_[k] || !covers(c, list[k])) continue;
-      covered_[k] = 1;
-      samples_.covering_radius =
-          std::max(samples_.covering_radius, farthest_in_cube(c.point, list[k].center, list[k].half_side));
-    }
-  }
-
   /// Cells without a point of their own are fine where some sample is near all the same.
   void count_undecided() {
     for (const OrphanCell& cell : orphans_) {
       const Vec3 h{cell.half_side, cell.half_side, cell.half_side};
       near_.clear();
       grid_.gather(Box3{cell.center - h, cell.center + h}.grown(samples_.sigma), near_);
-      SampleCandidate as_candidate;
-      as_candidate.center = cell.center;
-      as_candidate.half_side = cell.half_side;
-      if (!covered_by_near(as_candidate)) ++samples_.undecided_cells;
+      if (!covered_by_near(cell)) ++samples_.undecided_cells;
     }
   }
 
@@ -191,8 +202,12 @@ class Sampler {
   CandidateOptions options_;
   BoundarySamples samples_;
   std::vector<OrphanCell> orphans_;
-  std::vector<std::uint32_t> near_;   ///< samples around the list at hand
-  std::vector<std::uint8_t> covered_; ///< by cell of the list at hand
+  std::vector<std::uint32_t> near_; ///< samples around the cells at hand
+  // Of the unit at hand:
+  std::vector<std::uint64_t> open_;                     ///< bits of the cells that no sample covers yet
+  std::array<std::vector<std::uint64_t>, 2> coverable_; ///< bits of the cells that - and + samples may cover
+  std::vector<std::uint64_t> row_;
+  std::vector<std::size_t> bounds_; ///< by offer: it covers at most so many open cells
 };
 
 } // namespace

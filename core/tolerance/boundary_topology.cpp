@@ -5,6 +5,7 @@
 #include "tolerance/regions.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace isoscope {
 namespace {
@@ -85,29 +86,51 @@ class Counter {
     return volume_.octree().origin() + volume_.octree().side(level_) * u;
   }
 
-  /// The region of an OUT cell that has p on its border. Such cells are not counted, so all their corners
-  /// must be known.
-  RegionId adjacent_region(Vec3 p) const {
+  /// What the octree's cells around a corner tell. All of an OUT cell is in its region, all of an IN cell in
+  /// the component of Ω' of the triangle closest to its centre. OUT cells are not counted, so all their
+  /// corners must be known.
+  struct Surroundings {
+    std::optional<Corner> corner; ///< when a cell that has it on its border decides
+    RegionId finer_region;        ///< of a cell close by that may be too small to reach it
+  };
+  Surroundings surroundings(Vec3 p) const {
     const Regions& octree = volume_.octree();
     const double offset = 0.25 * octree.side(level_);
+    Surroundings result;
     for (unsigned k = 0; k < 8; ++k) {
       const Vec3 towards{k & 1u ? offset : -offset, k & 2u ? offset : -offset, k & 4u ? offset : -offset};
       const Regions::CellIndex i = octree.locate(p + towards);
-      if (i == Regions::none) return RegionId(0);
-      if (octree.cell(i).kind != Regions::Kind::out) continue;
-      if (const auto number = octree.number(i)) return RegionId(*number);
+      if (i == Regions::none) {
+        result.corner = Corner{true, RegionId(0), 0};
+        return result;
+      }
+      const Regions::Cell& c = octree.cell(i);
+      const bool reaches = c.level <= level_;
+      if (c.kind == Regions::Kind::in && reaches) {
+        result.corner = Corner{false, RegionId(), volume_.volume_component(c.triangle)};
+        return result;
+      }
+      if (c.kind != Regions::Kind::out) continue;
+      const auto number = octree.number(i);
+      if (number && reaches) {
+        result.corner = Corner{true, RegionId(*number), 0};
+        return result;
+      }
+      if (number && !result.finer_region.valid()) result.finer_region = RegionId(*number);
     }
-    return {};
+    return result;
   }
 
   Corner examine(std::uint64_t key, TriangleId guess) const {
     const Vec3 p = position(key);
+    const auto [told, finer_region] = surroundings(p);
+    const bool one_component = volume_.volume_component_count() == 1;
+    if (told && (one_component || !told->outside)) return *told;
     const ClosestPoint closest = volume_.index().closest_near(p, guess);
-    Corner corner;
+    Corner corner = told.value_or(Corner{});
     corner.volume_component = volume_.volume_component(closest.triangle);
-    if (closest.distance() > volume_.thresholds().boundary) {
-      corner.region = adjacent_region(p);
-      if (!corner.region.valid()) corner.region = volume_.escape(p, closest).region;
+    if (!told && closest.distance() > volume_.thresholds().boundary) {
+      corner.region = finer_region.valid() ? finer_region : volume_.escape(p, closest).region;
       corner.outside = corner.region.valid();
     }
     return corner;

@@ -10,6 +10,8 @@ namespace {
 
 /// Nodes that wait on a search's stack: three a level, and levels are bounded by the builder.
 constexpr std::size_t stack_size = 256;
+/// Longer lists of neighbours would be slower than the hierarchy.
+constexpr std::size_t most_neighbors = 128;
 /// Relative rounding of a float operation, with room for the few that follow each other.
 constexpr float float_slack = 4 * std::numeric_limits<float>::epsilon();
 
@@ -126,6 +128,67 @@ ClosestPoint ClosestPointIndex::closest_near(Vec3 p, TriangleId guess) const {
   if (!guess.valid()) return closest(p);
   const Vec3 c = closest_point_on_triangle(p, triangle(guess));
   return search(p, {c, squared_length(c - p), guess});
+}
+
+void ClosestPointIndex::find_neighborhood(Vec3 center, double radius, TriangleNeighborhood& near) const {
+  near.center = center;
+  near.radius = 0;
+  near.entries.clear();
+  const double r2 = radius * radius, scale = 1 / inverse_scale_;
+  const double margin = 1e-12 * scale * std::max(1.0, length(center - origin_) * inverse_scale_);
+  const double box_r2 = (radius + margin) * (radius + margin);
+  std::uint32_t stack[stack_size];
+  std::size_t top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const Node& n = nodes_[stack[--top]];
+    double bound[width] = {};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double x = (center[static_cast<int>(a)] - origin_[static_cast<int>(a)]) * inverse_scale_;
+      for (unsigned k = 0; k < width; ++k) {
+        const double below = static_cast<double>(n.lo[a][k]) - x, above = x - static_cast<double>(n.hi[a][k]);
+        const double d = std::max(0.0, std::max(below, above)) * scale;
+        bound[k] += d * d;
+      }
+    }
+    for (unsigned k = 0; k < width; ++k) {
+      if (n.count[k] == empty_child || bound[k] > box_r2) continue;
+      if (n.count[k] == 0) {
+        stack[top++] = n.child[k];
+        continue;
+      }
+      for (std::uint32_t slot = n.child[k]; slot < n.child[k] + n.count[k]; ++slot) {
+        const Vec3 away = center - closest_point_on_triangle(center, triangles_[slot]);
+        if (squared_length(away) <= r2) near.entries.push_back({length(away), normalized(away), slot});
+      }
+      if (near.entries.size() > most_neighbors) return;
+    }
+  }
+  std::sort(near.entries.begin(), near.entries.end(), [](const auto& a, const auto& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.slot < b.slot;
+  });
+  near.radius = radius;
+}
+
+ClosestPoint ClosestPointIndex::closest_near(Vec3 p, TriangleId guess, const TriangleNeighborhood& near,
+                                             double enough) const {
+  const Vec3 step = p - near.center;
+  const double offset = length(step);
+  if (offset > near.radius) return closest_near(p, guess);
+  ClosestPoint best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (const TriangleNeighborhood::Entry& e : near.entries) {
+    if (e.distance - offset > best_distance) break;
+    if (e.distance + dot(e.direction, step) > best_distance) continue;
+    const Vec3 c = closest_point_on_triangle(p, triangles_[e.slot]);
+    const double d2 = squared_length(c - p);
+    if (!(d2 < best.squared_distance)) continue;
+    best = {c, d2, TriangleId(ids_[e.slot])};
+    best_distance = std::sqrt(d2);
+    if (best_distance < enough) return best;
+  }
+  if (best_distance + offset <= near.radius) return best;
+  return best.triangle.valid() ? search(p, best) : closest_near(p, guess);
 }
 
 template <class MeetsBox, class AtSlot>

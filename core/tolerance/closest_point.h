@@ -28,6 +28,18 @@ Vec3 closest_point_on_triangle(Vec3 p, const Triangle3& t);
 /// Whether the distance between two triangles is at most r.
 bool triangles_within(const Triangle3& a, const Triangle3& b, double r);
 
+/// All triangles within some radius of a centre: answers closest-point queries near it by looking at a few.
+struct TriangleNeighborhood {
+  struct Entry {
+    double distance; ///< of the centre
+    Vec3 direction;  ///< to the centre, of length 1: the triangle lies in the half-space behind
+    std::uint32_t slot;
+  };
+  Vec3 center;
+  double radius = 0;          ///< complete up to here; 0 when there are too many triangles to list
+  std::vector<Entry> entries; ///< ascending by distance
+};
+
 /// A bounding volume hierarchy over the triangles of a soup. Immutable after construction; all queries are
 /// thread-safe.
 class ClosestPointIndex {
@@ -41,6 +53,14 @@ class ClosestPointIndex {
   /// The same, starting from a guess that is likely close: a faster query, the same distance.
   ClosestPoint closest_near(Vec3 p, TriangleId guess) const;
   double distance(Vec3 p) const { return closest(p).distance(); }
+
+  /// Fills `near` with the triangles within `radius` of `center`; leaves it unusable, which makes its queries
+  /// slower but not wrong, where they are many.
+  void find_neighborhood(Vec3 center, double radius, TriangleNeighborhood& near) const;
+  /// The same as closest_near for any p; fast where d(p) + |p - near.center| <= near.radius. Where d(p) is
+  /// below `enough`, any point nearer than that may be returned.
+  ClosestPoint closest_near(Vec3 p, TriangleId guess, const TriangleNeighborhood& near,
+                            double enough = 0) const;
 
   /// Whether p is enclosed by an odd number of layers, by majority over several rays. Meaningful for closed
   /// input only.

@@ -55,12 +55,21 @@ Box3 Regions::domain() const {
   return {origin_, origin_ + Vec3{domain_side_, domain_side_, domain_side_}};
 }
 
-void Regions::classify(Cell& c, TriangleId guess) const {
-  const ClosestPoint closest = index_->closest_near(center(c), guess);
+void Regions::classify(Cell& c, TriangleId guess, const TriangleNeighborhood& near) const {
+  const ClosestPoint closest = index_->closest_near(center(c), guess, near);
   const double d = closest.distance(), reach = half_diagonal * side(c.level);
   c.distance = static_cast<float>(d);
   c.triangle = closest.triangle;
   c.kind = d > boundary_ + reach ? Kind::out : (d + reach <= boundary_ ? Kind::in : Kind::ambiguous);
+}
+
+/// Every triangle that is closest to some child's centre lies within a diagonal more than d of the parent's.
+void Regions::classify_children(CellIndex parent) {
+  const Cell p = cells_[parent];
+  TriangleNeighborhood near;
+  index_->find_neighborhood(center(p), static_cast<double>(p.distance) + 1.01 * half_diagonal * side(p.level),
+                            near);
+  for (unsigned k = 0; k < 8; ++k) classify(cells_[p.child + k], p.triangle, near);
 }
 
 Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& options,
@@ -68,17 +77,17 @@ Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& op
   Regions r(index, options);
   auto& cells = r.cells_;
   cells.emplace_back();
-  std::vector<CellIndex> parents{0}; // of each group of eight in the level
+  std::vector<CellIndex> parents; // of each group of eight in the level
   std::size_t level_begin = 0;
   for (unsigned level = 0; level <= r.main_level_; ++level) {
     if (control.cancelled())
       return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
     control.report("regions", static_cast<double>(level) / (r.main_level_ + 1));
     const std::size_t level_end = cells.size();
-    parallel_for(level_end - level_begin, 256, [&](std::size_t i) {
-      const TriangleId guess = level == 0 ? TriangleId() : cells[parents[i / 8]].triangle;
-      r.classify(cells[level_begin + i], guess);
-    });
+    if (level == 0)
+      r.classify(cells[0], TriangleId(), {});
+    else
+      parallel_for(parents.size(), 32, [&](std::size_t i) { r.classify_children(parents[i]); });
     if (level < r.main_level_) {
       parents.clear();
       for (std::size_t i = level_begin; i < level_end; ++i)
@@ -151,7 +160,7 @@ void Regions::split(CellIndex i) {
   cells_[i].child = first;
   for (unsigned k = 0; k < 8; ++k) {
     Cell c = child_of(parent, k);
-    classify(c, parent.triangle);
+    classify(c, parent.triangle, {});
     cells_.push_back(c);
     parents_.push_back(first + k);
   }

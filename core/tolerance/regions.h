@@ -77,7 +77,8 @@ class Regions {
 
  private:
   Regions(const ClosestPointIndex& index, const Options& options);
-  void classify(Cell& c, TriangleId guess) const;
+  void classify(Cell& c, TriangleId guess, const TriangleNeighborhood& near) const;
+  void classify_children(CellIndex parent);
   void split(CellIndex i);
   void unite_main();
   CellIndex neighbor(const Cell& c, int face) const;

@@ -7,6 +7,8 @@ namespace isoscope {
 namespace {
 
 constexpr double half_diagonal = 0.86602540379 * (1 + 1e-7);
+/// The side of the coarsest candidates, relative to the density: smaller ones need fewer samples.
+constexpr double coarsest_cell = 0.34;
 /// How far from δ' a projected point may be, relative to δ'.
 constexpr double projection_error = 1e-11;
 
@@ -16,16 +18,49 @@ class Subdivision {
               std::vector<SampleCandidate>& out)
       : volume_(volume), options_(options), boundary_(volume.thresholds().boundary), out_(out) {}
 
-  void visit(Vec3 center, double side, TriangleId guess) {
-    const ClosestPoint closest = volume_.index().closest_near(center, guess);
+  /// Splits a cube in halves until its side is about the density, then evenly into cells small enough to be
+  /// covered by few samples.
+  void visit_cube(Vec3 center, double side, const ClosestPoint& closest) {
     const double d = closest.distance(), reach = half_diagonal * side;
-    if (d > boundary_ + reach || d + reach < boundary_) return;
+    if (!may_hold_boundary(d, reach)) return;
+    if (side > options_.target_bound * (1 + 1e-9)) {
+      for (unsigned k = 0; k < 8; ++k) {
+        const Vec3 c = center + corner(k, 0.25 * side);
+        visit_cube(c, 0.5 * side, volume_.index().closest_near(c, closest.triangle));
+      }
+      return;
+    }
+    // Enough for the cells' centres, at most two thirds of the reach away, and for points of ∂Ω'.
+    volume_.index().find_neighborhood(center, std::max(d + 1.35 * reach, boundary_ * (1 + 1e-9) + reach),
+                                      near_);
+    const double cells = std::ceil(side / (coarsest_cell * options_.target_bound)), cell = side / cells;
+    const int n = static_cast<int>(cells);
+    for (int z = 0; z < n; ++z)
+      for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+          const Vec3 offset = Vec3{x + 0.5 - 0.5 * n, y + 0.5 - 0.5 * n, z + 0.5 - 0.5 * n} * cell;
+          if (may_hold_boundary(d, length(offset) + half_diagonal * cell))
+            visit(center + offset, cell, closest.triangle);
+        }
+  }
+
+ private:
+  static Vec3 corner(unsigned k, double q) { return {k & 1u ? q : -q, k & 2u ? q : -q, k & 4u ? q : -q}; }
+  /// Whether a point at most `reach` away from one of distance d may be on ∂Ω'.
+  bool may_hold_boundary(double d, double reach) const {
+    return d <= boundary_ + reach && d + reach >= boundary_;
+  }
+
+  void visit(Vec3 center, double side, TriangleId guess) {
+    const double reach = half_diagonal * side;
+    const ClosestPoint closest = volume_.index().closest_near(center, guess, near_, boundary_ - reach);
+    if (!may_hold_boundary(closest.distance(), reach)) return;
 
     SampleCandidate candidate;
     candidate.center = center;
     candidate.half_side = 0.5 * side;
     bool last = 0.5 * side < options_.smallest_side;
-    if (reach <= options_.target_bound && project(candidate, closest, last)) {
+    if (project(candidate, closest, last)) {
       find_side(candidate, closest);
       last = last || 0.5 * side < options_.crevice_side;
     }
@@ -33,16 +68,9 @@ class Subdivision {
       out_.push_back(candidate);
       return;
     }
-    visit_children(center, side, closest.triangle);
+    for (unsigned k = 0; k < 8; ++k) visit(center + corner(k, 0.25 * side), 0.5 * side, closest.triangle);
   }
 
-  void visit_children(Vec3 center, double side, TriangleId guess) {
-    const double q = 0.25 * side;
-    for (unsigned k = 0; k < 8; ++k)
-      visit(center + Vec3{k & 1u ? q : -q, k & 2u ? q : -q, k & 4u ? q : -q}, 0.5 * side, guess);
-  }
-
- private:
   /// Finds the point at δ' on the ray from the closest point through the centre, if it covers the cell. Seen
   /// from outside it is exact; from inside another part of the input may be nearer there, which one more
   /// query tells.
@@ -53,8 +81,9 @@ class Subdivision {
     candidate.point = snap(q);
     const double bound = farthest_in_cube(candidate.point, candidate.center, candidate.half_side);
     if (bound > options_.target_bound && !last) return false;
-    return d >= boundary_ ||
-           volume_.index().closest_near(q, closest.triangle).distance() >= boundary_ * (1 - projection_error);
+    if (d >= boundary_) return true;
+    const double least = boundary_ * (1 - projection_error);
+    return volume_.index().closest_near(q, closest.triangle, near_, least).distance() >= least;
   }
 
   Vec3 snap(Vec3 p) const {
@@ -95,7 +124,8 @@ class Subdivision {
   const CandidateOptions& options_;
   double boundary_;
   std::vector<SampleCandidate>& out_;
-  RegionId known_region_; ///< behind the last point of this cell
+  TriangleNeighborhood near_; ///< of the cube at hand
+  RegionId known_region_;     ///< behind the last point of this cell
 };
 
 } // namespace
@@ -109,12 +139,10 @@ double farthest_in_cube(Vec3 p, Vec3 center, double half_side) {
 void find_candidates(const ToleranceVolume& volume, const Regions::Cell& cell,
                      const CandidateOptions& options, std::vector<SampleCandidate>& candidates) {
   const Regions& octree = volume.octree();
-  Subdivision subdivision(volume, options, candidates);
-  const double side = octree.side(cell.level);
-  if (half_diagonal * side <= options.target_bound)
-    subdivision.visit(octree.center(cell), side, cell.triangle);
-  else
-    subdivision.visit_children(octree.center(cell), side, cell.triangle);
+  const Vec3 center = octree.center(cell);
+  const Vec3 point = closest_point_on_triangle(center, volume.index().triangle(cell.triangle));
+  Subdivision(volume, options, candidates)
+      .visit_cube(center, octree.side(cell.level), {point, squared_length(point - center), cell.triangle});
 }
 
 } // namespace isoscope

@@ -36,7 +36,8 @@ struct CandidateOptions {
 /// The largest distance from p to a point of the cube.
 double farthest_in_cube(Vec3 p, Vec3 center, double half_side);
 
-/// Appends the candidates of an ambiguous main cell, in Morton order. Thread-safe.
+/// Appends the candidates of an ambiguous main cell, those of each of its cubes of side <= target_bound
+/// together, in the octree's order. Thread-safe.
 void find_candidates(const ToleranceVolume& volume, const Regions::Cell& cell,
                      const CandidateOptions& options, std::vector<SampleCandidate>& candidates);
 

@@ -1,0 +1,61 @@
+// Neighbouring candidates among which samples are chosen together.
+#pragma once
+
+#include "tolerance/sample_candidates.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace isoscope {
+
+/// The candidates of one cube and which of them the points of some reach. Small: a few times σ wide.
+class SampleUnit {
+ public:
+  std::vector<SampleCandidate> cells;
+
+  SampleUnit() = default;
+  SampleUnit(std::vector<SampleCandidate> candidates, double sigma);
+  const Box3& box() const { return box_; }
+  std::size_t words() const { return words_; } ///< of 64 bits a row
+
+  /// Cells whose points are offered: bit k of the row of offer i says that all of cell k is within σ of it.
+  const std::vector<std::uint32_t>& offers() const { return offers_; }
+  std::span<const std::uint64_t> row(std::size_t offer) const {
+    return {rows_.data() + offer * words_, words_};
+  }
+  /// The row of any point.
+  void find_row(Vec3 p, std::span<std::uint64_t> row) const;
+
+ private:
+  Box3 box_;
+  Vec3 center_;
+  float squared_reach_ = 0;
+  std::size_t words_ = 0;
+  std::array<std::vector<float>, 4> shapes_; ///< centres relative to center_, and half sides; whole words
+  std::vector<std::uint32_t> offers_;
+  std::vector<std::uint64_t> rows_;
+};
+
+/// Units of consecutive ambiguous main cells of one level, each unit within a cube of at most
+/// `widest_unit` σ. Thread-safe.
+class SampleUnitFinder {
+ public:
+  static constexpr double widest_unit = 4;
+
+  SampleUnitFinder(const ToleranceVolume& volume, double sigma, const CandidateOptions& options);
+  /// Whether two main cells lie in the same cube, so that they belong in one call of find().
+  bool together(Regions::CellIndex a, Regions::CellIndex b) const;
+  std::vector<SampleUnit> find(std::span<const Regions::CellIndex> main_cells) const;
+
+ private:
+  const ToleranceVolume& volume_;
+  CandidateOptions options_;
+  double sigma_;
+  double side_;        ///< of a unit's cube
+  unsigned shift_ = 0; ///< main cells by unit and axis, as a power of two, where units are the larger ones
+};
+
+} // namespace isoscope
