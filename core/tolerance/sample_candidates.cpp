@@ -9,6 +9,8 @@ namespace {
 constexpr double half_diagonal = 0.86602540379 * (1 + 1e-7);
 /// The side of the coarsest candidates, relative to the density: smaller ones need fewer samples.
 constexpr double coarsest_cell = 0.34;
+/// Where to ask for the region behind a boundary point, relative to δ'.
+constexpr double step_out = 1.06;
 /// How far from δ' a projected point may be, relative to δ'.
 constexpr double projection_error = 1e-11;
 
@@ -31,8 +33,8 @@ class Subdivision {
       return;
     }
     // Enough for the cells' centres, at most two thirds of the reach away, and for points of ∂Ω'.
-    volume_.index().find_neighborhood(center, std::max(d + 1.35 * reach, boundary_ * (1 + 1e-9) + reach),
-                                      near_);
+    volume_.index().find_neighborhood(
+        center, std::max(d + 1.35 * reach, (2 * step_out - 1) * boundary_ + reach), near_);
     const double cells = std::ceil(side / (coarsest_cell * options_.target_bound)), cell = side / cells;
     const int n = static_cast<int>(cells);
     for (int z = 0; z < n; ++z)
@@ -93,7 +95,7 @@ class Subdivision {
 
   void find_side(SampleCandidate& candidate, const ClosestPoint& closest) {
     candidate.volume_component = volume_.volume_component(closest.triangle);
-    if (!options_.one_region_a_cell || !known_region_.valid()) {
+    if (!known_region_.valid() || !(options_.one_region_a_cell || meets_known_ball(candidate, closest))) {
       // From outside the way to the boundary point is straight, so the centre is a start as good and farther
       // away.
       const bool outside = closest.distance() > boundary_;
@@ -103,6 +105,8 @@ class Subdivision {
           outside ? volume_.escape(candidate.center, closest) : volume_.escape(candidate.point, own);
       candidate.reached = escape.reached;
       known_region_ = escape.region;
+      known_center_ = escape.reached;
+      known_radius_ = escape.distance - boundary_;
       if (!escape.region.valid()) {
         const bool has_side = escape.distance > volume_.thresholds().reject;
         if (has_side && volume_.input().closed_manifold)
@@ -115,6 +119,15 @@ class Subdivision {
     set_label(candidate, volume_.regions()[known_region_.index()].label);
   }
 
+  /// Whether a ball that holds no point of Ω', around a point a little farther out, overlaps one in the known
+  /// region.
+  bool meets_known_ball(const SampleCandidate& candidate, const ClosestPoint& closest) const {
+    const double d = closest.distance(), t = std::max(d, step_out * boundary_), sure = t * (1 - 1e-9);
+    const Vec3 w = closest.point + (t / d) * (candidate.center - closest.point);
+    if (distance(w, known_center_) >= (sure - boundary_ + known_radius_) * (1 - 1e-9)) return false;
+    return d >= t || volume_.index().closest_near(w, closest.triangle, near_, sure).distance() >= sure;
+  }
+
   static void set_label(SampleCandidate& candidate, int label) {
     candidate.label = static_cast<std::int8_t>(label);
     candidate.has_point = true;
@@ -125,7 +138,9 @@ class Subdivision {
   double boundary_;
   std::vector<SampleCandidate>& out_;
   TriangleNeighborhood near_; ///< of the cube at hand
-  RegionId known_region_;     ///< behind the last point of this cell
+  Vec3 known_center_;         ///< of a ball outside of Ω', in the known region
+  double known_radius_ = 0;
+  RegionId known_region_; ///< behind the last point of this cell
 };
 
 } // namespace
