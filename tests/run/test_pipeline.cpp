@@ -21,7 +21,7 @@ using namespace isoscope::test;
 namespace {
 
 constexpr std::string_view golden_model = "sphere";
-constexpr std::uint64_t golden_digest = 0x79eac22a3a7f6074;
+constexpr std::uint64_t golden_digest = 0x1308bade9bf6eb58;
 
 } // namespace
 
