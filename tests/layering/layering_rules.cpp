@@ -36,7 +36,7 @@ const std::map<std::string, Names, std::less<>>& allowed_folders() {
       {"viewer/platform", {"base"}},
       {"viewer/scene", with_core({"gl", "embedded"})},
       {"viewer/panels", with_core({"scene", "app", "embedded"})},
-      {"viewer/app", with_core({"gl", "platform", "scene", "panels", "embedded"})},
+      {"viewer/app", with_core({"cli", "gl", "platform", "scene", "panels", "embedded"})},
   };
   return table;
 }

@@ -118,19 +118,16 @@ void AppModel::take_run() {
   }
 }
 
-// A loaded model is framed once, and never when somebody had set the view.
+// The clip goes to the middle of a loaded model unless somebody had set it.
 void AppModel::place_view() {
   if (!run.scene || framed_generation_ == run.generation) return;
-  const bool first = framed_generation_ == 0;
   framed_generation_ = run.generation;
   const Box3 box = scene_bounds();
   if (box.empty()) return;
   camera.set_scene_bounds(box);
-  if (!camera.was_set()) camera.frame(box, false);
-  if (first || !section_set) {
+  if (view.clip.shape == ClipSettings::Shape::none && !section_set) {
     view.clip.point = box.center();
     view.clip.radius = 0.15 * box.longest_edge();
-    section = {0, 0, 1.15 * box.longest_edge()};
   }
 }
 

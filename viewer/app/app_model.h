@@ -109,6 +109,8 @@ class AppModel {
   std::shared_ptr<const SampleIndex> sample_index() const { return result_ ? result_->index : nullptr; }
   Step live_step() const { return run.journal ? run.journal->steps() : 0; }
   bool running() const { return run.phase == SessionPhase::preparing || run.phase == SessionPhase::running; }
+  /// The play head moves, or will as soon as the run makes a step.
+  bool playing() const { return transport.moving() && (running() || !transport.at_live_end(live_step())); }
   /// The state shown is the one the play head asks for and nothing is under way that would change it.
   bool state_is_current() const;
   /// The live preview for the draft, absent while it is computed.

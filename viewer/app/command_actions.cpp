@@ -116,7 +116,7 @@ Status screenshot(AppModel& model, const Arguments& a) {
 }
 
 Status play_or_pause(AppModel& model, const Arguments&) {
-  if (model.transport.moving()) {
+  if (model.playing()) {
     model.transport.pause();
   } else if (model.transport.at_live_end(model.live_step())) {
     if (model.run.phase == SessionPhase::paused) model.session.resume();

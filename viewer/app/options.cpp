@@ -1,13 +1,12 @@
 // Reading the command line.
 #include "app/options.h"
 
+#include "cli/options.h"
 #include "run/report.h"
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <cstdio>
-#include <sstream>
 
 namespace isoscope {
 namespace {
@@ -31,20 +30,10 @@ Result<PixelSize> parse_size(const std::string& text) {
 Result<ParsedOptions> parse_options(int argc, char** argv) {
   ParsedOptions parsed;
   ProgramOptions& o = parsed.options;
-  std::string tolerance, containment = "certified", topology = "keep", until = "refinement", size, theme;
+  std::string size, theme;
   bool show_version = false;
   CLI::App app{"Isoscope: watch and debug isotopic approximation within a tolerance volume.", "isoscope"};
-  app.add_option("INPUT", o.run.input,
-                 "a model (OFF, OBJ, PLY, STL) or gallery:NAME; without it a bundled model opens");
-  app.add_option("--tolerance", tolerance, "δ: a percentage of the longest edge (0.6%) or a length");
-  app.add_option("--sigma", o.run.sigma, "σ/δ in (0, 1]");
-  app.add_option("--alpha", o.run.alpha, "α in (0, 1)");
-  app.add_option("--shrink", o.run.shrink, "condition 3's factor in (0, 1]");
-  app.add_option("--containment", containment)->check(CLI::IsMember({"certified", "sampled"}));
-  app.add_option("--topology", topology)->check(CLI::IsMember({"keep", "separate"}));
-  app.add_option("--until", until, "the stage to run to; this version knows refinement");
-  app.add_option("--threads", o.run.threads, "0: all cores");
-  app.add_option("--time-limit", o.run.time_limit, "seconds, 0 none");
+  const RunOptions run_options(app, false);
   app.add_flag("--paused", o.paused, "hold the run before its first operation");
   app.add_option("--script", o.script, "run the commands of a file, one a line, then quit");
   app.add_option("--screenshot", o.screenshot, "run to the end, write a picture, quit");
@@ -65,25 +54,18 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
     parsed.print = "isoscope " + std::string(version()) + "\n";
     return parsed;
   }
-  if (!tolerance.empty()) {
-    const auto t = parse_tolerance(tolerance);
-    if (!t) return t.error();
-    o.run.tolerance = *t;
-    o.tolerance_given = true;
-  }
+  const auto run = run_options.finish();
+  if (!run) return run.error();
+  o.run = *run;
+  o.tolerance_given = app.get_option("--tolerance")->count() > 0;
   if (!size.empty()) {
     const auto s = parse_size(size);
     if (!s) return s.error();
     o.size = *s;
   }
-  if (until != "refinement")
-    return bad("--until " + until + " is not known to this version; it runs to refinement.");
-  o.run.containment = containment == "sampled" ? Containment::sampled : Containment::certified;
-  o.run.topology = topology == "separate" ? TopologyMode::separate : TopologyMode::keep;
   if (theme == "dark") o.theme = ThemeKind::dark;
   if (theme == "light") o.theme = ThemeKind::light;
   if (theme == "paper") o.theme = ThemeKind::paper;
-  if (Status s = check(o.run); !s) return s.error();
   return parsed;
 }
 

@@ -20,6 +20,14 @@ bool contains_folded(const std::string& text, const std::string& part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
+/// The sentence without the step in front, which has a column of its own.
+std::string sentence(const Journal& journal, const Event& event) {
+  const std::string text = describe(journal, event);
+  constexpr std::string_view dot = " · ";
+  const std::size_t at = text.find(dot);
+  return at == std::string::npos || at > 10 ? text : text.substr(at + dot.size());
+}
+
 bool chip(const Ui& ui, const char* label, Rgb color, bool& on) {
   const ImVec2 extent = widgets::text_size(label), at = ImGui::GetCursorScreenPos();
   const ImVec2 size{extent.x + ui.px(26), ui.px(24)};
@@ -136,7 +144,7 @@ void EventList::draw(Ui& ui) {
           list.AddRect({dot.x - ui.px(3.5f), dot.y - ui.px(3.5f)}, {dot.x + ui.px(3.5f), dot.y + ui.px(3.5f)},
                        color, 0, 0, ui.px(1.2f));
         widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y}, to_u32(ui.colors.text),
-                           widgets::fitted(describe(*journal_, event), width - ui.px(100)));
+                           widgets::fitted(sentence(*journal_, event), width - ui.px(100)));
       }
     ImGui::PopStyleVar();
   }

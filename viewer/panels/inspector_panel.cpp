@@ -176,8 +176,8 @@ void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   }
   const AffineFunction function = interpolate(p, f);
   const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
-  widgets::value_row(ui, "gradient |∇f| · δ", short_number(length(function.gradient) * delta));
-  widgets::value_row(ui, "∇f direction", position_text(normalized(function.gradient)));
+  widgets::value_row(ui, "gradient |grad f| · δ", short_number(length(function.gradient) * delta));
+  widgets::value_row(ui, "grad f, direction", position_text(normalized(function.gradient)));
   const Sphere sphere = circumsphere(p);
   widgets::value_row(ui, "circumradius", short_number(sphere.radius / delta) + " δ");
   ImGui::Dummy({0, ui.px(4)});

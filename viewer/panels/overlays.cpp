@@ -57,7 +57,7 @@ void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size)
   const float pad = ui.px(12);
   widgets::draw_text(list, ui.fonts.bold, {at.x + pad, at.y + picture + ui.px(10)}, to_u32(ui.colors.text),
                      entry.title);
-  const std::string delta = "δ " + short_number(entry.tolerance_percent) + "%";
+  const std::string delta = "δ " + Tolerance{entry.tolerance_percent, true}.text();
   const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, delta.c_str()).x;
   widgets::draw_text(list, ui.fonts.mono, {end.x - pad - extent, at.y + picture + ui.px(11)},
                      to_u32(ui.colors.quiet), delta);
@@ -251,26 +251,24 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   const float y = now == Overlay::palette ? ui.px(64) : (size.y - extent.y) / 2;
   const ImVec2 low{std::round((size.x - extent.x) / 2), std::round(y)};
 
-  // A veil that a click lifts.
-  ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize(size);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(ui.colors.ground, 0.62f));
+  // One window over everything: a veil that a click lifts, and the panel as its child.
   constexpr ImGuiWindowFlags fixed =
       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-  ImGui::Begin("##veil", nullptr, fixed | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  if (now != shown_) ImGui::SetWindowFocus();
-  ImGui::InvisibleButton("veil", size);
-  if (ImGui::IsItemClicked()) ui.commands.post("clear");
-  ImGui::End();
-  ImGui::PopStyleColor();
-
-  ImGui::SetNextWindowPos(low);
-  ImGui::SetNextWindowSize(extent);
-  ImGui::SetNextWindowFocus();
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(10));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  if (now != shown_) ImGui::SetNextWindowFocus();
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(ui.colors.ground, 0.66f));
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_vec(ui.colors.panel));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(20), ui.px(16)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, ui.px(10));
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
   ImGui::Begin("##overlay", nullptr, fixed);
+  const bool outside = !ImGui::IsMouseHoveringRect(low, {low.x + extent.x, low.y + extent.y}, false);
+  if (outside && ImGui::IsMouseClicked(0) && now == shown_) ui.commands.post("clear");
+  ImGui::SetCursorScreenPos(low);
+  ImGui::BeginChild("panel", extent, true, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 0);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_vec(ui.colors.panel, 0));
   switch (now) {
   case Overlay::gallery:
     gallery(ui);
@@ -290,8 +288,12 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   case Overlay::none:
     break;
   }
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
   ImGui::End();
   ImGui::PopStyleVar(3);
+  ImGui::PopStyleColor(2);
   shown_ = now;
 }
 

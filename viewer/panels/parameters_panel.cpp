@@ -11,9 +11,9 @@ namespace isoscope::panels {
 namespace {
 
 /// A label with a tooltip on the left, the control on the right of it.
-void label(const Ui& ui, const char* symbol, const char* tip_title, const char* tip) {
+void label(const Ui& ui, const char* symbol, const char* tip_title, const char* tip, float units = 22) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float high = ImGui::GetFrameHeight(), width = ui.px(92);
+  const float high = ui.px(units), width = ui.px(92);
   ImGui::PushID(tip_title);
   ImGui::InvisibleButton("label", {width, high});
   ImGui::PopID();
@@ -44,7 +44,8 @@ void tolerance(Ui& ui, RunParameters& p) {
   ImGui::PopFont();
   widgets::tip(ui, "Tolerance δ", tip);
   ImGui::SameLine(0, ui.px(6));
-  if (widgets::plain_button(ui, p.tolerance.percent ? "%##unit" : "abs##unit", true, unit)) {
+  if (widgets::plain_button(ui, p.tolerance.percent ? "%##unit" : "abs##unit", true, unit,
+                            ImGui::GetFrameHeight())) {
     const double edge = ui.model.run.scene ? ui.model.run.scene->longest_edge : 0;
     if (edge > 0)
       p.tolerance.value = p.tolerance.percent ? p.tolerance.absolute(edge) : 100 * p.tolerance.value / edge;
@@ -170,13 +171,15 @@ void parameters(Ui& ui) {
   int chosen = static_cast<int>(p.containment);
   label(ui, "containment", "Containment of Z in Ω",
         "Certified: every facet of Z is proven inside Ω; a coarse S suffices. Sampled: the paper to the "
-        "letter, dense S and condition 2. Needs a restart.");
+        "letter, dense S and condition 2. Needs a restart.",
+        26);
   if (widgets::segmented(ui, "containment", containment, chosen))
     p.containment = static_cast<Containment>(chosen);
   chosen = static_cast<int>(p.topology);
   label(ui, "topology", "Topology mode",
         "What is asked of Z where Ω is no thickening of a surface: keep the input's topology, or only "
-        "separate the two sides. Needs a restart. §1.2");
+        "separate the two sides. Needs a restart. §1.2",
+        26);
   if (widgets::segmented(ui, "topology", topology, chosen)) p.topology = static_cast<TopologyMode>(chosen);
   ImGui::PopFont();
   ImGui::Dummy({0, ui.px(2)});

@@ -98,6 +98,7 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   ImGui::SetCursorScreenPos(area.low);
   ImGui::InvisibleButton("scene", area.size, every_button);
   ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
+  frame_untouched(ui, area.size.x / area.size.y);
   scene_mouse(ui, area);
   render(ui, scene_, area, false);
   overlay::axes(ui, area.low, area.size);
@@ -111,6 +112,7 @@ void SceneView::draw_section(Ui& ui, Area area) {
   ImGui::SetCursorScreenPos(area.low);
   ImGui::InvisibleButton("section", area.size, every_button);
   ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
+  place_untouched_section(ui, area.size.x / area.size.y);
   section_mouse(ui, area);
   render(ui, section_, area, true);
   overlay::section_caption(ui, area.low, area.size);
@@ -227,6 +229,51 @@ void SceneView::section_mouse(Ui& ui, Area area) {
   } else if (section_.shown && !scene_.shown) {
     m.selection.hovered = {};
   }
+}
+
+// Until somebody moves the camera, the whole model stays in sight, however narrow the view becomes.
+void SceneView::frame_untouched(Ui& ui, float aspect) {
+  AppModel& m = ui.model;
+  const Box3 box = m.scene_bounds();
+  if (m.camera.was_set() || box.empty()) return;
+  if (aspect == framed_aspect_ && box.lo == framed_box_.lo && box.hi == framed_box_.hi) return;
+  framed_aspect_ = aspect;
+  framed_box_ = box;
+  m.camera.frame(box, false);
+  CameraPose pose = m.camera.pose();
+  pose.distance /= std::min(1.0, static_cast<double>(aspect));
+  m.camera.set(pose);
+}
+
+// The same for the section: what the plane cuts of the input is centred.
+void SceneView::place_untouched_section(Ui& ui, float aspect) {
+  AppModel& m = ui.model;
+  ClipSettings plane;
+  plane.point = m.view.clip.point;
+  plane.normal = m.view.clip.normal;
+  plane.flipped = m.view.clip.flipped;
+  if (m.section_set || !m.run.scene || !m.run.scene->input) return;
+  if (plane == placed_clip_ && placed_scene_ == m.run.scene.get() && placed_aspect_ == aspect) return;
+  placed_clip_ = plane;
+  placed_scene_ = m.run.scene.get();
+  placed_aspect_ = aspect;
+  const PlaneAxes axes = plane_axes(plane.flipped ? -plane.normal : plane.normal);
+  Box3 box; // in the plane's coordinates
+  const TriangleSoup& soup = *m.run.scene->input;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    const Triangle3 t = soup.triangle(i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 a = t[k] - plane.point, b = t[(k + 1) % 3] - plane.point;
+      const double da = dot(a, plane.normal), db = dot(b, plane.normal);
+      if ((da < 0) == (db < 0)) continue;
+      const Vec3 p = a + da / (da - db) * (b - a);
+      box.add(Vec3{dot(p, axes.u), dot(p, axes.v), 0});
+    }
+  }
+  if (box.empty()) return;
+  const Vec3 extent = box.extent(), middle = box.center();
+  const double margin = 8 * m.run.scene->delta;
+  m.section = {middle.x, middle.y, 1.1 * std::max(extent.y, extent.x / static_cast<double>(aspect)) + margin};
 }
 
 void SceneView::frame_requests(Ui& ui) {

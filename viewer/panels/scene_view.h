@@ -49,11 +49,18 @@ class SceneView {
   void scene_mouse(Ui& ui, Area area);
   void section_mouse(Ui& ui, Area area);
   void picked(Ui& ui, const Pick& pick);
+  void frame_untouched(Ui& ui, float aspect);
+  void place_untouched_section(Ui& ui, float aspect);
   Pick hover_pick(Ui& ui, Area area, bool section);
 
   Renderer* renderer_;
   Picture scene_, section_;
   Vec3 pivot_;
+  float framed_aspect_ = 0; ///< what the camera was framed for, while nobody has moved it
+  Box3 framed_box_;
+  ClipSettings placed_clip_;
+  const void* placed_scene_ = nullptr;
+  float placed_aspect_ = 0;
   bool dragged_ = false;
   double hover_since_ = 0;
   ImVec2 hover_at_{-1, -1};

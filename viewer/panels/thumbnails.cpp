@@ -41,7 +41,7 @@ void fill(Raster& r, const std::array<Vec3, 3>& p, float shade) {
 
 } // namespace
 
-Thumbnail draw_thumbnail(const TriangleSoup& soup, int width, int height) {
+Thumbnail draw_thumbnail(const TriangleSoup& soup, int width, int height, bool opened) {
   Raster r{width * oversampling, height * oversampling, {}, {}};
   const auto cells = static_cast<std::size_t>(r.width) * static_cast<std::size_t>(r.height);
   r.depth.assign(cells, -1e30f);
@@ -61,6 +61,8 @@ Thumbnail draw_thumbnail(const TriangleSoup& soup, int width, int height) {
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     const Triangle3 t = soup.triangle(i);
     std::array<Vec3, 3> p;
+    const Vec3 center = turned((1.0 / 3) * (t[0] + t[1] + t[2])) - middle;
+    if (opened && center.x > 0 && center.z > 0) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 q = turned(t[k]) - middle;
       p[k] = {r.width / 2.0 + scale * q.x, r.height / 2.0 - scale * q.y, q.z};
@@ -110,7 +112,8 @@ void Thumbnails::begin(int width, int height, std::function<void()> notify) {
     for (std::size_t i = 0; i < gallery().size(); ++i) {
       std::shared_ptr<const Thumbnail> made;
       if (const auto soup = make_gallery_model(gallery()[i].name))
-        made = std::make_shared<const Thumbnail>(draw_thumbnail(*soup, width, height));
+        made = std::make_shared<const Thumbnail>(
+            draw_thumbnail(*soup, width, height, gallery()[i].name == "nested-spheres"));
       {
         const std::lock_guard lock(mutex_);
         if (quit_) return;

@@ -20,8 +20,9 @@ struct Thumbnail {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Draws the soup from above right, two-sided, with an even light.
-Thumbnail draw_thumbnail(const TriangleSoup& soup, int width, int height);
+/// Draws the soup from above right, two-sided, with an even light. `opened`: the quarter towards the viewer
+/// is left out, so that what is inside is seen.
+Thumbnail draw_thumbnail(const TriangleSoup& soup, int width, int height, bool opened = false);
 
 /// All gallery models, one after the other on a worker.
 class Thumbnails {

@@ -44,6 +44,8 @@ void TimelinePane::tabs(Ui& ui) {
   constexpr std::array<const char*, 3> words{"timeline", "plots", "events"};
   const int tab = ui.model.settings.panes.tab;
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  float left = 0;
+  const float y = ImGui::GetCursorScreenPos().y;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string label = std::string(glyphs[i]) + "  " + names[i];
     const bool lit = tab == static_cast<int>(i);
@@ -60,12 +62,15 @@ void TimelinePane::tabs(Ui& ui) {
       list.AddRectFilled({at.x + ui.px(8), at.y + high - ui.px(2)}, {at.x + width - ui.px(8), at.y + high},
                          to_u32(ui.colors.accent), ui.px(1));
     ImGui::SameLine(0, 0);
+    left = at.x + width + ui.px(20);
   }
-  // What the colours mean, on the same line.
+  // What the colours mean, where no lanes say it.
+  ImGui::NewLine();
+  if (tab == 0) return;
   const JournalIndex& index = ui.model.index;
   const auto counts = index.counts(0, index.steps());
   float x = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-  const float y = ImGui::GetCursorScreenPos().y, left = ImGui::GetCursorScreenPos().x + ui.px(20);
+
   for (int c = condition_count - 1; c >= 0; --c) {
     const auto n = counts[static_cast<std::size_t>(c)];
     if (n == 0) continue;
@@ -80,7 +85,6 @@ void TimelinePane::tabs(Ui& ui) {
                        to_u32(condition_color(ui.theme, c)), ui.px(2));
     x -= ui.px(16);
   }
-  ImGui::NewLine();
 }
 
 bool TimelinePane::scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size) {
@@ -119,100 +123,130 @@ void TimelinePane::playhead(const Ui& ui, ImVec2 low, ImVec2 size) const {
   list.AddTriangleFilled({x - r, low.y}, {x + r, low.y}, {x, low.y + r * 1.4f}, color);
 }
 
-void TimelinePane::timeline(Ui& ui) {
-  AppModel& m = ui.model;
-  const JournalIndex& index = m.index;
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const ImVec2 all = ImGui::GetContentRegionAvail();
-  if (all.x < ui.px(60) || all.y < ui.px(30)) return;
-  const float ruler = ui.px(18), lane = ui.px(16);
-  const ImVec2 size{all.x, all.y};
-  scrub(ui, "timeline", low, size);
-  const bool hovered = ImGui::IsItemHovered();
+void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 high{low.x + size.x, low.y + size.y};
-  list.AddRectFilled(low, high, to_u32(ui.colors.ground, 0.6f), ui.px(5));
-  list.PushClipRect(low, high, true);
-
-  // Stage lanes.
-  for (const JournalIndex::StageSpan& span : index.stages()) {
+  for (const JournalIndex::StageSpan& span : ui.model.index.stages()) {
     const float x0 = to_x(span.begin, low, size), x1 = std::max(to_x(span.end, low, size), x0 + ui.px(3));
-    list.AddRectFilled({x0, low.y}, {x1 - 1, low.y + lane},
-                       to_u32(ui.colors.accent, span.open ? 0.30f : 0.18f), ui.px(3));
-    const std::string title(stage_title(span.stage));
+    list.AddRectFilled({x0, low.y}, {x1 - 1, low.y + size.y},
+                       to_u32(ui.colors.accent, span.open ? 0.30f : 0.16f), ui.px(4));
+    const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2;
     if (x1 - x0 > ui.px(50))
-      widgets::draw_text(list, ui.fonts.small,
-                         {std::max(x0, low.x) + ui.px(8), low.y + (lane - ui.fonts.small->FontSize) / 2},
-                         to_u32(ui.colors.text, 0.9f), title);
+      widgets::draw_text(list, ui.fonts.small, {std::max(x0, low.x) + ui.px(8), y},
+                         to_u32(ui.colors.text, 0.9f), stage_title(span.stage));
   }
+}
 
-  // Density: a stacked column a few pixels wide for each stretch of steps.
-  const float top = low.y + lane + ui.px(4), bottom = high.y - ruler;
-  const float column = std::max(ui.px(3), 2.0f);
-  const int columns = std::max(1, static_cast<int>(size.x / column));
-  const double per_column = (range_.end - range_.begin) / columns;
-  for (int i = 0; i < columns; ++i) {
-    const double from = range_.begin + i * per_column;
-    const auto begin = static_cast<Step>(from),
-               end = static_cast<Step>(std::max(from + per_column, static_cast<double>(begin) + 1));
-    const auto counts = index.counts(begin, end);
-    std::uint32_t total = 0;
-    for (const auto n : counts) total += n;
-    if (total == 0) continue;
-    float y = bottom;
-    for (std::size_t c = 0; c < counts.size(); ++c) {
-      if (counts[c] == 0) continue;
-      const float part = static_cast<float>(counts[c]) / static_cast<float>(total) * (bottom - top);
-      const float x = low.x + static_cast<float>(i) * column;
-      const bool past = begin < m.transport.step();
-      list.AddRectFilled({x, y - part}, {x + column - 1, y},
-                         to_u32(condition_color(ui.theme, static_cast<int>(c)), past ? 0.95f : 0.45f));
-      y -= part;
+// A lane a condition: bars a few pixels wide, as high as the condition's share of the steps below them.
+void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) const {
+  const AppModel& m = ui.model;
+  const auto totals = m.index.counts(0, m.index.steps());
+  const auto used =
+      static_cast<int>(std::count_if(totals.begin(), totals.end(), [](auto n) { return n > 0; }));
+  if (used == 0) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float gap = ui.px(3),
+              lane = std::min((size.y - gap * static_cast<float>(used - 1)) / static_cast<float>(used),
+                              ui.px(40));
+  const double steps = range_.end - range_.begin;
+  const int bins =
+      std::max(1, static_cast<int>(std::min(static_cast<double>(size.x / ui.px(3)), std::ceil(steps))));
+  float y = low.y;
+  for (std::size_t c = 0; c < totals.size(); ++c) {
+    if (totals[c] == 0) continue;
+    const Rgb color = condition_color(ui.theme, static_cast<int>(c));
+    const float text_y = y + (lane - ui.fonts.small->FontSize) / 2;
+    const std::string count = grouped(totals[c]);
+    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
+    list.AddRectFilled({low.x - gutter, y + lane / 2 - ui.px(4)},
+                       {low.x - gutter + ui.px(8), y + lane / 2 + ui.px(4)}, to_u32(color), ui.px(2));
+    widgets::draw_text(list, ui.fonts.small, {low.x - gutter + ui.px(14), text_y},
+                       to_u32(ui.colors.text, 0.85f), condition_title(static_cast<Condition>(c)));
+    widgets::draw_text(list, ui.fonts.mono, {low.x - extent - ui.px(10), text_y}, to_u32(ui.colors.quiet),
+                       count);
+    list.AddRectFilled({low.x, y}, {low.x + size.x, y + lane}, to_u32(ui.colors.ground, 0.6f), ui.px(4));
+    for (int i = 0; i < bins; ++i) {
+      const auto begin = static_cast<Step>(range_.begin + steps * i / bins),
+                 end = static_cast<Step>(range_.begin + steps * (i + 1) / bins);
+      const Step last = std::min(std::max(end, begin + 1), m.index.steps());
+      if (last <= begin) break;
+      const auto n = m.index.counts(begin, last)[c];
+      if (n == 0) continue;
+      const float share = static_cast<float>(n) / static_cast<float>(last - begin);
+      const float x0 = low.x + size.x * static_cast<float>(i) / static_cast<float>(bins),
+                  x1 = low.x + size.x * static_cast<float>(i + 1) / static_cast<float>(bins);
+      const float high = std::max(ui.px(3), (lane - ui.px(2)) * std::sqrt(share));
+      list.AddRectFilled({x0, y + lane - high}, {std::max(x1, x0 + 1), y + lane},
+                         to_u32(color, begin < m.transport.step() ? 0.9f : 0.38f));
     }
+    y += lane + gap;
   }
-  // Marks: warnings, parameter changes, checks.
-  for (const JournalIndex::Mark& mark : index.marks()) {
+}
+
+void TimelinePane::marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const JournalIndex::Mark& mark : ui.model.index.marks()) {
     const float x = to_x(mark.step, low, size);
-    if (x < low.x || x > high.x) continue;
+    if (x < low.x || x > low.x + size.x) continue;
     const Rgb color = mark.kind == EventKind::warning || mark.kind == EventKind::stopped ? ui.colors.warning
                       : mark.kind == EventKind::topology_check                           ? ui.colors.gamma
                                                                                          : ui.colors.text;
-    list.AddCircleFilled({x, bottom + ui.px(3)}, ui.px(3), to_u32(color), 12);
+    list.AddCircleFilled({x, y}, ui.px(3), to_u32(color), 12);
   }
-  // Ruler.
+}
+
+void TimelinePane::ruler(const Ui& ui, ImVec2 low, ImVec2 size) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
   const double span = range_.end - range_.begin,
                wanted = span / std::max(1.0, static_cast<double>(size.x / ui.px(110)));
   const double decade = std::pow(10.0, std::floor(std::log10(std::max(wanted, 1.0))));
-  const double tick = std::max(1.0, wanted / decade > 5   ? 10 * decade
-                                    : wanted / decade > 2 ? 5 * decade
-                                    : wanted / decade > 1 ? 2 * decade
-                                                          : decade);
+  const double part = wanted / decade;
+  const double tick = std::max(1.0, (part > 5 ? 10 : part > 2 ? 5 : part > 1 ? 2 : 1) * decade);
   for (double s = std::ceil(range_.begin / tick) * tick; s <= range_.end; s += tick) {
     const float x = to_x(s, low, size);
-    list.AddLine({x, bottom}, {x, bottom + ui.px(4)}, to_u32(ui.colors.quiet, 0.7f));
+    list.AddLine({x, low.y}, {x, low.y + ui.px(4)}, to_u32(ui.colors.quiet, 0.7f));
     const std::string label = grouped(static_cast<std::size_t>(s));
     const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.c_str()).x;
-    if (x + ui.px(4) + width < high.x)
-      widgets::draw_text(list, ui.fonts.small, {x + ui.px(4), bottom + ui.px(2)}, to_u32(ui.colors.quiet),
+    if (x + ui.px(4) + width < low.x + size.x)
+      widgets::draw_text(list, ui.fonts.small, {x + ui.px(4), low.y + ui.px(1)}, to_u32(ui.colors.quiet),
                          label);
   }
+}
+
+void TimelinePane::timeline(Ui& ui) {
+  const AppModel& m = ui.model;
+  const JournalIndex& index = m.index;
+  const ImVec2 origin = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
+  const float gutter = ui.px(176);
+  if (all.x < gutter + ui.px(60) || all.y < ui.px(50)) return;
+  const float ruler_high = ui.px(18), stage_high = ui.px(18);
+  const ImVec2 low{origin.x + gutter, origin.y}, size{all.x - gutter - ui.px(4), all.y};
+  scrub(ui, "timeline", low, size);
+  const bool hovered = ImGui::IsItemHovered();
+  const float top = low.y + stage_high + ui.px(4), bottom = low.y + size.y - ruler_high;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (index.steps() == 0) {
+    widgets::draw_text(list, ui.fonts.small, {low.x, (top + bottom) / 2}, to_u32(ui.colors.quiet),
+                       "Operations appear here as the run makes them. Drag to scrub, wheel to zoom.");
+    return;
+  }
+  widgets::draw_text(list, ui.fonts.small, {origin.x, low.y + ui.px(2)}, to_u32(ui.colors.quiet), "stage");
+  density(ui, {low.x, top}, {size.x, bottom - top - ui.px(6)}, gutter);
+  list.PushClipRect({low.x - ui.px(6), low.y}, {low.x + size.x + ui.px(6), low.y + size.y}, true);
+  stage_lane(ui, low, {size.x, stage_high});
+  marks(ui, low, size, bottom - ui.px(1));
+  ruler(ui, {low.x, bottom}, {size.x, ruler_high});
   const float live_x = to_x(m.live_step(), low, size);
   if (m.running())
     list.AddRectFilled({live_x - ui.px(2), low.y}, {live_x, bottom}, to_u32(ui.colors.good_text));
-  playhead(ui, low, size);
+  playhead(ui, low, {size.x, bottom - low.y});
   list.PopClipRect();
-  if (index.steps() == 0)
-    widgets::draw_text(list, ui.fonts.small,
-                       {low.x + ui.px(12), (top + bottom - ui.fonts.small->FontSize) / 2},
-                       to_u32(ui.colors.quiet),
-                       "Operations appear here as the run makes them. Drag to scrub, wheel to zoom.");
-  if (hovered && index.steps() > 0 && !ImGui::IsAnyMouseDown()) {
-    const double at = range_.begin + static_cast<double>((ImGui::GetIO().MousePos.x - low.x) / size.x) * span;
-    const auto step = static_cast<Step>(std::clamp(at, 0.0, static_cast<double>(index.steps() - 1)));
-    const Journal& journal = *index.journal();
-    widgets::tip(ui, "Step " + grouped(step + 1),
-                 describe(journal, journal.events()[journal.operations()[step].event]));
-  }
+  if (!hovered || ImGui::IsAnyMouseDown()) return;
+  const double at = range_.begin + static_cast<double>((ImGui::GetIO().MousePos.x - low.x) / size.x) *
+                                       (range_.end - range_.begin);
+  const auto step = static_cast<Step>(std::clamp(at, 0.0, static_cast<double>(index.steps() - 1)));
+  const Journal& journal = *index.journal();
+  widgets::tip(ui, "Step " + grouped(step + 1),
+               describe(journal, journal.events()[journal.operations()[step].event]));
 }
 
 void TimelinePane::plots(Ui& ui) {
@@ -274,7 +308,10 @@ void TimelinePane::plots(Ui& ui) {
                        plot.name);
     const Step step = m.transport.step();
     if (step > 0 && step <= values.size()) {
-      const std::string value = short_number(static_cast<double>(values[step - 1])) + plot.unit;
+      const auto number = static_cast<double>(values[step - 1]);
+      const bool whole = plot.figure == Figure::bad_samples || plot.figure == Figure::zero_set_vertices;
+      const std::string value =
+          (whole ? grouped(static_cast<std::size_t>(number)) : short_number(number)) + plot.unit;
       const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
       widgets::draw_text(list, ui.fonts.mono, {high.x - extent - ui.px(10), low.y + ui.px(5)},
                          to_u32(plot.color), value);

@@ -43,6 +43,11 @@ class TimelinePane {
  private:
   void tabs(Ui& ui);
   void timeline(Ui& ui);
+  void stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const;
+  /// `gutter`: room on the left of the area for the lanes' names.
+  void density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) const;
+  void marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const;
+  void ruler(const Ui& ui, ImVec2 low, ImVec2 size) const;
   void plots(Ui& ui);
   /// Wheel and drag over an area of the steps; true while scrubbing.
   bool scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size);

@@ -197,7 +197,7 @@ void transport(Ui& ui) {
   ImGui::SameLine(0, ui.px(2));
   widgets::command_button(ui, "back");
   ImGui::SameLine(0, ui.px(2));
-  widgets::command_button(ui, "play", m.transport.moving() ? icon::pause : icon::play);
+  widgets::command_button(ui, "play", m.playing() ? icon::pause : icon::play);
   ImGui::SameLine(0, ui.px(2));
   widgets::command_button(ui, "step");
   ImGui::SameLine(0, ui.px(2));

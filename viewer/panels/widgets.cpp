@@ -134,11 +134,11 @@ bool primary_button(const Ui& ui, const char* label, bool enabled, float width) 
   return pressed;
 }
 
-bool plain_button(const Ui& ui, const char* label, bool enabled, float width) {
+bool plain_button(const Ui& ui, const char* label, bool enabled, float width, float height) {
   ImGui::BeginDisabled(!enabled);
   ImGui::PushStyleColor(ImGuiCol_Button, to_vec(ui.colors.hover));
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, to_vec(ui.colors.line));
-  const bool pressed = ImGui::Button(label, {width, ui.px(30)});
+  const bool pressed = ImGui::Button(label, {width, height > 0 ? height : ui.px(30)});
   ImGui::PopStyleColor(2);
   ImGui::EndDisabled();
   return pressed;

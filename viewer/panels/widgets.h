@@ -22,7 +22,7 @@ void command_button(const Ui& ui, std::string_view command, const char* icon = n
 /// A filled button with text in the accent colour.
 bool primary_button(const Ui& ui, const char* label, bool enabled = true, float width = 0);
 /// A button without weight.
-bool plain_button(const Ui& ui, const char* label, bool enabled = true, float width = 0);
+bool plain_button(const Ui& ui, const char* label, bool enabled = true, float width = 0, float height = 0);
 
 /// A pane's section with a title that folds it; call the content only when true.
 bool section(const Ui& ui, const char* title, bool open_at_first = true);

@@ -1,0 +1,17 @@
+// The groups that the table of commands is put together from, in the order of menus and help.
+#pragma once
+
+#include "app/commands.h"
+
+#include <vector>
+
+namespace isoscope {
+
+std::vector<Command> file_commands();
+std::vector<Command> run_commands();
+std::vector<Command> select_commands();
+std::vector<Command> view_commands();
+std::vector<Command> window_commands();
+std::vector<Command> script_commands();
+
+} // namespace isoscope
