@@ -151,6 +151,7 @@ void App::take_requests() {
     const Status status = run_command(*model_, {"view", {window_->clipboard()}});
     if (!status) model_->report(status.error());
   }
+  if (r.hands > 0) hands_until_ = glfwGetTime() + std::exchange(r.hands, 0.0);
   if (std::exchange(r.close, false)) window_->request_close();
 }
 
@@ -236,11 +237,12 @@ void App::frame(double seconds) {
     window_->request_close();
     return;
   }
+  const bool hands = glfwGetTime() < hands_until_;
   std::optional<MouseStep> mouse;
   if (!m.requests.mouse.empty()) {
     mouse = m.requests.mouse.front();
     m.requests.mouse.pop_front();
-  } else if (m.scripted) {
+  } else if (m.scripted && !hands) {
     mouse = MouseStep{ImGui::GetIO().MousePos.x,
                       ImGui::GetIO().MousePos.y}; // the real mouse must not disturb a script
   }
@@ -248,7 +250,7 @@ void App::frame(double seconds) {
   imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : seconds);
   CommandSink commands;
   Ui ui{m, commands, palette(m.view.theme), m.view.theme, imgui_->fonts(), scale};
-  if (!m.scripted) keys(commands);
+  if (!m.scripted || hands) keys(commands);
   draw_window(ui);
 
   const PixelSize size = window_->framebuffer_size();
@@ -289,6 +291,7 @@ void App::frame(double seconds) {
 
 bool App::at_rest() const {
   const AppModel& m = *model_;
+  if (glfwGetTime() < hands_until_) return false;
   if (!m.requests.screenshots.empty() || !m.requests.mouse.empty() ||
       frames_since_command_ < frames_after_input)
     return false;

@@ -49,6 +49,7 @@ struct WindowRequests {
   std::vector<ScreenshotRequest> screenshots;
   std::deque<MouseStep> mouse;
   std::optional<std::string> copy;
+  double hands = 0; ///< seconds for which a script lets the real mouse and keys act
   bool paste = false, close = false;
   bool frame_selection = false, frame_all = false;
 };

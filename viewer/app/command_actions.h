@@ -47,6 +47,7 @@ Status click(AppModel& model, const Arguments& arguments);
 Status drag(AppModel& model, const Arguments& arguments);
 Status move(AppModel& model, const Arguments& arguments);
 Status wheel(AppModel& model, const Arguments& arguments);
+Status give_hands(AppModel& model, const Arguments& arguments);
 Status press_key(AppModel& model, const Arguments& arguments);
 
 } // namespace isoscope::actions

@@ -103,6 +103,13 @@ Status wheel(AppModel& model, const Arguments& a) {
   return {};
 }
 
+Status give_hands(AppModel& model, const Arguments& a) {
+  const auto n = numbers("hands", a, 1);
+  if (!n) return n.error();
+  model.requests.hands = static_cast<double>((*n)[0]);
+  return {};
+}
+
 Status press_key(AppModel& model, const Arguments& a) {
   if (a.size() != 1) return usage("key", "Which key?");
   const Chord chord = parse_chord(a[0]);

@@ -137,8 +137,11 @@ void caption(const Ui& ui, ImVec2 low, float width) {
 
 void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   const Vec3 n = ui.model.view.clip.normal;
-  const std::string text = "section by the plane with normal (" + short_number(n.x) + ", " +
-                           short_number(n.y) + ", " + short_number(n.z) + ")";
+  std::string name;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(n[i]) > 0.9999) name = std::string(1, static_cast<char>('x' + i));
+  if (name.empty()) name = "(" + short_number(n.x) + ", " + short_number(n.y) + ", " + short_number(n.z) + ")";
+  const std::string text = "section, normal " + name;
   if (width_of(ui.fonts.small, text) > size.x - ui.px(160)) return;
   widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
                      {low.x + ui.px(14), low.y + size.y - ui.px(28)}, to_u32(ui.colors.quiet), text);

@@ -1,0 +1,95 @@
+// The worker behind the play head: the newest request wins, answers are right, nothing is left behind.
+#include "app/playhead.h"
+#include "app/small_run.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+
+using namespace isoscope;
+
+TEST_CASE("requests are answered, the newest one last") {
+  Session session;
+  const SessionSnapshot run = small_run(session);
+  REQUIRE(run.phase == SessionPhase::finished);
+  REQUIRE(run.journal->steps() > 10);
+  std::atomic<int> notified{0};
+  Playhead head([&] { ++notified; });
+  CHECK(head.idle());
+  CHECK(head.result() == nullptr);
+
+  PlayheadRequest request;
+  request.generation = run.generation;
+  request.journal = run.journal;
+  const Step last = run.journal->steps();
+  for (Step k = 0; k < 300; ++k) {
+    request.step = (k * 7) % last;
+    head.request(request);
+  }
+  request.step = last;
+  head.request(request);
+  head.wait();
+  REQUIRE(head.result() != nullptr);
+  CHECK(head.result()->request == request);
+  CHECK(head.result()->state->step == last);
+  CHECK(head.result()->state->bad_samples == 0);
+  CHECK(notified > 0);
+
+  // A state reached from the end is the state reached from the start.
+  request.step = 5;
+  head.request(request);
+  head.wait();
+  Playback fresh(run.journal);
+  fresh.seek(5);
+  CHECK(head.result()->state->complex == fresh.complex());
+  CHECK(head.result()->index == nullptr);
+
+  request.options.orientation = true;
+  head.request(request);
+  head.wait();
+  CHECK(head.result()->index != nullptr);
+}
+
+TEST_CASE("previews judge the state shown by other parameters") {
+  Session session;
+  const SessionSnapshot run = small_run(session);
+  REQUIRE(run.scene != nullptr);
+  Playhead head(nullptr);
+  PlayheadRequest request;
+  request.generation = run.generation;
+  request.journal = run.journal;
+  request.step = run.journal->steps();
+  head.request(request);
+  CriteriaParameters criteria = run.journal->parameters_at(request.step);
+  head.wait();
+  criteria.alpha = 0.2;
+  head.request_preview(criteria);
+  head.wait();
+  REQUIRE(head.preview().has_value());
+  CHECK(head.preview()->criteria == criteria);
+  CHECK(head.preview()->violations.beyond_margin == 0);
+  criteria.alpha = 0.95;
+  head.request_preview(criteria);
+  head.wait();
+  CHECK(head.preview()->violations.beyond_margin > 0);
+
+  head.clear();
+  CHECK(head.result() == nullptr);
+  CHECK(!head.preview().has_value());
+  head.request(request);
+  head.wait();
+  CHECK(head.result() != nullptr);
+}
+
+TEST_CASE("a play head may be dropped while it works") {
+  Session session;
+  const SessionSnapshot run = small_run(session);
+  for (int i = 0; i < 20; ++i) {
+    Playhead head([] {});
+    PlayheadRequest request;
+    request.journal = run.journal;
+    request.step = run.journal->steps();
+    head.request(request);
+    if (i % 2 == 0) head.clear();
+  }
+}

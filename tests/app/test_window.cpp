@@ -1,0 +1,200 @@
+// Sessions of the real window: scripts with expectations, pictures against references, a real mouse and keyboard.
+#include "platform/image_file.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/wait.h>
+
+using namespace isoscope;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path results = ISOSCOPE_RESULTS;
+const fs::path reference = ISOSCOPE_REFERENCE;
+
+int exit_of(const std::string& command) {
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// Runs the window with a script; the exit status.
+int run_script(const std::string& name, const std::string& script, const std::string& arguments = "gallery:sphere --tolerance 8%",
+               const std::string& meanwhile = "") {
+  fs::create_directories(results);
+  const fs::path file = results / (name + ".txt");
+  std::ofstream(file) << script;
+  std::string command = std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
+  if (!meanwhile.empty()) command += " & program=$!; " + meanwhile + "; wait $program";
+  return exit_of(command);
+}
+
+std::string picture(const std::string& name) {
+  return (results / (name + ".png")).string();
+}
+
+/// The mean difference of two pictures' channels after averaging 8 by 8 pixels, in [0, 1]: blind to how a font is rasterised,
+/// awake to what is where.
+double difference(const Image& a, const Image& b) {
+  constexpr int cell = 8;
+  double sum = 0;
+  int count = 0;
+  for (int y = 0; y + cell <= a.height; y += cell)
+    for (int x = 0; x + cell <= a.width; x += cell)
+      for (int c = 0; c < 3; ++c) {
+        int difference = 0;
+        for (int j = 0; j < cell; ++j)
+          for (int i = 0; i < cell; ++i) {
+            const auto at = static_cast<std::size_t>(((y + j) * a.width + x + i) * 4 + c);
+            difference += a.pixels[at] - b.pixels[at];
+          }
+        sum += std::abs(difference) / (255.0 * cell * cell);
+        ++count;
+      }
+  return sum / count;
+}
+
+void compare(const std::string& name) {
+  const auto found = read_png(picture(name));
+  REQUIRE(found.ok());
+  if (std::getenv("ISOSCOPE_UPDATE_REFERENCES") != nullptr) {
+    fs::create_directories(reference);
+    REQUIRE(write_png(reference / (name + ".png"), *found).ok());
+  }
+  const auto expected = read_png(reference / (name + ".png"));
+  REQUIRE(expected.ok());
+  REQUIRE(found->width == expected->width);
+  REQUIRE(found->height == expected->height);
+  CAPTURE(name);
+  CHECK(difference(*found, *expected) < 0.012);
+}
+
+} // namespace
+
+TEST_CASE("a run is watched, stepped and judged") {
+  CHECK(run_script("steps", R"(
+wait settled
+expect phase == finished and bad_samples == 0 and certified == on
+expect step == state_step
+expect euler == 2
+seek 10
+expect step == 10 and state_step == 10 and bad_samples > 0
+step 3
+expect state_step == 13
+back
+expect state_step == 12
+first
+expect state_step == 0
+end
+wait settled
+expect bad_samples == 0
+pick-worst
+expect selection == sample
+clear
+expect selection == none
+key Right
+quit
+)") == 0);
+}
+
+TEST_CASE("a held run is stepped at its live end") {
+  CHECK(run_script("held", R"(
+open gallery:sphere paused
+wait settled
+expect phase == paused
+step 5
+wait settled
+expect phase == paused and steps >= 5 and state_step >= 5
+hold
+wait settled
+expect phase == finished
+quit
+)") == 0);
+}
+
+TEST_CASE("parameters are applied and a run is begun again") {
+  CHECK(run_script("parameters", R"(
+wait settled
+set alpha 0.5
+apply
+wait settled
+expect phase == finished and beyond_margin == 0
+set tolerance 10%
+expect messages == 0
+restart
+wait settled
+expect phase == finished and bad_samples == 0
+quit
+)") == 0);
+}
+
+TEST_CASE("a failed expectation ends the script with status 1") {
+  CHECK(run_script("failing", "wait settled\nexpect bad_samples == 17\nquit\n") == 1);
+  CHECK(run_script("unknown", "frobnicate\n") == 2);
+}
+
+TEST_CASE("a scripted mouse turns, picks and zooms") {
+  CHECK(run_script("mouse", R"(
+wait settled
+look z
+expect heading == 0
+drag 560 300 660 320
+expect heading != 0
+click 600 300
+expect selection != none
+wheel 600 300 3
+key Esc
+expect selection == none
+quit
+)") == 0);
+}
+
+TEST_CASE("pictures look as they should") {
+  const std::string script = "wait settled\nseek 40\nscreenshot " + picture("scene") +
+                             "\nset clip plane\nsplit\ntab plots\nscreenshot " + picture("split") +
+                             "\nscene\npick tet 30\ntab timeline\ntheme light\nscreenshot " + picture("inspector") +
+                             "\ntheme dark\ngallery\nwait 3\nscreenshot " + picture("gallery") + "\nquit\n";
+  REQUIRE(run_script("pictures", script) == 0);
+  for (const char* name : {"scene", "split", "inspector", "gallery"}) compare(name);
+}
+
+TEST_CASE("a real mouse and keyboard drive the window") {
+  if (exit_of("command -v xdotool >/dev/null") != 0) {
+    MESSAGE("xdotool is not there: skipped");
+    return;
+  }
+  const std::string script = R"(
+wait settled
+look z
+seek 5
+hands 6
+expect step == 7
+expect heading != 0
+expect selection != none
+quit
+)";
+  const std::string hands = "sleep 3; xdotool mousemove 560 300 mousedown 1; for i in 1 2 3 4 5 6; do xdotool mousemove_relative 15 3; sleep 0.05; done; "
+                            "xdotool mouseup 1; xdotool key Right; sleep 0.2; xdotool key Right; sleep 0.2; xdotool mousemove 600 300 click 1";
+  CHECK(run_script("hands", script, "gallery:sphere --tolerance 8%", hands) == 0);
+}
+
+TEST_CASE("without a display there is a clear word and status 2") {
+  fs::create_directories(results);
+  const fs::path words = results / "no-display.txt";
+  CHECK(exit_of("env -u DISPLAY -u WAYLAND_DISPLAY " + std::string(ISOSCOPE_PROGRAM) + " 2> " + words.string()) == 2);
+  std::ifstream in(words);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  CHECK(text.find("display") != std::string::npos);
+  CHECK(text.find("isoscope-run") != std::string::npos);
+}
+
+TEST_CASE("wrong options are refused without a window") {
+  CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --size 10 2>/dev/null") == 2);
+  CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --alpha 7 2>/dev/null") == 2);
+  CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --until improve 2>/dev/null") == 2);
+  CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --help >/dev/null") == 0);
+}
