@@ -16,7 +16,8 @@ TEST_CASE("every command has a name, a title, a sentence and an action") {
     CHECK(!command.title.empty());
     CHECK(command.help.size() > 10);
     CHECK(command.help.ends_with('.'));
-    CHECK(command.run != nullptr);
+    const bool runs = command.run != nullptr;
+    CHECK(runs);
     CHECK(names.insert(command.name).second);
     CHECK(find_command(command.name) == &command);
   }

@@ -12,8 +12,7 @@ TEST_CASE("counts, figures and changes agree with the journal") {
   JournalIndex index;
   index.reset(run.journal);
   CHECK(!index.complete());
-  while (index.update(3)) {
-  }
+  while (index.update(3)) {}
   CHECK(index.complete());
   const Step steps = run.journal->steps();
   REQUIRE(index.steps() == steps);

@@ -28,7 +28,8 @@ TEST_CASE("a missing script is a usage error") {
 
 TEST_CASE("lines run in order and an error names its line") {
   AppModel model([] {});
-  ScriptRunner runner(*parse_script("set alpha 0.4\n\nexpect alpha == 0.4\nexpect alpha == 0.5\nset alpha 0.1\n"));
+  ScriptRunner runner(
+      *parse_script("set alpha 0.4\n\nexpect alpha == 0.4\nexpect alpha == 0.5\nset alpha 0.1\n"));
   CHECK(runner.next(model).ok());
   CHECK(model.draft.alpha == doctest::Approx(0.4));
   CHECK(runner.next(model).ok());

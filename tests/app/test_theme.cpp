@@ -42,7 +42,8 @@ TEST_CASE("the embedded fonts load at several scales") {
     const auto fonts = load_fonts(atlas, scale);
     REQUIRE(fonts.ok());
     CHECK(fonts->ui->FontSize == doctest::Approx(15 * scale));
-    for (const ImWchar letter : {ImWchar(0x03B1), ImWchar(0x03A9), ImWchar(0x2202), ImWchar(0x2264), ImWchar(0xF04B)})
+    for (const ImWchar letter :
+         {ImWchar(0x03B1), ImWchar(0x03A9), ImWchar(0x2202), ImWchar(0x2264), ImWchar(0xF04B)})
       CHECK(fonts->ui->FindGlyphNoFallback(letter) != nullptr);
     for (const ImWchar letter : {ImWchar(0x03B4), ImWchar('0')})
       CHECK(fonts->mono->FindGlyphNoFallback(letter) != nullptr);

@@ -48,8 +48,8 @@ TEST_CASE("a bare pose is a view") {
 }
 
 TEST_CASE("what is no view is refused") {
-  for (const char* text : {"", "hello", "[]", "3", "{}", R"({"camera": {"target": [1]}})",
-                           R"({"clip": {"normal": [0, 0, 0]}})", R"({"layers": {"outer": {"opacity": 7}}})",
-                           R"({"mode": 9})", R"({"clip": {"shape": "plane"}})"})
+  for (const char* text :
+       {"", "hello", "[]", "3", "{}", R"({"camera": {"target": [1]}})", R"({"clip": {"normal": [0, 0, 0]}})",
+        R"({"layers": {"outer": {"opacity": 7}}})", R"({"mode": 9})", R"({"clip": {"shape": "plane"}})"})
     CHECK(!view_from_json(text, ViewState{}).has_value());
 }

@@ -20,7 +20,7 @@ constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoDecoration | ImGuiWin
 constexpr int frames_after_input = 3;
 constexpr double script_step = 1.0 / 60; ///< scripts see an even clock
 constexpr double hover_seconds = 0.8;    ///< after the last input, for hovers and tooltips that come late
-constexpr double idle_wait = 0.25, running_wait = 0.03;
+constexpr double idle_wait = 0.25, running_wait = 0.03, script_wait = 0.005;
 
 struct Pane {
   Pane(const char* name, ImVec2 low, ImVec2 size, bool scrolls, ImVec2 padding, Rgb color) {
@@ -105,19 +105,17 @@ App::~App() {
 }
 
 void App::keys(CommandSink& commands) {
-  const ImGuiIO& io = ImGui::GetIO();
-  for (const Command& command : command_table())
-    for (const Chord& chord : command.keys) {
-      if (!ImGui::IsKeyPressed(chord.key)) continue;
-      if (io.KeyCtrl != chord.control || io.KeyShift != chord.shift || io.KeyAlt) continue;
-      // While text is typed, only what cannot be text is a command.
-      const bool text_key = !chord.control && chord.key != GLFW_KEY_ESCAPE &&
-                            !(chord.key >= GLFW_KEY_F1 && chord.key <= GLFW_KEY_F25);
-      const bool clipboard = chord.control && (chord.key == 'C' || chord.key == 'V' || chord.key == 'A');
-      if (io.WantTextInput && (text_key || clipboard)) continue;
-      if (command.enabled != nullptr && !command.enabled(*model_)) continue;
-      commands.post(std::string(command.name));
-    }
+  for (const KeyPress& press : window_->take_keys()) {
+    const Command* command = press.alt ? nullptr : find_command(Chord{press.key, press.control, press.shift});
+    if (command == nullptr) continue;
+    // While text is typed, only what cannot be text is a command.
+    const bool function_key = press.key >= GLFW_KEY_F1 && press.key <= GLFW_KEY_F25;
+    const bool text_key = !press.control && press.key != GLFW_KEY_ESCAPE && !function_key;
+    const bool clipboard = press.control && (press.key == 'C' || press.key == 'V' || press.key == 'A');
+    if (ImGui::GetIO().WantTextInput && (text_key || clipboard)) continue;
+    if (command->enabled != nullptr && !command->enabled(*model_)) continue;
+    commands.post(std::string(command->name));
+  }
 }
 
 void App::run_commands(CommandSink& commands) {
@@ -250,7 +248,10 @@ void App::frame(double seconds) {
   imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : seconds);
   CommandSink commands;
   Ui ui{m, commands, palette(m.view.theme), m.view.theme, imgui_->fonts(), scale};
-  if (!m.scripted || hands) keys(commands);
+  if (!m.scripted || hands)
+    keys(commands);
+  else
+    window_->take_keys();
   draw_window(ui);
 
   const PixelSize size = window_->framebuffer_size();
@@ -316,9 +317,14 @@ bool App::advance_script() {
 }
 
 bool App::needs_frame(bool changed) const {
-  return changed || script_ || frames_owed_ > 0 || scene_view_->unfinished() ||
-         model_->transport.mode() == Transport::Mode::playing || ImGui::GetIO().WantTextInput ||
-         ImGui::IsAnyMouseDown();
+  const AppModel& m = *model_;
+  const bool asked = frames_owed_ > 0 || !m.requests.mouse.empty() || !m.requests.screenshots.empty();
+  // A script that waits for a run has no eyes: drawing would only slow the run down.
+  if (m.scripted && m.running() && glfwGetTime() > hands_until_)
+    return m.wait_until >= 0 && (asked || frames_since_command_ < frames_after_input);
+  return changed || asked || (m.scripted && frames_since_command_ < frames_after_input) ||
+         scene_view_->unfinished() || m.transport.mode() == Transport::Mode::playing ||
+         ImGui::GetIO().WantTextInput || ImGui::IsAnyMouseDown();
 }
 
 int App::run() {
@@ -329,7 +335,7 @@ int App::run() {
     if (needs_frame(changed) && !window_->minimised())
       window_->poll();
     else
-      window_->wait(m.running() ? running_wait : idle_wait);
+      window_->wait(m.scripted ? script_wait : m.running() ? running_wait : idle_wait);
     const double now = glfwGetTime(), seconds = now - last_time_;
     last_time_ = now;
     m.clock += m.scripted ? script_step : seconds;
@@ -341,7 +347,8 @@ int App::run() {
     const auto state = m.state();
     const bool awaited = m.messages.empty();
     changed = m.update(m.scripted ? script_step : seconds);
-    changed = changed || state != m.state() || awaited != m.messages.empty() || m.grid.working();
+    changed =
+        changed || state != m.state() || awaited != m.messages.empty() || (m.grid.working() && !m.scripted);
     if (changed) frames_owed_ = std::max(frames_owed_, 2);
     // A resting mouse still owes a hover and a tooltip.
     if (frames_owed_ == 0 && ImGui::IsMousePosValid() && m.clock - active_at_ < hover_seconds)

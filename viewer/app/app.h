@@ -50,7 +50,7 @@ class App {
   std::filesystem::path settings_path_;
   double last_time_ = 0;
   double hands_until_ = 0; ///< real time until which a script lets a person act
-  double active_at_ = 0; ///< when the last input arrived
+  double active_at_ = 0;   ///< when the last input arrived
   int frames_since_command_ = 0;
   int frames_owed_ = 3; ///< the interface settles over a few frames after an input
   int exit_status_ = 0;

@@ -32,7 +32,10 @@ int complain(const isoscope::Error& error) {
 
 int main(int argc, char** argv) {
   const auto parsed = isoscope::parse_options(argc, argv);
-  if (!parsed) return complain(parsed.error());
+  if (!parsed) {
+    complain(parsed.error());
+    return exit_status(isoscope::ErrorCode::usage);
+  }
   if (parsed->print) {
     std::fputs(parsed->print->c_str(), stdout);
     return 0;

@@ -247,14 +247,15 @@ bool compare(double a, const std::string& op, double b) {
   return a >= b;
 }
 
-Status judge(const AppModel& model, const std::string& name, const std::string& op,
-             const std::string& wanted) {
+Status judge(const AppModel& model, const std::string& name, const std::string& op, const std::string& word) {
   static constexpr std::array<std::string_view, 6> operators{"==", "!=", "<", "<=", ">", ">="};
   const NamedValue* value = find_value(name);
   if (value == nullptr) return wrong(name, "a value that has a name (F1 lists them)");
   if (std::find(operators.begin(), operators.end(), op) == operators.end())
     return wrong(op, "== != < <= > or >=");
   const std::string found = value->get(model);
+  const NamedValue* other = find_value(word);
+  const std::string wanted = other != nullptr ? other->get(model) : word;
   const auto a = parse_number(found), b = parse_number(wanted);
   const bool numbers = a.ok() && b.ok();
   if (!numbers && op != "==" && op != "!=") return wrong(wanted, "a number (" + name + " is " + found + ")");

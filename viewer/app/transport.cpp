@@ -51,9 +51,9 @@ void Transport::set_speed(double steps_per_second) {
 
 // position(t) = end (t / T)^2: slow while single operations change the picture, faster where there are
 // thousands. Solved for the speed from where the head is, so that an end that moves on is followed smoothly.
-double Transport::automatic_speed(double remaining) const {
+double Transport::automatic_speed(double remaining, double end) const {
   const double t = std::max(elapsed_, 0.05), total = automatic_seconds;
-  if (t >= total - catch_up_seconds) return remaining / catch_up_seconds;
+  if (t >= total - catch_up_seconds) return std::max(remaining / catch_up_seconds, end / total);
   return std::max(2 * t * remaining / (total * total - t * t), 1.0);
 }
 
@@ -67,7 +67,7 @@ void Transport::update(double seconds, Step live, bool growing) {
   }
   elapsed_ += seconds;
   const double remaining = end - position_;
-  const double velocity = speed_ == automatic ? automatic_speed(remaining) : speed_;
+  const double velocity = speed_ == automatic ? automatic_speed(remaining, end) : speed_;
   position_ = std::min(end, position_ + std::max(velocity, 0.0) * seconds);
   // The last fraction of a step would otherwise take for ever.
   if (speed_ == automatic && end - position_ < 0.5) position_ = end;

@@ -38,7 +38,7 @@ class Transport {
   bool at_live_end(Step live) const { return step() >= live; }
 
  private:
-  double automatic_speed(double remaining) const;
+  double automatic_speed(double remaining, double end) const;
   Mode mode_ = Mode::following;
   double position_ = 0;
   double speed_ = automatic;

@@ -140,7 +140,8 @@ void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   std::string name;
   for (int i = 0; i < 3; ++i)
     if (std::abs(n[i]) > 0.9999) name = std::string(1, static_cast<char>('x' + i));
-  if (name.empty()) name = "(" + short_number(n.x) + ", " + short_number(n.y) + ", " + short_number(n.z) + ")";
+  if (name.empty())
+    name = "(" + short_number(n.x) + ", " + short_number(n.y) + ", " + short_number(n.z) + ")";
   const std::string text = "section, normal " + name;
   if (width_of(ui.fonts.small, text) > size.x - ui.px(160)) return;
   widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,

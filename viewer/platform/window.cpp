@@ -74,7 +74,13 @@ void Window::install_callbacks() {
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { note(w); });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { note(w); });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { note(w); });
-  glfwSetKeyCallback(window_, [](GLFWwindow* w, int, int, int, int) { note(w); });
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+    note(w);
+    if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
+    auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(w));
+    self.keys_.push_back(
+        {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0});
+  });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note(w); });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { note(w); });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { note(w); });
@@ -130,6 +136,9 @@ bool Window::minimised() const {
 
 bool Window::take_activity() {
   return std::exchange(activity_, false);
+}
+std::vector<KeyPress> Window::take_keys() {
+  return std::exchange(keys_, {});
 }
 std::vector<std::string> Window::take_dropped() {
   return std::exchange(dropped_, {});

@@ -18,6 +18,12 @@ struct PixelSize {
   friend bool operator==(PixelSize, PixelSize) = default;
 };
 
+/// A key going down or repeating; `key` is GLFW's code.
+struct KeyPress {
+  int key = 0;
+  bool control = false, shift = false, alt = false;
+};
+
 /// Owns GLFW and the window. One instance a process; all methods on the main thread except wake().
 class Window {
  public:
@@ -44,6 +50,8 @@ class Window {
 
   /// Whether anything arrived that asks for a new frame, since the last call.
   bool take_activity();
+  /// Keys pressed since the last call; none is lost between two slow frames.
+  std::vector<KeyPress> take_keys();
   /// Paths dropped on the window since the last call.
   std::vector<std::string> take_dropped();
   std::string clipboard() const;
@@ -59,6 +67,7 @@ class Window {
   GLFWwindow* window_;
   bool activity_ = true;
   std::vector<std::string> dropped_;
+  std::vector<KeyPress> keys_;
 };
 
 } // namespace isoscope
