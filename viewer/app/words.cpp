@@ -1,4 +1,4 @@
-// The words.
+// The words, in the order of the enumerations that they name.
 #include "app/words.h"
 
 #include <array>
