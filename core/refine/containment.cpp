@@ -25,18 +25,13 @@ std::vector<Triangle3> triangles_of(const ZeroPolygon& polygon) {
 
 } // namespace
 
-void ContainmentCondition::tighten(ToleranceVolume& volume) {
-  volume_ = &volume;
-  context_.requeue_all();
-}
-
 FacetVerdict::Kind ContainmentCondition::certify(TetId t, Violation* violation) const {
   const Complex& complex = context_.live().complex();
-  const ToleranceThresholds& limits = volume_->thresholds();
+  const ToleranceThresholds& limits = context_.volume().thresholds();
   auto worst = FacetVerdict::Kind::inside;
   for (const Triangle3& facet : triangles_of(zero_polygon(complex.positions(t), complex.values(t)))) {
     const FacetVerdict verdict =
-        certify_facet(volume_->index(), facet, limits.delta, std::min(limits.reject, limits.delta));
+        certify_facet(context_.volume().index(), facet, limits.delta, std::min(limits.reject, limits.delta));
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     worst = verdict.kind;
     if (verdict.kind != FacetVerdict::Kind::outside) continue;
@@ -80,8 +75,8 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
   event.tet = t;
   event.witness = violation.witness;
   event.value = violation.closest.distance();
-  event.limit = volume_->thresholds().delta;
-  const int label = volume_->label_at(violation.witness);
+  event.limit = context_.volume().thresholds().delta;
+  const int label = context_.volume().label_at(violation.witness);
   if (label == 0) {
     event.reason = Reason::budget;
     return give_up(t, Checklist::State::exhausted, event);
@@ -109,7 +104,7 @@ Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event)
 
 std::optional<ContainmentCondition::Candidate>
 ContainmentCondition::candidate(TetId t, const Violation& violation, int label) const {
-  const ToleranceThresholds& limits = volume_->thresholds();
+  const ToleranceThresholds& limits = context_.volume().thresholds();
   const double spacing = 0.5 * std::min(limits.delta - limits.boundary, 0.5 * limits.boundary);
   const Vec3 away = violation.witness - violation.closest.point;
   const Vec3 projected = violation.closest.point + (limits.boundary / violation.closest.distance()) * away;
@@ -139,13 +134,13 @@ ContainmentCondition::candidate(TetId t, const Violation& violation, int label) 
 }
 
 std::optional<Vec3> ContainmentCondition::first_boundary_point(Vec3 from, Vec3 to) const {
-  const double boundary = volume_->thresholds().boundary;
+  const double boundary = context_.volume().thresholds().boundary;
   const double length = distance(from, to);
   const Vec3 direction = normalized(to - from);
   double travelled = 0;
   for (int step = 0; step < march_steps; ++step) {
     const Vec3 p = from + travelled * direction;
-    const double clearance = volume_->index().distance(p) - boundary;
+    const double clearance = context_.volume().index().distance(p) - boundary;
     if (clearance < march_precision * boundary) return p;
     travelled += clearance;
     if (travelled >= length) return std::nullopt;

@@ -9,10 +9,10 @@
 
 namespace isoscope {
 
-/// Replaces condition 2 in certified mode. The Ω it certifies against may be exchanged for a tighter one.
+/// Replaces condition 2 in certified mode.
 class ContainmentCondition {
  public:
-  explicit ContainmentCondition(RefinementContext& context) : context_(context), volume_(&context.volume()) {
+  explicit ContainmentCondition(RefinementContext& context) : context_(context) {
     context.follow(checklist_);
   }
   Turn turn();
@@ -20,9 +20,6 @@ class ContainmentCondition {
   std::size_t unproven() const {
     return checklist_.exhausted() + checklist_.violated() + checklist_.undecided();
   }
-  /// Certifies against another Ω of the same input from now on; everything is to be judged anew.
-  void tighten(ToleranceVolume& volume);
-  const ToleranceThresholds& thresholds() const { return volume_->thresholds(); }
 
  private:
   /// A vertex that would push Z back into Ω.
@@ -37,7 +34,6 @@ class ContainmentCondition {
   };
 
   RefinementContext& context_;
-  ToleranceVolume* volume_;
   Checklist checklist_;
 
   void judge_pending();
