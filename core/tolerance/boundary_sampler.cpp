@@ -121,18 +121,31 @@ class Sampler {
       if (best == unit.offers().size()) break;
       add_sample(unit, unit.offers()[best], unit.row(best));
     }
-    // What no offer covers, a cell's own point does, or some sample of another unit may.
+    // What no offer covers, another point may: cells with a point of their own first, which cover the others.
     for (const bool own_point : {true, false})
       for (std::size_t i = 0; i < unit.cells.size(); ++i) {
-        const SampleCandidate& c = unit.cells[i];
-        if (!is_open(i) || c.has_point != own_point) continue;
-        if (c.has_point && farthest_in_cube(c.point, c.center, c.half_side) <= samples_.sigma * (1 - 1e-4)) {
-          unit.find_row(c.point, row_);
-          add_sample(unit, i, row_);
+        if (!is_open(i) || unit.cells[i].has_point != own_point) continue;
+        const std::size_t by = coverer(unit, i);
+        if (by < unit.cells.size()) {
+          unit.find_row(unit.cells[by].point, row_);
+          add_sample(unit, by, row_);
         } else {
-          orphans_.push_back({c.center, c.half_side});
+          orphans_.push_back({unit.cells[i].center, unit.cells[i].half_side});
         }
       }
+  }
+
+  /// A candidate whose point covers cell i, its own if that does; their number when none does. Asks for a
+  /// little more than σ, so that rows agree.
+  std::size_t coverer(const SampleUnit& unit, std::size_t i) const {
+    const SampleCandidate& cell = unit.cells[i];
+    const auto does = [&](const SampleCandidate& by) {
+      return by.has_point && (!cell.has_point || by.label == cell.label) &&
+             farthest_in_cube(by.point, cell.center, cell.half_side) <= samples_.sigma * (1 - 1e-4);
+    };
+    if (does(cell)) return i;
+    const auto found = std::find_if(unit.cells.begin(), unit.cells.end(), does);
+    return static_cast<std::size_t>(found - unit.cells.begin());
   }
 
   bool is_open(std::size_t cell) const { return open_[cell / 64] >> cell % 64 & 1u; }
