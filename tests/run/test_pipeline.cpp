@@ -21,7 +21,7 @@ using namespace isoscope::test;
 namespace {
 
 constexpr std::string_view golden_model = "sphere";
-constexpr std::uint64_t golden_digest = 0x1308bade9bf6eb58;
+constexpr std::uint64_t golden_digest = 0x3ffdc0aa1dab8acf;
 
 } // namespace
 
