@@ -19,7 +19,7 @@ constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoDecoration | ImGuiWin
                                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 constexpr int frames_after_input = 3;
 constexpr double script_step = 1.0 / 60; ///< scripts see an even clock
-constexpr double hover_seconds = 0.8;    ///< after the last input, for hovers and tooltips that come late
+constexpr double hover_seconds = 1.2;    ///< after the last input, for hovers and tooltips that come late
 constexpr double idle_wait = 0.25, running_wait = 0.03, script_wait = 0.005;
 
 struct Pane {
@@ -57,7 +57,8 @@ Status App::setup(const ProgramOptions& options) {
     if (!read) return read.error();
     lines = std::move(*read);
   }
-  if (!options.screenshot.empty()) {
+  screenshot_only_ = !options.screenshot.empty();
+  if (screenshot_only_) {
     lines.push_back({0, {"wait", {"settled"}}});
     lines.push_back({0, {"screenshot", {options.screenshot}}});
     lines.push_back({0, {"quit", {}}});
@@ -226,7 +227,7 @@ void App::draw_window(Ui& ui) {
   overlays_.draw(ui, size);
 }
 
-void App::frame(double seconds) {
+void App::frame() {
   AppModel& m = *model_;
   const float scale = std::clamp(window_->content_scale() * m.settings.ui_scale, 0.5f, 8.0f);
   if (Status s = imgui_->prepare(scale, m.view.theme); !s) {
@@ -245,7 +246,7 @@ void App::frame(double seconds) {
                       ImGui::GetIO().MousePos.y}; // the real mouse must not disturb a script
   }
   upload_thumbnails();
-  imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : seconds);
+  imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : -1);
   CommandSink commands;
   Ui ui{m, commands, palette(m.view.theme), m.view.theme, imgui_->fonts(), scale};
   if (!m.scripted || hands)
@@ -354,13 +355,18 @@ int App::run() {
     if (frames_owed_ == 0 && ImGui::IsMousePosValid() && m.clock - active_at_ < hover_seconds)
       frames_owed_ = 1;
     if (needs_frame(changed)) {
-      frame(seconds);
+      frame();
       if (frames_owed_ > 0) --frames_owed_;
     }
     if (!advance_script()) break;
     const std::string title =
         m.run.parameters.input.empty() ? "Isoscope" : m.run.parameters.input + " – Isoscope";
     if (title != title_) window_->set_title(title_ = title);
+  }
+  const auto& error = model_->run.error;
+  if (screenshot_only_ && error) {
+    std::fprintf(stderr, "isoscope: %s\n", error->line().c_str());
+    return error->code == ErrorCode::bad_input || error->code == ErrorCode::unsupported ? 3 : 2;
   }
   return exit_status_;
 }

@@ -25,7 +25,7 @@ class App {
  private:
   App() = default;
   Status setup(const ProgramOptions& options);
-  void frame(double seconds);
+  void frame();
   void draw_window(Ui& ui);
   void splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign,
                 float least, float most);
@@ -54,6 +54,8 @@ class App {
   int frames_since_command_ = 0;
   int frames_owed_ = 3; ///< the interface settles over a few frames after an input
   int exit_status_ = 0;
+  bool screenshot_only_ =
+      false; ///< the command line asks for a picture: a run that fails is the program's failure
   std::string title_;
 };
 

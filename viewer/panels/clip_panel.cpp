@@ -5,6 +5,7 @@
 #include "panels/widgets.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace isoscope::panels {
@@ -71,12 +72,19 @@ void filter_row(Ui& ui, const char* name, const char* tip, bool& on, std::string
   ImGui::PopID();
 }
 
-std::string count_of(const AppModel& m, std::uint8_t flag) {
+/// How many tetrahedra carry each flag, by bit.
+std::array<std::size_t, 8> flag_counts(const AppModel& m) {
+  std::array<std::size_t, 8> counts{};
   const auto state = m.state();
-  if (!state) return {};
-  std::size_t n = 0;
-  for (const std::uint8_t flags : state->tet_flags) n += (flags & tet_alive) != 0 && (flags & flag) != 0;
-  return grouped(n);
+  if (!state) return counts;
+  for (const std::uint8_t flags : state->tet_flags)
+    if ((flags & tet_alive) != 0)
+      for (std::size_t bit = 0; bit < counts.size(); ++bit) counts[bit] += (flags >> bit) & 1u;
+  return counts;
+}
+
+std::string count_of(const std::array<std::size_t, 8>& counts, std::uint8_t flag) {
+  return grouped(counts.at(static_cast<std::size_t>(std::countr_zero(flag))));
 }
 
 } // namespace
@@ -107,19 +115,19 @@ void clip_and_filter(Ui& ui) {
   }
   if (!widgets::section(ui, "Tetrahedra", true)) return;
   TetFilter& f = view.tets;
-  const AppModel& m = ui.model;
+  const auto counts = flag_counts(ui.model);
   filter_row(ui, "violate condition 1", "Hold a sample with ε > 1 − α. §2.3", f.violate_1,
-             count_of(m, tet_violates_1));
+             count_of(counts, tet_violates_1));
   filter_row(ui, "violate condition 2", "Carry Z and are lower than 2σ/α. §2.3", f.violate_2,
-             count_of(m, tet_violates_2));
+             count_of(counts, tet_violates_2));
   filter_row(ui, "violate condition 3", "Carry Z and are misoriented; judged when the play head rests. §2.3",
-             f.violate_3, count_of(m, tet_violates_3));
-  filter_row(ui, "changed last", "Made by the last operations.", f.changed, count_of(m, tet_changed));
+             f.violate_3, count_of(counts, tet_violates_3));
+  filter_row(ui, "changed last", "Made by the last operations.", f.changed, count_of(counts, tet_changed));
   filter_row(ui, "carry Z", "Have vertices of both labels: Γ.", f.carry_zero_set,
-             count_of(m, tet_heterogeneous));
-  filter_row(ui, "all", "Every tetrahedron inside the bounding box.", f.all, count_of(m, tet_alive));
+             count_of(counts, tet_heterogeneous));
+  filter_row(ui, "all", "Every tetrahedron inside the bounding box.", f.all, count_of(counts, tet_alive));
   filter_row(ui, "at the bounding box", "Also those with a corner of the loose bounding box. §2.2", f.box,
-             count_of(m, tet_box));
+             count_of(counts, tet_box));
   auto recent = static_cast<int>(f.recent);
   ImGui::PushFont(ui.fonts.mono);
   ImGui::SetNextItemWidth(-1);

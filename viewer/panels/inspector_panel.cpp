@@ -269,7 +269,7 @@ void inspector(Ui& ui) {
   const AppModel& m = ui.model;
   const auto state = m.state();
   const Pick& picked = m.selection.picked;
-  if (!state) {
+  if (!state || (m.run.phase == SessionPhase::failed && !m.run.scene)) {
     ImGui::PushFont(ui.fonts.bold);
     ImGui::TextUnformatted("Inspector");
     ImGui::PopFont();

@@ -165,16 +165,20 @@ void Overlays::palette(Ui& ui) {
                                query_.data(), query_.size()))
     chosen_ = 0;
   std::vector<const Command*> found;
-  for (const Command& command : command_table())
-    if (!command.for_scripts && contains_folded(std::string(command.title) + " " + std::string(command.name) +
-                                                    " " + std::string(command.help),
-                                                query_.data()))
-      found.push_back(&command);
+  const std::string typed_name = parse_call(query_.data()).name;
+  for (const Command& command : command_table()) {
+    const std::string all = std::string(command.title) + " " + std::string(command.name) + " " +
+                            std::string(command.usage) + " " + std::string(command.help);
+    const bool named =
+        !command.for_scripts && (contains_folded(all, query_.data()) || command.name == typed_name);
+    if (named) found.push_back(&command);
+  }
   const int count = static_cast<int>(found.size());
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) chosen_ = std::min(chosen_ + 1, count - 1);
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) chosen_ = std::max(chosen_ - 1, 0);
   const bool entered = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
   ImGui::BeginChild("found", {0, 0});
+  if (found.empty()) widgets::quiet_text(ui, "No command says this.");
   for (int i = 0; i < count; ++i) {
     const Command& command = *found[static_cast<std::size_t>(i)];
     const bool enabled = command.enabled == nullptr || command.enabled(ui.model);

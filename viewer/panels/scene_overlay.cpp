@@ -115,7 +115,7 @@ void scale_bar(const Ui& ui, ImVec2 low, ImVec2 size, double height) {
 void caption(const Ui& ui, ImVec2 low, float width) {
   const AppModel& m = ui.model;
   const auto state = m.state();
-  if (!state || !m.run.journal) return;
+  if (!state || !m.run.journal || m.run.journal->events().empty()) return;
   std::string text = state->event
                          ? describe(*m.run.journal, *state->event)
                          : "The triangulation of the loose bounding box, before the first Steiner point.";
@@ -158,6 +158,27 @@ void hover_tip(const Ui& ui) {
   ImGui::PopFont();
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
+}
+
+void invitation(Ui& ui, ImVec2 low, ImVec2 size) {
+  const AppModel& m = ui.model;
+  const bool nothing =
+      m.run.phase == SessionPhase::idle || (m.run.phase == SessionPhase::failed && !m.run.scene);
+  if (!nothing || size.x < ui.px(300)) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 middle{low.x + size.x / 2, low.y + size.y / 2};
+  const char* title = "Drop a model here";
+  const char* note = "OFF, OBJ, PLY or STL, with a closed surface";
+  widgets::draw_text(list, ui.fonts.title,
+                     {middle.x - width_of(ui.fonts.title, title) / 2, middle.y - ui.px(56)},
+                     to_u32(ui.colors.text), title);
+  widgets::draw_text(list, ui.fonts.ui, {middle.x - width_of(ui.fonts.ui, note) / 2, middle.y - ui.px(24)},
+                     to_u32(ui.colors.quiet), note);
+  const float width = ui.px(120), gap = ui.px(10);
+  ImGui::SetCursorScreenPos({middle.x - width - gap / 2, middle.y + ui.px(8)});
+  if (widgets::primary_button(ui, "Open…", true, width)) ui.commands.post("open");
+  ImGui::SetCursorScreenPos({middle.x + gap / 2, middle.y + ui.px(8)});
+  if (widgets::plain_button(ui, "Gallery", true, width)) ui.commands.post("gallery");
 }
 
 void progress(Ui& ui, ImVec2 low, ImVec2 size) {

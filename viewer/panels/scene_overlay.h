@@ -14,6 +14,8 @@ void scale_bar(const Ui& ui, ImVec2 low, ImVec2 size, double height);
 void caption(const Ui& ui, ImVec2 low, float width);
 void section_caption(const Ui& ui, ImVec2 low, ImVec2 size);
 void hover_tip(const Ui& ui);
+/// What to do where there is no model: open one, or choose from the gallery.
+void invitation(Ui& ui, ImVec2 low, ImVec2 size);
 /// What is being prepared, with Cancel.
 void progress(Ui& ui, ImVec2 low, ImVec2 size);
 

@@ -45,6 +45,7 @@ void SceneView::draw(Ui& ui) {
   overlay::mode_switch(ui, {low.x + all.x, low.y});
   overlay::caption(ui, low, all.x);
   overlay::progress(ui, low, all);
+  overlay::invitation(ui, low, all);
 }
 
 void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
