@@ -33,7 +33,6 @@ TEST_CASE("requests are answered, the newest one last") {
   CHECK(head.result()->request == request);
   CHECK(head.result()->state->step == last);
   CHECK(head.result()->state->bad_samples == 0);
-  CHECK(notified > 0);
 
   // A state reached from the end is the state reached from the start.
   request.step = 5;
@@ -48,6 +47,7 @@ TEST_CASE("requests are answered, the newest one last") {
   head.request(request);
   head.wait();
   CHECK(head.result()->index != nullptr);
+  CHECK(notified > 0); // an answer is told before the next is begun
 }
 
 TEST_CASE("previews judge the state shown by other parameters") {

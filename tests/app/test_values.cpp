@@ -35,6 +35,12 @@ TEST_CASE("ranges are kept") {
   CHECK(model.view.mode == ViewMode::split);
   CHECK(find_value("tolerance")->set(model, "0.6%").ok());
   CHECK(model.draft.tolerance.percent);
+  CHECK(find_value("clip.normal")->set(model, "0,3,4").ok());
+  CHECK(model.view.clip.normal.z == doctest::Approx(0.8));
+  CHECK(find_value("clip.normal")->set(model, "y").ok());
+  CHECK(model.view.clip.normal == Vec3{0, 1, 0});
+  CHECK(!find_value("clip.normal")->set(model, "0,0,0").ok());
+  CHECK(!find_value("clip.normal")->set(model, "1,2").ok());
   CHECK(find_value("nothing") == nullptr);
 }
 

@@ -346,10 +346,10 @@ int App::run() {
     }
     take_drops();
     const auto state = m.state();
-    const bool awaited = m.messages.empty();
+    const std::size_t messages = m.messages.size();
     changed = m.update(m.scripted ? script_step : seconds);
     changed =
-        changed || state != m.state() || awaited != m.messages.empty() || (m.grid.working() && !m.scripted);
+        changed || state != m.state() || messages != m.messages.size() || (m.grid.working() && !m.scripted);
     if (changed) frames_owed_ = std::max(frames_owed_, 2);
     // A resting mouse still owes a hover and a tooltip.
     if (frames_owed_ == 0 && ImGui::IsMousePosValid() && m.clock - active_at_ < hover_seconds)

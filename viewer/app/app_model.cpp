@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::string_view gallery_prefix = "gallery:";
 constexpr std::size_t message_limit = 4;
+constexpr double note_seconds = 8; ///< after which what is no error goes away by itself
 
 /// From above right in front: depth is seen at once.
 CameraPose first_pose() {
@@ -70,12 +71,12 @@ bool AppModel::draft_differs() const {
 }
 
 void AppModel::report(const Error& error) {
-  messages.push_back({true, error.message, error.remedy});
+  messages.push_back({true, error.message, error.remedy, clock});
   while (messages.size() > message_limit) messages.pop_front();
 }
 
 void AppModel::tell(std::string text) {
-  messages.push_back({false, std::move(text), ""});
+  messages.push_back({false, std::move(text), "", clock});
   while (messages.size() > message_limit) messages.pop_front();
 }
 
@@ -159,6 +160,10 @@ bool AppModel::update(double seconds) {
   transport.update(std::min(seconds, 0.1), live_step(), growing);
   changed |= transport.step() != step_before;
   request_state();
+  if (!scripted)
+    changed |= std::erase_if(messages, [&](const Message& m) {
+                 return !m.error && clock - m.since > note_seconds;
+               }) > 0;
 
   const auto newest = playhead.result();
   if (newest != result_ && (!newest || newest->request.generation == run.generation)) {

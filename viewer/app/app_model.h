@@ -27,6 +27,7 @@ enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about }
 struct Message {
   bool error = false;
   std::string text, remedy;
+  double since = 0; ///< on the model's clock
 };
 
 /// A picture asked for; taken after the next frame at full quality.

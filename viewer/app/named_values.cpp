@@ -106,6 +106,25 @@ void add_parameters(Table& t) {
       t, "condition-4", "topology", [](auto& m) -> auto& { return m.draft.condition_4; });
 }
 
+Status set_normal(AppModel& m, const std::string& text) {
+  Vec3 normal;
+  if (text.size() == 1 && text[0] >= 'x' && text[0] <= 'z') {
+    normal[text[0] - 'x'] = 1;
+  } else {
+    std::istringstream parts(text);
+    std::string part;
+    int count = 0;
+    for (; std::getline(parts, part, ','); ++count) {
+      const auto number = parse_number(part);
+      if (!number || count > 2) return wrong(text, "x, y, z or three numbers");
+      normal[count] = *number;
+    }
+    if (count != 3 || squared_length(normal) == 0) return wrong(text, "x, y, z or three numbers");
+  }
+  m.view.clip.normal = normalized(normal);
+  return {};
+}
+
 void add_view(Table& t) {
   for (const LayerName& layer : layer_names()) {
     const auto member = layer.member;
@@ -160,10 +179,13 @@ void add_view(Table& t) {
     add_number(
         t, "clip." + name, "a point of the clip",
         [i](auto& m) -> decltype(auto) { return m.view.clip.point[i]; }, -1e12, 1e12);
-    add_number(
-        t, "clip.normal." + name, "the clip's normal",
-        [i](auto& m) -> decltype(auto) { return m.view.clip.normal[i]; }, -1, 1);
   }
+  t.push_back({"clip.normal", "the clip's normal: x, y, z, or three numbers as 1,0.5,0",
+               [](const AppModel& m) {
+                 const Vec3 n = m.view.clip.normal;
+                 return text_of(n.x) + "," + text_of(n.y) + "," + text_of(n.z);
+               },
+               set_normal});
   add_choice(
       t, "mode", "what the view shows", {"scene", "section", "split"},
       [](auto& m) -> auto& { return m.view.mode; });

@@ -290,14 +290,14 @@ void TimelinePane::plots(Ui& ui) {
     if (last > first && largest >= smallest) {
       const float reach = std::max(largest - smallest, 1e-6f);
       const auto y_of = [&](float v) { return bottom - (shown(v) - smallest) / reach * (bottom - top); };
-      const int columns = std::max(2, static_cast<int>(size.x / 2));
+      // Two values a pixel pair where steps are dense, each step once where they are not.
+      const double columns = std::min(static_cast<double>(size.x / 2), range_.end - range_.begin);
+      const double stride = std::max(1.0, (range_.end - range_.begin) / std::max(columns, 1.0));
       std::vector<ImVec2> line;
-      for (int c = 0; c < columns; ++c) {
-        const double from = range_.begin + (range_.end - range_.begin) * c / columns,
-                     to = range_.begin + (range_.end - range_.begin) * (c + 1) / columns;
-        const auto k0 = static_cast<std::size_t>(from),
-                   k1 = std::min(last, std::max(static_cast<std::size_t>(to), k0 + 1));
-        for (std::size_t k = k0; k < k1; k += std::max<std::size_t>(1, (k1 - k0) / 2))
+      for (double from = static_cast<double>(first); from < static_cast<double>(last); from += stride) {
+        const auto k0 = static_cast<std::size_t>(from);
+        const std::size_t k1 = std::min(last, static_cast<std::size_t>(from + stride));
+        for (std::size_t k = k0; k < std::max(k1, k0 + 1); k += std::max<std::size_t>(1, (k1 - k0) / 2))
           if (std::isfinite(values[k]))
             line.push_back({to_x(static_cast<double>(k + 1), low, size), y_of(values[k])});
       }
