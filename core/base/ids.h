@@ -24,6 +24,7 @@ using VertexId = Id<struct VertexTag>;     ///< vertex of T; never reused within
 using TetId = Id<struct TetTag>;           ///< slot of a tetrahedron of T; reused after its tetrahedron died
 using SampleId = Id<struct SampleTag>;     ///< index into S
 using TriangleId = Id<struct TriangleTag>; ///< index into the input's triangles
+using FacetId = Id<struct FacetTag>;       ///< slot of a facet of Z that has left T; reused after it died
 
 /// Number of operations applied so far: the state at step k is what the first k operations made.
 using Step = std::uint32_t;

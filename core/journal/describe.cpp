@@ -117,6 +117,65 @@ std::string describe_exhausted(const Event& e, double delta) {
   return what + "; " + std::string(why_exhausted(e.reason));
 }
 
+/// Why an edge was not collapsed, with the number that decided.
+std::string describe_rejection(const Event& e, double delta) {
+  const std::string reached = "d = " + in_delta(e.value, delta) + " (limit " + in_delta(e.limit, delta) + ")";
+  switch (e.reason) {
+  case Reason::link_condition:
+    return "the link condition fails in T";
+  case Reason::zero_link_condition:
+    return "the link condition fails in Z";
+  case Reason::kernel_empty:
+    return "its kernel is empty: no point sees the whole one-ring";
+  case Reason::no_candidate:
+    return "no candidate point lies in its kernel";
+  case Reason::misclassified:
+    return "a sample would change class, ε = " + number(e.value, 2) + " (limit " + number(e.limit, 2) + ")";
+  case Reason::outside_tolerance:
+    return "Z would leave Ω, " + reached;
+  case Reason::unproven:
+    return "a facet could be proven neither inside nor outside of Ω";
+  case Reason::normals:
+    return "a normal would turn from the samples around it (condition 3)";
+  case Reason::witness_side:
+    return "the deepest point of a region would change side";
+  case Reason::intersection:
+    return "Z would intersect itself";
+  case Reason::folded:
+    return "a facet would turn over";
+  case Reason::stays_above:
+    return "the repair was rolled back, a facet stays at " + reached;
+  default:
+    return "a limit of work was reached";
+  }
+}
+
+/// How the target of a collapse was found.
+std::string_view target_found(Reason reason) {
+  switch (reason) {
+  case Reason::halfedge:
+    return "one of its ends";
+  case Reason::sample_candidate:
+    return "a sample of S in its kernel";
+  case Reason::quadric_optimum:
+    return "the least error in its kernel";
+  case Reason::lazy_constraints:
+    return "the least error under learnt half-spaces";
+  case Reason::kernel_sampling:
+    return "a point drawn in its kernel";
+  case Reason::octree_search:
+    return "a point of the octree over its kernel";
+  case Reason::minimax_placement:
+    return "the least largest distance";
+  default:
+    return "a point";
+  }
+}
+
+std::string edge_words(const Event& e) {
+  return "edge " + std::to_string(e.vertex.value) + "–" + std::to_string(e.other.value);
+}
+
 } // namespace
 
 std::string describe(const Journal& journal, const Event& e) {
@@ -152,6 +211,27 @@ std::string describe(const Journal& journal, const Event& e) {
     return note.empty() ? "warning" : note;
   case EventKind::stopped:
     sentence = "stopped";
+    break;
+  case EventKind::collapse:
+    sentence = edge_words(e) + " collapses to " + std::string(target_found(e.reason));
+    break;
+  case EventKind::rejection:
+    sentence = edge_words(e) + " stays: " + describe_rejection(e, criteria.delta);
+    break;
+  case EventKind::tessellation:
+    sentence = "mutual tessellation: " + std::to_string(e.count) + " vertices of Z go into T";
+    break;
+  case EventKind::departure:
+    sentence = "Z leaves T: from here on its own facets are kept inside Ω";
+    break;
+  case EventKind::relaxation:
+    sentence = std::to_string(e.count) +
+               " vertices relocated in a sweep over Z, largest d = " + in_delta(e.value, criteria.delta);
+    break;
+  case EventKind::repair:
+    sentence = edge_words(e) + " collapses, repaired in " +
+               std::to_string(e.detail < journal.repairs().size() ? journal.repairs()[e.detail].size() : 0) +
+               " sweeps, largest d = " + in_delta(e.value, criteria.delta);
     break;
   }
   if (!note.empty()) sentence += ": " + note;

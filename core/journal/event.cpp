@@ -16,15 +16,16 @@ std::string_view name_of(const std::array<std::string_view, n>& names, Enum valu
 } // namespace
 
 std::string_view name(Stage stage) {
-  static constexpr std::array<std::string_view, 7> names{"setup",    "refinement", "gamma",  "tessellation",
-                                                         "zero-set", "all",        "improve"};
+  static constexpr std::array<std::string_view, stage_count> names{
+      "setup", "refinement", "gamma", "tessellation", "zero-set", "all", "improve"};
   return name_of(names, stage);
 }
 
 std::string_view name(EventKind kind) {
-  static constexpr std::array<std::string_view, 9> names{"stage-begin",      "stage-end", "insertion",
-                                                         "relabel",          "exhausted", "topology-check",
-                                                         "parameter-change", "warning",   "stopped"};
+  static constexpr std::array<std::string_view, event_kind_count> names{
+      "stage-begin",    "stage-end",        "insertion", "relabel",    "exhausted",
+      "topology-check", "parameter-change", "warning",   "stopped",    "collapse",
+      "rejection",      "tessellation",     "departure", "relaxation", "repair"};
   return name_of(names, kind);
 }
 
@@ -49,7 +50,26 @@ std::string_view name(Reason reason) {
                                                                     "already-vertex",
                                                                     "too-close",
                                                                     "budget",
-                                                                    "user"};
+                                                                    "user",
+                                                                    "halfedge",
+                                                                    "sample-candidate",
+                                                                    "quadric-optimum",
+                                                                    "lazy-constraints",
+                                                                    "kernel-sampling",
+                                                                    "octree-search",
+                                                                    "minimax-placement",
+                                                                    "link-condition",
+                                                                    "zero-link-condition",
+                                                                    "kernel-empty",
+                                                                    "no-candidate",
+                                                                    "misclassified",
+                                                                    "outside-tolerance",
+                                                                    "unproven",
+                                                                    "normals",
+                                                                    "witness-side",
+                                                                    "intersection",
+                                                                    "folded",
+                                                                    "stays-above"};
   return name_of(names, reason);
 }
 

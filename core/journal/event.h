@@ -6,11 +6,21 @@
 
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace isoscope {
 
 /// The stages of a run, in the paper's order.
-enum class Stage : std::uint8_t { setup, refinement, gamma, tessellation, zero_set, all, improve };
+enum class Stage : std::uint8_t {
+  setup,
+  refinement,
+  gamma,        ///< collapses of edges of ∂Γ (§2.4.1)
+  tessellation, ///< Z into T (§2.4.2)
+  zero_set,     ///< collapses of edges of Z (§2.4.3)
+  all,          ///< collapses of edges between Z and Γ, and of Z again (§2.4.4)
+  improve       ///< minimax placement, flips, collapses with repair (algorithm notes §6)
+};
+constexpr int stage_count = 7;
 
 /// What kind of decision.
 enum class EventKind : std::uint8_t {
@@ -22,8 +32,15 @@ enum class EventKind : std::uint8_t {
   topology_check,   ///< components and χ of Z against the expected ones
   parameter_change, ///< α, σ, shrink or conditions changed; an operation when S was replaced
   warning,          ///< something the user should know; see Journal::text
-  stopped           ///< the run ended before its goal: cancelled or a limit; see Journal::text
+  stopped,          ///< the run ended before its goal: cancelled or a limit; see Journal::text
+  collapse,         ///< an edge was collapsed (an operation)
+  rejection,        ///< an edge could not be collapsed: `reason` is the first check that failed
+  tessellation,     ///< Z went into T (an operation)
+  departure,        ///< Z left T: its facets are free from here on (an operation)
+  relaxation,       ///< a sweep of relocations and flips over Z (an operation)
+  repair            ///< an edge was collapsed and its neighbourhood repaired (an operation)
 };
+constexpr int event_kind_count = 15;
 
 /// Which criterion asked for it (§2.3).
 enum class Condition : std::uint8_t {
@@ -53,12 +70,40 @@ enum class Reason : std::uint8_t {
   already_vertex,      ///< exhausted: the candidate is a vertex of T
   too_close,           ///< exhausted: the candidate is nearer to a vertex than the spacing bound
   budget,              ///< a limit of work was reached
-  user                 ///< asked for by the user
+  user,                ///< asked for by the user
+  // How the target of a collapse was found (§2.4).
+  halfedge,          ///< one of the edge's ends
+  sample_candidate,  ///< a sample of S inside the kernel (Figure 8)
+  quadric_optimum,   ///< the least error inside the kernel
+  lazy_constraints,  ///< the least error under half-spaces learnt from facets that left Ω
+  kernel_sampling,   ///< a point drawn inside the kernel
+  octree_search,     ///< the octree over the kernel, pruned by Ψ (Figures 9 and 12)
+  minimax_placement, ///< the least largest distance (algorithm notes §6)
+  // Why an edge was not collapsed.
+  link_condition,      ///< Lk(a) ∩ Lk(b) ≠ Lk(ab) in T
+  zero_link_condition, ///< the same in Z
+  kernel_empty,        ///< no point sees the whole one-ring
+  no_candidate,        ///< no candidate point lies in the kernel
+  misclassified,       ///< a sample would change class (sampled mode)
+  outside_tolerance,   ///< a facet of Z would leave Ω
+  unproven,            ///< a facet could be proven neither inside nor outside
+  normals,             ///< a facet or tetrahedron would violate condition 3 that did not before
+  witness_side,        ///< the deepest point of a region would change side
+  intersection,        ///< Z would intersect itself (without T)
+  folded,              ///< a facet would turn over (without T)
+  stays_above          ///< the repair did not bring every facet below δ
 };
-constexpr int reason_count = 15;
+constexpr int reason_count = 34;
+
+/// The first and the last reason for a collapse that was not made.
+constexpr Reason first_rejection = Reason::link_condition;
+constexpr Reason last_rejection = Reason::stays_above;
 
 /// A fixed-size record; numbers mean what `condition` says (ε against 1 − α, height against 2σ/α, d against δ
-/// ...).
+/// ...). For collapses: `vertex` stays, `other` goes, `point` is the target, `value` the error of the order
+/// (squared length), `count` the candidates that were judged. For rejections: `value` against `limit` as
+/// `reason` says, at `witness`. For relaxations and repairs: `value` is the largest d over the facets they
+/// touched, `limit` δ, `count` the vertices moved.
 struct Event {
   EventKind kind = EventKind::warning;
   Stage stage = Stage::refinement;
@@ -69,15 +114,28 @@ struct Event {
   bool operation = false; ///< has a delta
   TetId tet;              ///< the violating tetrahedron, alive at `step`
   SampleId sample;        ///< the violating sample (condition 1) or the inserted one
-  VertexId vertex;        ///< the vertex it made
+  VertexId vertex;        ///< the vertex it made, or the end of an edge that stays
+  VertexId other;         ///< the other end of the edge
   Vec3 point;             ///< where it was inserted
   Vec3 witness;           ///< the point at which the violation was measured
   double value = 0;       ///< measured
   double limit = 0;       ///< what it had to keep; for topology checks: value = χ found, limit = χ expected
-  std::uint32_t count = 0; ///< topology_check: components of Z found; exhausted: how many so far
-  std::uint32_t text = 0;  ///< index into Journal::text, 0 none
+  std::uint32_t count = 0;  ///< topology_check: components of Z found; exhausted: how many so far
+  std::uint32_t text = 0;   ///< index into Journal::text, 0 none
+  std::uint32_t detail = 0; ///< index into Journal::repairs, 0 none
   friend bool operator==(const Event&, const Event&) = default;
 };
+
+/// One sweep of a collapse with repair: the inner level of a transaction.
+struct RepairSweep {
+  double largest_distance = 0;    ///< over the facets of the neighbourhood, absolute
+  double energy = 0;              ///< their summed energy
+  std::uint32_t moved = 0;        ///< vertices relocated
+  std::uint32_t flipped = 0;      ///< edges flipped
+  std::uint32_t points_added = 0; ///< points at which the certificate failed, asked for from then on
+  friend bool operator==(const RepairSweep&, const RepairSweep&) = default;
+};
+using RepairDetail = std::vector<RepairSweep>;
 
 std::string_view name(Stage);
 std::string_view name(EventKind);

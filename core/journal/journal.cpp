@@ -9,6 +9,7 @@ namespace isoscope {
 
 Journal::Journal() {
   texts_.push_back({});
+  repairs_.push_back({});
 }
 
 CriteriaParameters Journal::parameters_at(Step step) const {
@@ -23,6 +24,12 @@ std::uint32_t Journal::add_text(std::string text) {
   bytes_.fetch_add(sizeof(std::string) + text.size(), std::memory_order_relaxed);
   texts_.push_back(std::move(text));
   return static_cast<std::uint32_t>(texts_.size() - 1);
+}
+
+std::uint32_t Journal::add_repair(RepairDetail sweeps) {
+  bytes_.fetch_add(sizeof(RepairDetail) + sweeps.capacity() * sizeof(RepairSweep), std::memory_order_relaxed);
+  repairs_.push_back(std::move(sweeps));
+  return static_cast<std::uint32_t>(repairs_.size() - 1);
 }
 
 std::uint16_t Journal::add_sample_set(std::shared_ptr<const BoundarySamples> samples) {
@@ -84,16 +91,23 @@ class Digest {
     add(e.tet);
     add(e.sample);
     add(e.vertex);
+    add(e.other);
     add(e.point);
     add(e.witness);
     add(e.value);
     add(e.limit);
     add(e.count);
     add(e.text);
+    add(e.detail);
   }
   void add(const TetRecord& t) {
     add(t.id);
     for (const VertexId v : t.v) add(v);
+    add(t.side);
+  }
+  void add(const FacetRecord& f) {
+    add(f.id);
+    for (const VertexId v : f.v) add(v);
   }
   void add(const Delta& d) {
     for (const Vertex& v : d.added_vertices) {
@@ -116,9 +130,20 @@ class Digest {
     }
     for (const TetRecord& t : d.removed) add(t);
     for (const TetRecord& t : d.added) add(t);
+    for (const auto& s : d.sides) {
+      add(s.tet);
+      add(s.before);
+      add(s.after);
+    }
+    for (const FacetRecord& f : d.removed_facets) add(f);
+    for (const FacetRecord& f : d.added_facets) add(f);
     if (d.sample_set) {
       add(d.sample_set->before);
       add(d.sample_set->after);
+    }
+    if (d.form) {
+      add(d.form->before);
+      add(d.form->after);
     }
   }
   std::uint64_t value() const { return hash_; }
@@ -136,6 +161,15 @@ std::uint64_t digest(const Journal& journal) {
   for (std::size_t i = 0, n = journal.events().size(); i < n; ++i) d.add(journal.events()[i]);
   for (std::size_t i = 0; i < operations; ++i) d.add(*journal.operations()[i].delta);
   for (std::size_t i = 0, n = journal.texts().size(); i < n; ++i) d.add(std::string_view(journal.texts()[i]));
+  for (std::size_t i = 0, n = journal.repairs().size(); i < n; ++i) {
+    for (const RepairSweep& s : journal.repairs()[i]) {
+      d.add(s.largest_distance);
+      d.add(s.energy);
+      d.add(s.moved);
+      d.add(s.flipped);
+      d.add(s.points_added);
+    }
+  }
   for (std::size_t i = 0, n = journal.sample_sets().size(); i < n; ++i) {
     const auto& set = journal.sample_sets()[i];
     if (!set) continue;

@@ -61,6 +61,8 @@ class Journal {
   CriteriaParameters parameters_at(Step step) const;
   /// Text 0 is empty.
   const AppendOnly<std::string>& texts() const { return texts_; }
+  /// The sweeps of repairs, committed or rolled back; entry 0 is empty.
+  const AppendOnly<RepairDetail>& repairs() const { return repairs_; }
   Step steps() const { return static_cast<Step>(operations_.size()); }
   std::size_t memory_bytes() const { return bytes_.load(std::memory_order_relaxed); }
 
@@ -68,6 +70,7 @@ class Journal {
 
   // Writer's side: one thread only.
   std::uint32_t add_text(std::string text);
+  std::uint32_t add_repair(RepairDetail sweeps);
   std::uint16_t add_sample_set(std::shared_ptr<const BoundarySamples> samples);
   void add_parameters(const CriteriaParameters& criteria);
   /// Sets event.step; returns the event's index.
@@ -80,6 +83,7 @@ class Journal {
   AppendOnly<std::shared_ptr<const BoundarySamples>> sample_sets_;
   AppendOnly<ParameterRecord> parameters_;
   AppendOnly<std::string> texts_;
+  AppendOnly<RepairDetail> repairs_;
   std::atomic<std::size_t> bytes_{0};
 };
 

@@ -85,22 +85,36 @@ void exchange(std::vector<Tet>& tets, const std::vector<TetRecord>& out, const s
   for (const TetRecord& r : in) {
     assert(!tets[r.id.index()].alive());
     tets[r.id.index()].v = r.v;
+    tets[r.id.index()].side = r.side;
     for (int i = 0; i < 4; ++i) sides.push_back(facet_side(r.v, r.id, i));
   }
   if (connect(tets, sides) > 0 && !in.empty()) connect_hull(tets);
+}
+
+/// Replaces facets of a free Z; their slots need no neighbours.
+void exchange_facets(std::vector<Facet>& facets, const std::vector<FacetRecord>& out,
+                     const std::vector<FacetRecord>& in) {
+  for (const FacetRecord& r : out) facets[r.id.index()] = {};
+  for (const FacetRecord& r : in) {
+    if (r.id.index() >= facets.size()) facets.resize(r.id.index() + 1);
+    facets[r.id.index()].v = r.v;
+  }
 }
 
 } // namespace
 
 bool Delta::empty() const {
   return added_vertices.empty() && killed_vertices.empty() && values.empty() && moves.empty() &&
-         removed.empty() && added.empty() && !sample_set;
+         removed.empty() && added.empty() && sides.empty() && removed_facets.empty() &&
+         added_facets.empty() && !sample_set && !form;
 }
 
 std::size_t Delta::memory_bytes() const {
   return sizeof(Delta) + added_vertices.capacity() * sizeof(Vertex) +
          killed_vertices.capacity() * sizeof(VertexId) + values.capacity() * sizeof(ValueChange) +
-         moves.capacity() * sizeof(Move) + (removed.capacity() + added.capacity()) * sizeof(TetRecord);
+         moves.capacity() * sizeof(Move) + (removed.capacity() + added.capacity()) * sizeof(TetRecord) +
+         sides.capacity() * sizeof(SideChange) +
+         (removed_facets.capacity() + added_facets.capacity()) * sizeof(FacetRecord);
 }
 
 std::array<Vec3, 4> Complex::positions(TetId t) const {
@@ -122,13 +136,20 @@ bool Complex::heterogeneous(TetId t) const {
   return negative && positive;
 }
 
+bool Complex::in_gamma(TetId t) const {
+  if (heterogeneous(t)) return true;
+  const std::array<double, 4> f = values(t);
+  return std::any_of(f.begin(), f.end(), [](double value) { return value == 0; });
+}
+
 std::size_t Complex::alive_tets() const {
   return static_cast<std::size_t>(
       std::count_if(tets.begin(), tets.end(), [](const Tet& t) { return t.alive(); }));
 }
 
 std::size_t Complex::memory_bytes() const {
-  return sizeof(Complex) + vertices.capacity() * sizeof(Vertex) + tets.capacity() * sizeof(Tet);
+  return sizeof(Complex) + vertices.capacity() * sizeof(Vertex) + tets.capacity() * sizeof(Tet) +
+         facets.capacity() * sizeof(Facet);
 }
 
 void Complex::apply(const Delta& delta) {
@@ -136,6 +157,9 @@ void Complex::apply(const Delta& delta) {
   for (const VertexId v : delta.killed_vertices) vertices[v.index()].alive = false;
   for (const auto& c : delta.values) vertices[c.vertex.index()].value = c.after;
   for (const auto& m : delta.moves) vertices[m.vertex.index()].position = m.after;
+  for (const auto& s : delta.sides) tets[s.tet.index()].side = s.after;
+  if (delta.form) form = delta.form->after;
+  exchange_facets(facets, delta.removed_facets, delta.added_facets);
   if (delta.removed.empty() && delta.added.empty()) return;
   assert(delta.slots_before == tets.size());
   std::size_t slots = tets.size();
@@ -149,6 +173,12 @@ void Complex::undo(const Delta& delta) {
     exchange(tets, delta.added, delta.removed);
     tets.resize(delta.slots_before);
   }
+  if (!delta.removed_facets.empty() || !delta.added_facets.empty()) {
+    exchange_facets(facets, delta.added_facets, delta.removed_facets);
+    facets.resize(delta.facet_slots_before);
+  }
+  if (delta.form) form = delta.form->before;
+  for (const auto& s : delta.sides) tets[s.tet.index()].side = s.before;
   for (auto m = delta.moves.rbegin(); m != delta.moves.rend(); ++m) {
     vertices[m->vertex.index()].position = m->before;
   }

@@ -1,5 +1,5 @@
-// The triangulation T as plain arrays: vertices with F, tetrahedra with neighbours, and the reversible delta
-// of an operation.
+// The triangulation T as plain arrays: vertices with F, tetrahedra with neighbours and sides, Z once it has
+// left T, and the reversible delta of an operation.
 #pragma once
 
 #include "base/geometry.h"
@@ -38,11 +38,20 @@ struct Vertex {
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> outward_facets{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-/// A tetrahedron: positively oriented, vertex ids ascending but for the last two (swapped where orientation
-/// asks for it), neighbour i opposite vertex i, invalid on the hull. A dead slot has invalid vertices.
+/// How Z is held by the state.
+enum class ZeroForm : std::uint8_t {
+  interpolated, ///< the zeros of f inside tetrahedra (§2.3)
+  embedded,     ///< facets of T between tetrahedra of different sides (§2.4.2)
+  free          ///< facets of their own: T is gone (the last stage, on Z alone)
+};
+
+/// A tetrahedron: positively oriented, neighbour i opposite vertex i, invalid on the hull. During refinement
+/// the vertex ids ascend but for the last two (swapped where orientation asks for it). A dead slot has
+/// invalid vertices.
 struct Tet {
   std::array<VertexId, 4> v;
   std::array<TetId, 4> neighbor;
+  std::int8_t side = 0; ///< the label ±1 of its side once Z is embedded (§2.4.2), 0 before
   bool alive() const { return v[0].valid(); }
   /// The facet opposite vertex i, counter-clockwise seen from outside.
   std::array<VertexId, 3> facet(std::size_t i) const {
@@ -52,10 +61,26 @@ struct Tet {
   friend bool operator==(const Tet&, const Tet&) = default;
 };
 
-/// A tetrahedron of a delta: its slot and vertices.
+/// A facet of Z that has left T, counter-clockwise seen from the positive side. A dead slot has invalid
+/// vertices.
+struct Facet {
+  std::array<VertexId, 3> v;
+  bool alive() const { return v[0].valid(); }
+  friend bool operator==(const Facet&, const Facet&) = default;
+};
+
+/// A facet of a delta: its slot and vertices.
+struct FacetRecord {
+  FacetId id;
+  std::array<VertexId, 3> v;
+  friend bool operator==(const FacetRecord&, const FacetRecord&) = default;
+};
+
+/// A tetrahedron of a delta: its slot, vertices and side.
 struct TetRecord {
   TetId id;
   std::array<VertexId, 4> v;
+  std::int8_t side = 0;
   friend bool operator==(const TetRecord&, const TetRecord&) = default;
 };
 
@@ -66,12 +91,21 @@ struct Delta {
     VertexId vertex;
     double before = 0, after = 0;
   };
+  /// All tetrahedra at a vertex that moves are among `removed` and `added`, so that whoever follows a delta
+  /// learns from them what changed.
   struct Move {
     VertexId vertex;
     Vec3 before, after;
   };
   struct SampleSetChange {
     std::uint16_t before = 0, after = 0;
+  };
+  struct SideChange {
+    TetId tet;
+    std::int8_t before = 0, after = 0;
+  };
+  struct FormChange {
+    ZeroForm before = ZeroForm::interpolated, after = ZeroForm::interpolated;
   };
   std::vector<Vertex> added_vertices;    ///< appended: their ids follow the last vertex
   std::vector<VertexId> killed_vertices; ///< alive -> dead (collapses)
@@ -81,16 +115,22 @@ struct Delta {
   /// Length of the slot array before a delta with `removed` or `added`: what undo restores. Slots added
   /// beyond it are new.
   std::uint32_t slots_before = 0;
+  std::vector<SideChange> sides; ///< of tetrahedra that are neither removed nor added
+  std::vector<FacetRecord> removed_facets, added_facets;
+  std::uint32_t facet_slots_before = 0; ///< the same for facets
   std::optional<SampleSetChange> sample_set;
+  std::optional<FormChange> form;
 
   bool empty() const;
   std::size_t memory_bytes() const;
 };
 
-/// T at one step. Equality is bitwise: replay and undo(apply) are tested with it.
+/// T and Z at one step. Equality is bitwise: replay and undo(apply) are tested with it.
 struct Complex {
   std::vector<Vertex> vertices;
-  std::vector<Tet> tets; ///< slots; dead ones are on no list, the free list is the refiner's business
+  std::vector<Tet> tets;     ///< slots; dead ones are on no list, the free list is the refiner's business
+  std::vector<Facet> facets; ///< slots of Z once it is free
+  ZeroForm form = ZeroForm::interpolated;
 
   const Vec3& position(VertexId v) const { return vertices[v.index()].position; }
   double value(VertexId v) const { return vertices[v.index()].value; }
@@ -99,6 +139,8 @@ struct Complex {
   std::array<double, 4> values(TetId t) const;
   /// Whether t carries Z: it has vertices of both signs (F = 0 counts as neither).
   bool heterogeneous(TetId t) const;
+  /// Whether t is part of Γ: it carries Z, or has a vertex on it.
+  bool in_gamma(TetId t) const;
   std::size_t alive_tets() const;
   std::size_t memory_bytes() const;
 

@@ -17,6 +17,13 @@ constexpr double sample_error(double f, double label) {
 constexpr bool is_bad(double error) {
   return error >= 1.0;
 }
+/// The same once Z is embedded (§2.4.2): what counts is the side of the tetrahedron that holds the sample. On
+/// its own side f may vanish on a whole tetrahedron between zero vertices; that leaves the sample good.
+constexpr double embedded_sample_error(double f, double label, int side) {
+  const double error = sample_error(f, label);
+  if (side * label > 0) return error < 1.0 ? error : 1.0 - 0x1p-20;
+  return error > 1.0 ? error : 1.0;
+}
 
 /// Per-tetrahedron sample lists over a fixed sample array. A sample on a shared face belongs to the
 /// tetrahedron that holds s + t·e for a fixed generic direction e and all small t > 0 (exact predicates

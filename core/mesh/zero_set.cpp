@@ -105,25 +105,7 @@ void find_components(ZeroSet& z) {
   }
 }
 
-} // namespace
-
-long ZeroSet::euler_characteristic() const {
-  long sum = 0;
-  for (const Component& c : components) sum += c.euler_characteristic();
-  return sum;
-}
-
-ZeroPolygon zero_polygon(const std::array<Vec3, 4>& p, const std::array<double, 4>& f) {
-  ZeroPolygon polygon;
-  polygon.count = polygon_edges(f, polygon.edge);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
-    const auto [n, q] = polygon.edge[i];
-    polygon.corner[i] = zero_point(p[n], f[n], p[q], f[q]);
-  }
-  return polygon;
-}
-
-ZeroSet extract_zero_set(const Complex& complex) {
+ZeroSet interpolated_zero_set(const Complex& complex) {
   ZeroSet z;
   std::vector<std::uint64_t> keys;
   std::vector<std::array<std::uint64_t, 4>> corner_keys;
@@ -134,7 +116,7 @@ ZeroSet extract_zero_set(const Complex& complex) {
     const int count = polygon_edges(complex.values(t), edge);
     if (count == 0) continue;
     const auto& v = complex.tet(t).v;
-    ZeroSet::Polygon polygon{t, {}, static_cast<std::uint8_t>(count), 0};
+    ZeroSet::Polygon polygon{t, {}, static_cast<std::uint8_t>(count), 0, {}};
     auto& corners = corner_keys.emplace_back();
     for (std::size_t k = 0; k < polygon.count; ++k) {
       corners[k] = pack(v[edge[k][0]].value, v[edge[k][1]].value);
@@ -158,6 +140,83 @@ ZeroSet extract_zero_set(const Complex& complex) {
   }
   find_components(z);
   return z;
+}
+
+/// Z from facets whose corners are vertices of the state; `polygons` come with ids of those in `v`.
+ZeroSet number_vertices(const Complex& complex, std::vector<ZeroSet::Polygon> polygons) {
+  ZeroSet z;
+  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint32_t> number(complex.vertices.size(), none);
+  for (const auto& p : polygons) {
+    for (std::size_t k = 0; k < p.count; ++k) number[p.v[k]] = 0;
+  }
+  for (std::uint32_t v = 0; v < number.size(); ++v) {
+    if (number[v] == none) continue;
+    number[v] = static_cast<std::uint32_t>(z.vertices.size());
+    z.vertices.push_back({complex.vertices[v].position, VertexId(v), VertexId(v)});
+  }
+  for (auto& p : polygons) {
+    for (std::size_t k = 0; k < p.count; ++k) p.v[k] = number[p.v[k]];
+  }
+  z.polygons = std::move(polygons);
+  find_components(z);
+  return z;
+}
+
+ZeroSet embedded_zero_set(const Complex& complex) {
+  std::vector<ZeroSet::Polygon> polygons;
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    const Tet& tet = complex.tets[i];
+    if (!tet.alive() || tet.side <= 0) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const TetId n = tet.neighbor[k];
+      if (!n.valid() || complex.tet(n).side >= 0) continue;
+      // Outward of the positive tetrahedron is the negative side: turned round.
+      const auto [a, b, c] = tet.facet(k);
+      polygons.push_back({TetId(i), {a.value, c.value, b.value, 0}, 3, 0, {}});
+    }
+  }
+  return number_vertices(complex, std::move(polygons));
+}
+
+ZeroSet free_zero_set(const Complex& complex) {
+  std::vector<ZeroSet::Polygon> polygons;
+  for (std::size_t i = 0; i < complex.facets.size(); ++i) {
+    if (!complex.facets[i].alive()) continue;
+    const auto& [a, b, c] = complex.facets[i].v;
+    polygons.push_back({TetId(), {a.value, b.value, c.value, 0}, 3, 0, FacetId(i)});
+  }
+  return number_vertices(complex, std::move(polygons));
+}
+
+} // namespace
+
+long ZeroSet::euler_characteristic() const {
+  long sum = 0;
+  for (const Component& c : components) sum += c.euler_characteristic();
+  return sum;
+}
+
+ZeroPolygon zero_polygon(const std::array<Vec3, 4>& p, const std::array<double, 4>& f) {
+  ZeroPolygon polygon;
+  polygon.count = polygon_edges(f, polygon.edge);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
+    const auto [n, q] = polygon.edge[i];
+    polygon.corner[i] = zero_point(p[n], f[n], p[q], f[q]);
+  }
+  return polygon;
+}
+
+ZeroSet extract_zero_set(const Complex& complex) {
+  switch (complex.form) {
+  case ZeroForm::interpolated:
+    return interpolated_zero_set(complex);
+  case ZeroForm::embedded:
+    return embedded_zero_set(complex);
+  case ZeroForm::free:
+    break;
+  }
+  return free_zero_set(complex);
 }
 
 TriangleMesh triangulate(const ZeroSet& zero_set) {
@@ -188,10 +247,10 @@ std::vector<GammaFacet> gamma_boundary(const Complex& complex) {
   for (std::size_t i = 0; i < complex.tets.size(); ++i) {
     const TetId t(i);
     const Tet& tet = complex.tet(t);
-    if (!tet.alive() || !complex.heterogeneous(t)) continue;
+    if (!tet.alive() || !complex.in_gamma(t)) continue;
     for (std::size_t k = 0; k < 4; ++k) {
       const TetId n = tet.neighbor[k];
-      if (n.valid() && complex.heterogeneous(n)) continue;
+      if (n.valid() && complex.in_gamma(n)) continue;
       facets.push_back({t, tet.facet(k)});
     }
   }

@@ -11,17 +11,19 @@
 
 namespace isoscope {
 
-/// The zero set of f: one triangle or quad per tetrahedron that carries it.
+/// The zero set of f: one triangle or quad per tetrahedron that carries it, or the facets that form it once
+/// it is embedded or free.
 struct ZeroSet {
   struct ZeroVertex {
     Vec3 position;
-    VertexId negative, positive; ///< the ends of the edge of T it lies on
+    VertexId negative, positive; ///< the ends of the edge of T it lies on; both the vertex itself where F = 0
   };
   struct Polygon {
-    TetId tet;
+    TetId tet; ///< that carries it; embedded: the one on its positive side; free: invalid
     std::array<std::uint32_t, 4> v; ///< counter-clockwise seen from the positive side
     std::uint8_t count = 3;         ///< 3 or 4
     std::uint32_t component = 0;
+    FacetId facet; ///< its slot when Z is free, else invalid
   };
   struct Component {
     std::size_t vertices = 0, edges = 0, polygons = 0;
@@ -31,7 +33,7 @@ struct ZeroSet {
     long genus() const { return (2 - euler_characteristic()) / 2; }
   };
   std::vector<ZeroVertex> vertices;
-  std::vector<Polygon> polygons;     ///< ascending by tetrahedron slot
+  std::vector<Polygon> polygons;     ///< ascending by tetrahedron or facet slot
   std::vector<Component> components; ///< by smallest tetrahedron slot
   long euler_characteristic() const;
 };
@@ -53,8 +55,8 @@ ZeroSet extract_zero_set(const Complex& complex);
 /// Z as an oriented triangle mesh, quads split along their shorter diagonal; outward is the positive side.
 TriangleMesh triangulate(const ZeroSet& zero_set);
 
-/// A facet of ∂Γ: between a tetrahedron that carries Z and one that does not (or the hull). `tet` carries Z;
-/// `v` is counter-clockwise seen from outside of it.
+/// A facet of ∂Γ: between a tetrahedron of Γ (Complex::in_gamma) and one that is not (or the hull). `tet` is
+/// in Γ; `v` is counter-clockwise seen from outside of it.
 struct GammaFacet {
   TetId tet;
   std::array<VertexId, 3> v;

@@ -25,8 +25,9 @@ std::optional<std::vector<std::uint32_t>> touched_slots(const Journal& journal, 
   std::vector<std::uint32_t> touched;
   for (Step k = first; k < last; ++k) {
     const Delta& delta = *journal.operations()[k].delta;
-    // Changed values and positions reach tetrahedra that the delta does not name.
-    if (!delta.values.empty() || !delta.moves.empty() || delta.sample_set) return std::nullopt;
+    // Changed values reach tetrahedra that the delta does not name.
+    if (!delta.values.empty() || delta.sample_set || delta.form) return std::nullopt;
+    for (const Delta::SideChange& side : delta.sides) touched.push_back(side.tet.value);
     for (const TetRecord& t : delta.removed) touched.push_back(t.id.value);
     for (const TetRecord& t : delta.added) touched.push_back(t.id.value);
     if (touched.size() > slots) return std::nullopt;
@@ -83,11 +84,14 @@ void judge_samples(StateSnapshot& s, const SampleSets& sets, const std::vector<s
     const TetId t(slots[i]);
     if (!s.complex.tet(t).alive()) return;
     const AffineFunction f = interpolate(s.complex.positions(t), s.complex.values(t));
+    const int side = s.complex.tet(t).side;
     sets.for_each(t, [&](SampleId id) {
-      const double error = sample_error(f(samples.positions[id.index()]), samples.labels[id.index()]);
+      const double value = f(samples.positions[id.index()]);
+      const int label = samples.labels[id.index()];
+      const double error = side == 0 ? sample_error(value, label) : embedded_sample_error(value, label, side);
       s.errors[id.index()] = static_cast<float>(error);
       s.sample_tets[id.index()] = t;
-      if (error > limit) s.tet_flags[t.index()] |= tet_violates_1;
+      if (side == 0 ? error > limit : is_bad(error)) s.tet_flags[t.index()] |= tet_violates_1;
     });
   });
 }
@@ -102,8 +106,10 @@ void judge_tets(StateSnapshot& s, const NearestSample* nearest, const std::vecto
     for (const VertexId v : s.complex.tet(t).v) {
       if (s.complex.vertices[v.index()].kind == VertexKind::box) flags |= tet_box;
     }
-    if (!s.complex.heterogeneous(t)) return;
+    if (s.complex.tet(t).side < 0) flags |= tet_negative;
+    if (!s.complex.in_gamma(t)) return;
     flags |= tet_heterogeneous;
+    if (s.complex.form != ZeroForm::interpolated) return; // heights are those of the function before
     const auto p = s.complex.positions(t);
     const auto f = s.complex.values(t);
     const double height = tetrahedron_height(p, f).value;
@@ -121,7 +127,7 @@ void count_violations(StateSnapshot& s) {
   for (std::size_t i = 0; i < s.errors.size(); ++i) {
     const float error = s.errors[i];
     if (is_bad(error)) ++s.bad_samples;
-    if (error > limit) ++s.beyond_margin;
+    if (s.complex.form == ZeroForm::interpolated && error > limit) ++s.beyond_margin;
     if (error > s.largest_error) {
       s.largest_error = error;
       s.worst_sample = SampleId(i);
@@ -130,6 +136,48 @@ void count_violations(StateSnapshot& s) {
   for (const std::uint8_t flags : s.tet_flags) {
     if (flags & tet_violates_2) ++s.violating_2;
     if (flags & tet_violates_3) ++s.violating_3;
+  }
+}
+
+/// Facets of Z among the tetrahedra of a list: between two of them of different sides, by sorted corners.
+using FacetKey = std::array<VertexId, 3>;
+
+std::vector<FacetKey> embedded_facets(const std::vector<TetRecord>& tets) {
+  std::vector<std::pair<FacetKey, int>> sides;
+  for (const TetRecord& t : tets) {
+    if (t.side == 0) continue;
+    for (const auto& local : outward_facets) {
+      FacetKey key{t.v[local[0]], t.v[local[1]], t.v[local[2]]};
+      std::sort(key.begin(), key.end());
+      sides.emplace_back(key, t.side);
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<FacetKey> facets;
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    if (sides[i].first == sides[i + 1].first && sides[i].second != sides[i + 1].second)
+      facets.push_back(sides[i].first);
+  }
+  return facets;
+}
+
+/// The facets of Z that a delta took away and put there, those in both left out.
+void describe_facets(StateSnapshot& s, const Delta& delta) {
+  const auto position_before = [&](VertexId v) {
+    for (const Delta::Move& m : delta.moves) {
+      if (m.vertex == v) return m.before;
+    }
+    return s.complex.position(v);
+  };
+  std::vector<FacetKey> before = embedded_facets(delta.removed), after = embedded_facets(delta.added);
+  for (const FacetRecord& f : delta.removed_facets) before.push_back(f.v);
+  for (const FacetRecord& f : delta.added_facets) after.push_back(f.v);
+  if (delta.form && delta.form->after == ZeroForm::free) return; // the same facets, only told apart from T
+  for (const FacetKey& f : before) {
+    s.removed_facets.push_back({position_before(f[0]), position_before(f[1]), position_before(f[2])});
+  }
+  for (const FacetKey& f : after) {
+    s.added_facets.push_back({s.complex.position(f[0]), s.complex.position(f[1]), s.complex.position(f[2])});
   }
 }
 
@@ -153,6 +201,8 @@ void describe_operation(StateSnapshot& s, const Journal& journal) {
     s.removed_tets.push_back(corners);
     if (t.id == s.event->tet) s.violated_tet = corners;
   }
+  for (const Delta::Move& m : delta.moves) s.moves.push_back({m.vertex, m.before, m.after});
+  describe_facets(s, delta);
 }
 
 } // namespace
@@ -168,7 +218,12 @@ std::shared_ptr<const StateSnapshot> make_snapshot(Playback& playback, Step step
   s->criteria = options.criteria.value_or(playback.parameters());
   s->orientation_judged = options.orientation && nearest != nullptr;
   const std::vector<std::uint32_t> slots = take_over(*s, previous, playback.journal());
-  if (s->samples) judge_samples(*s, playback.sample_sets(), slots);
+  if (s->complex.form == ZeroForm::free) {
+    s->errors.clear();
+    s->sample_tets.clear();
+  } else if (s->samples) {
+    judge_samples(*s, playback.sample_sets(), slots);
+  }
   judge_tets(*s, nearest, slots);
   count_violations(*s);
   s->zero_set = extract_zero_set(s->complex);

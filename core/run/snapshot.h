@@ -18,11 +18,12 @@ namespace isoscope {
 enum TetFlag : std::uint8_t {
   tet_alive = 1,
   tet_box = 2,           ///< has a corner of the bounding box
-  tet_heterogeneous = 4, ///< carries Z
+  tet_heterogeneous = 4, ///< part of Γ: carries Z, or has a vertex on it
   tet_violates_1 = 8,    ///< holds a sample with ε > 1 − α
   tet_violates_2 = 16,   ///< carries Z and its height is below 2σ/α
   tet_violates_3 = 32,   ///< carries Z and is misoriented (only when SnapshotOptions::orientation)
-  tet_changed = 64       ///< made by one of the last `recent` operations
+  tet_changed = 64,      ///< made by one of the last `recent` operations
+  tet_negative = 128     ///< on the negative side once Z is embedded (§2.4.2)
 };
 
 struct SnapshotOptions {
@@ -38,8 +39,9 @@ struct StateSnapshot {
   ZeroSet zero_set;
   std::vector<GammaFacet> gamma;
   std::shared_ptr<const BoundarySamples> samples; ///< may be null before the first set
-  std::vector<float> errors;                      ///< ε(s); bad when >= 1
-  std::vector<TetId> sample_tets;                 ///< which tetrahedron holds each sample
+  /// ε(s); bad when >= 1. Empty once Z has left T: the samples are no longer asked then.
+  std::vector<float> errors;
+  std::vector<TetId> sample_tets; ///< which tetrahedron holds each sample
   std::vector<std::uint8_t> tet_flags;
   std::vector<float> heights;      ///< of tetrahedra that carry Z, absolute; infinite for others
   CriteriaParameters criteria;     ///< what it was judged by
@@ -54,6 +56,14 @@ struct StateSnapshot {
   VertexId inserted;                             ///< the vertex it made
   std::vector<std::array<Vec3, 4>> removed_tets; ///< the conflict zone as it was
   std::vector<TetId> added_tets;
+  /// Facets of Z that the operation took away and put there: tessellated Z, embedded or free.
+  std::vector<Triangle3> removed_facets, added_facets;
+  /// Vertices that it moved, from and to; a collapse moves its edge's ends to the target.
+  struct Move {
+    VertexId vertex;
+    Vec3 before, after;
+  };
+  std::vector<Move> moves;
   std::optional<std::array<Vec3, 4>> violated_tet; ///< the tetrahedron the event names, as it was before
 };
 

@@ -1,0 +1,79 @@
+// The verdict on one edge: every check of a collapse with its number and its witness, never a bool
+// (architecture D1, D2).
+#pragma once
+
+#include "criteria/kernel.h"
+#include "criteria/link.h"
+#include "journal/event.h"
+#include "mesh/edge_star.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace isoscope {
+
+/// The checks of a collapse, cheap ones first (§2.4).
+enum class CollapseCheck : std::uint8_t {
+  eligible,       ///< the edge is of the stage's kind
+  link,           ///< Lk(a) ∩ Lk(b) = Lk(ab) in T
+  zero_link,      ///< the same in Z, for edges of Z
+  kernel,         ///< some point sees the whole one-ring
+  candidates,     ///< a target was found; what rejected the others is in `candidates`
+  classification, ///< sampled mode: every sample keeps its class
+  containment,    ///< certified mode: every facet of Z proven inside Ω
+  normals,        ///< condition 3 is violated nowhere where it was not before
+  witness         ///< the deepest point of each region keeps its side
+};
+constexpr std::size_t collapse_check_count = 9;
+
+/// One check's outcome; `value` against `limit` as the check says, at `witness`.
+struct CheckVerdict {
+  enum class State : std::uint8_t { skipped, passed, failed };
+  State state = State::skipped;
+  double value = 0, limit = 0;
+  Vec3 witness;
+};
+
+/// A target that was tried, in the order of trial.
+struct CandidateRecord {
+  Vec3 point;
+  double cost = 0;                ///< error of the order at the point (squared length)
+  Reason found_by = Reason::none; ///< which strategy proposed it
+  Reason rejected = Reason::none; ///< none: it was taken
+  double value = 0, limit = 0;    ///< of what rejected it
+  Vec3 witness;
+};
+
+/// Everything there is to say about collapsing one edge.
+struct CollapseAttempt {
+  VertexId a, b; ///< a stays
+  EdgeKind kind = EdgeKind::other;
+  std::array<CheckVerdict, collapse_check_count> checks;
+  Reason rejected = Reason::none; ///< the first check that failed; none: the collapse is possible
+  Reason found_by = Reason::none; ///< which strategy found the target
+  Vec3 target;                    ///< meaningful when not rejected
+  double cost = 0;                ///< error at the target
+  double unconstrained_cost = 0;  ///< error at the quadric's own optimum: what the constraints cost
+  Vec3 optimum;                   ///< that optimum
+  std::uint32_t tried = 0;        ///< candidates judged
+  // Filled when asked for (EvaluationDetail::full).
+  LinkVerdict link;
+  std::optional<Kernel> kernel;
+  std::vector<CandidateRecord> candidates;
+
+  bool possible() const { return rejected == Reason::none; }
+  const CheckVerdict& check(CollapseCheck c) const { return checks[static_cast<std::size_t>(c)]; }
+  CheckVerdict& check(CollapseCheck c) { return checks[static_cast<std::size_t>(c)]; }
+};
+
+/// How much of the record to fill.
+enum class EvaluationDetail : std::uint8_t {
+  decision, ///< stop at the first check that fails: what the algorithm needs
+  full      ///< every check, every candidate, the kernel: what a person asks for
+};
+
+std::string_view name(CollapseCheck);
+
+} // namespace isoscope

@@ -1,0 +1,63 @@
+// Where to put the target of a collapse: strategies over a kernel, each asking the same judge (§2.4.1, §2.4.3,
+// Figures 8, 9, 11, 12).
+#pragma once
+
+#include "criteria/collapse_cost.h"
+#include "criteria/kernel.h"
+#include "journal/event.h"
+#include "mesh/edge_star.h"
+#include "simplify/collapse_attempt.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace isoscope {
+
+/// Which strategy looks for targets inside a kernel; each includes those before it, but for the octree.
+enum class TargetStrategy : std::uint8_t {
+  optimum,     ///< the least error in the kernel, nothing else
+  constraints, ///< and again under half-spaces learnt from what failed
+  sampling,    ///< and points drawn inside the kernel (the default)
+  octree       ///< the paper's: an octree over the kernel, cells inside Ψ left out
+};
+
+/// What the judge says of a point: the checks that depend on where it lies.
+struct TargetVerdict {
+  Reason reason = Reason::none; ///< none: the point can be the target
+  double value = 0, limit = 0;
+  Vec3 witness;
+  /// A half-space that the target must lie in to avoid this failure, to first order.
+  std::optional<HalfSpace> learnt;
+};
+using TargetJudge = std::function<TargetVerdict(Vec3)>;
+
+/// Limits of a search.
+struct TargetSearchOptions {
+  TargetStrategy strategy = TargetStrategy::sampling;
+  int constraint_rounds = 10;  ///< of lazy constraints
+  int kernel_samples = 100;    ///< points drawn
+  int octree_depth = 5;        ///< of the octree over the kernel's box
+  bool record = false;         ///< keep every candidate
+};
+
+struct TargetSearchResult {
+  std::optional<Vec3> target;
+  double cost = 0;
+  Reason found_by = Reason::none;
+  TargetVerdict last_rejection; ///< why the best candidate failed, when there is no target
+  std::uint32_t tried = 0;
+  std::vector<CandidateRecord> candidates; ///< when recorded
+};
+
+/// Looks for a target anywhere in the kernel (edges of Z and mixed edges).
+TargetSearchResult search_kernel(const EdgeStar& star, const Kernel& kernel, const CollapseCost& cost,
+                                 const TargetJudge& judge, const TargetSearchOptions& options);
+/// Looks among given points: the ends of the edge (halfedge collapses) or samples of S (∂Γ, Figure 8), those in
+/// the kernel by ascending cost.
+TargetSearchResult search_candidates(const EdgeStar& star, const Kernel& kernel, const CollapseCost& cost,
+                                     std::span<const Vec3> points, Reason found_by, const TargetJudge& judge,
+                                     const TargetSearchOptions& options);
+
+} // namespace isoscope
