@@ -17,25 +17,39 @@ struct RunOptions::Raw {
   std::string tolerance;
   std::optional<double> sigma, alpha, shrink, time_limit;
   std::optional<unsigned> threads;
-  std::string until = "refinement", containment = "certified", topology = "keep";
+  std::string until, containment = "certified", topology = "keep", target = "sampling";
+  std::vector<std::string> skip;
   std::vector<int> off;
   bool no_normals = false;
-  std::optional<int> effort;
+  int effort = 2, cost_ring = 1;
   std::string record, breakpoint;
 };
 
 namespace {
 
 Error later(const std::string& option) {
-  return {ErrorCode::unsupported, option + " belongs to a later stage, which this version does not have.",
-          "Leave it out; --until refinement is what there is."};
+  return {ErrorCode::unsupported, option + " belongs to a later version.", "Leave it out."};
 }
 
 Error unknown(const std::string& option, const std::string& value, const std::string& choices) {
   return {ErrorCode::usage, option + " is '" + value + "', which is not one of " + choices + ".", ""};
 }
 
-constexpr std::array<std::string_view, 5> later_stages{"gamma", "tessellation", "zero-set", "all", "improve"};
+/// The stage of that name, if it is one of those a user may name.
+std::optional<Stage> stage_named(const std::string& text, Stage first) {
+  for (int i = static_cast<int>(first); i < stage_count; ++i) {
+    if (name(static_cast<Stage>(i)) == text) return static_cast<Stage>(i);
+  }
+  return std::nullopt;
+}
+
+std::optional<TargetStrategy> strategy_named(const std::string& text) {
+  for (const TargetStrategy s : {TargetStrategy::optimum, TargetStrategy::constraints,
+                                 TargetStrategy::sampling, TargetStrategy::octree}) {
+    if (name(s) == text) return s;
+  }
+  return std::nullopt;
+}
 
 } // namespace
 
@@ -52,7 +66,18 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
                  "σ/δ, density of the samples, in (0, 1]; default 0.5, sampled mode 0.125");
   app.add_option("--alpha", r.alpha, "α, margin of the classification, in (0, 1); default 0.2");
   app.add_option("--shrink", r.shrink, "factor of the shrunk copy in condition 3, in (0, 1]; default 0.7");
-  app.add_option("--until", r.until, "the last stage to run: refinement");
+  app.add_option(
+      "--until", r.until,
+      "the last stage to run: refinement, gamma, tessellation, zero-set, all or improve; default improve, "
+      "sampled mode all");
+  app.add_option("--skip", r.skip, "a stage to leave out: gamma, zero-set, all or improve; repeatable");
+  app.add_option(
+      "--target", r.target,
+      "how targets of collapses are found: optimum, constraints, sampling or octree (the paper's); default "
+      "sampling");
+  app.add_option("--cost-ring", r.cost_ring,
+                 "facets whose planes make the error of a collapse: 1 or 2 rings; default 1");
+  app.add_option("--effort", r.effort, "of the improver: 0 (least) to 3 (fewest vertices); default 2");
   app.add_option("--threads", r.threads,
                  "number of threads, 0 for all cores; the result does not depend on it");
   app.add_option("--containment", r.containment,
@@ -66,24 +91,37 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
        {std::pair{"--record", &r.record}, std::pair{"--break", &r.breakpoint}}) {
     app.add_option(option, *target)->group("");
   }
-  app.add_option("--effort", r.effort)->group("");
 }
 
 RunOptions::~RunOptions() = default;
 
 Result<RunParameters> RunOptions::finish() const {
   const Raw& r = *raw_;
-  if (r.effort) return later("--effort");
   if (!r.record.empty()) return later("--record");
   if (!r.breakpoint.empty()) return later("--break");
   if (r.input == "replay") return later("replay");
-  if (std::find(later_stages.begin(), later_stages.end(), r.until) != later_stages.end()) {
-    return later("--until " + r.until);
-  }
-  if (r.until != "refinement") return unknown("--until", r.until, "refinement");
 
   RunParameters p;
   p.input = r.input;
+  if (!r.until.empty()) {
+    p.until = stage_named(r.until, Stage::refinement);
+    if (!p.until) {
+      return unknown("--until", r.until, "refinement, gamma, tessellation, zero-set, all, improve");
+    }
+  }
+  for (const std::string& skip : r.skip) {
+    const auto stage = stage_named(skip, Stage::gamma);
+    if (!stage || *stage == Stage::tessellation)
+      return unknown("--skip", skip, "gamma, zero-set, all, improve");
+    p.skipped[static_cast<std::size_t>(*stage)] = true;
+  }
+  const auto strategy = strategy_named(r.target);
+  if (!strategy) return unknown("--target", r.target, "optimum, constraints, sampling, octree");
+  p.target = *strategy;
+  if (r.cost_ring != 1 && r.cost_ring != 2)
+    return unknown("--cost-ring", std::to_string(r.cost_ring), "1, 2");
+  p.cost_ring = r.cost_ring == 1 ? CostRing::one : CostRing::two;
+  p.effort = r.effort;
   for (const GalleryEntry& entry : gallery()) {
     if (r.input == "gallery:" + std::string(entry.name)) p.tolerance = {entry.tolerance_percent, true};
   }

@@ -142,6 +142,10 @@ const Complex& Refinement::complex() const {
   return impl_->context.live().complex();
 }
 
+const CriteriaParameters& Refinement::criteria() const {
+  return impl_->context.criteria();
+}
+
 void Refinement::replace_samples(std::shared_ptr<const BoundarySamples> samples) {
   impl_->context.replace_samples(std::move(samples));
 }

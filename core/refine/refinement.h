@@ -50,6 +50,7 @@ class Refinement {
   void replace_samples(std::shared_ptr<const BoundarySamples> samples);
 
   const Complex& complex() const;
+  const CriteriaParameters& criteria() const;
 
  private:
   struct Impl;

@@ -46,6 +46,16 @@ CriteriaParameters RunParameters::criteria(double delta) const {
   return c;
 }
 
+SimplificationParameters RunParameters::simplification() const {
+  SimplificationParameters s;
+  s.until = last_stage();
+  s.skipped = skipped;
+  s.target = target;
+  s.ring = cost_ring;
+  s.effort = effort;
+  return s;
+}
+
 Result<Tolerance> parse_tolerance(std::string_view text) {
   Tolerance tolerance;
   std::string_view digits = text;
@@ -83,6 +93,10 @@ Status check(const RunParameters& p) {
   if (!std::isfinite(p.time_limit) || p.time_limit < 0) {
     return Error{ErrorCode::usage, "--time-limit is " + shortest(p.time_limit) + ", which is no time.",
                  "Give seconds, at least 0; 0 means none."};
+  }
+  if (p.effort < 0 || p.effort > 3) {
+    return Error{ErrorCode::usage, "--effort is " + std::to_string(p.effort) + ", which is not 0, 1, 2 or 3.",
+                 "2 is the default; 3 takes longest and gives the fewest vertices."};
   }
   if (p.threads > 1024) {
     return Error{ErrorCode::usage, "--threads is " + std::to_string(p.threads) + ", which is more than 1024.",

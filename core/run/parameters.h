@@ -4,8 +4,11 @@
 #include "base/status.h"
 #include "criteria/topology.h"
 #include "journal/journal.h"
+#include "simplify/simplification.h"
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -34,13 +37,22 @@ struct RunParameters {
   Containment containment = Containment::certified;
   TopologyMode topology = TopologyMode::keep;
   bool condition_1 = true, condition_2 = true, condition_3 = true, condition_4 = true;
-  Stage until = Stage::refinement;
-  unsigned threads = 0;  ///< 0: all cores
-  double time_limit = 0; ///< seconds, 0 none
+  /// The last stage; absent: improve in certified mode, all in sampled mode, where the paper ends.
+  std::optional<Stage> until;
+  std::array<bool, stage_count> skipped{};          ///< stages to leave out: gamma, zero_set, all or improve
+  TargetStrategy target = TargetStrategy::sampling; ///< how targets of general collapses are looked for
+  CostRing cost_ring = CostRing::one;               ///< facets of Z whose planes make the error (§2.4)
+  int effort = 2;                                   ///< of the improver, 0 to 3
+  unsigned threads = 0;                             ///< 0: all cores
+  double time_limit = 0;                            ///< seconds, 0 none
   double sigma_ratio() const {
     return sigma > 0 ? sigma : (containment == Containment::certified ? 0.5 : 0.125);
   }
+  Stage last_stage() const {
+    return until.value_or(containment == Containment::certified ? Stage::improve : Stage::all);
+  }
   CriteriaParameters criteria(double delta) const;
+  SimplificationParameters simplification() const;
 };
 
 /// Reads "0.6%" or "0.012"; fails with usage on anything that is not a positive finite number.

@@ -80,10 +80,13 @@ struct Pipeline::Impl {
   Gate* gate;
   RunControl* control;
   std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const BoundarySamples> current_samples;
   std::optional<ToleranceVolume> volume;
   std::optional<ResamplingGate> resampling;
   std::optional<Recorder> recorder;
-  std::unique_ptr<Refinement> refinement;
+  std::unique_ptr<Refinement> refinement; ///< until the simplification begins
+  RefinementOutcome refined;              ///< what came out of it
+  std::unique_ptr<Simplification> simplification;
   double seconds = 0; ///< of all parts so far
 
   void record_warning(const std::string& text) {
@@ -93,6 +96,41 @@ struct Pipeline::Impl {
     e.text = journal->add_text(text);
     journal->add_event(e);
   }
+  const Complex& complex() const {
+    return simplification ? simplification->complex() : refinement->complex();
+  }
+
+  Stage last_stage() const {
+    Stage last = Stage::setup;
+    for (std::size_t i = 0, n = journal->events().size(); i < n; ++i) {
+      if (journal->events()[i].kind == EventKind::stage_begin) last = journal->events()[i].stage;
+    }
+    return last;
+  }
+
+  /// Refines, again with other samples as long as σ changes.
+  Status refine() {
+    for (;;) {
+      const double wanted_sigma = gate->wanted_parameters().sigma;
+      if (wanted_sigma > 0 && wanted_sigma != resampling->sigma()) {
+        auto samples = sample(wanted_sigma);
+        if (!samples) return samples.error();
+        resampling->resampled(wanted_sigma);
+        refinement->replace_samples(*samples);
+        current_samples = *samples;
+      }
+      refined = refinement->run();
+      if (!resampling->resample_pending()) return {};
+    }
+  }
+
+  /// T goes from the refinement, which is not needed any more, to the simplification.
+  void begin_simplification(const SimplificationParameters& parameters) {
+    simplification = std::make_unique<Simplification>(*volume, current_samples, refinement->criteria(),
+                                                      parameters, *recorder, *control, refinement->complex());
+    refinement.reset();
+  }
+
   Result<std::shared_ptr<const BoundarySamples>> sample(double sigma) {
     auto samples = sample_boundary(*volume, sigma, *control);
     if (!samples) return samples.error();
@@ -169,29 +207,37 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   m.refinement = std::make_unique<Refinement>(*m.volume, scene->samples, criteria, scene->expected,
                                               RefinementLimits{}, *m.recorder, *m.control);
   m.scene = scene;
+  m.current_samples = scene->samples;
   m.seconds = watch.seconds();
   return m.scene;
 }
 
 Result<RunResult> Pipeline::run() {
+  using End = RefinementOutcome::End;
   Impl& m = *impl_;
   const Stopwatch watch;
   RunResult result;
-  for (;;) {
-    const double wanted_sigma = m.gate->wanted_parameters().sigma;
-    if (wanted_sigma > 0 && wanted_sigma != m.resampling->sigma()) {
-      auto samples = m.sample(wanted_sigma);
-      if (!samples) return samples.error();
-      m.resampling->resampled(wanted_sigma);
-      m.refinement->replace_samples(*samples);
+  bool stopped = false;
+  if (!m.simplification) {
+    if (Status refined = m.refine(); !refined) return refined.error();
+    stopped = m.refined.end == End::stopped;
+    if (m.refined.end == End::finished && !m.control->cancelled() &&
+        parameters_.last_stage() > Stage::refinement) {
+      m.begin_simplification(parameters_.simplification());
     }
-    result.refinement = m.refinement->run();
-    if (!m.resampling->resample_pending()) break;
   }
-  if (m.control->cancelled() || result.refinement.end == RefinementOutcome::End::stopped) {
+  if (m.simplification) {
+    const Result<bool> finished = m.simplification->run();
+    if (!finished) return finished.error();
+    stopped = !*finished;
+  }
+  if (m.control->cancelled() || stopped) {
     result.end = m.control->timed_out() ? RunResult::End::limit : RunResult::End::stopped;
   }
-  result.mesh = triangulate(extract_zero_set(m.refinement->complex()));
+  result.refinement = m.refined;
+  result.last_stage = m.last_stage();
+  result.form = m.complex().form;
+  result.mesh = triangulate(extract_zero_set(m.complex()));
   result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control);
   m.seconds += watch.seconds();
   result.seconds = m.seconds;

@@ -1,5 +1,5 @@
-// All stages of a run in one object: input, Ω, S, refinement, certificate. Both programs and the tests run
-// this.
+// All stages of a run in one object: input, Ω, S, refinement, simplification, certificate. Both programs and
+// the tests run this.
 #pragma once
 
 #include "base/run_control.h"
@@ -40,7 +40,9 @@ struct RunResult {
   enum class End { finished, stopped, limit };
   End end = End::finished;
   RefinementOutcome refinement;
-  TriangleMesh mesh; ///< the zero set
+  TriangleMesh mesh;                      ///< Z
+  Stage last_stage = Stage::refinement;   ///< the stage that was reached
+  ZeroForm form = ZeroForm::interpolated; ///< free: the last stage ran on Z alone
   Certificate certificate;
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
@@ -55,7 +57,8 @@ class Pipeline {
 
   /// Reads (or takes `soup`), builds Ω and S. Fails with bad_input, unsupported or cancelled.
   Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr);
-  /// Refines, extracts Z, certifies. May be called again after the gate's parameters changed: it goes on.
+  /// Refines, simplifies, extracts Z, certifies. May be called again after the gate's parameters changed: it
+  /// goes on where it was. Once the simplification has begun, σ and conditions 1, 2 and 4 are what they were.
   Result<RunResult> run();
   const RunParameters& parameters() const { return parameters_; }
 

@@ -87,7 +87,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"containment", p.containment == Containment::certified ? "certified" : "sampled"},
         {"topology", p.topology == TopologyMode::keep ? "keep" : "separate"},
         {"conditions", {p.condition_1, p.condition_2, p.condition_3, p.condition_4}},
-        {"until", name(p.until)},
+        {"until", name(p.last_stage())},
         {"threads", p.threads}}},
       {"samples",
        {{"count", scene.samples->size()},

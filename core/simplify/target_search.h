@@ -1,5 +1,5 @@
-// Where to put the target of a collapse: strategies over a kernel, each asking the same judge (§2.4.1, §2.4.3,
-// Figures 8, 9, 11, 12).
+// Where to put the target of a collapse: strategies over a kernel, each asking the same judge (§2.4.1,
+// §2.4.3, Figures 8, 9, 11, 12).
 #pragma once
 
 #include "criteria/collapse_cost.h"
@@ -36,10 +36,10 @@ using TargetJudge = std::function<TargetVerdict(Vec3)>;
 /// Limits of a search.
 struct TargetSearchOptions {
   TargetStrategy strategy = TargetStrategy::sampling;
-  int constraint_rounds = 10;  ///< of lazy constraints
-  int kernel_samples = 100;    ///< points drawn
-  int octree_depth = 5;        ///< of the octree over the kernel's box
-  bool record = false;         ///< keep every candidate
+  int constraint_rounds = 10; ///< of lazy constraints
+  int kernel_samples = 100;   ///< points drawn
+  int octree_depth = 5;       ///< of the octree over the kernel's box
+  bool record = false;        ///< keep every candidate
 };
 
 struct TargetSearchResult {
@@ -54,8 +54,8 @@ struct TargetSearchResult {
 /// Looks for a target anywhere in the kernel (edges of Z and mixed edges).
 TargetSearchResult search_kernel(const EdgeStar& star, const Kernel& kernel, const CollapseCost& cost,
                                  const TargetJudge& judge, const TargetSearchOptions& options);
-/// Looks among given points: the ends of the edge (halfedge collapses) or samples of S (∂Γ, Figure 8), those in
-/// the kernel by ascending cost.
+/// Looks among given points: the ends of the edge (halfedge collapses) or samples of S (∂Γ, Figure 8), those
+/// in the kernel by ascending cost.
 TargetSearchResult search_candidates(const EdgeStar& star, const Kernel& kernel, const CollapseCost& cost,
                                      std::span<const Vec3> points, Reason found_by, const TargetJudge& judge,
                                      const TargetSearchOptions& options);

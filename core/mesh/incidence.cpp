@@ -1,0 +1,149 @@
+// Keeps the lists and copies stars out of a state.
+#include "mesh/incidence.h"
+
+#include "mesh/zero_set.h"
+
+#include <algorithm>
+
+namespace isoscope {
+
+namespace {
+
+bool has(const Tet& t, VertexId v) {
+  return std::find(t.v.begin(), t.v.end(), v) != t.v.end();
+}
+
+/// Facets of Z at one vertex of an embedded Z, each once: seen from its positive side's tetrahedron.
+void add_facets_at(const Complex& complex, std::span<const TetId> tets, VertexId v,
+                   std::vector<std::pair<TetId, std::size_t>>& facets) {
+  for (const TetId t : tets) {
+    const Tet& tet = complex.tet(t);
+    if (tet.side <= 0) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const TetId n = tet.neighbor[k];
+      if (tet.v[k] == v || !n.valid() || complex.tet(n).side >= 0) continue;
+      facets.emplace_back(t, k);
+    }
+  }
+}
+
+template <class T> void sort_unique(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+void gather_embedded_facets(const Complex& complex, const Incidence& incidence,
+                            const std::vector<VertexId>& around, std::vector<Triangle3>& out) {
+  std::vector<std::pair<TetId, std::size_t>> facets;
+  for (const VertexId v : around) {
+    if (complex.value(v) == 0) add_facets_at(complex, incidence.tets_of(v), v, facets);
+  }
+  sort_unique(facets);
+  for (const auto& [t, k] : facets) {
+    const auto f = complex.tet(t).facet(k);
+    out.push_back({complex.position(f[0]), complex.position(f[1]), complex.position(f[2])});
+  }
+}
+
+void gather_interpolated_facets(const Complex& complex, const Incidence& incidence,
+                                const std::vector<VertexId>& around, std::vector<Triangle3>& out) {
+  std::vector<TetId> tets;
+  for (const VertexId v : around) {
+    const auto at = incidence.tets_of(v);
+    tets.insert(tets.end(), at.begin(), at.end());
+  }
+  sort_unique(tets);
+  for (const TetId t : tets) {
+    const ZeroPolygon polygon = zero_polygon(complex.positions(t), complex.values(t));
+    if (polygon.count >= 3) out.push_back({polygon.corner[0], polygon.corner[1], polygon.corner[2]});
+  }
+}
+
+} // namespace
+
+Incidence::Incidence(const Complex& complex) : tets_(complex.vertices.size()) {
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    if (complex.tets[i].alive()) add({TetId(i), complex.tets[i].v, 0});
+  }
+}
+
+void Incidence::add(const TetRecord& tet) {
+  for (const VertexId v : tet.v) {
+    if (v.index() >= tets_.size()) tets_.resize(v.index() + 1);
+    tets_[v.index()].push_back(tet.id);
+  }
+}
+
+void Incidence::remove(const TetRecord& tet) {
+  for (const VertexId v : tet.v) {
+    auto& list = tets_[v.index()];
+    const auto at = std::find(list.begin(), list.end(), tet.id);
+    *at = list.back();
+    list.pop_back();
+  }
+}
+
+void Incidence::apply(const Delta& delta) {
+  for (const TetRecord& t : delta.removed) remove(t);
+  for (const TetRecord& t : delta.added) add(t);
+}
+
+bool Incidence::adjacent(const Complex& complex, VertexId a, VertexId b) const {
+  const auto at = tets_of(a);
+  return std::any_of(at.begin(), at.end(), [&](TetId t) { return has(complex.tet(t), b); });
+}
+
+EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
+                          CostRing ring) {
+  EdgeStar star;
+  star.form = complex.form;
+  std::vector<TetId> tets;
+  for (const VertexId end : {a, b}) {
+    const auto at = incidence.tets_of(end);
+    tets.insert(tets.end(), at.begin(), at.end());
+  }
+  sort_unique(tets);
+  std::vector<VertexId> others;
+  others.reserve(4 * tets.size());
+  for (const TetId t : tets) {
+    for (const VertexId v : complex.tet(t).v) {
+      if (v != a && v != b) others.push_back(v);
+    }
+  }
+  sort_unique(others);
+
+  star.vertices.reserve(others.size() + 2);
+  const auto add_vertex = [&](VertexId v) {
+    const Vertex& vertex = complex.vertices[v.index()];
+    star.vertices.push_back({v, vertex.position, vertex.value, vertex.kind});
+  };
+  add_vertex(a);
+  add_vertex(b);
+  for (const VertexId v : others) add_vertex(v);
+  const auto number = [&](VertexId v) -> std::uint16_t {
+    if (v == a) return 0;
+    if (v == b) return 1;
+    return static_cast<std::uint16_t>(std::lower_bound(others.begin(), others.end(), v) - others.begin() + 2);
+  };
+  star.tets.reserve(tets.size());
+  for (const TetId t : tets) {
+    const Tet& tet = complex.tet(t);
+    EdgeStar::StarTet& s = star.tets.emplace_back();
+    s.id = t;
+    for (std::size_t k = 0; k < 4; ++k) s.v[k] = number(tet.v[k]);
+    s.side = tet.side;
+    s.at_a = has(tet, a);
+    s.at_b = has(tet, b);
+  }
+
+  std::vector<VertexId> around{a, b};
+  if (ring == CostRing::two) around.insert(around.end(), others.begin(), others.end());
+  if (complex.form == ZeroForm::embedded) {
+    gather_embedded_facets(complex, incidence, around, star.cost_facets);
+  } else {
+    gather_interpolated_facets(complex, incidence, around, star.cost_facets);
+  }
+  return star;
+}
+
+} // namespace isoscope

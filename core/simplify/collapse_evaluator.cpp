@@ -1,0 +1,196 @@
+// Runs the checks in order, cheap ones first; with full detail goes on where it could stop.
+#include "simplify/collapse_evaluator.h"
+
+#include "criteria/collapse_cost.h"
+#include "criteria/kernel.h"
+#include "criteria/link.h"
+
+#include <array>
+#include <limits>
+
+namespace isoscope {
+
+namespace {
+
+using State = CheckVerdict::State;
+
+bool eligible(EdgeKind kind, const CollapseSettings& settings) {
+  return kind == settings.kind || (settings.kind == EdgeKind::mixed && kind == EdgeKind::zero);
+}
+
+/// The checks behind a target, in order; remembers the outcome of each.
+class Judge {
+ public:
+  Judge(const EdgeStar& star, const EvaluationContext& context, CollapseAttempt& attempt, bool all)
+      : star_(star), context_(context), attempt_(attempt), all_(all) {}
+
+  TargetVerdict operator()(Vec3 target) const {
+    TargetVerdict first;
+    for (const CollapseCheck check : {CollapseCheck::classification, CollapseCheck::containment,
+                                      CollapseCheck::witness, CollapseCheck::normals}) {
+      if (first.reason != Reason::none && !all_) {
+        attempt_.check(check) = {};
+        continue;
+      }
+      const std::optional<TargetVerdict> verdict = ask(check, target);
+      if (!verdict) continue;
+      CheckVerdict& out = attempt_.check(check);
+      out = {verdict->reason == Reason::none ? State::passed : State::failed, verdict->value, verdict->limit,
+             verdict->witness};
+      if (verdict->reason != Reason::none && first.reason == Reason::none) first = *verdict;
+    }
+    return first;
+  }
+
+ private:
+  const EdgeStar& star_;
+  const EvaluationContext& context_;
+  CollapseAttempt& attempt_;
+  bool all_;
+
+  std::optional<TargetVerdict> ask(CollapseCheck check, Vec3 target) const {
+    switch (check) {
+    case CollapseCheck::classification:
+      if (context_.criteria.certified) return std::nullopt;
+      return check_classification(star_, target, context_.criteria);
+    case CollapseCheck::containment:
+      if (!context_.criteria.certified) return std::nullopt;
+      return check_containment(star_, target, context_.volume);
+    case CollapseCheck::witness:
+      return check_witnesses(star_, target, context_.volume);
+    case CollapseCheck::normals:
+      if (!context_.criteria.condition_3) return std::nullopt;
+      return check_normals(star_, target, context_);
+    default:
+      return std::nullopt;
+    }
+  }
+};
+
+void fail(CollapseAttempt& attempt, CollapseCheck check, Reason reason, double value = 0, double limit = 0,
+          Vec3 witness = {}) {
+  attempt.check(check) = {State::failed, value, limit, witness};
+  if (attempt.rejected == Reason::none) attempt.rejected = reason;
+}
+
+void pass(CollapseAttempt& attempt, CollapseCheck check) {
+  attempt.check(check).state = State::passed;
+}
+
+/// The checks that do not depend on the target. False when the evaluation can end here.
+bool check_edge(const EdgeStar& star, const CollapseSettings& settings, EvaluationDetail detail,
+                CollapseAttempt& attempt) {
+  const bool full = detail == EvaluationDetail::full;
+  attempt.a = star.a();
+  attempt.b = star.b();
+  attempt.kind = star.kind();
+  if (eligible(attempt.kind, settings)) {
+    pass(attempt, CollapseCheck::eligible);
+  } else {
+    fail(attempt, CollapseCheck::eligible, Reason::link_condition);
+    return false;
+  }
+  attempt.link = check_link(star, full);
+  if (attempt.link.holds_in_t) {
+    pass(attempt, CollapseCheck::link);
+  } else {
+    fail(attempt, CollapseCheck::link, Reason::link_condition);
+    if (!full) return false;
+  }
+  if (attempt.kind == EdgeKind::zero) {
+    if (attempt.link.holds_in_zero_set) {
+      pass(attempt, CollapseCheck::zero_link);
+    } else {
+      fail(attempt, CollapseCheck::zero_link, Reason::zero_link_condition);
+      if (!full) return false;
+    }
+  }
+  attempt.kernel = compute_kernel(star);
+  if (attempt.kernel->empty) {
+    fail(attempt, CollapseCheck::kernel, Reason::kernel_empty, attempt.kernel->inscribed_radius, 0,
+         attempt.kernel->center);
+    return false;
+  }
+  attempt.check(CollapseCheck::kernel) = {State::passed, attempt.kernel->inscribed_radius, 0,
+                                          attempt.kernel->center};
+  return true;
+}
+
+TargetSearchResult search(const EdgeStar& star, const CollapseSettings& settings, const Kernel& kernel,
+                          const CollapseCost& cost, const TargetJudge& judge, TargetSearchOptions options,
+                          std::span<const Vec3> samples) {
+  if (settings.halfedge) {
+    // A vertex of Z goes to one of Γ nowhere: Z would be pinned to ∂Ω.
+    const std::array<Vec3, 2> ends{star.vertices[0].position, star.vertices[1].position};
+    return search_candidates(star, kernel, cost, ends, Reason::halfedge, judge, options);
+  }
+  if (settings.kind == EdgeKind::gamma) {
+    return search_candidates(star, kernel, cost, samples, Reason::sample_candidate, judge, options);
+  }
+  return search_kernel(star, kernel, cost, judge, options);
+}
+
+} // namespace
+
+CollapseAttempt evaluate_collapse(const EdgeStar& star, const CollapseSettings& settings,
+                                  const EvaluationContext& context, EvaluationDetail detail,
+                                  std::span<const Vec3> samples) {
+  CollapseAttempt attempt;
+  if (!check_edge(star, settings, detail, attempt)) return attempt;
+  const bool full = detail == EvaluationDetail::full;
+  const CollapseCost cost(star);
+  attempt.optimum = cost.optimum();
+  attempt.unconstrained_cost = cost(attempt.optimum);
+  TargetSearchOptions options = settings.search;
+  options.record = full;
+  const Judge judge(star, context, attempt, full);
+  TargetSearchResult found = search(star, settings, *attempt.kernel, cost, judge, options, samples);
+  attempt.tried = found.tried;
+  attempt.candidates = std::move(found.candidates);
+  if (found.target) {
+    attempt.check(CollapseCheck::candidates) = {State::passed, static_cast<double>(found.tried), 0,
+                                                *found.target};
+    attempt.target = *found.target;
+    attempt.cost = found.cost;
+    attempt.found_by = found.found_by;
+    return attempt;
+  }
+  const TargetVerdict& last = found.last_rejection;
+  const Reason reason = last.reason == Reason::none ? Reason::no_candidate : last.reason;
+  const bool first = attempt.rejected == Reason::none;
+  fail(attempt, CollapseCheck::candidates, reason, last.value, last.limit, last.witness);
+  if (first) attempt.rejected = reason;
+  return attempt;
+}
+
+CollapseAttempt evaluate_target(const EdgeStar& star, Vec3 target, const CollapseSettings& settings,
+                                const EvaluationContext& context) {
+  CollapseAttempt attempt;
+  if (!check_edge(star, settings, EvaluationDetail::full, attempt) && !attempt.kernel) return attempt;
+  const CollapseCost cost(star);
+  attempt.optimum = cost.optimum();
+  attempt.unconstrained_cost = cost(attempt.optimum);
+  attempt.target = target;
+  attempt.cost = cost(target);
+  attempt.tried = 1;
+  attempt.found_by = Reason::user;
+  if (!attempt.kernel->contains(target)) {
+    fail(attempt, CollapseCheck::candidates, Reason::no_candidate, 0, 0, target);
+    return attempt;
+  }
+  pass(attempt, CollapseCheck::candidates);
+  const TargetVerdict verdict = Judge(star, context, attempt, true)(target);
+  if (attempt.rejected == Reason::none) attempt.rejected = verdict.reason;
+  return attempt;
+}
+
+double collapse_priority(const EdgeStar& star, const CollapseSettings& settings) {
+  if (!eligible(star.kind(), settings)) return std::numeric_limits<double>::infinity();
+  const CollapseCost cost(star);
+  if (settings.halfedge || settings.kind == EdgeKind::gamma) {
+    return std::min(cost(star.vertices[0].position), cost(star.vertices[1].position));
+  }
+  return cost(cost.optimum());
+}
+
+} // namespace isoscope

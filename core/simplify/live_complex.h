@@ -1,0 +1,54 @@
+// T while it is simplified: the state, what meets at each vertex, and when each neighbourhood last changed.
+#pragma once
+
+#include "mesh/complex.h"
+#include "mesh/incidence.h"
+#include "mesh/sample_sets.h"
+#include "mesh/zero_set.h"
+#include "tolerance/boundary_sampler.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace isoscope {
+
+/// The state between two operations. Reading is thread-safe, changing is for one thread.
+class LiveComplex {
+ public:
+  /// `samples` are followed from tetrahedron to tetrahedron when given (sampled mode).
+  explicit LiveComplex(Complex complex, std::shared_ptr<const BoundarySamples> samples);
+
+  const Complex& complex() const { return complex_; }
+  const Incidence& incidence() const { return incidence_; }
+  bool alive(VertexId v) const { return complex_.vertices[v.index()].alive; }
+  bool adjacent(VertexId a, VertexId b) const { return incidence_.adjacent(complex_, a, b); }
+  /// Grows with every change; the time of the last one that reached a tetrahedron at v.
+  std::uint32_t clock() const { return clock_; }
+  std::uint32_t changed(VertexId v) const { return changed_[v.index()]; }
+
+  EdgeStar star(VertexId a, VertexId b, CostRing ring) const;
+  /// Vertices joined to v by an edge, ascending.
+  std::vector<VertexId> neighbors(VertexId v) const;
+  /// The delta of collapsing the edge ab to `target`; a stays.
+  Delta collapse(VertexId a, VertexId b, Vec3 target) const;
+  void apply(const Delta& delta);
+
+  std::size_t alive_tets() const { return alive_tets_; }
+  /// Vertices of Z: zeros on edges, or vertices with F = 0 once it is embedded.
+  std::size_t zero_set_vertices() const { return zero_set_vertices_; }
+
+ private:
+  void recount(const Delta& delta);
+  std::size_t sign_changes(const std::vector<TetRecord>& tets) const;
+
+  Complex complex_;
+  Incidence incidence_;
+  std::shared_ptr<const BoundarySamples> samples_;
+  std::unique_ptr<SampleSets> sets_;
+  std::vector<std::uint32_t> changed_;
+  std::uint32_t clock_ = 1;
+  std::size_t alive_tets_ = 0, zero_set_vertices_ = 0;
+};
+
+} // namespace isoscope

@@ -1,0 +1,167 @@
+// The order of the stages, and how the improver's changes of Z become operations.
+#include "simplify/simplification.h"
+
+#include "criteria/nearest_sample.h"
+#include "simplify/collapse_stage.h"
+#include "simplify/free_improvement.h"
+#include "simplify/live_complex.h"
+#include "simplify/stage_log.h"
+#include "simplify/tessellation.h"
+
+#include <limits>
+#include <optional>
+
+namespace isoscope {
+
+namespace {
+
+constexpr int most_rounds = 10;
+/// Rounds of the all-edges stage: mixed edges, then edges of Z again, until neither brings anything.
+constexpr int most_exchanges = 8;
+
+constexpr std::array<Stage, 5> stage_order{Stage::gamma, Stage::tessellation, Stage::zero_set, Stage::all,
+                                           Stage::improve};
+
+} // namespace
+
+struct Simplification::Impl {
+  Impl(const ToleranceVolume& v, std::shared_ptr<const BoundarySamples> s, const CriteriaParameters& c,
+       const SimplificationParameters& p, Recorder& recorder, const RunControl& run_control, Complex complex)
+      : samples(std::move(s)), nearest(samples->positions, samples->labels), context{v, &nearest, c},
+        parameters(p), log(recorder, run_control),
+        live(std::make_unique<LiveComplex>(std::move(complex), c.certified ? nullptr : samples)) {
+    log.on_parameters([this](const CriteriaParameters& wanted) { adopt(wanted); });
+  }
+
+  std::shared_ptr<const BoundarySamples> samples;
+  NearestSample nearest;
+  EvaluationContext context;
+  SimplificationParameters parameters;
+  StageLog log;
+  std::unique_ptr<LiveComplex> live; ///< null once Z has left T
+  Complex free;                      ///< the state after that
+  std::size_t next = 0;              ///< into stage_order
+
+  bool wanted(Stage stage) const {
+    return stage <= parameters.until && !parameters.skipped[static_cast<std::size_t>(stage)];
+  }
+
+  /// σ, δ and what decides containment stay: they belong to what was refined.
+  void adopt(const CriteriaParameters& w) {
+    CriteriaParameters c = context.criteria;
+    c.alpha = w.alpha;
+    c.shrink = w.shrink;
+    c.condition_3 = w.condition_3;
+    if (!(w.delta > 0) || c == context.criteria) return;
+    context.criteria = c;
+    log.journal().add_parameters(c);
+    Event e;
+    e.kind = EventKind::parameter_change;
+    log.event(e);
+  }
+
+  std::size_t collapse(EdgeKind kind, bool halfedge, int rounds) {
+    CollapseSettings settings;
+    settings.kind = kind;
+    settings.halfedge = halfedge;
+    settings.search.strategy = parameters.target;
+    return CollapseStage(*live, context, settings, parameters.ring, samples.get(), log).run(rounds);
+  }
+
+  void all_edges() {
+    for (int i = 0; i < most_exchanges && !log.stopped(); ++i) {
+      const std::size_t mixed = collapse(EdgeKind::mixed, false, 1);
+      const std::size_t zero = collapse(EdgeKind::zero, false, most_rounds);
+      if (mixed + zero == 0) break;
+    }
+  }
+
+  StepFigures figures() const {
+    StepFigures f;
+    f.zero_set_vertices = static_cast<std::uint32_t>(live->zero_set_vertices());
+    f.tets = static_cast<std::uint32_t>(live->alive_tets());
+    f.smallest_height = std::numeric_limits<float>::infinity();
+    return f;
+  }
+
+  Status tessellate() {
+    Result<Delta> delta = mutual_tessellation(live->complex());
+    if (!delta) return delta.error();
+    live->apply(*delta);
+    Event e;
+    e.kind = EventKind::tessellation;
+    e.count = static_cast<std::uint32_t>(delta->added_vertices.size());
+    log.operation(e, std::move(*delta), figures());
+    return {};
+  }
+
+  void leave() {
+    Delta delta = departure(live->complex());
+    live->apply(delta);
+    Event e;
+    e.kind = EventKind::departure;
+    log.operation(e, std::move(delta), figures());
+    free = live->complex();
+    live.reset();
+  }
+
+  Status run_stage(Stage stage) {
+    log.begin(stage);
+    switch (stage) {
+    case Stage::gamma:
+      collapse(EdgeKind::gamma, true, most_rounds);
+      if (!context.criteria.certified) collapse(EdgeKind::gamma, false, most_rounds);
+      break;
+    case Stage::tessellation:
+      if (Status made = tessellate(); !made) return made;
+      break;
+    case Stage::zero_set:
+      collapse(EdgeKind::zero, true, most_rounds);
+      collapse(EdgeKind::zero, false, most_rounds);
+      break;
+    case Stage::all:
+      all_edges();
+      break;
+    case Stage::improve:
+      if (live) leave();
+      if (!log.stopped()) improve_free_zero_set(free, context, parameters.effort, log);
+      break;
+    default:
+      break;
+    }
+    log.end();
+    return {};
+  }
+};
+
+Simplification::Simplification(const ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
+                               const CriteriaParameters& criteria, const SimplificationParameters& parameters,
+                               Recorder& recorder, const RunControl& control, Complex complex)
+    : impl_(std::make_unique<Impl>(volume, std::move(samples), criteria, parameters, recorder, control,
+                                   std::move(complex))) {}
+
+Simplification::~Simplification() = default;
+
+Result<bool> Simplification::run() {
+  Impl& m = *impl_;
+  m.log.resume();
+  for (; m.next < stage_order.size() && !m.log.stopped(); ++m.next) {
+    const Stage stage = stage_order[m.next];
+    if (!m.wanted(stage)) continue;
+    if (Status done = m.run_stage(stage); !done) return done.error();
+    if (m.log.stopped()) break;
+  }
+  if (m.log.stopped()) return false;
+  m.next = std::min(m.next, stage_order.size() - 1);
+  return true;
+}
+
+const Complex& Simplification::complex() const {
+  return impl_->live ? impl_->live->complex() : impl_->free;
+}
+
+const CriteriaParameters& Simplification::criteria() const {
+  return impl_->context.criteria;
+}
+
+} // namespace isoscope

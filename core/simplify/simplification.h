@@ -1,0 +1,48 @@
+// From a topologically right Z to a coarse one: the stages of §2.4 in the paper's order, then the improver.
+#pragma once
+
+#include "base/run_control.h"
+#include "base/status.h"
+#include "journal/recorder.h"
+#include "mesh/incidence.h"
+#include "simplify/target_search.h"
+#include "tolerance/boundary_sampler.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <array>
+#include <memory>
+
+namespace isoscope {
+
+/// What to do after refinement, and how hard to try.
+struct SimplificationParameters {
+  Stage until = Stage::improve;            ///< the last stage
+  std::array<bool, stage_count> skipped{}; ///< by Stage; tessellation cannot be skipped by later ones
+  TargetStrategy target = TargetStrategy::sampling; ///< how targets are looked for in kernels
+  CostRing ring = CostRing::one;                    ///< whose planes make the error
+  int effort = 2;                                   ///< of the improver, 0 to 3
+  friend bool operator==(const SimplificationParameters&, const SimplificationParameters&) = default;
+};
+
+/// One simplification of one T. Everything it does goes to the recorder; after every operation from the
+/// tessellation on the state holds a valid Z.
+class Simplification {
+ public:
+  /// `volume` must outlive it; `complex` is T as refinement left it.
+  Simplification(const ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
+                 const CriteriaParameters& criteria, const SimplificationParameters& parameters,
+                 Recorder& recorder, const RunControl& control, Complex complex);
+  ~Simplification();
+
+  /// Runs the stages that are left; when told to stop it may be called again and goes on where it was. False
+  /// when it was stopped. Fails with internal where the tessellation is impossible.
+  Result<bool> run();
+  const Complex& complex() const;
+  const CriteriaParameters& criteria() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace isoscope

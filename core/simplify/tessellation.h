@@ -1,0 +1,18 @@
+// Mutual tessellation: the zero set becomes facets of T, and every tetrahedron gets its side (§2.4.2).
+#pragma once
+
+#include "base/status.h"
+#include "mesh/complex.h"
+
+namespace isoscope {
+
+/// The delta that splits every edge of T with ends of different sign at its zero, one edge after another in
+/// ascending order of (negative end, positive end), and labels all tetrahedra. Each split is conformal, so
+/// neighbours agree on the diagonals of quads. Fails with internal when a split would turn a tetrahedron
+/// over, which exact orientations decide (zeros are representable on the grid of S, so none does).
+Result<Delta> mutual_tessellation(const Complex& complex);
+
+/// The delta by which Z leaves T: its facets become free, all tetrahedra and the vertices off Z go.
+Delta departure(const Complex& complex);
+
+} // namespace isoscope
