@@ -1,7 +1,7 @@
 // Branch and bound over the pieces of a facet.
 #include "tolerance/facet_certificate.h"
 
-#include <vector>
+#include <array>
 
 namespace isoscope {
 namespace {
@@ -15,6 +15,18 @@ struct Piece {
 
 /// Bisections beyond this cannot make a piece of doubles smaller.
 constexpr int max_depth = 120;
+
+/// Pieces that wait: depth first, so at most one for each level besides the two newest.
+class PieceStack {
+ public:
+  bool empty() const { return size_ == 0; }
+  void push(const Piece& piece) { pieces_[size_++] = piece; }
+  Piece pop() { return pieces_[--size_]; }
+
+ private:
+  std::array<Piece, max_depth + 2> pieces_;
+  std::size_t size_ = 0;
+};
 
 /// What a computed distance, circumradius bound or repeatedly rounded midpoint may be off by. Each comes from
 /// fewer than 32 operations on numbers below the largest coordinate M, and midpoints along one path of
@@ -37,7 +49,7 @@ double corner_bound(const Piece& piece, const Triangle3& input) {
   return std::sqrt(bound2);
 }
 
-void push_halves(const Piece& piece, TriangleId guess, std::vector<Piece>& stack) {
+void push_halves(const Piece& piece, TriangleId guess, PieceStack& stack) {
   const Triangle3& t = piece.corners;
   std::size_t longest = 0;
   double l2 = -1;
@@ -50,22 +62,23 @@ void push_halves(const Piece& piece, TriangleId guess, std::vector<Piece>& stack
   Piece first{t, guess, piece.depth + 1}, second = first;
   first.corners[longest] = middle;
   second.corners[next] = middle;
-  stack.push_back(first);
-  stack.push_back(second);
+  stack.push(first);
+  stack.push(second);
 }
 
 } // namespace
 
 FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
-                           double reject, std::size_t budget) {
+                           double reject, std::size_t budget, TriangleId guess) {
   const double rounding = rounding_bound(index, facet);
   FacetVerdict verdict;
-  std::vector<Piece> stack{{facet, TriangleId(), 0}};
+  PieceStack stack;
+  stack.push({facet, guess, 0});
   while (!stack.empty()) {
-    const Piece piece = stack.back();
-    stack.pop_back();
+    const Piece piece = stack.pop();
     if (++verdict.pieces > budget || piece.depth > max_depth) {
       verdict.kind = FacetVerdict::Kind::undecided;
+      verdict.witness = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;
       return verdict;
     }
     const Triangle3& t = piece.corners;

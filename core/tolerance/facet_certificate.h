@@ -11,15 +11,16 @@ namespace isoscope {
 struct FacetVerdict {
   enum class Kind { inside, outside, undecided };
   Kind kind = Kind::undecided;
-  Vec3 witness;            ///< outside: a point of the triangle with d > reject
+  Vec3 witness; ///< outside: a point of the triangle with d > reject; undecided: the last one looked at
   ClosestPoint closest;    ///< of the witness
   double max_distance = 0; ///< inside: proven upper bound of d over the triangle
   std::size_t pieces = 0;  ///< pieces looked at
 };
 
 /// Accepts when d <= accept is proven everywhere (rounded outward), rejects at the first point found with d >
-/// reject (reject <= accept), undecided when `budget` pieces did not suffice.
+/// reject (reject <= accept), undecided when `budget` pieces did not suffice. `guess`, an input triangle
+/// close to the facet, makes it faster. Allocates nothing.
 FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
-                           double reject, std::size_t budget = 20000);
+                           double reject, std::size_t budget = 20000, TriangleId guess = {});
 
 } // namespace isoscope

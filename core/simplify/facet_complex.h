@@ -1,0 +1,73 @@
+// Points, facets and stars of a closed surface, or of a piece of one: what collapses, flips and relocations
+// work on.
+#pragma once
+
+#include "base/geometry.h"
+#include "base/ids.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isoscope {
+
+/// Weights of a facet's three corners.
+using Barycentric = std::array<double, 3>;
+
+/// A facet with what is known about its distance to the input.
+struct Facet {
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  std::array<std::uint32_t, 3> v{none, none, none}; ///< counter-clockwise seen from outside
+  double energy = 0;              ///< mean of (d/δ)^12 over its samples, plus a penalty when folded
+  double largest = 0;             ///< largest sampled d
+  bool folded = false;            ///< turned away from the input's normals
+  bool proven = false;            ///< inside Ω by certificate
+  std::uint8_t misoriented = 0;   ///< failed tests of condition 3, at most 6
+  TriangleId seed;                ///< an input triangle close to it
+  std::vector<Barycentric> extra; ///< where certificates failed: sampled too
+
+  bool alive() const { return v[0] != none; }
+  /// 0, 1 or 2: which corner the vertex is.
+  std::size_t corner(std::uint32_t vertex) const { return v[0] == vertex ? 0 : (v[1] == vertex ? 1 : 2); }
+  bool has(std::uint32_t vertex) const { return v[0] == vertex || v[1] == vertex || v[2] == vertex; }
+};
+
+/// One facet of a star in cyclic order: (centre, rim, next wedge's rim).
+struct Wedge {
+  std::uint32_t rim = 0, next = 0;
+  std::uint32_t facet = 0;
+  std::uint8_t corner = 0; ///< which corner of the facet is the centre
+};
+
+/// Indexed facets with the star of each vertex. Ids are stable: what dies leaves a gap.
+struct FacetComplex {
+  std::vector<Vec3> points;
+  std::vector<Facet> facets;
+  std::vector<std::vector<std::uint32_t>> stars; ///< facets of each vertex, in no particular order
+
+  Triangle3 triangle(const Facet& f) const { return {points[f.v[0]], points[f.v[1]], points[f.v[2]]}; }
+  Triangle3 triangle(std::size_t f) const { return triangle(facets[f]); }
+  bool alive_vertex(std::uint32_t v) const { return !stars[v].empty(); }
+  /// Fills `stars` from `facets`.
+  void build_stars();
+  /// Vertices that share a facet with v, ascending.
+  std::vector<std::uint32_t> neighbors(std::uint32_t v) const;
+  bool has_edge(std::uint32_t a, std::uint32_t b) const;
+  /// The facet left of the directed edge, or Facet::none.
+  std::uint32_t facet_left_of(std::uint32_t from, std::uint32_t to) const;
+  /// Gives a facet other corners (or none): keeps the stars, drops its extra samples.
+  void replace_facet(std::uint32_t f, std::array<std::uint32_t, 3> v);
+
+  /// The star of v in cyclic order; v's star must be closed.
+  std::vector<Wedge> star(std::uint32_t v) const;
+  /// The star that the merged vertex of the edge ab would have; needs the link condition.
+  std::vector<Wedge> merged_star(std::uint32_t a, std::uint32_t b) const;
+  /// Lk(a) ∩ Lk(b) = Lk(ab) on a closed surface, and not the last four facets of a component. The stars of a
+  /// and b must be complete.
+  bool link_condition(std::uint32_t a, std::uint32_t b) const;
+  /// Merges b into a; positions stay. The link condition must hold.
+  void collapse(std::uint32_t a, std::uint32_t b);
+};
+
+} // namespace isoscope

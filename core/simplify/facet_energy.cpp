@@ -1,0 +1,95 @@
+// Sampling of facets. Neighbours share the samples of their common edge.
+#include "simplify/facet_energy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+
+constexpr double least_cosine = 0.1;
+constexpr double fold_penalty = 1e4;
+/// Where input normals cancel to less than this share of their number there is no direction to fold from.
+constexpr double clear_direction = 0.3;
+
+double power_12(double x) {
+  const double x2 = x * x, x4 = x2 * x2;
+  return x4 * x4 * x4;
+}
+
+} // namespace
+
+void FacetSums::add(const DistanceSample& s, const InputSurface& input) {
+  energy += power_12(s.distance / input.delta());
+  largest = std::max(largest, s.distance);
+  normal += input.normal(s.triangle);
+  ++count;
+}
+
+void FacetSums::add(const FacetSums& other) {
+  energy += other.energy;
+  largest = std::max(largest, other.largest);
+  normal += other.normal;
+  count += other.count;
+}
+
+int sampling_steps(double edge_length, double delta) {
+  return std::clamp(static_cast<int>(std::ceil(std::min(edge_length / (4 * delta), 4.0))), 2, 4);
+}
+
+std::span<const Barycentric> inner_samples(int steps) {
+  static constexpr std::array<Barycentric, 1> of_3{{{1. / 3, 1. / 3, 1. / 3}}};
+  static constexpr std::array<Barycentric, 3> of_4{{{.5, .25, .25}, {.25, .5, .25}, {.25, .25, .5}}};
+  if (steps == 3) return of_3;
+  if (steps == 4) return of_4;
+  return {};
+}
+
+FacetQuality judge(const FacetSums& sums, const Triangle3& facet, double delta) {
+  FacetQuality quality{sums.energy / sums.count, sums.largest, false};
+  const Vec3 area = cross(facet[1] - facet[0], facet[2] - facet[0]);
+  const double twice_area = length(area), clear = length(sums.normal);
+  const double longest =
+      std::sqrt(std::max({squared_length(facet[1] - facet[0]), squared_length(facet[2] - facet[1]),
+                          squared_length(facet[0] - facet[2])}));
+  double cosine = -1;
+  const double height = longest > 0 ? twice_area / longest : 0;
+  if (height >= 1e-4 * longest && height >= 1e-6 * delta)
+    cosine = clear < clear_direction * sums.count ? 1 : dot(area, sums.normal) / (twice_area * clear);
+  if (cosine < least_cosine) {
+    quality.folded = true;
+    quality.energy += fold_penalty * (1 + least_cosine - cosine);
+  }
+  return quality;
+}
+
+FacetQuality measure_facet(const InputSurface& input, const Triangle3& t, std::span<const Barycentric> extra,
+                           TriangleId& seed) {
+  FacetSums sums;
+  const auto add = [&](Vec3 p) {
+    const DistanceSample s = input.sample(p, seed);
+    seed = s.triangle;
+    sums.add(s, input);
+  };
+  int most = 2;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 a = t[k], b = t[(k + 1) % 3];
+    const int steps = sampling_steps(distance(a, b), input.delta());
+    most = std::max(most, steps);
+    add(a);
+    for (int j = 1; j < steps; ++j) add(a + (j / static_cast<double>(steps)) * (b - a));
+  }
+  for (const Barycentric& w : inner_samples(most)) add(at(w, t));
+  for (const Barycentric& w : extra) add(at(w, t));
+  return judge(sums, t, input.delta());
+}
+
+void measure_facet(const InputSurface& input, FacetComplex& complex, std::uint32_t f) {
+  Facet& facet = complex.facets[f];
+  const FacetQuality quality = measure_facet(input, complex.triangle(facet), facet.extra, facet.seed);
+  facet.energy = quality.energy;
+  facet.largest = quality.largest;
+  facet.folded = quality.folded;
+}
+
+} // namespace isoscope

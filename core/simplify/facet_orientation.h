@@ -1,0 +1,23 @@
+// Condition 3 carried to facets of Z: the plane of a facet classifies the samples nearest to its shrunk copy
+// (§2.3, §2.4).
+#pragma once
+
+#include "base/geometry.h"
+#include "criteria/nearest_sample.h"
+
+#include <cstdint>
+
+namespace isoscope {
+
+/// What facets are tested against.
+struct OrientationTester {
+  const NearestSample* samples = nullptr;
+  double shrink = 0.7; ///< size of the copy about the centroid
+  double radius = 0;   ///< a sample farther than this from a shrunk corner says nothing about the place
+
+  /// Failed tests among the six (three corners, both sides): the positive sample must lie on the positive
+  /// side of the facet, the negative one on the negative side.
+  std::uint8_t failures(const Triangle3& facet) const;
+};
+
+} // namespace isoscope

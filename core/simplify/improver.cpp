@@ -1,0 +1,124 @@
+// The schedule: greedy rounds and relaxation until nothing collapses, then rounds with repair.
+#include "simplify/improver.h"
+
+#include "simplify/relaxation.h"
+
+namespace isoscope {
+namespace {
+
+constexpr int sweeps_after_round = 2;
+constexpr int most_rounds = 20;
+/// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
+constexpr double sample_radius = 4;
+
+/// One level of collapse with repair.
+struct RepairLevel {
+  int rings, sweeps;
+  double excess; ///< cost limit in δ
+};
+
+class Improver {
+ public:
+  Improver(const TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
+           const ImproverOptions& options, const RunControl& control, ImproverObserver& observer)
+      : options_(options), control_(control), observer_(observer),
+        input_(volume.index(), volume.thresholds().delta, mesh), rules_(make_rules(volume, samples)),
+        surface_(mesh, rules_) {}
+
+  ImproverOutcome run() {
+    shrink_greedily();
+    if (options_.effort >= 2) repair({2, 12, 1.4});
+    if (options_.effort >= 3) {
+      repair({3, 18, 1.4});
+      repair({3, 18, 2});
+    }
+    if (stopped_ || control_.cancelled()) outcome_.end = ImproverOutcome::End::stopped;
+    return outcome_;
+  }
+  TriangleMesh result() const { return surface_.compacted(); }
+
+ private:
+  SurfaceRules make_rules(const ToleranceVolume& volume, const NearestSample* samples) const {
+    SurfaceRules rules;
+    rules.input = &input_;
+    const double delta = volume.thresholds().delta;
+    if (options_.preserve_normals && samples != nullptr)
+      rules.orientation = OrientationTester{samples, options_.shrink, sample_radius * delta};
+    for (const Region& r : volume.regions())
+      if (r.depth > delta) rules.witnesses.push_back(r.deepest);
+    return rules;
+  }
+
+  std::size_t round(const CollapseRoundOptions& options, FailedEdges& failed) {
+    const CollapseRoundFigures figures =
+        collapse_round(surface_, rules_, options, failed, control_, observer_);
+    outcome_.attempts += figures.attempts;
+    outcome_.collapses += figures.collapses;
+    if (options.repair.sweeps > 0) outcome_.repairs += figures.collapses;
+    stopped_ = stopped_ || figures.stopped;
+    return figures.collapses;
+  }
+
+  void relax_all() {
+    for (int s = 0; s < sweeps_after_round && !stopped_ && !control_.cancelled(); ++s) {
+      const FacetComplex before = surface_.complex();
+      const RelaxationFigures figures = relax(surface_, rules_, control_);
+      if (figures.moved + figures.flipped == 0) return;
+      outcome_.moved += figures.moved;
+      outcome_.flipped += figures.flipped;
+      ImproverVerdict verdict;
+      verdict.kind = SurfaceChange::Kind::relaxation;
+      verdict.moved = figures.moved;
+      verdict.flipped = figures.flipped;
+      stopped_ = !observer_.accepted(difference(before, surface_.complex(), SurfaceChange::Kind::relaxation),
+                                     verdict);
+    }
+  }
+
+  void shrink_greedily() {
+    CollapseRoundOptions options;
+    options.cost_limit = rules_.sampled_limit();
+    FailedEdges failed;
+    for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
+      const std::size_t collapsed = round(options, failed);
+      if (options_.effort == 0 || (r > 0 && collapsed == 0)) return;
+      relax_all();
+    }
+  }
+
+  void repair(const RepairLevel& level) {
+    CollapseRoundOptions options;
+    options.cost_limit = level.excess * input_.delta();
+    options.rings = level.rings;
+    options.repair.sweeps = level.sweeps;
+    options.placement = {false, 2};
+    FailedEdges failed;
+    for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
+      const std::size_t collapsed = round(options, failed);
+      relax_all();
+      if (collapsed == 0) return;
+    }
+  }
+
+  const ImproverOptions& options_;
+  const RunControl& control_;
+  ImproverObserver& observer_;
+  InputSurface input_;
+  SurfaceRules rules_;
+  LiveSurface surface_;
+  ImproverOutcome outcome_;
+  bool stopped_ = false;
+};
+
+} // namespace
+
+ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
+                        const ImproverOptions& options, const RunControl& control,
+                        ImproverObserver& observer) {
+  Improver improver(mesh, volume, samples, options, control, observer);
+  const ImproverOutcome outcome = improver.run();
+  mesh = improver.result();
+  return outcome;
+}
+
+} // namespace isoscope

@@ -1,0 +1,32 @@
+// The improver: reduces the vertices of Z by minimax placement, relocation, flips and collapse with repair,
+// guarded by certificates, exact intersection tests, link conditions and witnesses (algorithm notes §6).
+#pragma once
+
+#include "simplify/collapse_round.h"
+#include "tolerance/tolerance_volume.h"
+
+namespace isoscope {
+
+struct ImproverOptions {
+  /// 0: greedy collapses to minimax targets; 1: with relaxation between rounds; 2: then collapses with repair
+  /// of the 2-ring; 3: then of the 3-ring and to a higher excess.
+  int effort = 2;
+  bool preserve_normals = true; ///< condition 3 is preserved (§2.4); needs samples
+  double shrink = 0.7;          ///< of the facet's copy for condition 3, in (0, 1]
+};
+
+struct ImproverOutcome {
+  enum class End { finished, stopped };
+  End end = End::finished;
+  std::size_t attempts = 0, collapses = 0, repairs = 0; ///< repairs: collapses with repair
+  std::size_t moved = 0, flipped = 0;                   ///< in relaxation sweeps
+};
+
+/// Improves `mesh`: a closed oriented 2-manifold without intersections, inside Ω, that separates the regions.
+/// Every change keeps that, so the result holds at whatever moment it is cancelled. `samples` may be null:
+/// then normals are not preserved. The result depends on the arguments only, not on the number of threads.
+ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
+                        const ImproverOptions& options, const RunControl& control,
+                        ImproverObserver& observer);
+
+} // namespace isoscope

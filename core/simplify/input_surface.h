@@ -1,0 +1,42 @@
+// The input as the improver sees it: distances with their directions, normals oriented like Z.
+#pragma once
+
+#include "base/geometry.h"
+#include "input/triangle_soup.h"
+#include "tolerance/closest_point.h"
+
+#include <vector>
+
+namespace isoscope {
+
+/// d at a point, to first order.
+struct DistanceSample {
+  double distance = 0;
+  Vec3 direction; ///< ∇d, of length 1; on the input the normal of its triangle
+  TriangleId triangle;
+};
+
+/// Distances to the input in units of the run, and the input's unit normals on the side of Z's.
+class InputSurface {
+ public:
+  /// Normals are oriented by `surface`: pieces of the input whose triangles agree with each other vote with
+  /// the nearest facets of the surface, so that an input in any orientation serves.
+  InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface);
+
+  /// d at p, starting from a triangle that is likely close (or an invalid one).
+  DistanceSample sample(Vec3 p, TriangleId guess) const {
+    const ClosestPoint c = index_->closest_near(p, guess);
+    const double d = c.distance();
+    return {d, d > on_surface_ ? (p - c.point) / d : normal(c.triangle), c.triangle};
+  }
+  Vec3 normal(TriangleId t) const { return normals_[t.index()]; }
+  double delta() const { return delta_; }
+  const ClosestPointIndex& index() const { return *index_; }
+
+ private:
+  const ClosestPointIndex* index_;
+  double delta_, on_surface_;
+  std::vector<Vec3> normals_; ///< by triangle id; zero for degenerate triangles
+};
+
+} // namespace isoscope

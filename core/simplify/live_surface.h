@@ -1,0 +1,46 @@
+// Z while it is improved: gives out patches, tests them against the rest and commits them.
+#pragma once
+
+#include "simplify/facet_octree.h"
+#include "simplify/improver_verdict.h"
+#include "simplify/transaction.h"
+
+#include <optional>
+
+namespace isoscope {
+
+/// The whole surface. Reading is thread-safe; commits are for one thread.
+class LiveSurface {
+ public:
+  /// Copies a closed oriented 2-manifold without intersections, inside Ω, and measures its facets.
+  LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules);
+
+  const FacetComplex& complex() const { return complex_; }
+  std::size_t vertex_count() const { return vertex_count_; }
+  /// Number of the last commit that changed a facet at v; 0 before the first.
+  std::uint32_t stamp(std::uint32_t v) const { return stamps_[v]; }
+  std::uint32_t commits() const { return commits_; }
+
+  /// Why a patch cannot be committed as the surface is now: a facet elsewhere that would be met (exact), or a
+  /// vertex that would be left with fewer than three facets. The patch's own facets must be as they were
+  /// taken.
+  PatchVerdict check(const SurfacePatch& patch) const;
+  /// Whether the patch's facets and vertices are still as they were taken.
+  bool up_to_date(const SurfacePatch& patch) const;
+  /// Takes the patch over; both checks must have passed.
+  SurfaceChange commit(const SurfacePatch& patch, SurfaceChange::Kind kind);
+  /// The surface as a mesh without gaps.
+  TriangleMesh compacted() const;
+
+ private:
+  FacetComplex complex_;
+  FacetOctree octree_;
+  std::vector<std::uint32_t> stamps_; ///< by vertex
+  std::uint32_t commits_ = 0;
+  std::size_t vertex_count_ = 0;
+};
+
+/// What turned one state of a surface into another: for sweeps of many small commits.
+SurfaceChange difference(const FacetComplex& before, const FacetComplex& after, SurfaceChange::Kind kind);
+
+} // namespace isoscope

@@ -1,0 +1,120 @@
+// Merging, relocating and flipping with measured facets.
+#include "simplify/patch_moves.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+constexpr double least_gain = 0.995;     ///< of a relocation: new energy over old
+constexpr double least_flip_gain = 0.98; ///< of a flip
+constexpr double flip_from = 0.7;        ///< flips are tried where the largest d exceeds this share of δ
+constexpr double folded_surcharge = 3;   ///< δ, on the cost of a collapse that folds a facet
+
+void store(FacetComplex& complex, std::span<const Wedge> wedges, const Placement& placement) {
+  for (std::size_t i = 0; i < wedges.size(); ++i) {
+    Facet& f = complex.facets[wedges[i].facet];
+    f.energy = placement.facets[i].energy;
+    f.largest = placement.facets[i].largest;
+    f.folded = placement.facets[i].folded;
+    f.seed = placement.seeds[i];
+    f.proven = false;
+  }
+}
+
+} // namespace
+
+std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, const FacetComplex& complex,
+                                                    std::uint32_t a, std::uint32_t b,
+                                                    const PlacementEffort& effort) {
+  if (!complex.link_condition(a, b)) return std::nullopt;
+  const std::vector<Wedge> wedges = complex.merged_star(a, b);
+  const Star star = make_star(complex, wedges, false);
+  StarEvaluator evaluator(input, star);
+  const Vec3 pa = complex.points[a], pb = complex.points[b];
+  Vec3 start = 0.5 * (pa + pb);
+  Placement best = evaluator.evaluate(start);
+  if (effort.three_starts) {
+    for (const Vec3 p : {pa, pb})
+      if (Placement other = evaluator.evaluate(p); other.energy < best.energy) best = std::move(other);
+    best = evaluator.evaluate(best.point);
+  }
+  evaluator.improve(best, effort.rounds);
+  return CollapseCandidate{best.point, best.largest + (best.folded ? folded_surcharge * input.delta() : 0)};
+}
+
+void collapse_to(const InputSurface& input, FacetComplex& complex, std::uint32_t a, std::uint32_t b,
+                 Vec3 target) {
+  complex.collapse(a, b);
+  complex.points[a] = target;
+  const std::vector<Wedge> wedges = complex.star(a);
+  for (const Wedge& w : wedges) complex.facets[w.facet].extra.clear();
+  const Star star = make_star(complex, wedges, false);
+  store(complex, wedges, StarEvaluator(input, star).evaluate(target));
+}
+
+bool relocate(const InputSurface& input, FacetComplex& complex, std::uint32_t v, int rounds) {
+  const std::vector<Wedge> wedges = complex.star(v);
+  const Star star = make_star(complex, wedges, true);
+  StarEvaluator evaluator(input, star);
+  Placement placement = evaluator.evaluate(complex.points[v]);
+  const double before = placement.energy;
+  evaluator.improve(placement, rounds);
+  if (!(placement.energy < least_gain * before)) return false;
+  complex.points[v] = placement.point;
+  store(complex, wedges, placement);
+  return true;
+}
+
+std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
+                                  std::size_t k) {
+  const Facet& first = complex.facets[f];
+  FlipPlan plan{f, Facet::none, first.v[k], first.v[(k + 1) % 3], first.v[(k + 2) % 3], 0, {}, {}};
+  if (plan.a > plan.b) return std::nullopt;
+  plan.g = complex.facet_left_of(plan.b, plan.a);
+  if (plan.g == Facet::none) return std::nullopt;
+  const Facet& second = complex.facets[plan.g];
+  if (std::max(first.largest, second.largest) < flip_from * input.delta()) return std::nullopt;
+  plan.d = second.v[(second.corner(plan.a) + 1) % 3];
+  const double allowed = least_flip_gain * (first.energy + second.energy);
+  const auto& p = complex.points;
+  plan.seeds = {first.seed, first.seed};
+  plan.quality[0] = measure_facet(input, {p[plan.a], p[plan.d], p[plan.c]}, {}, plan.seeds[0]);
+  if (plan.quality[0].folded || plan.quality[0].energy > allowed) return std::nullopt;
+  plan.seeds[1] = plan.seeds[0];
+  plan.quality[1] = measure_facet(input, {p[plan.d], p[plan.b], p[plan.c]}, {}, plan.seeds[1]);
+  if (plan.quality[1].folded || plan.quality[0].energy + plan.quality[1].energy > allowed)
+    return std::nullopt;
+  return plan;
+}
+
+void apply_flip(FacetComplex& complex, const FlipPlan& plan) {
+  complex.replace_facet(plan.f, {plan.a, plan.d, plan.c});
+  complex.replace_facet(plan.g, {plan.d, plan.b, plan.c});
+  const std::array<std::uint32_t, 2> changed{plan.f, plan.g};
+  for (std::size_t i = 0; i < 2; ++i) {
+    Facet& facet = complex.facets[changed[i]];
+    facet.energy = plan.quality[i].energy;
+    facet.largest = plan.quality[i].largest;
+    facet.folded = plan.quality[i].folded;
+    facet.seed = plan.seeds[i];
+  }
+}
+
+bool try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k) {
+  const Facet& facet = patch.complex.facets[f];
+  const std::uint32_t a = facet.v[k], b = facet.v[(k + 1) % 3], c = facet.v[(k + 2) % 3];
+  const std::uint32_t g = patch.complex.facet_left_of(b, a);
+  if (a > b || g == Facet::none || patch.valence(a) <= 3 || patch.valence(b) <= 3) return false;
+  const Facet& other = patch.complex.facets[g];
+  const std::uint32_t d = other.v[(other.corner(a) + 1) % 3];
+  // Between two fixed vertices there may be an edge outside of the patch.
+  if (!patch.free[c] && !patch.free[d]) return false;
+  if (patch.complex.has_edge(patch.free[c] ? c : d, patch.free[c] ? d : c)) return false;
+  const auto plan = plan_flip(input, patch.complex, f, k);
+  if (!plan) return false;
+  apply_flip(patch.complex, *plan);
+  return true;
+}
+
+} // namespace isoscope

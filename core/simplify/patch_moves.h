@@ -1,0 +1,52 @@
+// The moves on a complex: merge an edge, relocate a vertex, flip an edge; each leaves its facets measured.
+#pragma once
+
+#include "simplify/placement.h"
+#include "simplify/surface_patch.h"
+
+#include <optional>
+
+namespace isoscope {
+
+/// Where the merged vertex of an edge should lie and what its star would be like.
+struct CollapseCandidate {
+  Vec3 target;
+  double cost = 0; ///< largest sampled d of the star; 3 δ more when a facet would be folded
+};
+
+/// How much work goes into a target.
+struct PlacementEffort {
+  bool three_starts = true; ///< the best of the midpoint and both ends, or the midpoint alone
+  int rounds = 4;
+};
+
+/// Places the merged vertex of ab; nothing where the link condition fails. The stars of a and b must be
+/// complete.
+std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, const FacetComplex& complex,
+                                                    std::uint32_t a, std::uint32_t b,
+                                                    const PlacementEffort& effort);
+/// Merges b into a at the target and measures the new star.
+void collapse_to(const InputSurface& input, FacetComplex& complex, std::uint32_t a, std::uint32_t b,
+                 Vec3 target);
+/// Moves v to a better place; false where the energy of its star would not fall by half a percent.
+bool relocate(const InputSurface& input, FacetComplex& complex, std::uint32_t v, int rounds);
+
+/// Two facets abc and bad that become adc and dbc.
+struct FlipPlan {
+  std::uint32_t f, g;
+  std::uint32_t a, b, c, d;
+  std::array<FacetQuality, 2> quality;
+  std::array<TriangleId, 2> seeds;
+};
+
+/// Whether flipping the edge opposite of the corner (k + 2) % 3 of f, from its k-th to its next corner,
+/// lowers the energy. Asked once per edge: only where the first end has the smaller id, and only where a
+/// facet comes near the limit. Connectivity is the caller's: c and d must not be joined, a and b must keep
+/// three facets.
+std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
+                                  std::size_t k);
+void apply_flip(FacetComplex& complex, const FlipPlan& plan);
+/// Flips an edge of the patch if that lowers the energy and the connectivity allows it.
+bool try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k);
+
+} // namespace isoscope

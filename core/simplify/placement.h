@@ -1,0 +1,70 @@
+// Minimax placement: where a vertex must lie so that the largest distance of its star is smallest.
+#pragma once
+
+#include "simplify/facet_energy.h"
+
+#include <span>
+#include <vector>
+
+namespace isoscope {
+
+/// A fan of facets around a vertex that may move: wedge i is (vertex, rim i, rim i + 1).
+struct Star {
+  struct Wedge {
+    Vec3 rim;
+    std::span<const Barycentric> extra; ///< of the facet, in its own corner order
+    std::uint8_t corner = 0;            ///< which corner the vertex is
+    TriangleId seed;
+  };
+  std::vector<Wedge> wedges;
+};
+
+/// The star of wedges found in a complex; `with_extra` false leaves the facets' extra samples out.
+Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool with_extra);
+
+/// A place for the vertex and what the star is like there.
+struct Placement {
+  Vec3 point;
+  double energy = 0;  ///< sum over the facets
+  double largest = 0; ///< largest sampled d
+  bool folded = false;
+  std::vector<FacetQuality> facets; ///< by wedge
+  std::vector<TriangleId> seeds;    ///< by wedge: an input triangle near the facet
+};
+
+/// Evaluates one star at many places. Samples that do not move with the vertex are taken once.
+class StarEvaluator {
+ public:
+  StarEvaluator(const InputSurface& input, const Star& star);
+  /// Judges the star with its vertex at x.
+  Placement evaluate(Vec3 x);
+  /// Improves a placement that evaluate() just returned by at most `rounds` steps, each of which minimises
+  /// the maximum of the linearised distances (p-norms of growing p) and is kept when the true energy falls.
+  void improve(Placement& placement, int rounds);
+
+ private:
+  /// d of a sample as a function of the vertex's displacement: d + weight · direction · Δ.
+  struct Linear {
+    double weight;
+    DistanceSample sample;
+  };
+  static constexpr std::size_t most_inner = 3;
+  struct Spoke {
+    std::array<TriangleId, most_inner> edge, inner; ///< nearest triangles the last time: guesses for the next
+    std::vector<TriangleId> extra;
+  };
+
+  Vec3 minimax_step(double trust) const;
+  DistanceSample sample(Vec3 p, double weight, TriangleId& guess);
+  Vec3 rim(std::size_t i) const { return star_->wedges[i % star_->wedges.size()].rim; }
+
+  const InputSurface* input_;
+  const Star* star_;
+  std::vector<FacetSums> fixed_; ///< by wedge: its rim corners and rim edge
+  std::vector<int> rim_steps_;
+  std::vector<Spoke> spokes_;
+  TriangleId center_guess_;
+  std::vector<Linear> linear_, best_linear_;
+};
+
+} // namespace isoscope

@@ -1,0 +1,19 @@
+// One sweep over all of Z: every vertex is relocated, every edge flipped, where that lowers the energy.
+#pragma once
+
+#include "base/run_control.h"
+#include "simplify/live_surface.h"
+
+namespace isoscope {
+
+/// What a sweep did.
+struct RelaxationFigures {
+  std::uint32_t moved = 0, flipped = 0;
+};
+
+/// Relocations in batches of vertices that are not neighbours, then flips; each is certified and tested
+/// before it is committed. Stops early, with a valid surface, when cancelled. The result does not depend on
+/// the number of threads.
+RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, const RunControl& control);
+
+} // namespace isoscope

@@ -1,0 +1,32 @@
+// Compares solid angles: old and new facets bound a closed chain whose winding around a witness must be zero.
+#include "simplify/swept_witness.h"
+
+#include <numbers>
+
+namespace isoscope {
+
+double solid_angle(Vec3 p, const Triangle3& t) {
+  const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
+  const double la = length(a), lb = length(b), lc = length(c);
+  return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
+std::optional<Vec3> swept_witness(std::span<const Vec3> witnesses, std::span<const Triangle3> before,
+                                  std::span<const Triangle3> after) {
+  Box3 box;
+  for (const auto facets : {before, after})
+    for (const Triangle3& t : facets)
+      for (const Vec3 p : t) box.add(p);
+  for (const Vec3 w : witnesses) {
+    bool inside = true;
+    for (int k = 0; k < 3; ++k) inside = inside && w[k] >= box.lo[k] && w[k] <= box.hi[k];
+    if (!inside) continue;
+    double change = 0;
+    for (const Triangle3& t : before) change -= solid_angle(w, t);
+    for (const Triangle3& t : after) change += solid_angle(w, t);
+    if (std::abs(change) > std::numbers::pi) return w;
+  }
+  return std::nullopt;
+}
+
+} // namespace isoscope

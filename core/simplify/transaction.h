@@ -1,0 +1,47 @@
+// A collapse with repair as a pure function on a patch: the outcome is committed or forgotten.
+#pragma once
+
+#include "simplify/facet_orientation.h"
+#include "simplify/improver_verdict.h"
+#include "simplify/patch_moves.h"
+
+#include <optional>
+
+namespace isoscope {
+
+/// What every change of Z has to keep.
+struct SurfaceRules {
+  const InputSurface* input = nullptr;
+  std::optional<OrientationTester> orientation; ///< when normals are preserved
+  std::vector<Vec3> witnesses;                  ///< points of the regions deeper than δ
+
+  /// Sampled distances up to here are worth a certificate.
+  double sampled_limit() const { return 0.995 * input->delta(); }
+};
+
+/// How far a repair may go.
+struct RepairOptions {
+  int sweeps = 0;       ///< of relocations and flips over the patch; 0: the merged vertex alone is relocated
+  int certificates = 8; ///< rounds of certificates, each of which adds the violating points to the samples
+};
+
+/// The outcome for the patch: accepted, or the first reason against it with its figures.
+struct PatchVerdict {
+  ImproverVerdict::Reason reason = ImproverVerdict::Reason::accepted;
+  double value = 0, limit = 0;
+  Vec3 witness;
+  std::vector<RepairSweep> sweeps;
+  std::uint32_t moved = 0, flipped = 0;
+  bool accepted() const { return reason == ImproverVerdict::Reason::accepted; }
+};
+
+/// Merges b into a (local ids) at the target and repairs the patch until it is proven inside Ω. Everything is
+/// checked but intersections with facets outside of the patch, which need the whole surface.
+PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
+                                  std::uint32_t b, Vec3 target, const RepairOptions& options);
+/// Relocates a free vertex (local id); `connectivity` where nothing is gained.
+PatchVerdict relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v);
+/// Certificates, fold, orientation and witnesses of the patch's changed facets.
+PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch);
+
+} // namespace isoscope
