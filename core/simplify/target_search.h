@@ -1,8 +1,9 @@
-// Where to put the target of a collapse: strategies over a kernel, each asking the same judge (§2.4.1, §2.4.3,
-// Figures 8, 9, 11, 12).
+// Where to put the target of a collapse: strategies over a kernel, each asking the same judge (§2.4.1,
+// §2.4.3, Figures 8, 9, 11, 12).
 #pragma once
 
 #include "criteria/collapse_cost.h"
+#include "criteria/invalid_region.h"
 #include "criteria/kernel.h"
 #include "journal/event.h"
 #include "mesh/edge_star.h"
@@ -11,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace isoscope {
@@ -30,16 +32,18 @@ struct TargetVerdict {
   Vec3 witness;
   /// A half-space that the target must lie in to avoid this failure, to first order.
   std::optional<HalfSpace> learnt;
+  /// Targets that fail for the same reason: they are not asked for again.
+  std::optional<InvalidRegion> invalid;
 };
 using TargetJudge = std::function<TargetVerdict(Vec3)>;
 
 /// Limits of a search.
 struct TargetSearchOptions {
   TargetStrategy strategy = TargetStrategy::sampling;
-  int constraint_rounds = 10;  ///< of lazy constraints
-  int kernel_samples = 100;    ///< points drawn
-  int octree_depth = 5;        ///< of the octree over the kernel's box
-  bool record = false;         ///< keep every candidate
+  int constraint_rounds = 10; ///< of lazy constraints
+  int kernel_samples = 100;   ///< points drawn
+  int octree_depth = 5;       ///< of the octree over the kernel's box
+  bool record = false;        ///< keep every candidate
 };
 
 struct TargetSearchResult {
@@ -48,16 +52,21 @@ struct TargetSearchResult {
   Reason found_by = Reason::none;
   TargetVerdict last_rejection; ///< why the best candidate failed, when there is no target
   std::uint32_t tried = 0;
-  std::vector<CandidateRecord> candidates; ///< when recorded
+  // When recorded.
+  std::vector<CandidateRecord> candidates;
+  std::vector<OctreeCell> cells;
+  std::vector<InvalidRegion> invalid_regions;
 };
 
 /// Looks for a target anywhere in the kernel (edges of Z and mixed edges).
 TargetSearchResult search_kernel(const EdgeStar& star, const Kernel& kernel, const CollapseCost& cost,
                                  const TargetJudge& judge, const TargetSearchOptions& options);
-/// Looks among given points: the ends of the edge (halfedge collapses) or samples of S (∂Γ, Figure 8), those in
-/// the kernel by ascending cost.
+/// Looks among given points: the ends of the edge (halfedge collapses) or samples of S (∂Γ, Figure 8), those
+/// in the kernel by ascending cost.
 TargetSearchResult search_candidates(const EdgeStar& star, const Kernel& kernel, const CollapseCost& cost,
                                      std::span<const Vec3> points, Reason found_by, const TargetJudge& judge,
                                      const TargetSearchOptions& options);
+
+std::string_view name(TargetStrategy);
 
 } // namespace isoscope
