@@ -2,6 +2,7 @@
 // (architecture D1, D2).
 #pragma once
 
+#include "criteria/invalid_region.h"
 #include "criteria/kernel.h"
 #include "criteria/link.h"
 #include "journal/event.h"
@@ -46,6 +47,19 @@ struct CandidateRecord {
   Vec3 witness;
 };
 
+/// A cell of the octree over a kernel's box and what became of it, in the order of visit.
+struct OctreeCell {
+  enum class Fate : std::uint8_t {
+    split,          ///< its centre failed, or lies outside the kernel: its eight parts follow
+    outside_kernel, ///< left out: no point of it is in the kernel
+    invalid,        ///< left out: it lies inside one Ψ
+    exhausted,      ///< of the last level, and its centre failed or lies outside the kernel
+    taken           ///< its centre is the target
+  };
+  Box3 box;
+  Fate fate = Fate::split;
+};
+
 /// Everything there is to say about collapsing one edge.
 struct CollapseAttempt {
   VertexId a, b; ///< a stays
@@ -62,6 +76,8 @@ struct CollapseAttempt {
   LinkVerdict link;
   std::optional<Kernel> kernel;
   std::vector<CandidateRecord> candidates;
+  std::vector<OctreeCell> cells;              ///< of the octree strategy
+  std::vector<InvalidRegion> invalid_regions; ///< Ψ that the search met
 
   bool possible() const { return rejected == Reason::none; }
   const CheckVerdict& check(CollapseCheck c) const { return checks[static_cast<std::size_t>(c)]; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "criteria/collapse_cost.h"
+#include "criteria/invalid_region.h"
 #include "criteria/kernel.h"
 #include "journal/event.h"
 #include "mesh/edge_star.h"
@@ -11,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace isoscope {
@@ -30,6 +32,8 @@ struct TargetVerdict {
   Vec3 witness;
   /// A half-space that the target must lie in to avoid this failure, to first order.
   std::optional<HalfSpace> learnt;
+  /// Targets that fail for the same reason: they are not asked for again.
+  std::optional<InvalidRegion> invalid;
 };
 using TargetJudge = std::function<TargetVerdict(Vec3)>;
 
@@ -48,7 +52,10 @@ struct TargetSearchResult {
   Reason found_by = Reason::none;
   TargetVerdict last_rejection; ///< why the best candidate failed, when there is no target
   std::uint32_t tried = 0;
-  std::vector<CandidateRecord> candidates; ///< when recorded
+  // When recorded.
+  std::vector<CandidateRecord> candidates;
+  std::vector<OctreeCell> cells;
+  std::vector<InvalidRegion> invalid_regions;
 };
 
 /// Looks for a target anywhere in the kernel (edges of Z and mixed edges).
@@ -59,5 +66,7 @@ TargetSearchResult search_kernel(const EdgeStar& star, const Kernel& kernel, con
 TargetSearchResult search_candidates(const EdgeStar& star, const Kernel& kernel, const CollapseCost& cost,
                                      std::span<const Vec3> points, Reason found_by, const TargetJudge& judge,
                                      const TargetSearchOptions& options);
+
+std::string_view name(TargetStrategy);
 
 } // namespace isoscope
