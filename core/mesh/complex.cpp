@@ -92,7 +92,7 @@ void exchange(std::vector<Tet>& tets, const std::vector<TetRecord>& out, const s
 }
 
 /// Replaces facets of a free Z; their slots need no neighbours.
-void exchange_facets(std::vector<Facet>& facets, const std::vector<FacetRecord>& out,
+void exchange_facets(std::vector<ZeroFacet>& facets, const std::vector<FacetRecord>& out,
                      const std::vector<FacetRecord>& in) {
   for (const FacetRecord& r : out) facets[r.id.index()] = {};
   for (const FacetRecord& r : in) {
@@ -149,7 +149,7 @@ std::size_t Complex::alive_tets() const {
 
 std::size_t Complex::memory_bytes() const {
   return sizeof(Complex) + vertices.capacity() * sizeof(Vertex) + tets.capacity() * sizeof(Tet) +
-         facets.capacity() * sizeof(Facet);
+         facets.capacity() * sizeof(ZeroFacet);
 }
 
 void Complex::apply(const Delta& delta) {

@@ -63,10 +63,10 @@ struct Tet {
 
 /// A facet of Z that has left T, counter-clockwise seen from the positive side. A dead slot has invalid
 /// vertices.
-struct Facet {
+struct ZeroFacet {
   std::array<VertexId, 3> v;
   bool alive() const { return v[0].valid(); }
-  friend bool operator==(const Facet&, const Facet&) = default;
+  friend bool operator==(const ZeroFacet&, const ZeroFacet&) = default;
 };
 
 /// A facet of a delta: its slot and vertices.
@@ -129,7 +129,7 @@ struct Delta {
 struct Complex {
   std::vector<Vertex> vertices;
   std::vector<Tet> tets;     ///< slots; dead ones are on no list, the free list is the refiner's business
-  std::vector<Facet> facets; ///< slots of Z once it is free
+  std::vector<ZeroFacet> facets; ///< slots of Z once it is free
   ZeroForm form = ZeroForm::interpolated;
 
   const Vec3& position(VertexId v) const { return vertices[v.index()].position; }

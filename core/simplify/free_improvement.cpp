@@ -63,7 +63,7 @@ struct Numbering {
       mesh.points.push_back(complex.vertices[v].position);
     }
     for (std::size_t f = 0; f < complex.facets.size(); ++f) {
-      const Facet& facet = complex.facets[f];
+      const ZeroFacet& facet = complex.facets[f];
       if (!facet.alive()) continue;
       facets.push_back(FacetId(f));
       mesh.triangles.push_back(

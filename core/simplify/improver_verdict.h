@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/geometry.h"
+#include "journal/event.h"
 
 #include <array>
 #include <cstdint>
@@ -29,14 +30,6 @@ struct SurfaceChange {
   std::vector<Facet> removed, added; ///< ascending by slot; a facet with other corners is in both
   std::vector<Move> moves;           ///< ascending by vertex
   std::vector<std::uint32_t> killed_vertices;
-};
-
-/// A sweep of a transaction: what its inner level shows.
-struct RepairSweep {
-  double largest_distance = 0; ///< largest sampled d of the neighbourhood before the sweep
-  double energy = 0;           ///< sum of its facets' energies
-  std::uint32_t moved = 0, flipped = 0;
-  std::uint32_t points_added = 0; ///< where certificates failed
 };
 
 /// What was decided on an edge (or on a sweep) and why. Lengths are absolute.

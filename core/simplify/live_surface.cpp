@@ -9,7 +9,7 @@
 namespace isoscope {
 namespace {
 
-using Reason = ImproverVerdict::Reason;
+using Refusal = ImproverVerdict::Reason;
 
 Box3 box_of(const Triangle3& t) {
   Box3 box;
@@ -77,7 +77,7 @@ PatchVerdict LiveSurface::check(const SurfacePatch& patch) const {
   PatchVerdict verdict;
   const FacetComplex& own = patch.complex;
   if (const auto where = broken_connectivity(complex_, patch)) {
-    verdict.reason = Reason::connectivity;
+    verdict.reason = Refusal::connectivity;
     verdict.witness = own.points[*where];
     return verdict;
   }
@@ -87,7 +87,7 @@ PatchVerdict LiveSurface::check(const SurfacePatch& patch) const {
     const Box3 box = box_of(facet.points);
     const auto meets = [&](const IndexedTriangle& other) {
       if (!overlap(box, box_of(other.points)) || !intersect_properly(facet, other)) return false;
-      verdict.reason = Reason::intersection;
+      verdict.reason = Refusal::intersection;
       verdict.witness = other.points[0];
       return true;
     };

@@ -11,7 +11,7 @@
 namespace isoscope {
 namespace {
 
-using Reason = ImproverVerdict::Reason;
+using Refusal = ImproverVerdict::Reason;
 
 constexpr std::size_t certificate_budget = 4000;
 constexpr std::size_t most_extra = 40; ///< samples a facet may gather
@@ -58,7 +58,7 @@ Proof prove(const InputSurface& input, FacetComplex& complex) {
   return proof;
 }
 
-PatchVerdict refuse(Reason reason, double value, double limit, Vec3 witness) {
+PatchVerdict refuse(Refusal reason, double value, double limit, Vec3 witness) {
   PatchVerdict verdict;
   verdict.reason = reason;
   verdict.value = value;
@@ -81,15 +81,15 @@ PatchVerdict check_shape(const SurfaceRules& rules, SurfacePatch& patch) {
     if (!facet.alive()) continue;
     const Triangle3 t = patch.complex.triangle(facet);
     after.push_back(t);
-    if (facet.folded || is_degenerate(t)) return refuse(Reason::folded, 0, 0, t[0]);
+    if (facet.folded || is_degenerate(t)) return refuse(Refusal::folded, 0, 0, t[0]);
     if (!rules.orientation) continue;
     facet.misoriented = rules.orientation->failures(t);
     misoriented += facet.misoriented;
   }
   if (misoriented > misoriented_before)
-    return refuse(Reason::orientation, misoriented, misoriented_before, after.front()[0]);
+    return refuse(Refusal::orientation, misoriented, misoriented_before, after.front()[0]);
   if (const auto swept = swept_witness(rules.witnesses, before, after))
-    return refuse(Reason::witness, 0, 0, *swept);
+    return refuse(Refusal::witness, 0, 0, *swept);
   return {};
 }
 
@@ -138,7 +138,7 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
   const double delta = rules.input->delta(), limit = rules.sampled_limit();
   int certificates = 0;
   double last = std::numeric_limits<double>::infinity();
-  const auto give_up = [&](Reason reason, double value, double bound, Vec3 where) {
+  const auto give_up = [&](Refusal reason, double value, double bound, Vec3 where) {
     verdict.reason = reason;
     verdict.value = value;
     verdict.limit = bound;
@@ -160,13 +160,13 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
       }
       record.points_added = proof.failures;
       if (++certificates > options.certificates || s >= options.sweeps)
-        return give_up(Reason::certificate, proof.distance, delta, proof.witness);
+        return give_up(Refusal::certificate, proof.distance, delta, proof.witness);
     } else {
       const double excess = level.largest - limit, gain = last - level.largest;
       const bool hopeless = excess > 0 && ((s > 3 && gain <= 0.002 * delta) ||
                                            (s > 2 && excess > 1.2 * gain * (options.sweeps - s)));
       if (s >= options.sweeps || hopeless)
-        return give_up(level.folded ? Reason::folded : Reason::distance, level.largest, limit, level.where);
+        return give_up(level.folded ? Refusal::folded : Refusal::distance, level.largest, limit, level.where);
     }
     last = level.largest;
     sweep(*rules.input, patch, record);
@@ -181,12 +181,12 @@ PatchVerdict settle(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_
   for (int attempt = 0;; ++attempt) {
     const Level level = measure(patch.complex);
     if (level.largest > rules.sampled_limit())
-      return refuse(Reason::distance, level.largest, rules.sampled_limit(), level.where);
-    if (level.folded) return refuse(Reason::folded, 0, 0, level.where);
+      return refuse(Refusal::distance, level.largest, rules.sampled_limit(), level.where);
+    if (level.folded) return refuse(Refusal::folded, 0, 0, level.where);
     const Proof proof = prove(*rules.input, patch.complex);
     if (proof.failures == 0) return check_shape(rules, patch);
     if (attempt == retries || !relocate(*rules.input, patch.complex, v, relocation_rounds))
-      return refuse(Reason::certificate, proof.distance, rules.input->delta(), proof.witness);
+      return refuse(Refusal::certificate, proof.distance, rules.input->delta(), proof.witness);
   }
 }
 
@@ -201,7 +201,7 @@ PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch
 
 PatchVerdict relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v) {
   if (!relocate(*rules.input, patch.complex, v, relocation_rounds))
-    return refuse(Reason::connectivity, 0, 0, patch.complex.points[v]);
+    return refuse(Refusal::connectivity, 0, 0, patch.complex.points[v]);
   PatchVerdict verdict = settle(rules, patch, v, relocation_retries);
   verdict.moved = 1;
   return verdict;
@@ -210,7 +210,7 @@ PatchVerdict relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch) {
   const Proof proof = prove(*rules.input, patch.complex);
   if (proof.failures > 0)
-    return refuse(Reason::certificate, proof.distance, rules.input->delta(), proof.witness);
+    return refuse(Refusal::certificate, proof.distance, rules.input->delta(), proof.witness);
   return check_shape(rules, patch);
 }
 
