@@ -59,6 +59,13 @@ double CollapseCost::operator()(Vec3 x) const {
   return std::max(q, 0.0) * size_ * size_;
 }
 
+Vec3 CollapseCost::gradient(Vec3 x) const {
+  const Vec3 u = (x - middle_) / size_;
+  const Vec3 au{a_[0] * u.x + a_[1] * u.y + a_[2] * u.z, a_[1] * u.x + a_[3] * u.y + a_[4] * u.z,
+                a_[2] * u.x + a_[4] * u.y + a_[5] * u.z};
+  return 2 * size_ * (au + b_);
+}
+
 Vec3 CollapseCost::optimum() const {
   return middle_ + size_ * backward(forward(-b_));
 }

@@ -19,6 +19,8 @@ class CollapseCost {
   explicit CollapseCost(const EdgeStar& star);
   /// Squared length, never negative.
   double operator()(Vec3 x) const;
+  /// The error is convex: at y it is at least (*this)(x) + gradient(x)·(y − x).
+  Vec3 gradient(Vec3 x) const;
   /// Where the error is least; drawn to the middle of the edge in directions in which it does not change.
   Vec3 optimum() const;
   /// The same over the half-spaces; nothing when they have no common point.

@@ -9,7 +9,7 @@ namespace isoscope {
 
 bool InvalidRegion::contains(Vec3 x) const {
   if (empty()) return false;
-  if (ball && squared_length(x - ball->center) > ball->radius * ball->radius) return false;
+  if (ball && squared_length(x - ball->center) >= ball->radius * ball->radius) return false;
   return std::all_of(half_spaces.begin(), half_spaces.end(),
                      [x](const HalfSpace& h) { return h.slack(x) >= 0; });
 }
@@ -21,7 +21,7 @@ bool InvalidRegion::contains_box(const Box3& box) const {
                 direction.z > 0 ? box.hi.z : box.lo.z};
   };
   if (ball &&
-      squared_length(corner(box.center() - ball->center) - ball->center) > ball->radius * ball->radius)
+      squared_length(corner(box.center() - ball->center) - ball->center) >= ball->radius * ball->radius)
     return false;
   return std::all_of(half_spaces.begin(), half_spaces.end(),
                      [&](const HalfSpace& h) { return h.slack(corner(-h.normal)) >= 0; });

@@ -13,7 +13,7 @@
 namespace isoscope {
 
 /// A convex set of targets, none of which can be taken: the intersection of the half-spaces and, if there is
-/// one, the ball. Without either it holds nothing.
+/// one, the open ball. Without either it holds nothing.
 struct InvalidRegion {
   struct Ball {
     Vec3 center;
@@ -39,8 +39,9 @@ struct InvalidRegion {
 /// f(T), which is affine in T whatever the labels of A, B and C are and however many of them are vertices of
 /// Z.
 ///  - Interpolated Z: E is misclassified where label·f(E) < margin (α of condition 1), f(T) being
-///    `target_value`. Where A, B and C have one label, m is parallel to ABC; else it passes through the fixed
-///    zeros of f on ABC, as in the figures.
+///    `target_value`. m is where the linear function with the values of A, B and C that is 0 at E
+///    has the value f(T): parallel to its zero set n, which passes through E and the fixed zeros on ABC, or
+///    is parallel to ABC where the three have one label.
 ///  - Embedded Z: the side of `tet` decides, and the cone itself is Ψ where that side is not E's; it holds
 ///    nothing elsewhere. The union over the tetrahedra that share the wrong side is the region of Figure 12.
 ///

@@ -18,7 +18,8 @@ class Clipper {
  public:
   Clipper(Vec3 center, double half);
   void cut(const HalfSpace& h, Index source, double tolerance);
-  KernelPolyhedron result() const;
+  /// Points nearer to each other than the tolerance are one vertex.
+  KernelPolyhedron result(double tolerance) const;
 
  private:
   /// The points of each edge that the plane crosses, from its inner end to its outer.
@@ -91,26 +92,28 @@ void Clipper::cut(const HalfSpace& h, Index source, double tolerance) {
   source_ = std::move(sources);
 }
 
-KernelPolyhedron Clipper::result() const {
+KernelPolyhedron Clipper::result(double tolerance) const {
   KernelPolyhedron result;
-  std::vector<Index> renumbered(vertices_.size(), of_cube);
-  for (const Face& face : faces_) {
-    Face& to = result.faces.emplace_back();
-    for (const Index v : face) {
-      if (renumbered[v] == of_cube) {
-        renumbered[v] = static_cast<Index>(result.vertices.size());
-        result.vertices.push_back(vertices_[v]);
-      }
-      to.push_back(renumbered[v]);
-    }
+  const auto number = [&](Vec3 p) {
+    const auto at = std::find_if(result.vertices.begin(), result.vertices.end(),
+                                 [&](Vec3 q) { return distance(p, q) <= tolerance; });
+    const auto n = static_cast<Index>(at - result.vertices.begin());
+    if (at == result.vertices.end()) result.vertices.push_back(p);
+    return n;
+  };
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    Face face;
+    for (const Index v : faces_[f]) face.push_back(number(vertices_[v]));
+    face.erase(std::unique(face.begin(), face.end()), face.end());
+    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+    if (face.size() < 3) continue;
+    result.faces.push_back(std::move(face));
+    result.source.push_back(source_[f]);
   }
-  result.source = source_;
-  if (result.vertices.empty()) return result;
-  const Vec3 o = result.vertices[0];
   for (const Face& face : result.faces) {
     for (std::size_t k = 1; k + 1 < face.size(); ++k) {
       const Vec3 a = result.vertices[face[0]], b = result.vertices[face[k]], c = result.vertices[face[k + 1]];
-      result.volume += dot(a - o, cross(b - o, c - o)) / 6;
+      result.volume += dot(a, cross(b, c)) / 6;
     }
   }
   return result;
@@ -131,7 +134,7 @@ KernelPolyhedron kernel_polyhedron(const Kernel& kernel) {
     const Vec3 n = kernel.half_spaces[i].normal;
     clipper.cut({n, dot(n, kernel.facets[i][0] - kernel.center)}, static_cast<Index>(i), 1e-13 * size);
   }
-  KernelPolyhedron result = clipper.result();
+  KernelPolyhedron result = clipper.result(1e-12 * size);
   for (Vec3& v : result.vertices) v += kernel.center;
   return result;
 }

@@ -47,14 +47,15 @@ struct CandidateRecord {
   Vec3 witness;
 };
 
-/// A cell of the octree over a kernel's box and what became of it, in the order of visit.
+/// A cell of the octree over a kernel's box and what became of it, in the order of visit. The centre of a
+/// cell that was not left out is a candidate.
 struct OctreeCell {
   enum class Fate : std::uint8_t {
-    split,          ///< its centre failed, or lies outside the kernel: its eight parts follow
+    split,          ///< its eight parts follow
     outside_kernel, ///< left out: no point of it is in the kernel
     invalid,        ///< left out: it lies inside one Ψ
-    exhausted,      ///< of the last level, and its centre failed or lies outside the kernel
-    taken           ///< its centre is the target
+    costlier,       ///< left out: no point of it has less error than a target already found
+    last_level      ///< too deep to be split
   };
   Box3 box;
   Fate fate = Fate::split;

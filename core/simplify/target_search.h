@@ -41,8 +41,9 @@ using TargetJudge = std::function<TargetVerdict(Vec3)>;
 struct TargetSearchOptions {
   TargetStrategy strategy = TargetStrategy::sampling;
   int constraint_rounds = 10; ///< of lazy constraints
-  int kernel_samples = 100;   ///< points drawn
+  int kernel_samples = 100;   ///< points drawn; also how many of given points are judged at most
   int octree_depth = 5;       ///< of the octree over the kernel's box
+  int octree_samples = 200;   ///< centres of cells judged at most
   bool record = false;        ///< keep every candidate
 };
 
@@ -50,7 +51,9 @@ struct TargetSearchResult {
   std::optional<Vec3> target;
   double cost = 0;
   Reason found_by = Reason::none;
-  TargetVerdict last_rejection; ///< why the best candidate failed, when there is no target
+  /// Why the candidate of least error failed, when there is no target: kernel_empty or no_candidate where
+  /// none was judged.
+  TargetVerdict last_rejection;
   std::uint32_t tried = 0;
   // When recorded.
   std::vector<CandidateRecord> candidates;
@@ -58,7 +61,9 @@ struct TargetSearchResult {
   std::vector<InvalidRegion> invalid_regions;
 };
 
-/// Looks for a target anywhere in the kernel (edges of Z and mixed edges).
+/// Looks for a target anywhere in the kernel (edges of Z and mixed edges). Every point that is judged lies
+/// strictly inside the kernel, exactly. The same result for the same arguments: points are drawn from the ids
+/// of the edge's ends.
 TargetSearchResult search_kernel(const EdgeStar& star, const Kernel& kernel, const CollapseCost& cost,
                                  const TargetJudge& judge, const TargetSearchOptions& options);
 /// Looks among given points: the ends of the edge (halfedge collapses) or samples of S (∂Γ, Figure 8), those
