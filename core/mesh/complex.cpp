@@ -103,6 +103,18 @@ void exchange_facets(std::vector<ZeroFacet>& facets, const std::vector<FacetReco
 
 } // namespace
 
+std::array<VertexId, 4> canonical_order(std::array<VertexId, 4> v) {
+  bool odd = false;
+  for (std::size_t i = 1; i < 4; ++i) {
+    for (std::size_t k = i; k > 0 && v[k] < v[k - 1]; --k) {
+      std::swap(v[k], v[k - 1]);
+      odd = !odd;
+    }
+  }
+  if (odd) std::swap(v[2], v[3]);
+  return v;
+}
+
 bool Delta::empty() const {
   return added_vertices.empty() && killed_vertices.empty() && values.empty() && moves.empty() &&
          removed.empty() && added.empty() && sides.empty() && removed_facets.empty() &&

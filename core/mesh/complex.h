@@ -45,9 +45,8 @@ enum class ZeroForm : std::uint8_t {
   free          ///< facets of their own: T is gone (the last stage, on Z alone)
 };
 
-/// A tetrahedron: positively oriented, neighbour i opposite vertex i, invalid on the hull. During refinement
-/// the vertex ids ascend but for the last two (swapped where orientation asks for it). A dead slot has
-/// invalid vertices.
+/// A tetrahedron: positively oriented, vertex ids ascending but for the last two (swapped where orientation
+/// asks for it), neighbour i opposite vertex i, invalid on the hull. A dead slot has invalid vertices.
 struct Tet {
   std::array<VertexId, 4> v;
   std::array<TetId, 4> neighbor;
@@ -60,6 +59,9 @@ struct Tet {
   }
   friend bool operator==(const Tet&, const Tet&) = default;
 };
+
+/// The same tetrahedron with its vertices in the order of Tet.
+std::array<VertexId, 4> canonical_order(std::array<VertexId, 4> v);
 
 /// A facet of Z that has left T, counter-clockwise seen from the positive side. A dead slot has invalid
 /// vertices.

@@ -83,17 +83,18 @@ double weight_at(const Triangle3& t, std::size_t k, Vec3 w) {
   return area > 0 ? dot(n, cross(b - w, c - w)) / area : 0;
 }
 
-/// Where the target must lie for the violating point w of a facet to come back within δ of its closest point,
-/// to first order: w moves with weight λ of the target.
-std::optional<HalfSpace> learn(const ZeroFacetAfter& facet, const FacetVerdict& verdict, double delta) {
-  if (facet.target_corner < 0 || !verdict.closest.triangle.valid()) return std::nullopt;
+/// What a facet that leaves Ω tells of other targets. Its violating point w moves with the target's weight λ:
+/// to first order the target must go by (d(w) − δ)/λ towards w's closest point, and nearer than that it stays
+/// out.
+void learn(const ZeroFacetAfter& facet, const FacetVerdict& found, double delta, TargetVerdict& verdict) {
+  if (facet.target_corner < 0 || !found.closest.triangle.valid()) return;
   const auto k = static_cast<std::size_t>(facet.target_corner);
-  const double weight = weight_at(facet.corners, k, verdict.witness);
-  const double d = verdict.closest.distance();
-  if (weight < least_weight || !(d > 0)) return std::nullopt;
-  const Vec3 inward = (verdict.closest.point - verdict.witness) / d;
-  const double offset = dot(inward, facet.corners[k]) + (d - delta) / weight;
-  return HalfSpace{inward, offset};
+  const double weight = weight_at(facet.corners, k, found.witness);
+  const double d = found.closest.distance();
+  if (weight < least_weight || !(d > 0)) return;
+  const Vec3 inward = (found.closest.point - found.witness) / d;
+  verdict.learnt = HalfSpace{inward, dot(inward, facet.corners[k]) + (d - delta) / weight};
+  verdict.invalid = invalid_region(facet.corners[k], weight, d - delta);
 }
 
 std::size_t violated_tests(const OrientationVerdict& verdict) {
@@ -155,7 +156,10 @@ TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const Crit
         error <= error_at(star, before, star.values(*before.tet), s.position, s.label)) {
       continue;
     }
-    return rejection(Reason::misclassified, error, star.form == ZeroForm::embedded ? 1.0 : limit, s.position);
+    TargetVerdict verdict =
+        rejection(Reason::misclassified, error, star.form == ZeroForm::embedded ? 1.0 : limit, s.position);
+    verdict.invalid = invalid_region(star, *after.tet, s, star.vertices[0].value, criteria.alpha);
+    return verdict;
   }
   return {};
 }
@@ -169,6 +173,7 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
       TargetVerdict verdict = rejection(Reason::outside_tolerance, closest.distance(), delta, target);
       const Vec3 inward = normalized(closest.point - target);
       verdict.learnt = HalfSpace{inward, dot(inward, closest.point) - delta};
+      verdict.invalid = invalid_region(target, 1, closest.distance() - delta);
       return verdict;
     }
   }
@@ -180,7 +185,7 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
     }
     TargetVerdict outside =
         rejection(Reason::outside_tolerance, verdict.closest.distance(), delta, verdict.witness);
-    outside.learnt = learn(facet, verdict, delta);
+    learn(facet, verdict, delta, outside);
     return outside;
   }
   return {};

@@ -54,7 +54,7 @@ Delta LiveComplex::collapse(VertexId a, VertexId b, Vec3 target) const {
     const auto b_at = std::find(v.begin(), v.end(), b);
     if (has_a && b_at != v.end()) continue;
     if (b_at != v.end()) *b_at = a;
-    delta.added.push_back({t, v, tet.side});
+    delta.added.push_back({t, canonical_order(v), tet.side});
   }
   delta.moves.push_back({a, complex_.position(a), target});
   delta.killed_vertices.push_back(b);

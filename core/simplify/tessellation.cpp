@@ -108,7 +108,7 @@ Result<Delta> mutual_tessellation(const Complex& complex) {
   std::size_t fresh = complex.tets.size();
   for (std::size_t i = 0; i < living.size(); ++i) {
     const TetId slot = i < delta.removed.size() ? delta.removed[i].id : TetId(fresh++);
-    delta.added.push_back({slot, living[i], side_of(complex, living[i])});
+    delta.added.push_back({slot, canonical_order(living[i]), side_of(complex, living[i])});
   }
   for (std::size_t i = 0; i < complex.tets.size(); ++i) {
     const TetId t(i);
