@@ -48,7 +48,7 @@ void collapse_to(const InputSurface& input, FacetComplex& complex, std::uint32_t
   complex.collapse(a, b);
   complex.points[a] = target;
   const std::vector<Wedge> wedges = complex.star(a);
-  for (const Wedge& w : wedges) complex.facets[w.facet].extra.clear();
+  for (const Wedge& w : wedges) complex.facets[w.facet].extra.clear(), complex.facets[w.facet].sides.clear();
   const Star star = make_star(complex, wedges, false);
   store(complex, wedges, StarEvaluator(input, star).evaluate(target));
 }
@@ -79,10 +79,10 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
   const double allowed = least_flip_gain * (first.energy + second.energy);
   const auto& p = complex.points;
   plan.seeds = {first.seed, first.seed};
-  plan.quality[0] = measure_facet(input, {p[plan.a], p[plan.d], p[plan.c]}, {}, plan.seeds[0]);
+  plan.quality[0] = measure_facet(input, {p[plan.a], p[plan.d], p[plan.c]}, {}, {}, plan.seeds[0]);
   if (plan.quality[0].folded || plan.quality[0].energy > allowed) return std::nullopt;
   plan.seeds[1] = plan.seeds[0];
-  plan.quality[1] = measure_facet(input, {p[plan.d], p[plan.b], p[plan.c]}, {}, plan.seeds[1]);
+  plan.quality[1] = measure_facet(input, {p[plan.d], p[plan.b], p[plan.c]}, {}, {}, plan.seeds[1]);
   if (plan.quality[1].folded || plan.quality[0].energy + plan.quality[1].energy > allowed)
     return std::nullopt;
   return plan;

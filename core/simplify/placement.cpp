@@ -39,10 +39,9 @@ Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool 
   star.wedges.reserve(wedges.size());
   for (const Wedge& w : wedges) {
     const Facet& f = complex.facets[w.facet];
-    star.wedges.push_back(
-        {complex.points[w.rim],
-         with_extra ? std::span<const Barycentric>(f.extra) : std::span<const Barycentric>(), w.corner,
-         f.seed});
+    Star::Wedge wedge{complex.points[w.rim], {}, {}, w.corner, f.seed};
+    if (with_extra) wedge.extra = f.extra, wedge.sides = f.sides;
+    star.wedges.push_back(wedge);
   }
   return star;
 }
@@ -112,6 +111,11 @@ Placement StarEvaluator::evaluate(Vec3 x) {
       const Barycentric& e = wedge.extra[j];
       const Barycentric w{e[wedge.corner], e[(wedge.corner + 1u) % 3], e[(wedge.corner + 2u) % 3]};
       sums[i].add(sample(at(w, t), w[0], spokes_[i].extra[j]), *input_);
+    }
+    for (const SideSample& side : wedge.sides) {
+      const SideDistance d = side_distance(side, t, input_->delta());
+      sums[i].add(d.distance, *input_);
+      linear_.push_back({d.foot[0], {d.distance, d.direction, {}}});
     }
     result.facets[i] = judge(sums[i], t, input_->delta());
     result.seeds[i] = spokes_[i].edge[0];

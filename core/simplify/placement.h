@@ -13,13 +13,15 @@ struct Star {
   struct Wedge {
     Vec3 rim;
     std::span<const Barycentric> extra; ///< of the facet, in its own corner order
-    std::uint8_t corner = 0;            ///< which corner the vertex is
+    std::span<const SideSample> sides;
+    std::uint8_t corner = 0; ///< which corner the vertex is
     TriangleId seed;
   };
   std::vector<Wedge> wedges;
 };
 
-/// The star of wedges found in a complex; `with_extra` false leaves the facets' extra samples out.
+/// The star of wedges found in a complex; `with_extra` false leaves out what failed checks
+/// have added to the facets.
 Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool with_extra);
 
 /// A place for the vertex and what the star is like there.

@@ -30,6 +30,7 @@ struct PatchVerdict {
   ImproverVerdict::Reason reason = ImproverVerdict::Reason::accepted;
   double value = 0, limit = 0;
   Vec3 witness;
+  std::uint32_t points_added = 0; ///< samples that the failed check has added to the facets
   std::vector<RepairSweep> sweeps;
   std::uint32_t moved = 0, flipped = 0;
   bool accepted() const { return reason == ImproverVerdict::Reason::accepted; }
