@@ -81,7 +81,7 @@ void print_normals(const TriangleMesh& mesh, const ToleranceVolume& volume, cons
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j < n; ++j) {
         const Vec3 p = t[0] + ((i + 1. / 3) / n) * (t[1] - t[0]) + ((j + 1. / 3) / n) * (t[2] - t[0]);
-        const double cosine = dot(normalized(normal), input.normal(input.sample(p, {}).triangle));
+        const double cosine = dot(normalized(normal), input.normal(input.sample(p, TriangleId()).triangle));
         const double weight = length(normal) / (n * (n + 1));
         area += weight;
         off_60 += cosine < 0.5 ? weight : 0;
