@@ -19,24 +19,17 @@ double power_12(double x) {
 
 } // namespace
 
-void FacetSums::add(const DistanceSample& s, const InputSurface& input) {
-  energy += power_12(s.distance / input.delta());
-  largest = std::max(largest, s.distance);
+double FacetSums::add(const DistanceSample& s, const InputSurface& input) {
   normal += input.normal(s.triangle);
-  ++count;
+  return add(s.distance, input);
 }
 
-void FacetSums::add(const FacetSums& other) {
-  energy += other.energy;
-  largest = std::max(largest, other.largest);
-  normal += other.normal;
-  count += other.count;
-}
-
-void FacetSums::add(double distance, const InputSurface& input) {
-  energy += power_12(distance / input.delta());
-  largest = std::max(largest, distance);
+double FacetSums::add(double d, const InputSurface& input) {
+  const double own = power_12(d / input.delta());
+  energy += own;
+  largest = std::max(largest, d);
   ++count;
+  return own;
 }
 
 Barycentric weights_of(Vec3 p, const Triangle3& t) {

@@ -15,9 +15,9 @@ struct FacetSums {
   Vec3 normal; ///< sum of the input's unit normals
   int count = 0;
 
-  void add(const DistanceSample& s, const InputSurface& input);
-  void add(const FacetSums& other);
-  void add(double distance, const InputSurface& input);
+  /// Adds a sample and returns its energy.
+  double add(const DistanceSample& s, const InputSurface& input);
+  double add(double distance, const InputSurface& input);
 };
 
 /// What the samples say about a facet.

@@ -61,7 +61,7 @@ class Improver {
   void relax_all() {
     for (int s = 0; s < sweeps_after_round && !stopped_ && !control_.cancelled(); ++s) {
       const FacetComplex before = surface_.complex();
-      const RelaxationFigures figures = relax(surface_, rules_, control_);
+      const RelaxationFigures figures = relax(surface_, rules_, best_places_, control_);
       if (figures.moved + figures.flipped == 0) return;
       outcome_.moved += figures.moved;
       outcome_.flipped += figures.flipped;
@@ -105,6 +105,7 @@ class Improver {
   InputSurface input_;
   SurfaceRules rules_;
   LiveSurface surface_;
+  BestPlaces best_places_;
   ImproverOutcome outcome_;
   bool stopped_ = false;
 };

@@ -101,20 +101,19 @@ void apply_flip(FacetComplex& complex, const FlipPlan& plan) {
   }
 }
 
-bool try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k) {
+std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k) {
   const Facet& facet = patch.complex.facets[f];
   const std::uint32_t a = facet.v[k], b = facet.v[(k + 1) % 3], c = facet.v[(k + 2) % 3];
   const std::uint32_t g = patch.complex.facet_left_of(b, a);
-  if (a > b || g == Facet::none || patch.valence(a) <= 3 || patch.valence(b) <= 3) return false;
+  if (a > b || g == Facet::none || patch.valence(a) <= 3 || patch.valence(b) <= 3) return std::nullopt;
   const Facet& other = patch.complex.facets[g];
   const std::uint32_t d = other.v[(other.corner(a) + 1) % 3];
   // Between two fixed vertices there may be an edge outside of the patch.
-  if (!patch.free[c] && !patch.free[d]) return false;
-  if (patch.complex.has_edge(patch.free[c] ? c : d, patch.free[c] ? d : c)) return false;
+  if (!patch.free[c] && !patch.free[d]) return std::nullopt;
+  if (patch.complex.has_edge(patch.free[c] ? c : d, patch.free[c] ? d : c)) return std::nullopt;
   const auto plan = plan_flip(input, patch.complex, f, k);
-  if (!plan) return false;
-  apply_flip(patch.complex, *plan);
-  return true;
+  if (plan) apply_flip(patch.complex, *plan);
+  return plan;
 }
 
 } // namespace isoscope

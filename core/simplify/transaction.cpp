@@ -125,17 +125,30 @@ double worst_energy(const FacetComplex& complex, std::uint32_t v) {
   return worst;
 }
 
+/// By local vertex: whether it was found at its best place and nothing in its star has changed since.
+using Settled = std::vector<std::uint8_t>;
+
+void unsettle(const Facet& facet, Settled& settled) {
+  for (const std::uint32_t v : facet.v) settled[v] = 0;
+}
+
 /// Relocates all free vertices, those with the worst facet first, then tries flips.
-void sweep(const InputSurface& input, SurfacePatch& patch, RepairSweep& record) {
+void sweep(const InputSurface& input, SurfacePatch& patch, Settled& settled, RepairSweep& record) {
   FacetComplex& complex = patch.complex;
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t v = 0; v < complex.points.size(); ++v)
-    if (patch.free[v] && complex.alive_vertex(v)) order.emplace_back(-worst_energy(complex, v), v);
+    if (patch.free[v] && !settled[v] && complex.alive_vertex(v)) order.emplace_back(-worst_energy(complex, v), v);
   std::sort(order.begin(), order.end());
-  for (const auto& [key, v] : order) record.moved += relocate(input, complex, v, relocation_rounds) ? 1u : 0u;
+  for (const auto& [key, v] : order) {
+    settled[v] = 1;
+    if (!relocate(input, complex, v, relocation_rounds)) continue;
+    for (const std::uint32_t f : complex.stars[v]) unsettle(complex.facets[f], settled);
+    ++record.moved;
+  }
   for (std::uint32_t f = 0; f < complex.facets.size(); ++f)
     for (std::size_t k = 0; k < 3 && complex.facets[f].alive(); ++k)
-      if (try_flip(input, patch, f, k)) {
+      if (const auto plan = try_flip(input, patch, f, k)) {
+        for (const std::uint32_t v : {plan->a, plan->b, plan->c, plan->d}) settled[v] = 0;
         ++record.flipped;
         break;
       }
@@ -151,6 +164,7 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
   const double delta = rules.input->delta(), limit = rules.sampled_limit();
   PatchVerdict verdict;
   std::vector<RepairSweep> sweeps;
+  Settled settled(patch.complex.points.size(), 0);
   double last = unknown;
   int checks = 0;
   for (int s = 0;; ++s) {
@@ -160,6 +174,8 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
     if (level.largest <= limit && !level.folded) {
       verdict = check_patch(rules, patch);
       record.points_added = verdict.points_added;
+      for (const Facet& f : patch.complex.facets)
+        if (f.alive() && (!f.extra.empty() || !f.sides.empty())) unsettle(f, settled);
       if (!can_be_repaired(verdict.reason) || ++checks > options.certificates || s >= options.sweeps) break;
       last = unknown;
     } else {
@@ -170,7 +186,7 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
       if (s >= options.sweeps || hopeless) break;
       last = level.largest;
     }
-    sweep(*rules.input, patch, record);
+    sweep(*rules.input, patch, settled, record);
     sweeps.push_back(record);
   }
   for (const RepairSweep& r : sweeps) verdict.moved += r.moved, verdict.flipped += r.flipped;
@@ -201,12 +217,10 @@ PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch
   return settle(rules, patch, a, collapse_retries);
 }
 
-PatchVerdict relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v) {
-  if (!relocate(*rules.input, patch.complex, v, relocation_rounds))
-    return refuse(Reason::connectivity, 0, 0, patch.complex.points[v]);
-  PatchVerdict verdict = settle(rules, patch, v, relocation_retries);
-  verdict.moved = 1;
-  return verdict;
+std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch,
+                                            std::uint32_t v) {
+  if (!relocate(*rules.input, patch.complex, v, relocation_rounds)) return std::nullopt;
+  return settle(rules, patch, v, relocation_retries);
 }
 
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch) {
