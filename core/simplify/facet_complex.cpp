@@ -52,6 +52,7 @@ void FacetComplex::replace_facet(std::uint32_t f, std::array<std::uint32_t, 3> v
     for (const std::uint32_t w : facet.v) std::erase(stars[w], f);
   facet.v = v;
   facet.extra.clear();
+  facet.sides.clear();
   facet.proven = false;
   if (facet.alive())
     for (const std::uint32_t w : facet.v) stars[w].push_back(f);

@@ -14,6 +14,12 @@ namespace isoscope {
 /// Weights of a facet's three corners.
 using Barycentric = std::array<double, 3>;
 
+/// A sample of one side of ∂Ω that a facet has to leave on that side (condition 3).
+struct SideSample {
+  Vec3 point;
+  double label = 1; ///< +1 or -1
+};
+
 /// A facet with what is known about its distance to the input.
 struct Facet {
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -26,6 +32,8 @@ struct Facet {
   std::uint8_t misoriented = 0;   ///< failed tests of condition 3, at most 6
   TriangleId seed;                ///< an input triangle close to it
   std::vector<Barycentric> extra; ///< where certificates failed: sampled too
+
+  std::vector<SideSample> sides; ///< where tests of condition 3 failed: sampled too
 
   bool alive() const { return v[0] != none; }
   /// 0, 1 or 2: which corner the vertex is.

@@ -19,18 +19,31 @@ double power_12(double x) {
 
 } // namespace
 
-void FacetSums::add(const DistanceSample& s, const InputSurface& input) {
-  energy += power_12(s.distance / input.delta());
-  largest = std::max(largest, s.distance);
+double FacetSums::add(const DistanceSample& s, const InputSurface& input) {
   normal += input.normal(s.triangle);
-  ++count;
+  return add(s.distance, input);
 }
 
-void FacetSums::add(const FacetSums& other) {
-  energy += other.energy;
-  largest = std::max(largest, other.largest);
-  normal += other.normal;
-  count += other.count;
+double FacetSums::add(double d, const InputSurface& input) {
+  const double own = power_12(d / input.delta());
+  energy += own;
+  largest = std::max(largest, d);
+  ++count;
+  return own;
+}
+
+Barycentric weights_of(Vec3 p, const Triangle3& t) {
+  const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+  const double area2 = squared_length(n);
+  if (!(area2 > 0)) return {1. / 3, 1. / 3, 1. / 3};
+  const double a = dot(n, cross(t[1] - p, t[2] - p)) / area2, b = dot(n, cross(t[2] - p, t[0] - p)) / area2;
+  return {a, b, 1 - a - b};
+}
+
+SideDistance side_distance(const SideSample& side, const Triangle3& t, double delta) {
+  const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
+  const double height = side.label * dot(normal, side.point - t[0]);
+  return {std::clamp(delta - height, 0., 1.5 * delta), side.label * normal, weights_of(side.point, t)};
 }
 
 int sampling_steps(double edge_length, double delta) {
@@ -64,7 +77,7 @@ FacetQuality judge(const FacetSums& sums, const Triangle3& facet, double delta) 
 }
 
 FacetQuality measure_facet(const InputSurface& input, const Triangle3& t, std::span<const Barycentric> extra,
-                           TriangleId& seed) {
+                           std::span<const SideSample> sides, TriangleId& seed) {
   FacetSums sums;
   const auto add = [&](Vec3 p) {
     const DistanceSample s = input.sample(p, seed);
@@ -81,12 +94,14 @@ FacetQuality measure_facet(const InputSurface& input, const Triangle3& t, std::s
   }
   for (const Barycentric& w : inner_samples(most)) add(at(w, t));
   for (const Barycentric& w : extra) add(at(w, t));
+  for (const SideSample& side : sides) sums.add(side_distance(side, t, input.delta()).distance, input);
   return judge(sums, t, input.delta());
 }
 
 void measure_facet(const InputSurface& input, FacetComplex& complex, std::uint32_t f) {
   Facet& facet = complex.facets[f];
-  const FacetQuality quality = measure_facet(input, complex.triangle(facet), facet.extra, facet.seed);
+  const FacetQuality quality =
+      measure_facet(input, complex.triangle(facet), facet.extra, facet.sides, facet.seed);
   facet.energy = quality.energy;
   facet.largest = quality.largest;
   facet.folded = quality.folded;

@@ -15,8 +15,9 @@ struct FacetSums {
   Vec3 normal; ///< sum of the input's unit normals
   int count = 0;
 
-  void add(const DistanceSample& s, const InputSurface& input);
-  void add(const FacetSums& other);
+  /// Adds a sample and returns its energy.
+  double add(const DistanceSample& s, const InputSurface& input);
+  double add(double distance, const InputSurface& input);
 };
 
 /// What the samples say about a facet.
@@ -25,6 +26,15 @@ struct FacetQuality {
   double largest = 0;
   bool folded = false;
 };
+
+/// A test of condition 3 as if it were a distance: δ where the sample lies in the facet's plane, more (at
+/// most 1.5 δ) on the wrong side, less on the right one.
+struct SideDistance {
+  double distance = 0;
+  Vec3 direction;   ///< its gradient when the foot moves
+  Barycentric foot; ///< the sample's projection to the plane
+};
+SideDistance side_distance(const SideSample& side, const Triangle3& facet, double delta);
 
 /// Parts that an edge of this length is cut into for sampling: 2 to 4, one for every 4 δ.
 int sampling_steps(double edge_length, double delta);
@@ -35,10 +45,13 @@ std::span<const Barycentric> inner_samples(int steps);
 FacetQuality judge(const FacetSums& sums, const Triangle3& facet, double delta);
 /// Samples and judges a facet; `seed` is where the searches start and is replaced by the last triangle found.
 FacetQuality measure_facet(const InputSurface& input, const Triangle3& facet,
-                           std::span<const Barycentric> extra, TriangleId& seed);
+                           std::span<const Barycentric> extra, std::span<const SideSample> sides,
+                           TriangleId& seed);
 /// The same for a facet of a complex, stored in it.
 void measure_facet(const InputSurface& input, FacetComplex& complex, std::uint32_t f);
 
+/// Barycentric coordinates of p's projection to the triangle's plane; the centroid's for a degenerate one.
+Barycentric weights_of(Vec3 p, const Triangle3& t);
 inline Vec3 at(const Barycentric& w, const Triangle3& t) {
   return w[0] * t[0] + w[1] * t[1] + w[2] * t[2];
 }

@@ -4,8 +4,7 @@
 
 #include "base/geometry.h"
 #include "criteria/nearest_sample.h"
-
-#include <cstdint>
+#include "simplify/facet_complex.h"
 
 namespace isoscope {
 
@@ -17,7 +16,7 @@ struct OrientationTester {
 
   /// Failed tests among the six (three corners, both sides): the positive sample must lie on the positive
   /// side of the facet, the negative one on the negative side.
-  std::uint8_t failures(const Triangle3& facet) const;
+  std::vector<SideSample> failures(const Triangle3& facet) const;
 };
 
 } // namespace isoscope

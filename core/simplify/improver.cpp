@@ -9,7 +9,6 @@ namespace {
 constexpr int sweeps_after_round = 2;
 constexpr int most_rounds = 20;
 /// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
-constexpr double sample_radius = 4;
 
 /// One level of collapse with repair.
 struct RepairLevel {
@@ -43,7 +42,7 @@ class Improver {
     rules.input = &input_;
     const double delta = volume.thresholds().delta;
     if (options_.preserve_normals && samples != nullptr)
-      rules.orientation = OrientationTester{samples, options_.shrink, sample_radius * delta};
+      rules.orientation = OrientationTester{samples, options_.shrink, options_.sample_radius * delta};
     for (const Region& r : volume.regions())
       if (r.depth > delta) rules.witnesses.push_back(r.deepest);
     return rules;
@@ -62,7 +61,7 @@ class Improver {
   void relax_all() {
     for (int s = 0; s < sweeps_after_round && !stopped_ && !control_.cancelled(); ++s) {
       const FacetComplex before = surface_.complex();
-      const RelaxationFigures figures = relax(surface_, rules_, control_);
+      const RelaxationFigures figures = relax(surface_, rules_, best_places_, control_);
       if (figures.moved + figures.flipped == 0) return;
       outcome_.moved += figures.moved;
       outcome_.flipped += figures.flipped;
@@ -106,6 +105,7 @@ class Improver {
   InputSurface input_;
   SurfaceRules rules_;
   LiveSurface surface_;
+  BestPlaces best_places_;
   ImproverOutcome outcome_;
   bool stopped_ = false;
 };

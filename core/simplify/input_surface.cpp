@@ -58,7 +58,7 @@ std::vector<std::uint32_t> consistent_pieces(const ClosestPointIndex& index) {
 } // namespace
 
 InputSurface::InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface)
-    : index_(&index), delta_(delta), on_surface_(1e-6 * delta), normals_(index.size()) {
+    : index_(&index), delta_(delta), on_surface_(1e-6 * delta), enough_((getenv("EN")?atof(getenv("EN")):0.5) * delta), normals_(index.size()) {
   const TriangleSoup soup{surface.points, surface.triangles, {}};
   const ClosestPointIndex near_surface(soup);
   std::vector<double> votes(index.size());

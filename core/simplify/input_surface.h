@@ -23,19 +23,28 @@ class InputSurface {
   /// the nearest facets of the surface, so that an input in any orientation serves.
   InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface);
 
-  /// d at p, starting from a triangle that is likely close (or an invalid one).
+  /// d at p, starting from a triangle that is likely close (or an invalid one). Where d is far below δ, so that
+  /// it has no weight in an energy, the distance to that triangle may be returned instead.
   DistanceSample sample(Vec3 p, TriangleId guess) const {
-    const ClosestPoint c = index_->closest_near(p, guess);
-    const double d = c.distance();
-    return {d, d > on_surface_ ? (p - c.point) / d : normal(c.triangle), c.triangle};
+    if (guess.valid()) {
+      const Vec3 c = closest_point_on_triangle(p, index_->triangle(guess));
+      const double d2 = squared_length(p - c);
+      if (d2 < enough_ * enough_) return sample(p, {c, d2, guess});
+    }
+    return sample(p, index_->closest_near(p, guess));
   }
   Vec3 normal(TriangleId t) const { return normals_[t.index()]; }
   double delta() const { return delta_; }
   const ClosestPointIndex& index() const { return *index_; }
 
  private:
+  DistanceSample sample(Vec3 p, const ClosestPoint& c) const {
+    const double d = c.distance();
+    return {d, d > on_surface_ ? (p - c.point) / d : normal(c.triangle), c.triangle};
+  }
+
   const ClosestPointIndex* index_;
-  double delta_, on_surface_;
+  double delta_, on_surface_, enough_;
   std::vector<Vec3> normals_; ///< by triangle id; zero for degenerate triangles
 };
 

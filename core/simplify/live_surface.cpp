@@ -68,7 +68,9 @@ LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules)
     measure_facet(*rules.input, complex_, static_cast<std::uint32_t>(f));
     Facet& facet = complex_.facets[f];
     facet.proven = true;
-    if (rules.orientation) facet.misoriented = rules.orientation->failures(complex_.triangle(facet));
+    if (rules.orientation)
+      facet.misoriented =
+          static_cast<std::uint8_t>(rules.orientation->failures(complex_.triangle(facet)).size());
   });
   for (std::uint32_t f = 0; f < complex_.facets.size(); ++f) octree_.insert(f, box_of(complex_.triangle(f)));
 }

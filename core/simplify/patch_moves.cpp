@@ -48,7 +48,7 @@ void collapse_to(const InputSurface& input, FacetComplex& complex, std::uint32_t
   complex.collapse(a, b);
   complex.points[a] = target;
   const std::vector<Wedge> wedges = complex.star(a);
-  for (const Wedge& w : wedges) complex.facets[w.facet].extra.clear();
+  for (const Wedge& w : wedges) complex.facets[w.facet].extra.clear(), complex.facets[w.facet].sides.clear();
   const Star star = make_star(complex, wedges, false);
   store(complex, wedges, StarEvaluator(input, star).evaluate(target));
 }
@@ -79,10 +79,10 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
   const double allowed = least_flip_gain * (first.energy + second.energy);
   const auto& p = complex.points;
   plan.seeds = {first.seed, first.seed};
-  plan.quality[0] = measure_facet(input, {p[plan.a], p[plan.d], p[plan.c]}, {}, plan.seeds[0]);
+  plan.quality[0] = measure_facet(input, {p[plan.a], p[plan.d], p[plan.c]}, {}, {}, plan.seeds[0]);
   if (plan.quality[0].folded || plan.quality[0].energy > allowed) return std::nullopt;
   plan.seeds[1] = plan.seeds[0];
-  plan.quality[1] = measure_facet(input, {p[plan.d], p[plan.b], p[plan.c]}, {}, plan.seeds[1]);
+  plan.quality[1] = measure_facet(input, {p[plan.d], p[plan.b], p[plan.c]}, {}, {}, plan.seeds[1]);
   if (plan.quality[1].folded || plan.quality[0].energy + plan.quality[1].energy > allowed)
     return std::nullopt;
   return plan;
@@ -101,20 +101,19 @@ void apply_flip(FacetComplex& complex, const FlipPlan& plan) {
   }
 }
 
-bool try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k) {
+std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k) {
   const Facet& facet = patch.complex.facets[f];
   const std::uint32_t a = facet.v[k], b = facet.v[(k + 1) % 3], c = facet.v[(k + 2) % 3];
   const std::uint32_t g = patch.complex.facet_left_of(b, a);
-  if (a > b || g == Facet::none || patch.valence(a) <= 3 || patch.valence(b) <= 3) return false;
+  if (a > b || g == Facet::none || patch.valence(a) <= 3 || patch.valence(b) <= 3) return std::nullopt;
   const Facet& other = patch.complex.facets[g];
   const std::uint32_t d = other.v[(other.corner(a) + 1) % 3];
   // Between two fixed vertices there may be an edge outside of the patch.
-  if (!patch.free[c] && !patch.free[d]) return false;
-  if (patch.complex.has_edge(patch.free[c] ? c : d, patch.free[c] ? d : c)) return false;
+  if (!patch.free[c] && !patch.free[d]) return std::nullopt;
+  if (patch.complex.has_edge(patch.free[c] ? c : d, patch.free[c] ? d : c)) return std::nullopt;
   const auto plan = plan_flip(input, patch.complex, f, k);
-  if (!plan) return false;
-  apply_flip(patch.complex, *plan);
-  return true;
+  if (plan) apply_flip(patch.complex, *plan);
+  return plan;
 }
 
 } // namespace isoscope

@@ -47,6 +47,6 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
                                   std::size_t k);
 void apply_flip(FacetComplex& complex, const FlipPlan& plan);
 /// Flips an edge of the patch if that lowers the energy and the connectivity allows it.
-bool try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k);
+std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k);
 
 } // namespace isoscope

@@ -39,10 +39,9 @@ Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool 
   star.wedges.reserve(wedges.size());
   for (const Wedge& w : wedges) {
     const Facet& f = complex.facets[w.facet];
-    star.wedges.push_back(
-        {complex.points[w.rim],
-         with_extra ? std::span<const Barycentric>(f.extra) : std::span<const Barycentric>(), w.corner,
-         f.seed});
+    Star::Wedge wedge{complex.points[w.rim], {}, {}, w.corner, f.seed};
+    if (with_extra) wedge.extra = f.extra, wedge.sides = f.sides;
+    star.wedges.push_back(wedge);
   }
   return star;
 }
@@ -81,45 +80,72 @@ DistanceSample StarEvaluator::sample(Vec3 p, double weight, TriangleId& guess) {
   return s;
 }
 
-Placement StarEvaluator::evaluate(Vec3 x) {
+Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   const std::size_t n = star_->wedges.size();
   Placement result;
   result.point = x;
   result.facets.resize(n);
   result.seeds.resize(n);
   linear_.clear();
-  std::vector<FacetSums> sums = fixed_;
-  const DistanceSample center = sample(x, 1, center_guess_);
-  for (FacetSums& s : sums) s.add(center, *input_);
-  std::vector<int> steps(n);
+  sums_ = fixed_;
+  spoke_steps_.resize(n);
+  counts_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) spoke_steps_[i] = sampling_steps(distance(rim(i), x), input_->delta());
+  // What is summed so far, over the final number of samples, never exceeds the energy.
+  double energy = 0;
   for (std::size_t i = 0; i < n; ++i) {
+    const Star::Wedge& wedge = star_->wedges[i];
+    const auto inner = inner_samples(most_steps(i)).size();
+    counts_[i] = static_cast<double>(fixed_[i].count + spoke_steps_[i] + spoke_steps_[(i + 1) % n] - 1) +
+                 static_cast<double>(inner + wedge.extra.size() + wedge.sides.size());
+    energy += fixed_[i].energy / counts_[i];
+  }
+  const auto add = [&](std::size_t wedge, const DistanceSample& s) {
+    energy += sums_[wedge].add(s, *input_) / counts_[wedge];
+  };
+  const auto give_up = [&] { result.energy = energy; };
+  const DistanceSample center = sample(x, 1, center_guess_);
+  for (std::size_t i = 0; i < n; ++i) add(i, center);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (energy > most_energy) return give_up(), result;
     const Vec3 along = rim(i) - x;
-    steps[i] = sampling_steps(length(along), input_->delta());
-    for (int j = 1; j < steps[i]; ++j) {
-      const double t = j / static_cast<double>(steps[i]);
+    for (int j = 1; j < spoke_steps_[i]; ++j) {
+      const double t = j / static_cast<double>(spoke_steps_[i]);
       const DistanceSample s = sample(x + t * along, 1 - t, spokes_[i].edge[static_cast<std::size_t>(j - 1)]);
-      sums[i].add(s, *input_);
-      sums[(i + n - 1) % n].add(s, *input_);
+      add(i, s);
+      add((i + n - 1) % n, s);
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
+    if (energy > most_energy) return give_up(), result;
     const Triangle3 t{x, rim(i), rim(i + 1)};
-    const auto inner = inner_samples(std::max({steps[i], steps[(i + 1) % n], rim_steps_[i]}));
+    const auto inner = inner_samples(most_steps(i));
     for (std::size_t j = 0; j < inner.size(); ++j)
-      sums[i].add(sample(at(inner[j], t), inner[j][0], spokes_[i].inner[j]), *input_);
+      add(i, sample(at(inner[j], t), inner[j][0], spokes_[i].inner[j]));
     const Star::Wedge& wedge = star_->wedges[i];
     for (std::size_t j = 0; j < wedge.extra.size(); ++j) {
       const Barycentric& e = wedge.extra[j];
       const Barycentric w{e[wedge.corner], e[(wedge.corner + 1u) % 3], e[(wedge.corner + 2u) % 3]};
-      sums[i].add(sample(at(w, t), w[0], spokes_[i].extra[j]), *input_);
+      add(i, sample(at(w, t), w[0], spokes_[i].extra[j]));
     }
-    result.facets[i] = judge(sums[i], t, input_->delta());
+    for (const SideSample& side : wedge.sides) {
+      const SideDistance d = side_distance(side, t, input_->delta());
+      energy += sums_[i].add(d.distance, *input_) / counts_[i];
+      linear_.push_back({d.foot[0], {d.distance, d.direction, {}}});
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    result.facets[i] = judge(sums_[i], {x, rim(i), rim(i + 1)}, input_->delta());
     result.seeds[i] = spokes_[i].edge[0];
     result.energy += result.facets[i].energy;
     result.largest = std::max(result.largest, result.facets[i].largest);
     result.folded = result.folded || result.facets[i].folded;
   }
   return result;
+}
+
+int StarEvaluator::most_steps(std::size_t i) const {
+  return std::max({spoke_steps_[i], spoke_steps_[(i + 1) % spoke_steps_.size()], rim_steps_[i]});
 }
 
 Vec3 StarEvaluator::minimax_step(double trust) const {
@@ -167,7 +193,7 @@ void StarEvaluator::improve(Placement& best, int rounds) {
     const double before = best.energy;
     bool improved = false;
     for (int halving = 0; halving < 3 && !improved; ++halving, step = 0.4 * step) {
-      Placement candidate = evaluate(best.point + step);
+      Placement candidate = evaluate(best.point + step, best.energy);
       if (!(candidate.energy < best.energy)) continue;
       best = std::move(candidate);
       best_linear_.swap(linear_);

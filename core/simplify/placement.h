@@ -13,13 +13,15 @@ struct Star {
   struct Wedge {
     Vec3 rim;
     std::span<const Barycentric> extra; ///< of the facet, in its own corner order
-    std::uint8_t corner = 0;            ///< which corner the vertex is
+    std::span<const SideSample> sides;
+    std::uint8_t corner = 0; ///< which corner the vertex is
     TriangleId seed;
   };
   std::vector<Wedge> wedges;
 };
 
-/// The star of wedges found in a complex; `with_extra` false leaves the facets' extra samples out.
+/// The star of wedges found in a complex; `with_extra` false leaves out what failed checks
+/// have added to the facets.
 Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool with_extra);
 
 /// A place for the vertex and what the star is like there.
@@ -36,8 +38,9 @@ struct Placement {
 class StarEvaluator {
  public:
   StarEvaluator(const InputSurface& input, const Star& star);
-  /// Judges the star with its vertex at x.
-  Placement evaluate(Vec3 x);
+  /// Judges the star with its vertex at x. May stop once the energy is known to exceed `most_energy`; the
+  /// placement is then unfit for anything else.
+  Placement evaluate(Vec3 x, double most_energy = std::numeric_limits<double>::infinity());
   /// Improves a placement that evaluate() just returned by at most `rounds` steps, each of which minimises
   /// the maximum of the linearised distances (p-norms of growing p) and is kept when the true energy falls.
   void improve(Placement& placement, int rounds);
@@ -56,6 +59,7 @@ class StarEvaluator {
 
   Vec3 minimax_step(double trust) const;
   DistanceSample sample(Vec3 p, double weight, TriangleId& guess);
+  int most_steps(std::size_t wedge) const;
   Vec3 rim(std::size_t i) const { return star_->wedges[i % star_->wedges.size()].rim; }
 
   const InputSurface* input_;
@@ -64,6 +68,9 @@ class StarEvaluator {
   std::vector<int> rim_steps_;
   std::vector<Spoke> spokes_;
   TriangleId center_guess_;
+  std::vector<FacetSums> sums_;  ///< by wedge, of the last evaluation
+  std::vector<double> counts_;   ///< by wedge: its samples
+  std::vector<int> spoke_steps_; ///< by wedge: parts of the edge to its rim
   std::vector<Linear> linear_, best_linear_;
 };
 

@@ -14,6 +14,7 @@ constexpr std::size_t batch_size = 64;
 struct Proposal {
   SurfacePatch patch;
   bool wanted = false;
+  bool best = false; ///< a vertex that gains nothing by moving
 };
 
 /// Classes of vertices without edges inside a class, each ascending: greedy by ascending id.
@@ -57,7 +58,9 @@ std::uint32_t run_batches(LiveSurface& surface, std::size_t n, const RunControl&
 Proposal propose_relocation(const LiveSurface& surface, const SurfaceRules& rules, std::uint32_t v) {
   Proposal p;
   p.patch = take_patch(surface.complex(), std::array{v});
-  p.wanted = relocate_vertex(rules, p.patch, p.patch.local_vertex(v)).accepted();
+  const auto verdict = relocate_vertex(rules, p.patch, p.patch.local_vertex(v));
+  p.wanted = verdict && verdict->accepted();
+  p.best = !verdict;
   return p;
 }
 
@@ -83,11 +86,20 @@ Proposal propose_flip(const LiveSurface& surface, const SurfaceRules& rules, std
 
 } // namespace
 
-RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, const RunControl& control) {
+RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, BestPlaces& best_places,
+                        const RunControl& control) {
+  best_places.resize(surface.complex().points.size(), 0);
   RelaxationFigures figures;
-  for (const std::vector<std::uint32_t>& c : independent_classes(surface.complex()))
-    figures.moved += run_batches(surface, c.size(), control,
-                                 [&](std::size_t i) { return propose_relocation(surface, rules, c[i]); });
+  for (std::vector<std::uint32_t>& c : independent_classes(surface.complex())) {
+    // Commit numbers start at 1, so that 0 stands for never.
+    std::erase_if(c, [&](std::uint32_t v) { return best_places[v] > 0 && best_places[v] >= surface.stamp(v); });
+    const std::uint32_t now = surface.commits();
+    figures.moved += run_batches(surface, c.size(), control, [&](std::size_t i) {
+      Proposal p = propose_relocation(surface, rules, c[i]);
+      if (p.best) best_places[c[i]] = now;
+      return p;
+    });
+  }
   std::vector<std::uint32_t> facets;
   for (std::uint32_t f = 0; f < surface.complex().facets.size(); ++f)
     if (surface.complex().facets[f].alive()) facets.push_back(f);

@@ -19,15 +19,6 @@ constexpr int relocation_rounds = 2;
 constexpr int collapse_retries = 4;   ///< of a collapse without repair whose certificate failed
 constexpr int relocation_retries = 2; ///< of a relocation whose certificate failed
 
-/// Weights of a point of the triangle's plane.
-Barycentric weights(Vec3 p, const Triangle3& t) {
-  const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
-  const double area2 = squared_length(n);
-  if (!(area2 > 0)) return {1. / 3, 1. / 3, 1. / 3};
-  const double a = dot(n, cross(t[1] - p, t[2] - p)) / area2, b = dot(n, cross(t[2] - p, t[0] - p)) / area2;
-  return {a, b, 1 - a - b};
-}
-
 struct Proof {
   std::uint32_t failures = 0;
   double distance = 0; ///< of the worst violating point
@@ -52,7 +43,7 @@ Proof prove(const InputSurface& input, FacetComplex& complex) {
     const double d = verdict.kind == FacetVerdict::Kind::outside ? verdict.closest.distance() : delta;
     if (d >= proof.distance) proof.distance = d, proof.witness = verdict.witness;
     if (facet.extra.size() >= most_extra) facet.extra.clear();
-    facet.extra.push_back(weights(verdict.witness, t));
+    facet.extra.push_back(weights_of(verdict.witness, t));
     measure_facet(input, complex, f);
   }
   return proof;
@@ -67,30 +58,47 @@ PatchVerdict refuse(Refusal reason, double value, double limit, Vec3 witness) {
   return verdict;
 }
 
+/// Condition 3 of the changed facets. Where more tests fail than before, the failed ones become samples of
+/// their facets.
+PatchVerdict check_orientation(const SurfaceRules& rules, SurfacePatch& patch) {
+  std::uint32_t before = patch.start_misoriented, after = 0;
+  std::vector<std::pair<std::uint32_t, std::vector<SideSample>>> failed;
+  for (std::uint32_t f = 0; f < patch.complex.facets.size(); ++f) {
+    Facet& facet = patch.complex.facets[f];
+    if (!patch.changed(f)) before -= facet.misoriented;
+    if (!patch.changed(f) || !facet.alive()) continue;
+    auto failures = rules.orientation->failures(patch.complex.triangle(facet));
+    facet.misoriented = static_cast<std::uint8_t>(failures.size());
+    after += facet.misoriented;
+    if (!failures.empty()) failed.emplace_back(f, std::move(failures));
+  }
+  if (after <= before) return {};
+  PatchVerdict verdict = refuse(Refusal::orientation, after, before,
+                                patch.complex.points[patch.complex.facets[failed.front().first].v[0]]);
+  verdict.points_added = after;
+  for (const auto& [f, sides] : failed) {
+    Facet& facet = patch.complex.facets[f];
+    if (facet.sides.size() >= most_extra) facet.sides.clear();
+    facet.sides.insert(facet.sides.end(), sides.begin(), sides.end());
+    measure_facet(*rules.input, patch.complex, f);
+  }
+  return verdict;
+}
+
 /// Everything but certificates: fold, orientation, witnesses.
 PatchVerdict check_shape(const SurfaceRules& rules, SurfacePatch& patch) {
   std::vector<Triangle3> before, after;
-  std::uint32_t misoriented = 0, misoriented_before = patch.start_misoriented;
   for (std::size_t f = 0; f < patch.complex.facets.size(); ++f) {
-    Facet& facet = patch.complex.facets[f];
-    if (!patch.changed(f)) {
-      misoriented_before -= facet.misoriented;
-      continue;
-    }
+    if (!patch.changed(f)) continue;
     before.push_back(patch.start_triangle(f));
+    const Facet& facet = patch.complex.facets[f];
     if (!facet.alive()) continue;
-    const Triangle3 t = patch.complex.triangle(facet);
-    after.push_back(t);
-    if (facet.folded || is_degenerate(t)) return refuse(Refusal::folded, 0, 0, t[0]);
-    if (!rules.orientation) continue;
-    facet.misoriented = rules.orientation->failures(t);
-    misoriented += facet.misoriented;
+    after.push_back(patch.complex.triangle(facet));
+    if (facet.folded || is_degenerate(after.back())) return refuse(Refusal::folded, 0, 0, after.back()[0]);
   }
-  if (misoriented > misoriented_before)
-    return refuse(Refusal::orientation, misoriented, misoriented_before, after.front()[0]);
   if (const auto swept = swept_witness(rules.witnesses, before, after))
     return refuse(Refusal::witness, 0, 0, *swept);
-  return {};
+  return rules.orientation ? check_orientation(rules, patch) : PatchVerdict{};
 }
 
 /// The state of a patch between two sweeps.
@@ -117,76 +125,86 @@ double worst_energy(const FacetComplex& complex, std::uint32_t v) {
   return worst;
 }
 
+/// By local vertex: whether it was found at its best place and nothing in its star has changed since.
+using Settled = std::vector<std::uint8_t>;
+
+void unsettle(const Facet& facet, Settled& settled) {
+  for (const std::uint32_t v : facet.v) settled[v] = 0;
+}
+
 /// Relocates all free vertices, those with the worst facet first, then tries flips.
-void sweep(const InputSurface& input, SurfacePatch& patch, RepairSweep& record) {
+void sweep(const InputSurface& input, SurfacePatch& patch, Settled& settled, RepairSweep& record) {
   FacetComplex& complex = patch.complex;
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t v = 0; v < complex.points.size(); ++v)
-    if (patch.free[v] && complex.alive_vertex(v)) order.emplace_back(-worst_energy(complex, v), v);
+    if (patch.free[v] && !settled[v] && complex.alive_vertex(v)) order.emplace_back(-worst_energy(complex, v), v);
   std::sort(order.begin(), order.end());
-  for (const auto& [key, v] : order) record.moved += relocate(input, complex, v, relocation_rounds) ? 1u : 0u;
+  for (const auto& [key, v] : order) {
+    settled[v] = 1;
+    if (!relocate(input, complex, v, relocation_rounds)) continue;
+    for (const std::uint32_t f : complex.stars[v]) unsettle(complex.facets[f], settled);
+    ++record.moved;
+  }
   for (std::uint32_t f = 0; f < complex.facets.size(); ++f)
     for (std::size_t k = 0; k < 3 && complex.facets[f].alive(); ++k)
-      if (try_flip(input, patch, f, k)) {
+      if (const auto plan = try_flip(input, patch, f, k)) {
+        for (const std::uint32_t v : {plan->a, plan->b, plan->c, plan->d}) settled[v] = 0;
         ++record.flipped;
         break;
       }
 }
 
+/// Whether samples were added because of this reason, so that moving vertices may help.
+bool can_be_repaired(Refusal reason) {
+  return reason == Refusal::certificate || reason == Refusal::orientation;
+}
+
 PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const RepairOptions& options) {
-  PatchVerdict verdict;
+  constexpr double unknown = std::numeric_limits<double>::infinity();
   const double delta = rules.input->delta(), limit = rules.sampled_limit();
-  int certificates = 0;
-  double last = std::numeric_limits<double>::infinity();
-  const auto give_up = [&](Refusal reason, double value, double bound, Vec3 where) {
-    verdict.reason = reason;
-    verdict.value = value;
-    verdict.limit = bound;
-    verdict.witness = where;
-    return verdict;
-  };
+  PatchVerdict verdict;
+  std::vector<RepairSweep> sweeps;
+  Settled settled(patch.complex.points.size(), 0);
+  double last = unknown;
+  int checks = 0;
   for (int s = 0;; ++s) {
     const Level level = measure(patch.complex);
     RepairSweep record{level.largest, level.energy, 0, 0, 0};
-    const bool low = level.largest <= limit && !level.folded;
-    if (low) {
-      const Proof proof = prove(*rules.input, patch.complex);
-      if (proof.failures == 0) {
-        PatchVerdict shape = check_shape(rules, patch);
-        shape.sweeps = std::move(verdict.sweeps);
-        shape.moved = verdict.moved;
-        shape.flipped = verdict.flipped;
-        return shape;
-      }
-      record.points_added = proof.failures;
-      if (++certificates > options.certificates || s >= options.sweeps)
-        return give_up(Refusal::certificate, proof.distance, delta, proof.witness);
+    last -= level.largest;
+    if (level.largest <= limit && !level.folded) {
+      verdict = check_patch(rules, patch);
+      record.points_added = verdict.points_added;
+      for (const Facet& f : patch.complex.facets)
+        if (f.alive() && (!f.extra.empty() || !f.sides.empty())) unsettle(f, settled);
+      if (!can_be_repaired(verdict.reason) || ++checks > options.certificates || s >= options.sweeps) break;
+      last = unknown;
     } else {
-      const double excess = level.largest - limit, gain = last - level.largest;
+      const double excess = level.largest - limit, gain = last;
       const bool hopeless = excess > 0 && ((s > 3 && gain <= 0.002 * delta) ||
                                            (s > 2 && excess > 1.2 * gain * (options.sweeps - s)));
-      if (s >= options.sweeps || hopeless)
-        return give_up(level.folded ? Refusal::folded : Refusal::distance, level.largest, limit, level.where);
+      verdict = refuse(level.folded ? Refusal::folded : Refusal::distance, level.largest, limit, level.where);
+      if (s >= options.sweeps || hopeless) break;
+      last = level.largest;
     }
-    last = level.largest;
-    sweep(*rules.input, patch, record);
-    verdict.moved += record.moved;
-    verdict.flipped += record.flipped;
-    verdict.sweeps.push_back(record);
+    sweep(*rules.input, patch, settled, record);
+    sweeps.push_back(record);
   }
+  for (const RepairSweep& r : sweeps) verdict.moved += r.moved, verdict.flipped += r.flipped;
+  verdict.sweeps = std::move(sweeps);
+  return verdict;
 }
 
-/// Proves the facets around v, relocating it when a certificate fails.
+/// Checks the facets around v, relocating it when that may help.
 PatchVerdict settle(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v, int retries) {
   for (int attempt = 0;; ++attempt) {
     const Level level = measure(patch.complex);
     if (level.largest > rules.sampled_limit())
       return refuse(Refusal::distance, level.largest, rules.sampled_limit(), level.where);
     if (level.folded) return refuse(Refusal::folded, 0, 0, level.where);
-    const Proof proof = prove(*rules.input, patch.complex);
-    if (proof.failures == 0) return check_shape(rules, patch);
-    if (attempt == retries || !relocate(*rules.input, patch.complex, v, relocation_rounds))
-      return refuse(Refusal::certificate, proof.distance, rules.input->delta(), proof.witness);
+    PatchVerdict verdict = check_patch(rules, patch);
+    if (!can_be_repaired(verdict.reason) || attempt == retries ||
+        !relocate(*rules.input, patch.complex, v, relocation_rounds))
+      return verdict;
   }
 }
 
@@ -199,19 +217,18 @@ PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch
   return settle(rules, patch, a, collapse_retries);
 }
 
-PatchVerdict relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v) {
-  if (!relocate(*rules.input, patch.complex, v, relocation_rounds))
-    return refuse(Refusal::connectivity, 0, 0, patch.complex.points[v]);
-  PatchVerdict verdict = settle(rules, patch, v, relocation_retries);
-  verdict.moved = 1;
-  return verdict;
+std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch,
+                                            std::uint32_t v) {
+  if (!relocate(*rules.input, patch.complex, v, relocation_rounds)) return std::nullopt;
+  return settle(rules, patch, v, relocation_retries);
 }
 
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch) {
   const Proof proof = prove(*rules.input, patch.complex);
-  if (proof.failures > 0)
-    return refuse(Refusal::certificate, proof.distance, rules.input->delta(), proof.witness);
-  return check_shape(rules, patch);
+  if (proof.failures == 0) return check_shape(rules, patch);
+  PatchVerdict verdict = refuse(Refusal::certificate, proof.distance, rules.input->delta(), proof.witness);
+  verdict.points_added = proof.failures;
+  return verdict;
 }
 
 } // namespace isoscope

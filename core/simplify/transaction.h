@@ -30,6 +30,7 @@ struct PatchVerdict {
   ImproverVerdict::Reason reason = ImproverVerdict::Reason::accepted;
   double value = 0, limit = 0;
   Vec3 witness;
+  std::uint32_t points_added = 0; ///< samples that the failed check has added to the facets
   std::vector<RepairSweep> sweeps;
   std::uint32_t moved = 0, flipped = 0;
   bool accepted() const { return reason == ImproverVerdict::Reason::accepted; }
@@ -39,8 +40,8 @@ struct PatchVerdict {
 /// checked but intersections with facets outside of the patch, which need the whole surface.
 PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
                                   std::uint32_t b, Vec3 target, const RepairOptions& options);
-/// Relocates a free vertex (local id); `connectivity` where nothing is gained.
-PatchVerdict relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v);
+/// Relocates a free vertex (local id) and checks the patch; nothing when it is at its best place.
+std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v);
 /// Certificates, fold, orientation and witnesses of the patch's changed facets.
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch);
 

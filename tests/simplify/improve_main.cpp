@@ -64,6 +64,35 @@ class Printer : public ImproverObserver {
   std::map<int, std::size_t> rejected_;
 };
 
+/// Failed tests of condition 3 and the share of the area whose normal is more than 60 and 90 degrees off.
+void print_normals(const TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample& samples,
+                   const ImproverOptions& options) {
+  const InputSurface input(volume.index(), volume.thresholds().delta, mesh);
+  const OrientationTester tester{&samples, options.shrink, options.sample_radius * input.delta()};
+  std::size_t failures = 0, bad_facets = 0;
+  double area = 0, off_60 = 0, off_90 = 0;
+  for (const auto& f : mesh.triangles) {
+    const Triangle3 t{mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
+    const std::size_t failed = tester.failures(t).size();
+    failures += failed;
+    bad_facets += failed > 0 ? 1u : 0u;
+    const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+    constexpr int n = 12;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        const Vec3 p = t[0] + ((i + 1. / 3) / n) * (t[1] - t[0]) + ((j + 1. / 3) / n) * (t[2] - t[0]);
+        const double cosine = dot(normalized(normal), input.normal(input.sample(p, TriangleId()).triangle));
+        const double weight = length(normal) / (n * (n + 1));
+        area += weight;
+        off_60 += cosine < 0.5 ? weight : 0;
+        off_90 += cosine < 0 ? weight : 0;
+      }
+  }
+  std::printf(
+      "normals: %zu failed tests in %zu of %zu facets, area off by 60 degrees %.2f %%, by 90 %.2f %%\n",
+      failures, bad_facets, mesh.triangles.size(), 100 * off_60 / area, 100 * off_90 / area);
+}
+
 int usage() {
   std::fprintf(stderr, "improve_bench MODEL PERCENT START.off OUT.off [effort=2] [normals=1] [threads=2]\n");
   return 2;
@@ -73,7 +102,8 @@ int usage() {
 
 int main(int argc, char** argv) {
   if (argc < 5) return usage();
-  std::map<std::string, double> given{{"effort", 2}, {"normals", 1}, {"threads", 2}};
+  std::map<std::string, double> given{
+      {"effort", 2}, {"normals", 1}, {"threads", 2}, {"radius", 4}, {"shrink", .7}};
   for (int i = 5; i < argc; ++i) {
     const std::string text = argv[i];
     const auto at = text.find('=');
@@ -99,12 +129,16 @@ int main(int argc, char** argv) {
   ImproverOptions options;
   options.effort = static_cast<int>(given["effort"]);
   options.preserve_normals = given["normals"] > 0;
+  options.sample_radius = given["radius"];
+  options.shrink = given["shrink"];
   Printer printer(mesh.points.size());
+  print_normals(mesh, *volume, nearest, options);
   const double begin = seconds(), processor_begin = processor_seconds();
   improve(mesh, *volume, &nearest, options, control, printer);
   printer.print();
   std::printf("END vertices %zu in %.2f s, cpu %.2f s\n", mesh.points.size(), seconds() - begin,
               processor_seconds() - processor_begin);
+  print_normals(mesh, *volume, nearest, options);
   const Status written = write_mesh(argv[4], mesh);
   return written ? 0 : 3;
 }
