@@ -14,7 +14,7 @@ namespace {
 
 /// How far the search stays from the kernel's facets, of the inscribed radius: flat tetrahedra leave no room
 /// for later collapses.
-constexpr double kernel_margin = 0.01;
+constexpr double kernel_margin = 1e-3;
 /// By how much a learnt half-space is overdone, of the inscribed radius: its own boundary is no target.
 constexpr double learnt_margin = 1e-3;
 

@@ -259,3 +259,24 @@ TEST_CASE("kernels of random stars: inside means that every tetrahedron stays po
   CHECK(full > 20);
   CHECK(empty > 20);
 }
+
+TEST_CASE("squeezing a star empties no kernel and fills none") {
+  std::size_t full = 0, empty = 0;
+  std::vector<EdgeStar> stars = random_stars(80, 5, 13);
+  // Coplanar facets in all directions: kernels that touch, or are flat.
+  const Grown lattice = grow({{-3, -3, -3}, {6, 6, 6}}, lattice_points(4, 2));
+  const auto edges = inner_edges(lattice.complex);
+  for (std::size_t i = 0; i < edges.size(); i += 5)
+    stars.push_back(star_of(lattice.complex, edges[i].first, edges[i].second));
+  for (const EdgeStar& star : stars) {
+    const Kernel kernel = compute_kernel(star);
+    ++(kernel.empty ? empty : full);
+    for (const double thin : {0.01, 1e-6}) {
+      EdgeStar squeezed = star;
+      transform(squeezed, thin, 1, {});
+      CHECK(compute_kernel(squeezed).empty == kernel.empty);
+    }
+  }
+  CHECK(full > 50);
+  CHECK(empty > 20);
+}
