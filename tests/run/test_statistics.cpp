@@ -49,6 +49,7 @@ TEST_CASE("Every stage of a journal has its figures, repeated beginnings are one
   CHECK(tessellation.seconds == doctest::Approx(32).epsilon(1e-6));
 
   CHECK(zero_set.operations == 0);
+  CHECK(zero_set.seconds == 0);
   CHECK(zero_set.seconds_per_operation() == 0);
   CHECK(zero_set.rejections() == 1);
   CHECK(zero_set.zero_set_vertices == 1000);
