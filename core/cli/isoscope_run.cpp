@@ -1,5 +1,6 @@
 // The batch program: the whole run without a display, a mesh and a report at its end.
 #include "base/parallel.h"
+#include "cli/compare_table.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
 #include "cli/progress_line.h"
@@ -90,9 +91,11 @@ int run(int argc, char** argv) {
       "isoscope-run"};
   RunOptions options(app, false);
   Outputs outputs;
-  bool quiet = false, list_gallery = false;
+  bool quiet = false, compare = false, list_gallery = false;
   app.add_option("-o,--output", outputs.mesh, "the resulting mesh: .off, .obj, .ply or .stl");
   app.add_option("--report", outputs.report, "the report as JSON; - for standard output");
+  app.add_flag("--compare", compare,
+               "print the stages side by side: operations, vertices, times, rejections by reason");
   app.add_flag("--quiet", quiet, "print nothing but errors");
   app.add_flag("--list-gallery", list_gallery, "list the bundled models");
   app.set_version_flag("--version", std::string("isoscope-run ") + std::string(version()));
@@ -117,6 +120,12 @@ int run(int argc, char** argv) {
   if (parameters->input.empty()) {
     return fail(
         {ErrorCode::usage, "INPUT is missing.", "Give a mesh file or gallery:NAME; --help tells more."}, 2);
+  }
+  const bool report_to_stdout = outputs.report == "-";
+  if (compare && report_to_stdout) {
+    return fail({ErrorCode::usage, "--compare and --report - both print to standard output.",
+                 "Give a file for the report."},
+                2);
   }
   if (Status writable = check_outputs(outputs, parameters->input); !writable)
     return fail(writable.error(), 2);
@@ -151,7 +160,6 @@ int run(int argc, char** argv) {
     if (Status written = write_mesh(outputs.mesh, result->mesh); !written) status = fail(written.error(), 1);
   }
   const std::vector<StageStatistics> stages = gather_statistics(*journal);
-  const bool report_to_stdout = outputs.report == "-";
   if (!outputs.report.empty()) {
     const std::string text = report_json(*parameters, **scene, *result, stages);
     Status written = report_to_stdout ? print(text) : write_text_file(outputs.report, text);
@@ -159,6 +167,11 @@ int run(int argc, char** argv) {
   }
   if (!quiet && !report_to_stdout) {
     if (Status written = print(summary(*parameters, **scene, *result, stages)); !written) {
+      status = fail(written.error(), 1);
+    }
+  }
+  if (compare) {
+    if (Status written = print((quiet ? "" : "\n") + compare_table(stages)); !written) {
       status = fail(written.error(), 1);
     }
   }

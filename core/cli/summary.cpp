@@ -21,8 +21,23 @@ std::string line(std::string_view label, const std::string& text) {
   return result + text + "\n";
 }
 
+std::string counted(std::size_t n, const std::string& noun, const std::string& plural) {
+  return grouped(n) + " " + (n == 1 ? noun : plural);
+}
+
 std::string counted(std::size_t n, const std::string& noun) {
-  return grouped(n) + " " + noun + (n == 1 ? "" : "s");
+  return counted(n, noun, noun + "s");
+}
+
+std::string stage_words(const StageStatistics& s) {
+  return counted(s.operations, "operation") + ", " + counted(s.rejections(), "rejection") + ", Z " +
+         counted(s.zero_set_vertices, "vertex", "vertices") + ", " + number("%.2f", s.seconds) + " s";
+}
+
+std::string normal_words(const NormalDeviation& n) {
+  return "deviate by " + number("%.1f", n.mean) + "° on average, by at most " +
+         number("%.1f", n.percentile_99) + "° on 99 % of the area; " + number("%.2g", 100 * n.above_90) +
+         " % beyond 90°" + (n.oriented ? "" : " (without a sign: the input is not oriented)");
 }
 
 std::string end_words(RunResult::End end) {
@@ -50,19 +65,22 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
   text += line("Samples", grouped(scene.samples->size()) + " on " +
                               counted(scene.boundary_components.size(), "boundary component") + ", " +
                               number("%.2f", scene.sampling_seconds) + " s");
-  for (const StageStatistics& stage : stages) {
-    text += line(name(stage.stage), counted(stage.operations, "operation") + ", Z " +
-                                        grouped(stage.zero_set_vertices) + " vertices, " +
-                                        number("%.2f", stage.seconds) + " s");
-  }
-  text += line("Zero set", grouped(result.mesh.points.size()) + " vertices, " +
-                               grouped(result.mesh.triangles.size()) + " faces, " +
-                               counted(c.components, "component") +
-                               ", χ = " + std::to_string(c.euler_characteristic));
+  for (const StageStatistics& stage : stages) text += line(name(stage.stage), stage_words(stage));
+  text += line("Output", counted(result.mesh.points.size(), "vertex", "vertices") + ", " +
+                             counted(result.mesh.triangles.size(), "face") + ", " +
+                             counted(c.components, "component") +
+                             ", χ = " + std::to_string(c.euler_characteristic) +
+                             (left_triangulation(stages) ? ", on Z alone" : ", inside T"));
+  if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));
   text += line("Certificate", c.holds() ? "holds: closed, oriented, free of intersections, d <= " +
                                               number("%.4f", c.max_distance / scene.delta) +
                                               " δ everywhere, sides separated, topology as expected"
                                         : "does NOT hold");
+  if (c.holds()) {
+    text += line("", "the input is at most " + number("%.4f", c.input_distance.upper / scene.delta) +
+                         " δ away from it, somewhere " +
+                         number("%.4f", c.input_distance.lower / scene.delta) + " δ");
+  }
   for (const std::string& failure : c.failures) text += line("", failure);
   text += line("Run", end_words(result.end) + ", " + number("%.2f", result.seconds) + " s, " +
                           number("%.0f", static_cast<double>(result.peak_memory_bytes) / 1e6) + " MB");

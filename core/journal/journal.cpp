@@ -48,8 +48,14 @@ void Journal::add_parameters(const CriteriaParameters& criteria) {
 std::uint32_t Journal::add_event(Event event) {
   event.step = steps();
   bytes_.fetch_add(sizeof(Event), std::memory_order_relaxed);
+  const auto index = static_cast<std::uint32_t>(events_.size());
+  if (event.kind == EventKind::stage_begin || event.kind == EventKind::stage_end ||
+      event.kind == EventKind::stopped) {
+    const std::chrono::duration<double> age = std::chrono::steady_clock::now() - made_;
+    stage_marks_.push_back({index, age.count()});
+  }
   events_.push_back(event);
-  return static_cast<std::uint32_t>(events_.size() - 1);
+  return index;
 }
 
 void Journal::add_operation(Event event, Delta delta, const StepFigures& figures) {

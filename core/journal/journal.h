@@ -8,6 +8,7 @@
 #include "tolerance/boundary_sampler.h"
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -59,6 +60,12 @@ class Journal {
   const AppendOnly<ParameterRecord>& parameters() const { return parameters_; }
   /// The parameters in force at a step.
   CriteriaParameters parameters_at(Step step) const;
+  /// When stages began, ended or were stopped; the digest leaves it out, as all times.
+  struct StageMark {
+    std::uint32_t event = 0; ///< index into events
+    double seconds = 0;      ///< since the journal was made
+  };
+  const AppendOnly<StageMark>& stage_marks() const { return stage_marks_; }
   /// Text 0 is empty.
   const AppendOnly<std::string>& texts() const { return texts_; }
   /// The sweeps of repairs, committed or rolled back; entry 0 is empty.
@@ -82,9 +89,11 @@ class Journal {
   AppendOnly<Operation> operations_;
   AppendOnly<std::shared_ptr<const BoundarySamples>> sample_sets_;
   AppendOnly<ParameterRecord> parameters_;
+  AppendOnly<StageMark> stage_marks_;
   AppendOnly<std::string> texts_;
   AppendOnly<RepairDetail> repairs_;
   std::atomic<std::size_t> bytes_{0};
+  std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
 };
 
 /// A digest (FNV-1a, 64 bit) of events, deltas and texts, without times: equal digests mean the same journal.

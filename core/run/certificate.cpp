@@ -24,6 +24,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr std::size_t piece_budget = 200000;
+constexpr double input_distance_precision = 0.01; ///< in units of δ
 
 std::string place(Vec3 p) {
   char text[96];
@@ -198,6 +199,13 @@ void check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
   }
 }
 
+void measure_input_distance(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
+                            const RunControl& control) {
+  const ClosestPointIndex index({mesh.points, mesh.triangles, {}});
+  c.input_distance =
+      bound_distance(volume.index(), index, input_distance_precision * volume.thresholds().delta, control);
+}
+
 /// Winding number of the mesh around p by signed solid angles (van Oosterom and Strackee 1983).
 double winding_number(const TriangleMesh& mesh, Vec3 p) {
   double sum = 0;
@@ -256,6 +264,8 @@ Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, con
   if (!control.abandoned()) check_intersections(mesh, c);
   control.report("certificate", 0.3);
   check_containment(mesh, volume, c, control);
+  control.report("certificate", 0.7);
+  measure_input_distance(mesh, volume, c, control);
   control.report("certificate", 0.8);
   if (!control.abandoned()) check_separation(mesh, volume, c);
   check_expectation(expected, c);

@@ -4,6 +4,7 @@
 #include "base/run_control.h"
 #include "criteria/topology.h"
 #include "input/triangle_soup.h"
+#include "run/reverse_distance.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <string>
@@ -18,7 +19,8 @@ struct Certificate {
   bool within_tolerance = false;  ///< every facet proven inside Ω, rounded outward
   double max_distance =
       0; ///< proven upper bound of d over the mesh, absolute; of the failing facet when it fails
-  bool separates = false; ///< winding number at the witness of every region is that of its side
+  DistanceBounds input_distance; ///< of the input to the mesh, to 1 % of δ; told, not judged
+  bool separates = false;        ///< winding number at the witness of every region is that of its side
   bool topology_as_expected = false;
   std::size_t components = 0;
   long euler_characteristic = 0;

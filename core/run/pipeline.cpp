@@ -239,6 +239,7 @@ Result<RunResult> Pipeline::run() {
   result.form = m.complex().form;
   result.mesh = triangulate(extract_zero_set(m.complex()));
   result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control);
+  result.normals = measure_normal_deviation(result.mesh, *m.volume);
   m.seconds += watch.seconds();
   result.seconds = m.seconds;
   result.peak_memory_bytes = peak_memory_bytes();

@@ -8,6 +8,7 @@
 #include "journal/recorder.h"
 #include "refine/refinement.h"
 #include "run/certificate.h"
+#include "run/normal_deviation.h"
 #include "run/parameters.h"
 #include "tolerance/parameter_check.h"
 #include "tolerance/tolerance_volume.h"
@@ -44,6 +45,7 @@ struct RunResult {
   Stage last_stage = Stage::refinement;   ///< the stage that was reached
   ZeroForm form = ZeroForm::interpolated; ///< free: the last stage ran on Z alone
   Certificate certificate;
+  NormalDeviation normals;
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
   int exit_status() const; ///< 0 finished and certified, 1 not certified, 4 stopped

@@ -19,15 +19,45 @@ Json optional_number(const std::optional<long>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+Json reasons_json(const StageStatistics::ReasonCounts& counts) {
+  Json reasons = Json::object();
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] > 0) reasons[std::string(name(static_cast<Reason>(i)))] = counts[i];
+  }
+  return reasons;
+}
+
 Json stage_json(const StageStatistics& s) {
   Json insertions = Json::object();
   for (std::size_t i = 0; i < s.insertions.size(); ++i) {
     if (s.insertions[i] > 0) insertions[std::string(name(static_cast<Condition>(i)))] = s.insertions[i];
   }
-  Json rejected = Json::object();
-  for (const auto& [reason, count] : s.rejected) rejected[reason] = count;
-  return {{"name", name(s.stage)},    {"seconds", s.seconds}, {"operations", s.operations},
-          {"insertions", insertions}, {"rejected", rejected}, {"zero_set_vertices", s.zero_set_vertices}};
+  return {{"name", name(s.stage)},
+          {"seconds", s.seconds},
+          {"operations", s.operations},
+          {"seconds_per_operation", s.seconds_per_operation()},
+          {"insertions", insertions},
+          {"collapses", s.collapses},
+          {"found", reasons_json(s.found)},
+          {"rejected", reasons_json(s.rejected)},
+          {"relaxation_sweeps", s.relaxations},
+          {"repairs", s.repairs},
+          {"repair_sweeps", s.repair_sweeps},
+          {"failed_repairs", s.failed_repairs},
+          {"failed_repair_sweeps", s.failed_repair_sweeps},
+          {"zero_set_vertices", s.zero_set_vertices}};
+}
+
+Json normals_json(const NormalDeviation& n) {
+  return {{"oriented", n.oriented},
+          {"points", n.points},
+          {"bin_degrees", NormalDeviation::bin_degrees},
+          {"histogram", n.histogram},
+          {"mean", n.mean},
+          {"percentile_90", n.percentile_90},
+          {"percentile_99", n.percentile_99},
+          {"above_30", n.above_30},
+          {"above_90", n.above_90}};
 }
 
 std::string_view end_name(RunResult::End end) {
@@ -77,6 +107,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"longest_edge", scene.longest_edge},
         {"closed_manifold", scene.input_topology.closed_manifold},
         {"self_intersection_free", scene.input_topology.self_intersection_free},
+        {"consistently_oriented", scene.input_topology.consistently_oriented},
         {"euler_characteristic", optional_number(scene.input_topology.euler_characteristic)}}},
       {"parameters",
        {{"tolerance", scene.delta},
@@ -114,7 +145,9 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"faces", result.mesh.triangles.size()},
         {"components", c.components},
         {"euler_characteristic", chi},
-        {"genus", static_cast<long>(c.components) - chi / 2}}},
+        {"genus", static_cast<long>(c.components) - chi / 2},
+        {"embedding", left_triangulation(stages) ? "Z alone" : "T"}}},
+      {"normals", normals_json(result.normals)},
       {"certificate",
        {{"holds", c.holds()},
         {"closed_manifold", c.closed_manifold},
@@ -122,6 +155,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"intersection_free", c.intersection_free},
         {"within_tolerance", c.within_tolerance},
         {"max_distance", c.max_distance},
+        {"input_distance", {{"lower", c.input_distance.lower}, {"upper", c.input_distance.upper}}},
         {"separates", c.separates},
         {"topology_as_expected", c.topology_as_expected},
         {"failures", c.failures}}},

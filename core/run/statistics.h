@@ -1,25 +1,42 @@
-// Figures per stage and condition, gathered from the journal alone.
+// Figures per stage, condition and reason, gathered from the journal alone.
 #pragma once
 
 #include "journal/journal.h"
 
 #include <array>
-#include <map>
-#include <string>
+#include <cstddef>
 #include <vector>
 
 namespace isoscope {
 
+/// What happened in one stage.
 struct StageStatistics {
+  using ReasonCounts = std::array<std::size_t, reason_count>; ///< by Reason
   Stage stage = Stage::refinement;
-  double seconds = 0;
-  std::size_t operations = 0;
+  double seconds = 0;                                    ///< from its begin to its end, pauses included
+  std::size_t operations = 0;                            ///< of all kinds
   std::array<std::size_t, condition_count> insertions{}; ///< by Condition
-  std::map<std::string, std::size_t> rejected;           ///< exhausted events by reason's name
-  std::size_t zero_set_vertices = 0;                     ///< at its end
+  std::size_t collapses = 0;                             ///< without a repair
+  std::size_t repairs = 0;                               ///< collapses with a repaired neighbourhood
+  std::size_t repair_sweeps = 0;                         ///< inside the repairs
+  std::size_t failed_repairs = 0;                        ///< rolled back: among `rejected`
+  std::size_t failed_repair_sweeps = 0;                  ///< inside those
+  std::size_t relaxations = 0;                           ///< sweeps over the whole of Z
+  std::size_t departures = 0;                            ///< of Z from T
+  ReasonCounts found{};    ///< collapses, with repair or without, by how their target was found
+  ReasonCounts rejected{}; ///< edges not collapsed, and exhausted tetrahedra, by reason; the same one may
+                           ///< come again
+  std::size_t zero_set_vertices = 0; ///< at its end
+
+  std::size_t rejections() const;
+  /// Zero when there was no operation.
+  double seconds_per_operation() const;
 };
 
-/// One entry per stage that began, in order.
+/// One entry per stage that began, in order; a stage that begins again right after itself goes on with its
+/// entry.
 std::vector<StageStatistics> gather_statistics(const Journal& journal);
+/// Whether Z left T in one of the stages, so that it is no longer embedded there.
+bool left_triangulation(const std::vector<StageStatistics>& stages);
 
 } // namespace isoscope

@@ -90,6 +90,19 @@ std::size_t count_components(const MergedMesh& mesh) {
   return count;
 }
 
+/// Whether every two neighbours run along their edge in opposite directions.
+bool consistently_oriented(const Triangles& triangles, const std::vector<EdgeUse>& uses) {
+  const auto ascends = [&](const EdgeUse& use) {
+    const auto& t = triangles[use.triangle];
+    for (std::size_t i = 0; i < 3; ++i)
+      if (t[i] == use.low && t[(i + 1) % 3] == use.high) return true;
+    return false;
+  };
+  for (std::size_t i = 0; i + 1 < uses.size(); i += 2)
+    if (ascends(uses[i]) == ascends(uses[i + 1])) return false;
+  return true;
+}
+
 /// Orients the triangles consistently where that is possible; false on a one-sided surface.
 bool orient(Triangles& triangles, const std::vector<EdgeUse>& uses) {
   struct Link {
@@ -167,6 +180,7 @@ InputTopology analyse_input(const TriangleSoup& soup) {
   if (collapsed || topology.border || !one_fan_each(mesh, uses)) return topology;
 
   topology.closed_manifold = true;
+  topology.consistently_oriented = consistently_oriented(mesh.triangles, uses);
   topology.euler_characteristic = static_cast<long>(mesh.points.size()) - static_cast<long>(edges) +
                                   static_cast<long>(mesh.triangles.size());
   Triangles oriented = mesh.triangles;

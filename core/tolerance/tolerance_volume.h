@@ -57,6 +57,7 @@ struct InputTopology {
   bool closed_manifold =
       false; ///< after merging equal points: every edge has two triangles, every vertex one fan
   bool self_intersection_free = false;      ///< only tested when closed_manifold
+  bool consistently_oriented = false;       ///< closed_manifold, and neighbours agree on their sides
   std::optional<long> euler_characteristic; ///< when closed_manifold
   std::size_t components = 0;               ///< connected components of the input triangles
   std::optional<Vec3> border; ///< a point of an edge that does not have two triangles, if there is one

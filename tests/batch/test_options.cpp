@@ -19,7 +19,7 @@ TEST_CASE("Questions are answered on standard output with status 0") {
   CHECK(help.status == 0);
   for (const char* option : {"--tolerance", "--sigma", "--alpha", "--shrink", "--until", "--threads",
                              "--containment", "--topology", "--time-limit", "-o", "--report", "--quiet",
-                             "--no-condition", "--no-normals", "--list-gallery"}) {
+                             "--compare", "--no-condition", "--no-normals", "--list-gallery"}) {
     CAPTURE(option);
     CHECK(help.out.find(option) != std::string::npos);
   }

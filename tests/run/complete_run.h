@@ -23,6 +23,7 @@ class TestGate : public Gate {
 /// Everything a run leaves behind; keeps the pipeline so that a test can go on.
 struct CompleteRun {
   RunParameters parameters;
+  std::shared_ptr<const TriangleSoup> soup; ///< instead of parameters.input, where set
   std::shared_ptr<Journal> journal = std::make_shared<Journal>();
   TestGate gate;
   RunControl control;

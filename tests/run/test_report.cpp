@@ -2,6 +2,7 @@
 #include "run/report.h"
 
 #include "run/complete_run.h"
+#include "run/hand_made_journal.h"
 
 #include <nlohmann/json.hpp>
 
@@ -41,24 +42,56 @@ TEST_CASE("The report of a finished run is one JSON object with the promised key
   check_keys(report["parameters"], {"tolerance", "sigma", "alpha", "shrink", "threads"});
   check_keys(report["samples"], {"count", "components"});
   REQUIRE(report["stages"].is_array());
-  REQUIRE(report["stages"].size() == 1);
-  check_keys(report["stages"][0], {"name", "seconds", "operations", "rejected", "zero_set_vertices"});
-  check_keys(report["output"], {"vertices", "faces", "components", "euler_characteristic", "genus"});
+  REQUIRE(!report["stages"].empty());
+  for (const Json& stage : report["stages"]) {
+    check_keys(stage, {"name", "seconds", "operations", "seconds_per_operation", "collapses", "found",
+                       "rejected", "relaxation_sweeps", "repairs", "repair_sweeps", "failed_repairs",
+                       "failed_repair_sweeps", "zero_set_vertices"});
+  }
+  check_keys(report["output"],
+             {"vertices", "faces", "components", "euler_characteristic", "genus", "embedding"});
+  check_keys(report["normals"], {"oriented", "points", "bin_degrees", "histogram", "mean", "percentile_90",
+                                 "percentile_99", "above_30", "above_90"});
   check_keys(report["certificate"], {"closed_manifold", "oriented", "intersection_free", "within_tolerance",
-                                     "max_distance", "separates", "topology_as_expected"});
+                                     "max_distance", "input_distance", "separates", "topology_as_expected"});
 
   CHECK(report["version"] == version());
   CHECK(report["input"]["path"] == "gallery:torus");
   CHECK(report["input"]["vertices"] == run.scene->input->points.size());
   CHECK(report["parameters"]["alpha"] == 0.2);
   CHECK(report["samples"]["count"] == run.scene->samples->size());
-  CHECK(report["stages"][0]["operations"] == run.journal->steps());
+  CHECK(report["stages"][0]["name"] == "refinement");
   CHECK(report["output"]["vertices"] == run.result->mesh.points.size());
   CHECK(report["output"]["genus"] == 1);
   CHECK(report["output"]["euler_characteristic"] == 0);
   CHECK(report["certificate"]["max_distance"].get<double>() <= run.scene->delta);
   CHECK(report["certificate"]["within_tolerance"] == true);
+  const Json& back = report["certificate"]["input_distance"];
+  CHECK(back["lower"].get<double>() <= back["upper"].get<double>());
+  CHECK(back["upper"].get<double>() - back["lower"].get<double>() <= 0.0101 * run.scene->delta);
+  CHECK(report["normals"]["oriented"] == true);
+  CHECK(report["normals"]["histogram"].size() == 36);
+  CHECK(report["normals"]["points"] == run.result->normals.points);
   CHECK(report["peak_memory_bytes"].get<double>() > 1e6);
+}
+
+TEST_CASE("The report tells every stage of a journal and whether Z left T") {
+  CompleteRun run(gallery_parameters("sphere"));
+  REQUIRE(run.run());
+  std::vector<StageStatistics> stages = gather_statistics(*hand_made_journal());
+  const Json report = Json::parse(report_json(run.parameters, *run.scene, *run.result, stages));
+  REQUIRE(report["stages"].size() == 6);
+  const std::vector<std::string> names{"refinement", "gamma", "tessellation", "zero-set", "all", "improve"};
+  for (std::size_t i = 0; i < names.size(); ++i) CHECK(report["stages"][i]["name"] == names[i]);
+  CHECK(report["stages"][0]["insertions"] == Json{{"containment", 4}});
+  CHECK(report["stages"][1]["found"] == Json{{"halfedge", 1}, {"sample-candidate", 1}});
+  CHECK(report["stages"][1]["rejected"] == Json{{"link-condition", 2}, {"kernel-empty", 1}});
+  CHECK(report["stages"][5]["repairs"] == 2);
+  CHECK(report["stages"][5]["failed_repair_sweeps"] == 17);
+  CHECK(report["output"]["embedding"] == "Z alone");
+  stages.pop_back();
+  const Json embedded = Json::parse(report_json(run.parameters, *run.scene, *run.result, stages));
+  CHECK(embedded["output"]["embedding"] == "T");
 }
 
 TEST_CASE("Text files are written whole or not at all") {

@@ -1,6 +1,7 @@
 // Unpacks libcgal-demo's archive under a lock.
 #include "support/models.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -70,6 +71,18 @@ std::optional<fs::path> demo_model(std::string_view name) {
   std::printf("skipped: the model %.*s of the package libcgal-demo is not installed\n",
               static_cast<int>(name.size()), name.data());
   return std::nullopt;
+}
+
+std::vector<fs::path> demo_models() {
+  std::vector<fs::path> files;
+  const fs::path folder = meshes_folder();
+  if (folder.empty()) return files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".off" || extension == ".ply" || extension == ".stl") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 } // namespace isoscope

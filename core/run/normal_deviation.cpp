@@ -1,0 +1,129 @@
+// Measures normals at the centroids of equal pieces of the facets.
+#include "run/normal_deviation.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace isoscope {
+
+namespace {
+
+constexpr double wanted_points = 50000;
+constexpr double straight_angle = 180;
+
+/// One point: the angle between the normals, the area it stands for, the component of Ω it lies in.
+struct Measurement {
+  double degrees = 0, area = 0;
+  std::uint32_t component = 0;
+};
+
+Vec3 area_vector(const Triangle3& t) {
+  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+}
+
+/// Measures at the centroids of the k² congruent pieces of a facet.
+void measure_facet(const Triangle3& facet, std::size_t k, const ToleranceVolume& volume, Measurement* out) {
+  const Vec3 normal = area_vector(facet);
+  const auto pieces = static_cast<double>(k);
+  TriangleId guess;
+  const auto measure = [&](double u, double v) {
+    const Vec3 p = facet[0] + u / pieces * (facet[1] - facet[0]) + v / pieces * (facet[2] - facet[0]);
+    guess = volume.index().closest_near(p, guess).triangle;
+    const Vec3 input = area_vector(volume.index().triangle(guess));
+    Measurement& m = *out++;
+    if (squared_length(input) == 0) return;
+    m.degrees =
+        std::atan2(length(cross(normal, input)), dot(normal, input)) * straight_angle / std::numbers::pi;
+    m.area = length(normal) / (pieces * pieces);
+    m.component = volume.volume_component(guess);
+  };
+  constexpr double near = 1.0 / 3, far = 2.0 / 3;
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = 0; i + j < k; ++j) {
+      const auto u = static_cast<double>(i), v = static_cast<double>(j);
+      measure(u + near, v + near);
+      if (i + j + 1 < k) measure(u + far, v + far);
+    }
+  }
+}
+
+std::vector<Measurement> measure_all(const TriangleMesh& mesh, const ToleranceVolume& volume) {
+  const auto corners = [&](std::size_t f) -> Triangle3 {
+    const auto& t = mesh.triangles[f];
+    return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
+  };
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) area += length(area_vector(corners(f)));
+  if (!(area > 0)) return {};
+
+  std::vector<std::size_t> pieces(mesh.triangles.size()), offset(mesh.triangles.size() + 1, 0);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const double share = length(area_vector(corners(f))) / area;
+    pieces[f] =
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(std::sqrt(wanted_points * share))));
+    offset[f + 1] = offset[f] + pieces[f] * pieces[f];
+  }
+  std::vector<Measurement> measurements(offset.back());
+  parallel_for(mesh.triangles.size(), 16, [&](std::size_t f) {
+    measure_facet(corners(f), pieces[f], volume, measurements.data() + offset[f]);
+  });
+  std::erase_if(measurements, [](const Measurement& m) { return !(m.area > 0); });
+  return measurements;
+}
+
+/// Turns the input around in every component of Ω where most of the mesh disagrees with it.
+void agree_with_majority(std::vector<Measurement>& measurements, std::size_t components) {
+  std::vector<double> balance(components, 0);
+  for (const Measurement& m : measurements)
+    balance[m.component] += m.degrees <= 0.5 * straight_angle ? m.area : -m.area;
+  for (Measurement& m : measurements)
+    if (balance[m.component] < 0) m.degrees = straight_angle - m.degrees;
+}
+
+/// The least angle that is not exceeded on the given share of the area. Ascending measurements.
+double percentile(const std::vector<Measurement>& measurements, double area, double share) {
+  double below = 0;
+  for (const Measurement& m : measurements) {
+    below += m.area;
+    if (below >= share * area) return m.degrees;
+  }
+  return measurements.back().degrees;
+}
+
+} // namespace
+
+NormalDeviation measure_normal_deviation(const TriangleMesh& mesh, const ToleranceVolume& volume) {
+  NormalDeviation result;
+  result.oriented = volume.input().consistently_oriented;
+  std::vector<Measurement> measurements = measure_all(mesh, volume);
+  result.points = measurements.size();
+  if (measurements.empty()) return result;
+  if (result.oriented) {
+    agree_with_majority(measurements, volume.volume_component_count());
+  } else {
+    for (Measurement& m : measurements) m.degrees = std::min(m.degrees, straight_angle - m.degrees);
+  }
+  std::sort(measurements.begin(), measurements.end(), [](const Measurement& a, const Measurement& b) {
+    return a.degrees != b.degrees ? a.degrees < b.degrees : a.area < b.area;
+  });
+
+  double area = 0;
+  for (const Measurement& m : measurements) area += m.area;
+  for (const Measurement& m : measurements) {
+    const double share = m.area / area;
+    const auto bin = static_cast<std::size_t>(m.degrees / NormalDeviation::bin_degrees);
+    result.histogram[std::min(bin, NormalDeviation::bin_count - 1)] += share;
+    result.mean += share * m.degrees;
+    if (m.degrees > 30) result.above_30 += share;
+    if (m.degrees > 90) result.above_90 += share;
+  }
+  result.percentile_90 = percentile(measurements, area, 0.9);
+  result.percentile_99 = percentile(measurements, area, 0.99);
+  return result;
+}
+
+} // namespace isoscope

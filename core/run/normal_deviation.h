@@ -1,0 +1,31 @@
+// How the normals of a mesh deviate from those of the input behind it (Figure 26).
+#pragma once
+
+#include "input/triangle_soup.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <array>
+#include <cstddef>
+
+namespace isoscope {
+
+/// The distribution over the mesh's area of the angle between its normal and that of the closest input
+/// triangle.
+struct NormalDeviation {
+  static constexpr double bin_degrees = 5;
+  static constexpr std::size_t bin_count = 36;
+  /// Angles in [0°, 180°] when the input is consistently oriented; else its normals have no sign, and angles
+  /// are in [0°, 90°].
+  bool oriented = false;
+  std::array<double, bin_count> histogram{}; ///< shares of the area, from 0° up; they add up to 1
+  double mean = 0, percentile_90 = 0, percentile_99 = 0; ///< degrees
+  double above_30 = 0, above_90 = 0;                     ///< shares of the area
+  std::size_t points = 0; ///< at which it was measured; 0: there was nothing to measure
+};
+
+/// Measured, not proven: at points spread evenly over the facets, the same on any number of threads. Each
+/// component of Ω takes the input with the orientation that most of the mesh in it agrees with, as cavities
+/// may be given either way. Points next to degenerate input triangles are left out.
+NormalDeviation measure_normal_deviation(const TriangleMesh& mesh, const ToleranceVolume& volume);
+
+} // namespace isoscope

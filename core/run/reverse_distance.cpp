@@ -1,0 +1,93 @@
+// Rounds of facet certificates: each proves most triangles to be near, and finds farther points on the
+// others.
+#include "run/reverse_distance.h"
+
+#include "base/parallel.h"
+#include "tolerance/facet_certificate.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace isoscope {
+
+namespace {
+
+constexpr std::size_t piece_budget = 200000;
+constexpr std::size_t grain = 256;
+
+/// The farthest point found so far: what a triangle must exceed to count.
+struct Farthest {
+  Vec3 point;
+  double distance = 0;
+  void add(Vec3 p, double d) {
+    if (d > distance) *this = {p, d};
+  }
+};
+
+Farthest farthest_corner(const ClosestPointIndex& from, const ClosestPointIndex& to) {
+  // The first corners meet nearly every vertex once; a vertex that they miss is met by its facet's
+  // certificate.
+  std::vector<double> distances(from.size());
+  parallel_for(from.size(), grain, [&](std::size_t i) {
+    distances[i] = to.distance(from.triangle(TriangleId(static_cast<std::uint32_t>(i)))[0]);
+  });
+  Farthest farthest;
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    farthest.add(from.triangle(TriangleId(static_cast<std::uint32_t>(i)))[0], distances[i]);
+  return farthest;
+}
+
+/// What the distance of an undecided triangle's points cannot exceed, since distances are 1-Lipschitz.
+double crude_bound(const ClosestPointIndex& to, const Triangle3& t) {
+  return to.distance(t[0]) + std::max(length(t[1] - t[0]), length(t[2] - t[0]));
+}
+
+/// What a computed distance may be off by: fewer than 32 roundings of numbers below the largest coordinate.
+double rounding_bound(const ClosestPointIndex& from, const ClosestPointIndex& to) {
+  double largest = 0;
+  for (const Box3& box : {from.bounds(), to.bounds()})
+    for (int a = 0; a < 3; ++a) largest = std::max({largest, std::abs(box.lo[a]), std::abs(box.hi[a])});
+  return 32 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+} // namespace
+
+DistanceBounds bound_distance(const ClosestPointIndex& from, const ClosestPointIndex& to, double precision,
+                              const RunControl& control) {
+  Farthest farthest = farthest_corner(from, to);
+  std::vector<std::uint32_t> open(from.size());
+  for (std::size_t i = 0; i < open.size(); ++i) open[i] = static_cast<std::uint32_t>(i);
+
+  double upper = 0;
+  std::vector<FacetVerdict> verdicts;
+  while (!open.empty() && !control.abandoned()) {
+    // A triangle that stays open has a point beyond the lower bound by half the precision: the bound grows by
+    // that much in every round, so that rounds end. Fixed limits keep a round independent of its order.
+    const double reject = farthest.distance + 0.5 * precision, accept = farthest.distance + precision;
+    verdicts.assign(open.size(), {});
+    parallel_for(open.size(), grain, [&](std::size_t i) {
+      if (control.abandoned()) return;
+      verdicts[i] = certify_facet(to, from.triangle(TriangleId(open[i])), accept, reject, piece_budget);
+    });
+    std::size_t still_open = 0;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const FacetVerdict& v = verdicts[i];
+      if (v.kind == FacetVerdict::Kind::inside) {
+        upper = std::max(upper, v.max_distance);
+      } else if (v.kind == FacetVerdict::Kind::outside) {
+        farthest.add(v.witness, v.closest.distance());
+        open[still_open++] = open[i];
+      } else {
+        upper = std::max(upper, crude_bound(to, from.triangle(TriangleId(open[i]))));
+      }
+    }
+    open.resize(still_open);
+  }
+  if (control.abandoned()) return {};
+  const double rounding = rounding_bound(from, to);
+  return {std::max(0.0, farthest.distance - rounding), upper + rounding, farthest.point};
+}
+
+} // namespace isoscope

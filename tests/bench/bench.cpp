@@ -1,0 +1,130 @@
+// The bench: our pipeline and Lindstrom–Turk side by side, each line in processes of its own.
+#include "base/parallel.h"
+#include "bench/cases.h"
+#include "bench/lindstrom_turk.h"
+#include "bench/measure.h"
+#include "bench/table.h"
+#include "run/complete_run.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace isoscope;
+using namespace isoscope::bench;
+
+/// What the command line asks for.
+struct Options {
+  std::string model;
+  std::vector<std::string> tolerances;
+  bool quick = false, complete = false, all = false, markdown = false, envelope = false, no_normals = false;
+  unsigned threads = 0;
+  double time_limit = 0, kill_after = 3600;
+};
+
+Outcome run_ours(const Case& asked, const Options& options) {
+  const ThreadLimit threads(options.threads);
+  RunParameters parameters;
+  parameters.input = asked.model;
+  parameters.tolerance = asked.tolerance;
+  parameters.condition_3 = !options.no_normals;
+  parameters.time_limit = options.time_limit;
+  auto soup = asked.load();
+  if (!soup) return {false, 0, soup.error().message};
+  test::CompleteRun run(parameters);
+  run.soup = std::make_shared<const TriangleSoup>(std::move(*soup));
+  run.gate.decide = [&](const Journal&, const Event&) {
+    return run.control.cancelled() ? Gate::Verdict::stop : Gate::Verdict::go_on;
+  };
+  if (!run.run()) return {false, 0, run.error->message};
+  const Certificate& c = run.result->certificate;
+  std::string status = c.holds() ? "certified" : "NOT certified: " + c.failures.front();
+  if (run.result->end != RunResult::End::finished) status += ", at the time limit";
+  return {c.holds(), run.result->mesh.points.size(), status};
+}
+
+Outcome run_theirs(const Case& asked, CollapseFilter filter) {
+  const auto soup = asked.load();
+  if (!soup) return {false, 0, soup.error().message};
+  const double delta = asked.tolerance.absolute(soup->bounds().longest_edge());
+  const auto simplified = lindstrom_turk(*soup, delta, filter);
+  if (!simplified) return {false, 0, simplified.error().message};
+  return {true, simplified->mesh.points.size(), simplified->intersects_itself ? "intersects itself" : ""};
+}
+
+Row run_case(const Case& asked, Measured lindstrom_turk, const Options& options) {
+  Row row{asked, {}, std::move(lindstrom_turk), {}};
+  row.ours = measure([&] { return run_ours(asked, options); }, options.kill_after);
+  if (options.envelope)
+    row.envelope = measure([&] { return run_theirs(asked, CollapseFilter::envelope); }, options.kill_after);
+  return row;
+}
+
+Result<std::vector<Case>> cases_for(const Options& options) {
+  std::vector<Tolerance> tolerances;
+  for (const std::string& text : options.tolerances) {
+    const auto tolerance = parse_tolerance(text);
+    if (!tolerance) return tolerance.error();
+    tolerances.push_back(*tolerance);
+  }
+  if (options.all || !options.model.empty()) {
+    if (tolerances.empty()) tolerances = {{0.4, true}, {1, true}, {2.5, true}};
+    return options.all ? demo_cases(tolerances) : model_cases(options.model, tolerances);
+  }
+  return target_cases(options.quick      ? Selection::quick
+                      : options.complete ? Selection::complete
+                                         : Selection::standard);
+}
+
+int run(const Options& options) {
+  const auto cases = cases_for(options);
+  if (!cases) {
+    std::fprintf(stderr, "isoscope-bench: %s\n", cases.error().line().c_str());
+    return 2;
+  }
+  const Table table(options.markdown);
+  std::fputs(table.head().c_str(), stdout);
+  std::vector<Row> rows;
+  for (const Case& asked : *cases) {
+    Measured theirs =
+        measure([&] { return run_theirs(asked, CollapseFilter::certificate); }, options.kill_after);
+    if (options.all && !theirs.outcome.good) continue; // no closed manifold
+    rows.push_back(run_case(asked, std::move(theirs), options));
+    std::fputs(table.line(rows.back()).c_str(), stdout);
+    std::fflush(stdout);
+  }
+  std::fputs(table.summary(rows).c_str(), stdout);
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Vertices, seconds and ratios of Isoscope and of CGAL's Lindstrom–Turk edge collapse, which accepts "
+      "what is certified within δ of the input.",
+      "isoscope-bench"};
+  Options options;
+  app.add_option("MODEL", options.model,
+                 "a mesh file or gallery:NAME; without it the models that have targets");
+  app.add_option("TOLERANCES", options.tolerances, "percentages of the longest edge (0.6%) or lengths");
+  app.add_flag("--all", options.all, "every closed manifold of libcgal-demo, at 0.4, 1 and 2.5 %");
+  app.add_option("--at", options.tolerances, "tolerances for --all");
+  app.add_flag("--quick", options.quick, "only a few models, for seconds");
+  app.add_flag("--long", options.complete, "the longest model too");
+  app.add_flag("--envelope", options.envelope,
+               "also Lindstrom–Turk within CGAL's polyhedral envelope (slow)");
+  app.add_flag("--no-normals", options.no_normals, "ours without condition 3");
+  app.add_option("--threads", options.threads, "of ours; 0: all cores");
+  app.add_option("--time-limit", options.time_limit,
+                 "seconds after which ours stops with what it has; 0: none");
+  app.add_option("--kill-after", options.kill_after, "seconds after which any run is given up");
+  app.add_flag("--markdown", options.markdown, "a Markdown table");
+  CLI11_PARSE(app, argc, argv);
+  return run(options);
+}

@@ -1,0 +1,35 @@
+// The lines that a bench prints: text for a terminal or Markdown for a note, each as soon as it is known.
+#pragma once
+
+#include "bench/cases.h"
+#include "bench/measure.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isoscope::bench {
+
+/// One case with what came out of it.
+struct Row {
+  Case asked;
+  Measured ours, lindstrom_turk;
+  std::optional<Measured> envelope; ///< Lindstrom–Turk under the envelope filter
+  /// Our vertices over those of Lindstrom–Turk, where both results count.
+  std::optional<double> ratio() const;
+};
+
+class Table {
+ public:
+  explicit Table(bool markdown) : markdown_(markdown) {}
+  std::string head() const;
+  std::string line(const Row& row) const;
+  /// Sums over all rows with a ratio, the worst one, and how many rows of ours do not count.
+  std::string summary(const std::vector<Row>& rows) const;
+
+ private:
+  std::string cells(const std::vector<std::string>& texts) const;
+  bool markdown_;
+};
+
+} // namespace isoscope::bench

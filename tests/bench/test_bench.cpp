@@ -1,0 +1,172 @@
+// The bench's parts: Lindstrom–Turk stays within δ of a sphere, the icosphere is one, lines and sums are
+// right.
+#include "bench/cases.h"
+#include "bench/lindstrom_turk.h"
+#include "bench/measure.h"
+#include "bench/table.h"
+
+#include "tolerance/facet_certificate.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <stdexcept>
+
+#include <unistd.h>
+
+using namespace isoscope;
+using namespace isoscope::bench;
+
+namespace {
+
+std::size_t facets_outside(const TriangleMesh& mesh, const TriangleSoup& input, double delta) {
+  const ClosestPointIndex index(input);
+  std::size_t outside = 0;
+  for (const auto& t : mesh.triangles) {
+    const FacetVerdict v =
+        certify_facet(index, {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]}, delta, delta);
+    outside += v.kind == FacetVerdict::Kind::inside ? 0u : 1u;
+  }
+  return outside;
+}
+
+Row row(std::size_t ours, std::size_t theirs, bool certified) {
+  Row r;
+  r.asked.model = "m" + std::to_string(ours);
+  r.asked.tolerance = {0.6, true};
+  r.ours.outcome = {certified, ours, certified ? "certified" : "NOT certified: it is not."};
+  r.lindstrom_turk.outcome = {true, theirs, ""};
+  return r;
+}
+
+} // namespace
+
+TEST_CASE("The icosphere is a closed surface on the unit sphere, seen from outside") {
+  for (const unsigned levels : {0u, 1u, 3u}) {
+    const TriangleSoup sphere = icosphere(levels);
+    CHECK(sphere.points.size() == 10 * (1u << (2 * levels)) + 2);
+    CHECK(sphere.triangles.size() == 20 * (1u << (2 * levels)));
+    const InputTopology topology = analyse_input(sphere);
+    CHECK(topology.closed_manifold);
+    CHECK(topology.consistently_oriented);
+    CHECK(topology.euler_characteristic == 2);
+    double volume = 0;
+    for (std::size_t i = 0; i < sphere.triangles.size(); ++i) {
+      const Triangle3 t = sphere.triangle(i);
+      volume += dot(t[0], cross(t[1], t[2])) / 6;
+      CHECK(length(t[0]) == doctest::Approx(1));
+    }
+    CHECK(volume > 2.5);
+    CHECK(volume < 4.19);
+  }
+}
+
+TEST_CASE("Lindstrom–Turk under the certificate is coarse, closed and within δ of a sphere") {
+  const TriangleSoup sphere = icosphere(4);
+  std::size_t before = sphere.points.size();
+  for (const double delta : {0.02, 0.05, 0.1}) {
+    CAPTURE(delta);
+    const auto result = lindstrom_turk(sphere, delta, CollapseFilter::certificate);
+    REQUIRE(result.ok());
+    const TriangleMesh& mesh = result->mesh;
+    CHECK(facets_outside(mesh, sphere, delta) == 0);
+    CHECK(!result->intersects_itself);
+    const InputTopology topology = analyse_input({mesh.points, mesh.triangles, {}});
+    CHECK(topology.closed_manifold);
+    CHECK(topology.euler_characteristic == 2);
+    CHECK(mesh.points.size() < before);
+    // Greedy collapses end at about 2.3 times the optimum.
+    CHECK(static_cast<double>(mesh.points.size()) < 3 * sphere_optimum(1, delta));
+    CHECK(static_cast<double>(mesh.points.size()) > sphere_optimum(1, delta));
+    before = mesh.points.size();
+  }
+}
+
+TEST_CASE("The envelope is the stricter filter, an input's order and copies of its points do not matter") {
+  const TriangleSoup sphere = icosphere(2);
+  const double delta = 0.1;
+  const auto certified = lindstrom_turk(sphere, delta, CollapseFilter::certificate);
+  const auto enveloped = lindstrom_turk(sphere, delta, CollapseFilter::envelope);
+  REQUIRE(certified.ok());
+  REQUIRE(enveloped.ok());
+  CHECK(facets_outside(enveloped->mesh, sphere, delta) == 0);
+  CHECK(enveloped->mesh.points.size() >= certified->mesh.points.size());
+  CHECK(enveloped->mesh.points.size() < sphere.points.size());
+
+  TriangleSoup loose;
+  for (std::size_t i = 0; i < sphere.triangles.size(); ++i) {
+    for (const Vec3 p : sphere.triangle(i)) loose.points.push_back(p);
+    const auto base = static_cast<std::uint32_t>(3 * i);
+    loose.triangles.push_back({base, base + (i % 2 == 0 ? 1 : 2), base + (i % 2 == 0 ? 2 : 1)});
+  }
+  const auto merged = lindstrom_turk(loose, delta, CollapseFilter::certificate);
+  REQUIRE(merged.ok());
+  CHECK(facets_outside(merged->mesh, sphere, delta) == 0);
+
+  TriangleSoup open = sphere;
+  open.triangles.pop_back();
+  const auto refused = lindstrom_turk(open, delta, CollapseFilter::certificate);
+  REQUIRE(!refused.ok());
+  CHECK(refused.error().code == ErrorCode::unsupported);
+}
+
+TEST_CASE("Work in a process of its own is measured, whatever becomes of it") {
+  const Measured good = measure([] { return Outcome{true, 42, "all is well, in some words"}; }, 0);
+  CHECK(good.outcome.good);
+  CHECK(good.outcome.vertices == 42);
+  CHECK(good.outcome.status == "all is well, in some words");
+  CHECK(good.peak_bytes > 0);
+  CHECK(good.seconds > 0);
+  const Measured thrown = measure([]() -> Outcome { throw std::runtime_error("no luck"); }, 0);
+  CHECK(!thrown.outcome.good);
+  CHECK(thrown.outcome.status == "no luck");
+  const Measured crashed = measure(
+      []() -> Outcome {
+        std::signal(SIGTERM, SIG_DFL);
+        std::raise(SIGTERM);
+        return {};
+      },
+      0);
+  CHECK(!crashed.outcome.good);
+  CHECK(crashed.outcome.status == "crashed by signal " + std::to_string(SIGTERM));
+  const Measured endless = measure(
+      []() -> Outcome {
+        for (;;) pause();
+      },
+      0.05);
+  CHECK(!endless.outcome.good);
+  CHECK(endless.outcome.status == "took too long");
+}
+
+TEST_CASE("Ratios are of results that count, sums and the worst line too") {
+  CHECK(*row(65, 100, true).ratio() == doctest::Approx(0.65));
+  CHECK(!row(65, 100, false).ratio());
+  const std::vector<Row> rows{row(60, 100, true), row(45, 50, true), row(10, 100, false)};
+  const Table text(false), markdown(true);
+  CHECK(text.summary(rows) ==
+        "\n3 lines, 1 of ours not certified; 105 vertices for 150 of Lindstrom–Turk on 2 lines: "
+        "0.700 in total, at worst 0.900 (m45 0.6%).\n");
+  const std::string head = markdown.head(), line = markdown.line(rows[0]);
+  const auto bars = [](const std::string& s) { return std::count(s.begin(), s.end(), '|'); };
+  CHECK(bars(head) == 2 * bars(line));
+  CHECK(line.starts_with("| m60 | 0.6% | 60 | 100 | 0.600 |"));
+  CHECK(text.line(rows[2]).find("NOT certified") != std::string::npos);
+  Row limited = rows[0];
+  limited.asked.at_most = 59;
+  CHECK(text.line(limited).find("ABOVE THE LIMIT") != std::string::npos);
+}
+
+TEST_CASE("Selections grow, and the sphere knows its optimum") {
+  const auto quick = target_cases(Selection::quick), standard = target_cases(Selection::standard),
+             complete = target_cases(Selection::complete);
+  CHECK(!quick.empty());
+  CHECK(quick.size() < standard.size());
+  CHECK(standard.size() <= complete.size());
+  CHECK(*standard.back().optimum == doctest::Approx(2 + 1.209 / 0.04));
+  CHECK(*standard.back().at_most == 48);
+  const auto cases = model_cases("gallery:torus", {{1, true}, {0.5, false}});
+  REQUIRE(cases.size() == 2);
+  CHECK(cases[0].load().ok());
+}
