@@ -33,19 +33,10 @@ Vec3 vec(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-/// Vertex ids of a cell, ascending but for the last two, which keep the orientation positive.
+/// Vertex ids of a cell in the order of Tet.
 std::array<VertexId, 4> canonical_vertices(Cell c) {
-  std::array<VertexId, 4> v{c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(),
-                            c->vertex(3)->info()};
-  bool odd = false;
-  for (std::size_t i = 1; i < 4; ++i) {
-    for (std::size_t j = i; j > 0 && v[j] < v[j - 1]; --j) {
-      std::swap(v[j], v[j - 1]);
-      odd = !odd;
-    }
-  }
-  if (odd) std::swap(v[2], v[3]);
-  return v;
+  return canonical_order(
+      {c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(), c->vertex(3)->info()});
 }
 
 /// Ascending vertex ids: the order in which added tetrahedra get their slots.
