@@ -152,13 +152,15 @@ TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const Crit
     if (good) continue;
     const Location before = locate_before(star, s.position);
     // What was violated before, as refinement may leave it, must not get worse.
-    if (before.tet != nullptr &&
-        error <= error_at(star, before, star.values(*before.tet), s.position, s.label)) {
-      continue;
+    double margin = criteria.alpha;
+    if (before.tet != nullptr) {
+      const double error_before = error_at(star, before, star.values(*before.tet), s.position, s.label);
+      if (error <= error_before) continue;
+      margin = std::min(margin, 1 - error_before);
     }
     TargetVerdict verdict =
         rejection(Reason::misclassified, error, star.form == ZeroForm::embedded ? 1.0 : limit, s.position);
-    verdict.invalid = invalid_region(star, *after.tet, s, star.vertices[0].value, criteria.alpha);
+    verdict.invalid = invalid_region(star, *after.tet, s, star.vertices[0].value, margin);
     return verdict;
   }
   return {};

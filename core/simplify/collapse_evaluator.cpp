@@ -147,6 +147,8 @@ CollapseAttempt evaluate_collapse(const EdgeStar& star, const CollapseSettings& 
   TargetSearchResult found = search(star, settings, *attempt.kernel, cost, judge, options, samples);
   attempt.tried = found.tried;
   attempt.candidates = std::move(found.candidates);
+  attempt.cells = std::move(found.cells);
+  attempt.invalid_regions = std::move(found.invalid_regions);
   if (found.target) {
     attempt.check(CollapseCheck::candidates) = {State::passed, static_cast<double>(found.tried), 0,
                                                 *found.target};
