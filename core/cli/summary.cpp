@@ -70,7 +70,7 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                              counted(result.mesh.triangles.size(), "face") + ", " +
                              counted(c.components, "component") +
                              ", χ = " + std::to_string(c.euler_characteristic) +
-                             (left_triangulation(stages) ? ", on Z alone" : ", inside T"));
+                             (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
   if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));
   text += line("Certificate", c.holds() ? "holds: closed, oriented, free of intersections, d <= " +
                                               number("%.4f", c.max_distance / scene.delta) +

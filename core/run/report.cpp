@@ -146,7 +146,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"components", c.components},
         {"euler_characteristic", chi},
         {"genus", static_cast<long>(c.components) - chi / 2},
-        {"embedding", left_triangulation(stages) ? "Z alone" : "T"}}},
+        {"embedding", result.form == ZeroForm::free ? "Z alone" : "T"}}},
       {"normals", normals_json(result.normals)},
       {"certificate",
        {{"holds", c.holds()},

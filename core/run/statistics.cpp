@@ -48,9 +48,6 @@ void count(const Journal& journal, const Event& e, StageStatistics& s) {
   case EventKind::relaxation:
     ++s.relaxations;
     break;
-  case EventKind::departure:
-    ++s.departures;
-    break;
   case EventKind::rejection:
     ++s.rejected[reason];
     if (e.detail == 0) break;
@@ -105,10 +102,6 @@ std::vector<StageStatistics> gather_statistics(const Journal& journal) {
     count(journal, e, s);
   }
   return stages;
-}
-
-bool left_triangulation(const std::vector<StageStatistics>& stages) {
-  return std::any_of(stages.begin(), stages.end(), [](const StageStatistics& s) { return s.departures > 0; });
 }
 
 } // namespace isoscope

@@ -22,7 +22,6 @@ struct StageStatistics {
   std::size_t failed_repairs = 0;                        ///< rolled back: among `rejected`
   std::size_t failed_repair_sweeps = 0;                  ///< inside those
   std::size_t relaxations = 0;                           ///< sweeps over the whole of Z
-  std::size_t departures = 0;                            ///< of Z from T
   ReasonCounts found{};    ///< collapses, with repair or without, by how their target was found
   ReasonCounts rejected{}; ///< edges not collapsed, and exhausted tetrahedra, by reason; the same one may
                            ///< come again
@@ -36,7 +35,5 @@ struct StageStatistics {
 /// One entry per stage that began, in order; a stage that begins again right after itself goes on with its
 /// entry.
 std::vector<StageStatistics> gather_statistics(const Journal& journal);
-/// Whether Z left T in one of the stages, so that it is no longer embedded there.
-bool left_triangulation(const std::vector<StageStatistics>& stages);
 
 } // namespace isoscope
