@@ -17,6 +17,15 @@ double power_12(double x) {
   return x4 * x4 * x4;
 }
 
+/// The points inside of a triangle whose edges are cut into n parts.
+template <int n> constexpr auto inner_lattice() {
+  std::array<Barycentric, (n - 1) * (n - 2) / 2> points{};
+  std::size_t count = 0;
+  for (int i = 1; i < n; ++i)
+    for (int j = 1; i + j < n; ++j) points[count++] = {double(i) / n, double(j) / n, double(n - i - j) / n};
+  return points;
+}
+
 } // namespace
 
 double FacetSums::add(const DistanceSample& s, const InputSurface& input) {
@@ -47,15 +56,27 @@ SideDistance side_distance(const SideSample& side, const Triangle3& t, double de
 }
 
 int sampling_steps(double edge_length, double delta) {
-  return std::clamp(static_cast<int>(std::ceil(std::min(edge_length / (4 * delta), 4.0))), 2, 4);
+  return std::clamp(static_cast<int>(std::ceil(std::min(edge_length / (4 * delta), double{most_steps}))), 2,
+                    most_steps);
 }
 
 std::span<const Barycentric> inner_samples(int steps) {
-  static constexpr std::array<Barycentric, 1> of_3{{{1. / 3, 1. / 3, 1. / 3}}};
-  static constexpr std::array<Barycentric, 3> of_4{{{.5, .25, .25}, {.25, .5, .25}, {.25, .25, .5}}};
-  if (steps == 3) return of_3;
-  if (steps == 4) return of_4;
-  return {};
+  static constexpr auto of_3 = inner_lattice<3>();
+  static constexpr auto of_4 = inner_lattice<4>();
+  static constexpr auto of_5 = inner_lattice<5>();
+  static constexpr auto of_6 = inner_lattice<6>();
+  switch (steps) {
+  case 3:
+    return of_3;
+  case 4:
+    return of_4;
+  case 5:
+    return of_5;
+  case 6:
+    return of_6;
+  default:
+    return {};
+  }
 }
 
 FacetQuality judge(const FacetSums& sums, const Triangle3& facet, double delta) {

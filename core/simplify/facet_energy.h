@@ -36,7 +36,10 @@ struct SideDistance {
 };
 SideDistance side_distance(const SideSample& side, const Triangle3& facet, double delta);
 
-/// Parts that an edge of this length is cut into for sampling: 2 to 4, one for every 4 δ.
+/// Most parts of an edge, and the inner samples that come with them.
+constexpr int most_steps = 6;
+constexpr std::size_t most_inner_samples = (most_steps - 1) * (most_steps - 2) / 2;
+/// Parts that an edge of this length is cut into for sampling: 2 to most_steps, one for every 4 δ.
 int sampling_steps(double edge_length, double delta);
 /// Inner samples of a facet whose longest edge has this many parts.
 std::span<const Barycentric> inner_samples(int steps);

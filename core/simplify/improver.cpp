@@ -9,6 +9,8 @@ namespace {
 constexpr int sweeps_after_round = 2;
 constexpr int most_rounds = 20;
 /// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
+constexpr double sample_radius = 2.5;
+/// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
 
 /// One level of collapse with repair.
 struct RepairLevel {
@@ -42,7 +44,7 @@ class Improver {
     rules.input = &input_;
     const double delta = volume.thresholds().delta;
     if (options_.preserve_normals && samples != nullptr)
-      rules.orientation = OrientationTester{samples, options_.shrink, options_.sample_radius * delta};
+      rules.orientation = OrientationTester{samples, options_.shrink, sample_radius * delta};
     for (const Region& r : volume.regions())
       if (r.depth > delta) rules.witnesses.push_back(r.deepest);
     return rules;

@@ -12,8 +12,7 @@ struct ImproverOptions {
   /// of the 2-ring; 3: then of the 3-ring and to a higher excess.
   int effort = 2;
   bool preserve_normals = true; ///< condition 3 is preserved (§2.4); needs samples
-  double sample_radius = 4;
-  double shrink = 0.7; ///< of the facet's copy for condition 3, in (0, 1]
+  double shrink = 0.7;          ///< of the facet's copy for condition 3, in (0, 1]
 };
 
 struct ImproverOutcome {

@@ -10,6 +10,9 @@
 namespace isoscope {
 namespace {
 
+/// Below this share of δ a distance has no weight in an energy.
+constexpr double without_weight = 0.5;
+
 /// An edge of an input triangle, its ends in a fixed order.
 struct SoupEdge {
   Vec3 low, high;
@@ -58,7 +61,8 @@ std::vector<std::uint32_t> consistent_pieces(const ClosestPointIndex& index) {
 } // namespace
 
 InputSurface::InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface)
-    : index_(&index), delta_(delta), on_surface_(1e-6 * delta), enough_((getenv("EN")?atof(getenv("EN")):0.5) * delta), normals_(index.size()) {
+    : index_(&index), delta_(delta), on_surface_(1e-6 * delta), enough_(without_weight * delta),
+      normals_(index.size()) {
   const TriangleSoup soup{surface.points, surface.triangles, {}};
   const ClosestPointIndex near_surface(soup);
   std::vector<double> votes(index.size());

@@ -23,8 +23,8 @@ class InputSurface {
   /// the nearest facets of the surface, so that an input in any orientation serves.
   InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface);
 
-  /// d at p, starting from a triangle that is likely close (or an invalid one). Where d is far below δ, so that
-  /// it has no weight in an energy, the distance to that triangle may be returned instead.
+  /// d at p, starting from a triangle that is likely close (or an invalid one). Where d is far below δ, so
+  /// that it has no weight in an energy, the distance to that triangle may be returned instead.
   DistanceSample sample(Vec3 p, TriangleId guess) const {
     if (guess.valid()) {
       const Vec3 c = closest_point_on_triangle(p, index_->triangle(guess));

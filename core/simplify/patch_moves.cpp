@@ -70,7 +70,6 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
                                   std::size_t k) {
   const Facet& first = complex.facets[f];
   FlipPlan plan{f, Facet::none, first.v[k], first.v[(k + 1) % 3], first.v[(k + 2) % 3], 0, {}, {}};
-  if (plan.a > plan.b) return std::nullopt;
   plan.g = complex.facet_left_of(plan.b, plan.a);
   if (plan.g == Facet::none) return std::nullopt;
   const Facet& second = complex.facets[plan.g];
@@ -101,12 +100,14 @@ void apply_flip(FacetComplex& complex, const FlipPlan& plan) {
   }
 }
 
-std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k) {
+std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f,
+                                 std::size_t k) {
   const Facet& facet = patch.complex.facets[f];
   const std::uint32_t a = facet.v[k], b = facet.v[(k + 1) % 3], c = facet.v[(k + 2) % 3];
   const std::uint32_t g = patch.complex.facet_left_of(b, a);
-  if (a > b || g == Facet::none || patch.valence(a) <= 3 || patch.valence(b) <= 3) return std::nullopt;
+  if (g == Facet::none || patch.valence(a) <= 3 || patch.valence(b) <= 3) return std::nullopt;
   const Facet& other = patch.complex.facets[g];
+  if (a > b && !other.proven) return std::nullopt;
   const std::uint32_t d = other.v[(other.corner(a) + 1) % 3];
   // Between two fixed vertices there may be an edge outside of the patch.
   if (!patch.free[c] && !patch.free[d]) return std::nullopt;

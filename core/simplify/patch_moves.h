@@ -39,14 +39,15 @@ struct FlipPlan {
   std::array<TriangleId, 2> seeds;
 };
 
-/// Whether flipping the edge opposite of the corner (k + 2) % 3 of f, from its k-th to its next corner,
-/// lowers the energy. Asked once per edge: only where the first end has the smaller id, and only where a
+/// Whether flipping the edge of f from its k-th to its next corner lowers the energy; asked only where a
 /// facet comes near the limit. Connectivity is the caller's: c and d must not be joined, a and b must keep
 /// three facets.
 std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
                                   std::size_t k);
 void apply_flip(FacetComplex& complex, const FlipPlan& plan);
-/// Flips an edge of the patch if that lowers the energy and the connectivity allows it.
-std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f, std::size_t k);
+/// Flips an edge of a patch if that lowers the energy and the connectivity allows it. An edge between two
+/// unproven facets is left to the side that runs from the smaller to the larger id.
+std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f,
+                                 std::size_t k);
 
 } // namespace isoscope

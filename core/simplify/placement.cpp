@@ -95,7 +95,7 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   double energy = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Star::Wedge& wedge = star_->wedges[i];
-    const auto inner = inner_samples(most_steps(i)).size();
+    const auto inner = inner_samples(longest_steps(i)).size();
     counts_[i] = static_cast<double>(fixed_[i].count + spoke_steps_[i] + spoke_steps_[(i + 1) % n] - 1) +
                  static_cast<double>(inner + wedge.extra.size() + wedge.sides.size());
     energy += fixed_[i].energy / counts_[i];
@@ -119,7 +119,7 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   for (std::size_t i = 0; i < n; ++i) {
     if (energy > most_energy) return give_up(), result;
     const Triangle3 t{x, rim(i), rim(i + 1)};
-    const auto inner = inner_samples(most_steps(i));
+    const auto inner = inner_samples(longest_steps(i));
     for (std::size_t j = 0; j < inner.size(); ++j)
       add(i, sample(at(inner[j], t), inner[j][0], spokes_[i].inner[j]));
     const Star::Wedge& wedge = star_->wedges[i];
@@ -144,7 +144,7 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   return result;
 }
 
-int StarEvaluator::most_steps(std::size_t i) const {
+int StarEvaluator::longest_steps(std::size_t i) const {
   return std::max({spoke_steps_[i], spoke_steps_[(i + 1) % spoke_steps_.size()], rim_steps_[i]});
 }
 

@@ -51,15 +51,16 @@ class StarEvaluator {
     double weight;
     DistanceSample sample;
   };
-  static constexpr std::size_t most_inner = 3;
   struct Spoke {
-    std::array<TriangleId, most_inner> edge, inner; ///< nearest triangles the last time: guesses for the next
+    std::array<TriangleId, most_steps - 1> edge;
+    std::array<TriangleId, most_inner_samples>
+        inner; ///< nearest triangles the last time: guesses for the next
     std::vector<TriangleId> extra;
   };
 
   Vec3 minimax_step(double trust) const;
   DistanceSample sample(Vec3 p, double weight, TriangleId& guess);
-  int most_steps(std::size_t wedge) const;
+  int longest_steps(std::size_t wedge) const;
   Vec3 rim(std::size_t i) const { return star_->wedges[i % star_->wedges.size()].rim; }
 
   const InputSurface* input_;

@@ -68,6 +68,7 @@ Proposal propose_flip(const LiveSurface& surface, const SurfaceRules& rules, std
   const FacetComplex& complex = surface.complex();
   Proposal p;
   for (std::size_t k = 0; k < 3; ++k) {
+    if (complex.facets[f].v[k] > complex.facets[f].v[(k + 1) % 3]) continue;
     const auto plan = plan_flip(*rules.input, complex, f, k);
     if (!plan || complex.stars[plan->a].size() <= 3 || complex.stars[plan->b].size() <= 3 ||
         complex.has_edge(plan->c, plan->d))
@@ -92,7 +93,8 @@ RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, BestPla
   RelaxationFigures figures;
   for (std::vector<std::uint32_t>& c : independent_classes(surface.complex())) {
     // Commit numbers start at 1, so that 0 stands for never.
-    std::erase_if(c, [&](std::uint32_t v) { return best_places[v] > 0 && best_places[v] >= surface.stamp(v); });
+    std::erase_if(c,
+                  [&](std::uint32_t v) { return best_places[v] > 0 && best_places[v] >= surface.stamp(v); });
     const std::uint32_t now = surface.commits();
     figures.moved += run_batches(surface, c.size(), control, [&](std::size_t i) {
       Proposal p = propose_relocation(surface, rules, c[i]);

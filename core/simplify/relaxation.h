@@ -14,9 +14,9 @@ struct RelaxationFigures {
   std::uint32_t moved = 0, flipped = 0;
 };
 
-/// Relocations in batches of vertices that are not neighbours, then flips; each is certified and tested before
-/// it is committed. Vertices at their best place whose star has not changed since are left out. Stops early,
-/// with a valid surface, when cancelled. The result does not depend on the number of threads.
+/// Relocations in batches of vertices that are not neighbours, then flips; each is certified and tested
+/// before it is committed. Vertices at their best place whose star has not changed since are left out. Stops
+/// early, with a valid surface, when cancelled. The result does not depend on the number of threads.
 RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, BestPlaces& best_places,
                         const RunControl& control);
 

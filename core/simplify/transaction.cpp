@@ -14,6 +14,9 @@ namespace {
 using Refusal = ImproverVerdict::Reason;
 
 constexpr std::size_t certificate_budget = 4000;
+/// A point above this share of δ counts as a violation: deciding closer to δ takes many more pieces and gains
+/// nothing.
+constexpr double reject_from = 0.998;
 constexpr std::size_t most_extra = 40; ///< samples a facet may gather
 constexpr int relocation_rounds = 2;
 constexpr int collapse_retries = 4;   ///< of a collapse without repair whose certificate failed
@@ -34,7 +37,7 @@ Proof prove(const InputSurface& input, FacetComplex& complex) {
     if (!facet.alive() || facet.proven) continue;
     const Triangle3 t = complex.triangle(facet);
     const FacetVerdict verdict =
-        certify_facet(input.index(), t, delta, delta, certificate_budget, facet.seed);
+        certify_facet(input.index(), t, delta, reject_from * delta, certificate_budget, facet.seed);
     if (verdict.kind == FacetVerdict::Kind::inside) {
       facet.proven = true;
       continue;
@@ -132,12 +135,14 @@ void unsettle(const Facet& facet, Settled& settled) {
   for (const std::uint32_t v : facet.v) settled[v] = 0;
 }
 
-/// Relocates all free vertices, those with the worst facet first, then tries flips.
+/// Relocates all free vertices, those with the worst facet first, then tries to flip the edges of facets
+/// that changed.
 void sweep(const InputSurface& input, SurfacePatch& patch, Settled& settled, RepairSweep& record) {
   FacetComplex& complex = patch.complex;
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t v = 0; v < complex.points.size(); ++v)
-    if (patch.free[v] && !settled[v] && complex.alive_vertex(v)) order.emplace_back(-worst_energy(complex, v), v);
+    if (patch.free[v] && !settled[v] && complex.alive_vertex(v))
+      order.emplace_back(-worst_energy(complex, v), v);
   std::sort(order.begin(), order.end());
   for (const auto& [key, v] : order) {
     settled[v] = 1;
@@ -146,7 +151,7 @@ void sweep(const InputSurface& input, SurfacePatch& patch, Settled& settled, Rep
     ++record.moved;
   }
   for (std::uint32_t f = 0; f < complex.facets.size(); ++f)
-    for (std::size_t k = 0; k < 3 && complex.facets[f].alive(); ++k)
+    for (std::size_t k = 0; k < 3 && complex.facets[f].alive() && !complex.facets[f].proven; ++k)
       if (const auto plan = try_flip(input, patch, f, k)) {
         for (const std::uint32_t v : {plan->a, plan->b, plan->c, plan->d}) settled[v] = 0;
         ++record.flipped;
@@ -217,8 +222,7 @@ PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch
   return settle(rules, patch, a, collapse_retries);
 }
 
-std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch,
-                                            std::uint32_t v) {
+std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v) {
   if (!relocate(*rules.input, patch.complex, v, relocation_rounds)) return std::nullopt;
   return settle(rules, patch, v, relocation_retries);
 }

@@ -18,8 +18,8 @@ struct FacetVerdict {
 };
 
 /// Accepts when d <= accept is proven everywhere (rounded outward), rejects at the first point found with d >
-/// reject (reject <= accept), undecided when `budget` pieces did not suffice. `guess`, an input triangle close
-/// to the facet, makes it faster and max_distance looser. Allocates nothing.
+/// reject (reject <= accept), undecided when `budget` pieces did not suffice. `guess`, an input triangle
+/// close to the facet, makes it faster and max_distance looser. Allocates nothing.
 FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
                            double reject, std::size_t budget = 20000, TriangleId guess = {});
 

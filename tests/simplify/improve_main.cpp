@@ -68,7 +68,7 @@ class Printer : public ImproverObserver {
 void print_normals(const TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample& samples,
                    const ImproverOptions& options) {
   const InputSurface input(volume.index(), volume.thresholds().delta, mesh);
-  const OrientationTester tester{&samples, options.shrink, options.sample_radius * input.delta()};
+  const OrientationTester tester{&samples, options.shrink, 2.5 * input.delta()};
   std::size_t failures = 0, bad_facets = 0;
   double area = 0, off_60 = 0, off_90 = 0;
   for (const auto& f : mesh.triangles) {
@@ -102,8 +102,7 @@ int usage() {
 
 int main(int argc, char** argv) {
   if (argc < 5) return usage();
-  std::map<std::string, double> given{
-      {"effort", 2}, {"normals", 1}, {"threads", 2}, {"radius", 4}, {"shrink", .7}};
+  std::map<std::string, double> given{{"effort", 2}, {"normals", 1}, {"threads", 2}};
   for (int i = 5; i < argc; ++i) {
     const std::string text = argv[i];
     const auto at = text.find('=');
@@ -129,8 +128,6 @@ int main(int argc, char** argv) {
   ImproverOptions options;
   options.effort = static_cast<int>(given["effort"]);
   options.preserve_normals = given["normals"] > 0;
-  options.sample_radius = given["radius"];
-  options.shrink = given["shrink"];
   Printer printer(mesh.points.size());
   print_normals(mesh, *volume, nearest, options);
   const double begin = seconds(), processor_begin = processor_seconds();
