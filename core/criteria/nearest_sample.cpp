@@ -98,9 +98,9 @@ SampleId NearestSample::nearest(Vec3 p, double radius) const {
   return SampleId(best.sample);
 }
 
-SampleId NearestSample::nearest_of(Vec3 p, int label) const {
+SampleId NearestSample::nearest_of(Vec3 p, int label, double radius) const {
   const Tree& tree = label > 0 ? positive_ : negative_;
-  Best best;
+  Best best{radius * radius, SampleId::none};
   search(tree, {0, 0, tree.order.size()}, p, best);
   return SampleId(best.sample);
 }

@@ -16,8 +16,8 @@ class NearestSample {
   NearestSample(std::span<const Vec3> positions, std::span<const std::int8_t> labels);
   /// The nearest sample at most `radius` from p; invalid when there is none.
   SampleId nearest(Vec3 p, double radius = Box3::inf) const;
-  /// The same among the samples of one side; invalid when there is none.
-  SampleId nearest_of(Vec3 p, int label) const;
+  /// The same among the samples of one side.
+  SampleId nearest_of(Vec3 p, int label, double radius = Box3::inf) const;
   bool has(int label) const { return !(label > 0 ? positive_ : negative_).order.empty(); }
   std::span<const Vec3> positions() const { return positions_; }
   std::size_t memory_bytes() const;

@@ -1,10 +1,10 @@
-// Condition 3: eight nearest samples around the shrunk copy, judged by the tetrahedron's own linear function.
+// Condition 3: the nearest samples around the shrunk copy, judged by the tetrahedron's own linear function.
 #include "criteria/orientation.h"
 
 namespace isoscope {
 
 OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
-                                     double shrink, const NearestSample& samples) {
+                                     double shrink, double reach, const NearestSample& samples) {
   const AffineFunction function = interpolate(p, f);
   const Vec3 centroid = 0.25 * (p[0] + p[1] + p[2] + p[3]);
   OrientationVerdict verdict;
@@ -13,7 +13,8 @@ OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::ar
     OrientationTest& test = verdict.tests[i];
     test.shrunk = centroid + shrink * (p[i / 2] - centroid);
     test.label = i % 2 == 0 ? +1 : -1;
-    test.sample = samples.nearest_of(test.shrunk, test.label);
+    test.sample = samples.nearest_of(test.shrunk, test.label, reach);
+    if (!test.asked()) continue;
     test.f = function(samples.positions()[test.sample.index()]);
     const double agreement = test.f * test.label;
     if (verdict.worst < 0 || agreement < smallest) {

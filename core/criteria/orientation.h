@@ -10,25 +10,32 @@
 
 namespace isoscope {
 
+/// How far a shrunk vertex looks for samples, in units of δ. The paper asks for the samples "locally": in a
+/// wall thinner than 2δ, which has no boundary inside, the nearest sample of that side lies at some other
+/// part of the surface and says nothing about this place.
+constexpr double orientation_reach = 4;
+
 /// One test of condition 3: a shrunk vertex, the nearest sample of one side, f there.
 struct OrientationTest {
   Vec3 shrunk;     ///< vertex of the shrunk copy
-  SampleId sample; ///< the nearest sample of the side `label`
+  SampleId sample; ///< the nearest sample of the side `label`; invalid when none is within reach
   int label = +1;
   double f = 0; ///< the tetrahedron's function extrapolated to the sample
-  bool good() const { return f * label > 0; }
+  bool asked() const { return sample.valid(); }
+  bool good() const { return !asked() || f * label > 0; }
 };
 
 /// All eight tests (four vertices, both sides); a tetrahedron is misoriented when one is not good.
 struct OrientationVerdict {
   std::array<OrientationTest, 8> tests;
   bool misoriented = false;
-  int worst = -1; ///< index of the test with the smallest f·label
+  int worst = -1; ///< index of the asked test with the smallest f·label, -1 when none was asked
 };
 
-/// `shrink` in (0, 1]: size of the copy about the centroid. Needs samples on both sides in the index.
+/// `shrink` in (0, 1]: size of the copy about the centroid. `reach` > 0, a length: samples farther from a
+/// shrunk vertex are not asked.
 OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
-                                     double shrink, const NearestSample& samples);
+                                     double shrink, double reach, const NearestSample& samples);
 
 /// One test of condition 3 on a facet of Z that is no longer the zero of a tetrahedron's function (§2.4): the
 /// sample nearest to a shrunk corner must lie on its own side of the facet's plane.

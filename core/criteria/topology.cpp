@@ -9,6 +9,8 @@ struct Side {
   long euler_characteristic = 0;
   std::size_t components = 0;
 
+  /// Whether closed surfaces may have these numbers.
+  bool resolved() const { return euler_characteristic % 2 == 0 && genus() >= 0; }
   long genus() const { return (2 * static_cast<long>(components) - euler_characteristic) / 2; }
 };
 
@@ -31,10 +33,13 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
     return expected;
   }
   const InputTopology& input = volume.input();
-  if (input.closed_manifold && input.self_intersection_free && input.euler_characteristic) {
+  const bool embedded = input.closed_manifold && input.self_intersection_free;
+  const bool thickening = volume.thickening();
+  if (input.sides_known() && input.euler_characteristic && (embedded || !thickening)) {
     expected.euler_characteristic = input.euler_characteristic;
     expected.components = input.components;
     expected.source = "the input";
+    expected.required = embedded;
     return expected;
   }
   const Side outer = side_of(volume, +1), inner = side_of(volume, -1);
@@ -42,10 +47,15 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
     expected.source = "nothing: Ω has no boundary on one side";
     return expected;
   }
-  if (volume.thickening()) {
+  if (thickening) {
     expected.euler_characteristic = outer.euler_characteristic;
     expected.components = outer.components;
     expected.source = "both boundaries of Ω";
+    return expected;
+  }
+  expected.required = false;
+  if (!outer.resolved() || !inner.resolved()) {
+    expected.source = "nothing: the boundaries of Ω are too close to each other to count";
     return expected;
   }
   const std::size_t components = std::min(outer.components, inner.components);

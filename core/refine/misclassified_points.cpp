@@ -14,6 +14,11 @@ constexpr int points_per_stretch = 7;
 constexpr int climb_steps = 12;
 /// The distance along the ray counts as the distance to the input down to this fraction of it.
 constexpr double climb_precision = 1 - 1e-6;
+/// A summit lower than this, in units of δ', is one in a thin place: above it lies no sample.
+constexpr double thin = 1 - 1e-3;
+/// Where the climb from a foot on the input starts, in units of δ', and how many feet a triangle has.
+constexpr double summit_start = 1e-3;
+constexpr std::size_t feet_by_triangle = 4;
 /// Facets pierced more often are judged by this many of their piercings.
 constexpr std::size_t piercings_considered = 12;
 
@@ -34,17 +39,23 @@ template <std::size_t N> void sort_unique(std::vector<Simplex<N>>& simplices) {
   simplices.erase(std::unique(simplices.begin(), simplices.end(), same), simplices.end());
 }
 
+std::array<Simplex<2>, 6> edges_of(const Tet& tet, TetId t) {
+  std::array<Simplex<2>, 6> edges;
+  for (std::size_t i = 0, k = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const auto [a, b] = std::minmax(tet.v[i], tet.v[j]);
+      edges[k++] = {{a, b}, t};
+    }
+  }
+  return edges;
+}
+
 std::vector<Simplex<2>> all_edges(const Complex& complex) {
   std::vector<Simplex<2>> edges;
   for (std::uint32_t t = 0; t < complex.tets.size(); ++t) {
     const Tet& tet = complex.tets[t];
     if (!tet.alive()) continue;
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        const auto [a, b] = std::minmax(tet.v[i], tet.v[j]);
-        edges.push_back({{a, b}, TetId(t)});
-      }
-    }
+    for (const Simplex<2>& edge : edges_of(tet, TetId(t))) edges.push_back(edge);
   }
   sort_unique(edges);
   return edges;
@@ -205,6 +216,47 @@ std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation&
                                                         const ToleranceVolume& volume) {
   return judge_all(facets_of_one_label(live.complex()), volume,
                    [&](const Simplex<3>& facet) { return judge_facet(live, volume, facet); });
+}
+
+std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume) {
+  const ClosestPointIndex& index = volume.index();
+  const double start = summit_start * volume.thresholds().boundary;
+  std::vector<std::array<std::optional<MisclassifiedPoint>, 2 * feet_by_triangle>> found(index.size());
+  parallel_for(index.size(), parallel_grain, [&](std::size_t i) {
+    const Triangle3& t = index.triangle(TriangleId(i));
+    const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
+    if (normal == Vec3{}) return;
+    const std::array<Vec3, feet_by_triangle> feet{(t[0] + t[1] + t[2]) / 3.0, 0.5 * (t[0] + t[1]),
+                                                  0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0])};
+    for (std::size_t k = 0; k < found[i].size(); ++k) {
+      MisclassifiedPoint point;
+      point.point = feet[k / 2] + (k % 2 == 0 ? start : -start) * normal;
+      point.depth = index.distance(point.point);
+      climb(point, volume);
+      if (!(point.height >= start) || point.height > thin * volume.thresholds().boundary) continue;
+      point.label = true_label(volume, point.summit);
+      found[i][k] = point;
+    }
+  });
+  std::vector<MisclassifiedPoint> summits;
+  for (const auto& list : found) {
+    for (const auto& point : list) {
+      if (point) summits.push_back(*point);
+    }
+  }
+  std::stable_sort(summits.begin(), summits.end(),
+                   [](const auto& a, const auto& b) { return a.height > b.height; });
+  return summits;
+}
+
+bool spans_thin_place(const LiveTriangulation& live, const ToleranceVolume& volume, TetId t) {
+  const auto edges = edges_of(live.complex().tet(t), t);
+  return std::any_of(edges.begin(), edges.end(), [&](const Simplex<2>& edge) {
+    std::optional<MisclassifiedPoint> point = judge_edge(live, volume, edge);
+    if (!point) return false;
+    climb(*point, volume);
+    return point->height < thin * volume.thresholds().boundary;
+  });
 }
 
 } // namespace isoscope

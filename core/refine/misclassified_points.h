@@ -31,4 +31,12 @@ std::vector<MisclassifiedPoint> misclassified_on_edges(const LiveTriangulation& 
 std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation& live,
                                                         const ToleranceVolume& volume);
 
+/// The summits above the middles of the input's triangles and of their edges, on both sides, where walls or
+/// gaps are thinner than 2δ': whatever T is, f should have their sides. Highest first; `tet` stays invalid.
+std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume);
+
+/// Whether an edge of t passes through a wall or gap thinner than 2δ' that f does not see there, and which no
+/// sample tells. Only meaningful for closed input without self-intersections.
+bool spans_thin_place(const LiveTriangulation& live, const ToleranceVolume& volume, TetId t);
+
 } // namespace isoscope

@@ -2,7 +2,7 @@
 #include "refine/sample_conditions.h"
 
 #include "base/parallel.h"
-#include "criteria/orientation.h"
+#include "refine/misclassified_points.h"
 
 #include <algorithm>
 
@@ -13,22 +13,31 @@ constexpr std::size_t parallel_grain = 64;
 /// Samples farther from the circumcentre than the computed radius times this are outside the ball for sure.
 constexpr double radius_margin = 1 + 1e-6;
 
+/// Samples that go in for conditions 2 and 3 keep this fraction of δ from all vertices: it bounds their
+/// number where a condition cannot hold, as where σ is too large for the heights or a wall ends inside Ω.
+/// Where it can hold nearly all keep more.
+constexpr double smallest_spacing = 0.5;
+
 /// Inserts the sample near the circumcentre of a violating tetrahedron, or notes that there is none.
 Turn refine_at_circumcenter(RefinementContext& context, Checklist& checklist, TetId t, Event event) {
   const SampleId s = steiner_sample(context, t);
   event.tet = t;
   event.reason = Reason::circumcenter_sample;
-  if (s.valid() && context.insert(context.sample_vertex(s), t, event)) return Turn::acted;
+  const bool crowded = s.valid() && context.spacing(context.nearest().positions()[s.index()], t) <
+                                        smallest_spacing * context.volume().thresholds().delta;
+  if (s.valid() && !crowded && context.insert(context.sample_vertex(s), t, event)) return Turn::acted;
   checklist.set(t, Checklist::State::exhausted);
   event.kind = EventKind::exhausted;
-  event.reason = s.valid() ? Reason::already_vertex : Reason::no_sample_inside;
+  event.reason =
+      !s.valid() ? Reason::no_sample_inside : (crowded ? Reason::too_close : Reason::already_vertex);
   event.sample = s;
   event.count = static_cast<std::uint32_t>(checklist.exhausted());
   context.note(event);
   return Turn::acted;
 }
 
-/// Such a tetrahedron lies in a crevice or wall thinner than Ω, where no sample tells the sides.
+/// Such a tetrahedron lies in a crevice or wall thinner than Ω, where no sample tells the sides: condition 3
+/// is not asked of it.
 bool has_topology_vertex(const Complex& complex, TetId t) {
   const auto& v = complex.tet(t).v;
   return std::any_of(v.begin(), v.end(),
@@ -92,16 +101,23 @@ Turn HeightCondition::turn() {
   return refine_at_circumcenter(context_, checklist_, t, event);
 }
 
+OrientationVerdict OrientationCondition::check(TetId t) const {
+  const Complex& complex = context_.live().complex();
+  const double reach = orientation_reach * context_.volume().thresholds().delta;
+  return check_orientation(complex.positions(t), complex.values(t), context_.criteria().shrink, reach,
+                           context_.nearest());
+}
+
 void OrientationCondition::judge_pending() {
   const std::vector<TetId> pending = checklist_.pending();
   std::vector<std::uint8_t> misoriented(pending.size());
   const Complex& complex = context_.live().complex();
+  const bool sides_known = context_.volume().input().sides_known();
   parallel_for(pending.size(), parallel_grain, [&](std::size_t i) {
     const TetId t = pending[i];
     if (has_topology_vertex(complex, t)) return;
-    misoriented[i] = check_orientation(complex.positions(t), complex.values(t), context_.criteria().shrink,
-                                       context_.nearest())
-                         .misoriented;
+    misoriented[i] =
+        check(t).misoriented && !(sides_known && spans_thin_place(context_.live(), context_.volume(), t));
   });
   for (std::size_t i = 0; i < pending.size(); ++i) {
     checklist_.set(pending[i], misoriented[i] ? Checklist::State::violated : Checklist::State::good);
@@ -112,9 +128,7 @@ Turn OrientationCondition::turn() {
   judge_pending();
   const TetId t = checklist_.first_violated();
   if (!t.valid()) return Turn::satisfied;
-  const Complex& complex = context_.live().complex();
-  const OrientationVerdict verdict = check_orientation(complex.positions(t), complex.values(t),
-                                                       context_.criteria().shrink, context_.nearest());
+  const OrientationVerdict verdict = check(t);
   const OrientationTest& worst = verdict.tests[static_cast<std::size_t>(verdict.worst)];
   Event event;
   event.condition = Condition::orientation;

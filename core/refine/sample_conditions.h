@@ -1,6 +1,7 @@
 // Conditions 1 to 3 of §2.3: classification of S, heights, orientation. Their Steiner points are samples.
 #pragma once
 
+#include "criteria/orientation.h"
 #include "refine/context.h"
 
 namespace isoscope {
@@ -45,6 +46,7 @@ class OrientationCondition {
  private:
   RefinementContext& context_;
   Checklist checklist_;
+  OrientationVerdict check(TetId t) const;
   void judge_pending();
 };
 

@@ -10,8 +10,9 @@ namespace isoscope {
 namespace {
 
 /// Summits go in from high to low: each level lower than the last one by this factor, down to the lowest, in
-/// units of δ.
-constexpr double level_step = 0.7, lowest_level = 0.01;
+/// units of δ. Where the topology is only aimed at, parts of the input may cross, and what lies lower is as
+/// likely to be such a crossing as a handle.
+constexpr double level_step = 0.7, lowest_level = 0.01, lowest_level_aimed_at = 0.3;
 /// From a summit down to its point, the first of so many stations that f has on the wrong side goes in.
 constexpr int climb_stations = 4;
 
@@ -40,6 +41,7 @@ void TopologyCondition::note_check() {
 }
 
 void TopologyCondition::reconsider() {
+  summits_.reset();
   enter(Phase::edges);
 }
 
@@ -59,12 +61,12 @@ void TopologyCondition::enter(Phase phase) {
   points_.clear();
   candidates_.clear();
   fruitful_ = false;
-  if (phase == Phase::edges) level_ = context_.volume().thresholds().boundary * level_step;
+  if (phase == Phase::edges || phase == Phase::summits)
+    level_ = context_.volume().thresholds().boundary * level_step;
 }
 
 bool TopologyCondition::sides_known() const {
-  const InputTopology& input = context_.volume().input();
-  return context_.criteria().certified && input.closed_manifold;
+  return context_.criteria().certified && context_.volume().input().sides_known();
 }
 
 Event TopologyCondition::event(Reason reason) const {
@@ -129,19 +131,28 @@ bool TopologyCondition::insert_next_point() {
 
 void TopologyCondition::advance() {
   if (fruitful_) return;
-  const double delta = context_.volume().thresholds().delta;
-  if (phase_ == Phase::edges) {
-    phase_ = Phase::facets;
+  if (phase_ != Phase::facets) {
+    phase_ = phase_ == Phase::summits ? Phase::edges : Phase::facets;
     return;
   }
-  phase_ = Phase::edges;
   level_ *= level_step;
-  if (level_ < lowest_level * delta) enter(Phase::circumradii);
+  phase_ = summits_ ? Phase::summits : Phase::edges;
+  const double lowest = expected_.required ? lowest_level : lowest_level_aimed_at;
+  if (level_ >= lowest * context_.volume().thresholds().delta) return;
+  if (summits_ || !expected_.required) return enter(Phase::circumradii);
+  summits_ = thin_summits(context_.volume());
+  enter(Phase::summits);
 }
 
 void TopologyCondition::collect_points() {
-  points_ = phase_ == Phase::edges ? misclassified_on_edges(context_.live(), context_.volume())
-                                   : misclassified_on_facets(context_.live(), context_.volume());
+  if (phase_ == Phase::summits) {
+    points_ = *summits_;
+    while (!points_.empty() && points_.back().height < level_) points_.pop_back();
+  } else if (phase_ == Phase::edges) {
+    points_ = misclassified_on_edges(context_.live(), context_.volume());
+  } else {
+    points_ = misclassified_on_facets(context_.live(), context_.volume());
+  }
   std::reverse(points_.begin(), points_.end());
 }
 

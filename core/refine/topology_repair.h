@@ -34,7 +34,7 @@ class TopologyCondition {
 
  private:
   /// What is tried, in this order.
-  enum class Phase { edges, facets, circumradii, given_up };
+  enum class Phase { summits, edges, facets, circumradii, given_up };
   struct Candidate {
     TetId tet;
     std::uint32_t generation = 0;
@@ -49,6 +49,8 @@ class TopologyCondition {
   Phase phase_ = Phase::edges;
   std::vector<Candidate> candidates_;      ///< ascending by circumradius
   std::vector<MisclassifiedPoint> points_; ///< shallowest first: taken from the back
+  /// Of the input, highest first; found when edges and facets did not help, as for handles within tetrahedra.
+  std::optional<std::vector<MisclassifiedPoint>> summits_;
   bool mending_ = false;
   double level_ = 0;      ///< summits lower than this wait
   bool fruitful_ = false; ///< a point went in since the present phase last looked for points

@@ -179,6 +179,9 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   auto volume = ToleranceVolume::build(scene->index, scene->input_topology, options, *m.control);
   if (!volume) return m.control->cancelled() ? cancelled_error(*m.control) : volume.error();
   m.volume.emplace(std::move(*volume));
+  if (parameters_.topology == TopologyMode::separate) {
+    if (Status both = m.volume->check_insides(); !both) return both.error();
+  }
   scene->volume_seconds = watch.seconds() - scene->input_seconds;
 
   const CriteriaParameters criteria = parameters_.criteria(scene->delta);

@@ -129,6 +129,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
       {"expected",
        {{"euler_characteristic", optional_number(scene.expected.euler_characteristic)},
         {"components", scene.expected.components ? Json(*scene.expected.components) : Json(nullptr)},
+        {"required", scene.expected.required},
         {"source", scene.expected.source}}},
       {"warnings", warnings},
       {"parts",

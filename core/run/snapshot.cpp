@@ -97,7 +97,7 @@ void judge_samples(StateSnapshot& s, const SampleSets& sets, const std::vector<s
 }
 
 void judge_tets(StateSnapshot& s, const NearestSample* nearest, const std::vector<std::uint32_t>& slots) {
-  const double limit = s.criteria.height_limit();
+  const double limit = s.criteria.height_limit(), reach = orientation_reach * s.criteria.delta;
   parallel_for(slots.size(), tets_per_task, [&](std::size_t i) {
     const TetId t(slots[i]);
     if (!s.complex.tet(t).alive()) return;
@@ -115,7 +115,7 @@ void judge_tets(StateSnapshot& s, const NearestSample* nearest, const std::vecto
     const double height = tetrahedron_height(p, f).value;
     s.heights[t.index()] = static_cast<float>(height);
     if (height < limit) flags |= tet_violates_2;
-    if (s.orientation_judged && check_orientation(p, f, s.criteria.shrink, *nearest).misoriented) {
+    if (s.orientation_judged && check_orientation(p, f, s.criteria.shrink, reach, *nearest).misoriented) {
       flags |= tet_violates_3;
     }
   });
@@ -243,6 +243,7 @@ ViolationPreview preview_violations(const StateSnapshot& state, const CriteriaPa
   }
   const auto height = static_cast<float>(criteria.height_limit());
   std::atomic<std::size_t> misoriented{0};
+  const double reach = orientation_reach * criteria.delta;
   for (std::size_t i = 0; i < state.heights.size(); ++i) {
     if ((state.tet_flags[i] & tet_heterogeneous) && state.heights[i] < height) ++preview.too_flat;
   }
@@ -250,7 +251,8 @@ ViolationPreview preview_violations(const StateSnapshot& state, const CriteriaPa
     parallel_for(state.tet_flags.size(), tets_per_task, [&](std::size_t i) {
       if (!(state.tet_flags[i] & tet_heterogeneous)) return;
       const TetId t(i);
-      if (check_orientation(state.complex.positions(t), state.complex.values(t), criteria.shrink, *nearest)
+      if (check_orientation(state.complex.positions(t), state.complex.values(t), criteria.shrink, reach,
+                            *nearest)
               .misoriented) {
         misoriented.fetch_add(1, std::memory_order_relaxed);
       }

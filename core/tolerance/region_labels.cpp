@@ -135,19 +135,23 @@ std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::
   return probes;
 }
 
-Result<std::vector<int>> label_by_parity(const ToleranceVolume& volume) {
+std::vector<int> label_by_parity(const ToleranceVolume& volume) {
   std::vector<int> labels;
   for (const Region& r : volume.regions())
     labels.push_back(!r.unbounded && volume.index().inside_by_parity(r.deepest) ? -1 : +1);
+  return labels;
+}
+
+Status check_both_sides(const ToleranceVolume& volume) {
   const auto sides = regions_by_component(volume);
   for (std::size_t c = 0; c < sides.size(); ++c) {
     const auto is = [&](int label) {
       return std::any_of(sides[c].begin(), sides[c].end(),
-                         [&](RegionId r) { return labels[r.index()] == label; });
+                         [&](RegionId r) { return volume.regions()[r.index()].label == label; });
     };
     if (!is(+1) || !is(-1)) return nothing_inside(volume, static_cast<std::uint32_t>(c));
   }
-  return labels;
+  return {};
 }
 
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume) {

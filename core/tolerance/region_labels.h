@@ -9,10 +9,12 @@
 namespace isoscope {
 
 /// Labels by region of a volume whose regions and boundary components are known, for closed input: by ray
-/// parity. Fails with unsupported where a component of Ω' has nothing inside.
-Result<std::vector<int>> label_by_parity(const ToleranceVolume& volume);
+/// parity.
+std::vector<int> label_by_parity(const ToleranceVolume& volume);
+/// Fails with unsupported, naming the place, where a component of Ω' of a labelled volume has nothing inside.
+Status check_both_sides(const ToleranceVolume& volume);
 
-/// The same for soups: alternating sides from the unbounded region. Where three regions or more meet a
+/// Labels for soups: alternating sides from the unbounded region. Where three regions or more meet a
 /// component of Ω', as they do at pockets, rays decide if they agree. Fails with unsupported on open and
 /// non-manifold surfaces.
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume);

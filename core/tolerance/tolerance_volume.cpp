@@ -113,10 +113,11 @@ void ToleranceVolume::join_pockets(const RunControl& control) {
 }
 
 /// Climbs from a point of a region to where d is locally largest, by steps that stay within the ball around
-/// the point.
+/// the point. What the octree took for a pocket may lead outside: there d grows without end.
 void ToleranceVolume::deepen(Region& region) const {
+  const double outside = index_->bounds().longest_edge();
   double step = region.depth - thresholds_.boundary;
-  while (step > 1e-3 * thresholds_.boundary) {
+  while (step > 1e-3 * thresholds_.boundary && region.depth < outside) {
     step = std::min(step, 0.99 * (region.depth - thresholds_.boundary));
     Region best = region;
     for (int k = 0; k < 27; ++k) {
@@ -210,7 +211,11 @@ Status ToleranceVolume::label_regions() {
   auto labels = input_.closed_manifold ? label_by_parity(*this) : label_by_two_colouring(*this);
   if (!labels.ok()) return labels.error();
   for (std::size_t i = 0; i < regions_.size(); ++i) regions_[i].label = (*labels)[i];
-  return {};
+  return input_.closed_manifold && !input_.sides_known() ? check_both_sides(*this) : Status();
+}
+
+Status ToleranceVolume::check_insides() const {
+  return check_both_sides(*this);
 }
 
 Box3 ToleranceVolume::domain() const {

@@ -61,6 +61,10 @@ struct InputTopology {
   std::optional<long> euler_characteristic; ///< when closed_manifold
   std::size_t components = 0;               ///< connected components of the input triangles
   std::optional<Vec3> border; ///< a point of an edge that does not have two triangles, if there is one
+
+  /// Whether parity tells the side of every point, also where Ω has no boundary: closed, with no parts that
+  /// intersect each other.
+  bool sides_known() const { return closed_manifold && (self_intersection_free || components == 1); }
 };
 
 /// Ω with everything the algorithm asks of it. Distance queries are const and thread-safe; label_at may
@@ -74,7 +78,8 @@ class ToleranceVolume {
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
   /// Fails with unsupported on open surfaces (a component of Ω that touches one region only) and on
-  /// non-manifold ones (three regions or more), naming the place; with cancelled when told to.
+  /// non-manifold ones (three regions or more), and on parts that are thinner than 2δ' everywhere unless
+  /// input.sides_known(), naming the place; with cancelled when told to.
   static Result<ToleranceVolume> build(std::shared_ptr<const ClosestPointIndex> index,
                                        const InputTopology& input, const Options& options,
                                        const RunControl& control);
@@ -96,6 +101,9 @@ class ToleranceVolume {
   /// Whether the boundary components of each side have the same Euler characteristic, so that Ω may be a
   /// thickening (§1.2).
   bool thickening() const;
+  /// Fails with unsupported, naming the place, where a component of Ω' has nothing inside, or nothing
+  /// outside: then its boundaries ask for no surface, and only the topology of the input does.
+  Status check_insides() const;
   /// What Ω closes or cuts, in one sentence for the user; empty when it is a thickening.
   std::string thickening_note() const;
 

@@ -55,3 +55,27 @@ TEST_CASE("mere separation expects nothing") {
   CHECK_FALSE(expected.euler_characteristic);
   CHECK_FALSE(expected.components);
 }
+
+TEST_CASE("the topology of parts that intersect each other is aimed at, not required") {
+  // Copies that cross: Ω touches more than two regions, and the input is no embedded surface.
+  TriangleSoup soup = *make_gallery_model("nested-spheres");
+  const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
+  for (std::size_t i = 0; i < points; ++i) soup.points.push_back(soup.points[i] + Vec3{0.9, 0, 0});
+  for (std::size_t i = 0; i < triangles; ++i) {
+    auto t = soup.triangles[i];
+    for (auto& v : t) v += static_cast<std::uint32_t>(points);
+    soup.triangles.push_back(t);
+  }
+  const InputTopology input = analyse_input(soup);
+  REQUIRE(input.closed_manifold);
+  REQUIRE_FALSE(input.self_intersection_free);
+  CHECK_FALSE(input.sides_known());
+  auto index = std::make_shared<const ClosestPointIndex>(soup);
+  const double delta = 0.02 * index->bounds().longest_edge();
+  const auto volume = ToleranceVolume::build(index, input, {delta, 0.95}, RunControl());
+  REQUIRE(volume.ok());
+  CHECK_FALSE(volume->thickening());
+  const ExpectedTopology expected = expected_topology(*volume, TopologyMode::keep);
+  CHECK_FALSE(expected.required);
+  CHECK(expected.source != "the input");
+}

@@ -171,6 +171,9 @@ TEST_CASE("An expectation that is not met is a failure, one that is absent is no
   ExpectedTopology expected = sphere().expected;
   expected.euler_characteristic = 0;
   CHECK(!certify(sphere().mesh(), sphere().volume, expected, RunControl()).topology_as_expected);
+  expected.required = false;
+  CHECK(certify(sphere().mesh(), sphere().volume, expected, RunControl()).topology_as_expected);
+  expected.required = true;
   expected.euler_characteristic.reset();
   expected.components.reset();
   CHECK(certify(sphere().mesh(), sphere().volume, expected, RunControl()).topology_as_expected);

@@ -114,14 +114,16 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
 }
 
 void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
-                         double shrink) {
+                         const CriteriaParameters& criteria) {
   const auto index = ui.model.sample_index();
   if (!index) return widgets::quiet_text(ui, "Condition 3 is judged when the play head rests.", true);
-  const OrientationVerdict verdict = check_orientation(p, f, shrink, index->nearest);
+  const OrientationVerdict verdict =
+      check_orientation(p, f, criteria.shrink, orientation_reach * criteria.delta, index->nearest);
   widgets::value_row(ui, "condition 3, orientation", verdict.misoriented ? "misoriented" : "holds",
                      verdict.misoriented ? ui.colors.bad_text : ui.colors.good_text);
   for (std::size_t i = 0; i < verdict.tests.size(); ++i) {
     const OrientationTest& test = verdict.tests[i];
+    if (!test.asked()) continue;
     ImGui::PushID(static_cast<int>(i));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushFont(ui.fonts.small);
@@ -201,7 +203,7 @@ void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   }
   if (!carries) return;
   height_details(ui, s, p, f, tet);
-  orientation_details(ui, p, f, s.criteria.shrink);
+  orientation_details(ui, p, f, s.criteria);
 }
 
 void run_summary(Ui& ui, const StateSnapshot& s) {
