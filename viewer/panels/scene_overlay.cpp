@@ -33,8 +33,15 @@ std::string pick_line(const AppModel& m, const Pick& pick) {
     if (pick.id < state->complex.vertices.size())
       return "vertex " + grouped(pick.id) + "   F = " + short_number(state->complex.vertices[pick.id].value);
     break;
+  case Pick::Kind::edge:
+    return "edge " + grouped(pick.id) + " – " + grouped(pick.other);
+  case Pick::Kind::facet:
+    return "facet " + grouped(pick.id);
   case Pick::Kind::tet:
-    return "tetrahedron " + grouped(pick.id);
+    return "tetrahedron " + grouped(pick.id) +
+           (state->complex.form != ZeroForm::embedded           ? ""
+            : state->complex.tet(TetId(pick.id)).side < 0 ? "   inner side"
+                                                          : "   outer side");
   case Pick::Kind::sample:
     if (pick.id < state->errors.size())
       return "sample " + grouped(pick.id) +

@@ -3,6 +3,8 @@
 
 #include "panels/scene_overlay.h"
 #include "panels/widgets.h"
+#include "run/edge_xray.h"
+#include "scene/pick_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,8 @@ void SceneView::draw(Ui& ui) {
   renderer_->set_scene(m.run.scene);
   renderer_->set_grid(m.grid.grid());
   renderer_->set_state(m.state());
+  xray_ = m.xray();
+  renderer_->set_xray(xray_);
   frame_requests(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
@@ -58,6 +62,8 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   key.scene = m.run.scene.get();
   key.width = static_cast<int>(area.size.x * density.x);
   key.pixel_height = static_cast<int>(area.size.y * density.y);
+  key.xray = xray_.get();
+  key.mark = m.selection.mark;
   key.selection = m.selection.picked;
   key.hover = m.selection.hovered;
   key.scale = ui.scale;
@@ -72,6 +78,7 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   request.height = key.pixel_height;
   request.pixel_scale = ui.scale * density.x;
   request.selection = key.selection;
+  request.mark = key.mark;
   request.hover = key.hover;
   const auto make = [&](Quality quality) {
     request.quality = quality;
@@ -121,7 +128,7 @@ void SceneView::draw_section(Ui& ui, Area area) {
 }
 
 void SceneView::picked(Ui& ui, const Pick& pick) {
-  ui.model.selection.picked = pick;
+  ui.model.selection.pick(pick);
   if (pick.kind != Pick::Kind::none) ui.model.settings.panes.show_right = true;
 }
 
@@ -279,8 +286,10 @@ void SceneView::place_untouched_section(Ui& ui, float aspect) {
 
 void SceneView::frame_requests(Ui& ui) {
   AppModel& m = ui.model;
+  // What is selected may belong to a step that is still being made.
+  const bool ready = m.state_is_current() || m.running();
   const bool all = std::exchange(m.requests.frame_all, false);
-  const bool selected = std::exchange(m.requests.frame_selection, false);
+  const bool selected = ready && std::exchange(m.requests.frame_selection, false);
   if (!all && !selected) return;
   Box3 box = m.scene_bounds();
   if (box.empty()) box = renderer_->bounds();
@@ -288,13 +297,10 @@ void SceneView::frame_requests(Ui& ui) {
   const auto state = m.state();
   if (selected && !all && pick.kind != Pick::Kind::none && state) {
     const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * box.longest_edge();
-    box = {};
-    if (pick.kind == Pick::Kind::tet && pick.id < state->complex.tets.size() &&
-        state->complex.tets[pick.id].alive())
-      for (const Vec3& p : state->complex.positions(TetId(pick.id))) box.add(p);
-    else
-      box.add(pick.point);
-    box = box.grown(margin);
+    box = pick_bounds(*state, pick);
+    if (box.empty()) box.add(pick.point);
+    if (m.selection.mark) box.add(*m.selection.mark);
+    box = box.grown(margin + 0.5 * box.longest_edge());
   }
   m.camera.frame(box, !m.scripted);
   m.camera.mark_set();

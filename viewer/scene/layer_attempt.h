@@ -1,0 +1,30 @@
+// The edge under the X-ray: its kernel, the candidates by reason, link offenders, optimum and target.
+#pragma once
+
+#include "run/edge_xray.h"
+#include "scene/line_batch.h"
+#include "scene/markers.h"
+#include "scene/mesh_batch.h"
+#include "scene/programs.h"
+#include "scene/view_frame.h"
+
+namespace isoscope {
+
+class AttemptLayer {
+ public:
+  /// Rebuilds everything; `xray` may be null. `mark`: a point to be seen, a witness.
+  void update(const EdgeXray* xray, const std::optional<Vec3>& mark, const SceneColors& colors,
+              const SceneSpace& space);
+  bool has_cells() const { return !kernel_.empty(); }
+  /// The kernel's faces, translucent.
+  void draw_cells(gl::Program& program, const ViewFrame& frame);
+  /// Lines and marks over the finished picture.
+  void draw(Programs& programs, const ViewFrame& frame);
+
+ private:
+  MeshBatch kernel_;
+  LineBatch edges_;
+  MarkerBatch marks_;
+};
+
+} // namespace isoscope
