@@ -202,6 +202,6 @@ TEST_CASE("without a display there is a clear word and status 2") {
 TEST_CASE("wrong options are refused without a window") {
   CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --size 10 2>/dev/null") == 2);
   CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --alpha 7 2>/dev/null") == 2);
-  CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --until improve 2>/dev/null") == 2);
+  CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --until never 2>/dev/null") == 2);
   CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --help >/dev/null") == 0);
 }

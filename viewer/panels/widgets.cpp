@@ -314,6 +314,20 @@ bool slider(const Ui& ui, const char* id, float& value, float low, float high, c
   return changed;
 }
 
+void heading(Ui& ui, const char* icon, const std::string& title, const std::string& note) {
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted((std::string(icon) + "  " + title).c_str());
+  ImGui::PopFont();
+  const float buttons = 2 * ui.px(28) + ui.px(4);
+  ImGui::SameLine();
+  ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - buttons, ImGui::GetCursorPosY() - ui.px(5)});
+  command_button(ui, "frame", isoscope::icon::target);
+  ImGui::SameLine(0, ui.px(4));
+  command_button(ui, "clear", isoscope::icon::close);
+  if (!note.empty()) quiet_text(ui, note);
+  ImGui::Dummy({0, ui.px(2)});
+}
+
 void verdict_glyph(const Ui& ui, bool good) {
   const float side = ImGui::GetTextLineHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos();
