@@ -102,7 +102,7 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   const auto alive = [&](VertexId v) {
     return v.valid() && v.index() < complex.vertices.size() && complex.vertices[v.index()].alive;
   };
-  if (complex.form == ZeroForm::free || !alive(question.a) || !alive(question.b) || !context.scene.volume)
+  if (complex.form == ZeroForm::free || question.a == question.b || !alive(question.a) || !alive(question.b) || !context.scene.volume)
     return std::nullopt;
   const Incidence incidence(complex);
   if (!incidence.adjacent(complex, question.a, question.b)) return std::nullopt;

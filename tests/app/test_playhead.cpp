@@ -89,7 +89,10 @@ TEST_CASE("previews judge the state shown by other parameters") {
   PlayheadRequest request;
   request.generation = run.generation;
   request.journal = run.journal;
-  request.step = run.journal->steps();
+  // Where the refinement ends: later steps have no margin.
+  for (Step k = 0; k < run.journal->steps(); ++k)
+    if (run.journal->events()[run.journal->operations()[k].event].stage == Stage::refinement)
+      request.step = k + 1;
   head.request(request);
   CriteriaParameters criteria = run.journal->parameters_at(request.step);
   head.wait();

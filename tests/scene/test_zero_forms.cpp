@@ -26,7 +26,7 @@ constexpr int width = 400, height = 300;
 Camera front() {
   Camera camera;
   CameraPose pose;
-  pose.distance = 10;
+  pose.distance = 5;
   camera.set(pose);
   return camera;
 }
@@ -89,7 +89,7 @@ TEST_CASE("an embedded Z: edges of Z are pairs of vertices, cells have sides") {
   const auto ends = edge_positions(state, found);
   REQUIRE(ends.has_value());
   CHECK(pick_bounds(state, found).extent().x == 2);
-  CHECK(pick_scene(scene, camera, view, at(camera, {0, 0, 0}), pick_all, 0).kind == Kind::tet);
+  CHECK(pick_scene(scene, camera, view, at(camera, {0.1, -0.5, 0}), pick_all, 0).kind == Kind::tet);
 
   TetFilter filter;
   filter.all = true;

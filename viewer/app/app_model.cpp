@@ -162,6 +162,19 @@ std::optional<std::uint32_t> AppModel::selected_event() const {
                     VertexId(selection.picked.other));
 }
 
+ViewSettings AppModel::shown_view() const {
+  ViewSettings shown = view;
+  const auto now = state();
+  if (now && now->complex.form == ZeroForm::free) shown.samples.visible = false;
+  if (!view.focus || selection.picked.kind != Pick::Kind::edge) return shown;
+  constexpr float step_back = 0.35f;
+  shown.samples.visible = false;
+  shown.outer.opacity *= step_back;
+  shown.inner.opacity *= step_back;
+  shown.tets.changed = false;
+  return shown;
+}
+
 std::shared_ptr<const EdgeXray> AppModel::xray() const {
   const auto newest = probe.result();
   return newest && xray_asked_ && newest->request == *xray_asked_ && newest->request.state == state()

@@ -125,6 +125,9 @@ class AppModel {
   /// The state shown; may be null.
   std::shared_ptr<const StateSnapshot> state() const { return result_ ? result_->state : nullptr; }
   std::shared_ptr<const SampleIndex> sample_index() const { return result_ ? result_->index : nullptr; }
+  /// The view as it is drawn and picked: what hides a selected edge steps back, and so do samples once they
+  /// are no longer asked.
+  ViewSettings shown_view() const;
   /// The X-ray of the picked edge at the state shown; null while it is made and where there is none.
   std::shared_ptr<const EdgeXray> xray() const;
   /// The event that the selection speaks of at the step shown, if any.

@@ -146,6 +146,19 @@ std::vector<Command> view_commands() {
        toggle_blink,
        nullptr,
        [](const M& m) { return m.blinking; }},
+      {"focus",
+       "Focus on the selected edge",
+       "",
+       "With an edge selected samples, Ω and changed tetrahedra step back, or stay.",
+       "View",
+       nullptr,
+       {{'Z'}},
+       [](M& m, const A&) {
+         m.view.focus = !m.view.focus;
+         return Status();
+       },
+       nullptr,
+       [](const M& m) { return m.view.focus; }},
       {"shrink-less",
        "Grow tetrahedra",
        "",

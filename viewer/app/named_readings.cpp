@@ -106,7 +106,7 @@ void add_xray_readings(NamedTable& t) {
   of_xray("halfedge", "whether the ends alone were asked",
           [](const EdgeXray& x) { return on_off(x.halfedge); });
   of_xray("tried", "candidates judged", [](const EdgeXray& x) { return std::to_string(x.attempt.tried); });
-  of_xray("candidates", "candidates recorded",
+  of_xray("recorded", "candidates recorded",
           [](const EdgeXray& x) { return std::to_string(x.attempt.candidates.size()); });
   of_xray("kernel_radius", "of the largest ball in the kernel", [](const EdgeXray& x) {
     return x.attempt.kernel ? text_of(x.attempt.kernel->inscribed_radius) : std::string("nan");

@@ -163,6 +163,9 @@ void add_view(Table& t) {
   add_switch(
       t, "side-tint", "tetrahedra in the colour of their side",
       [](auto& m) -> auto& { return m.view.side_tint; });
+  add_switch(
+      t, "focus", "with an edge selected samples, Ω and changed tetrahedra step back",
+      [](auto& m) -> auto& { return m.view.focus; });
   add_choice(
       t, "moment", "which side of the operation is drawn", {"both", "before", "after"},
       [](auto& m) -> auto& { return m.view.moment; });

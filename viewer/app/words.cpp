@@ -125,6 +125,19 @@ std::string short_number(double value) {
   return text.data();
 }
 
+std::string number_beside(double value, double limit) {
+  if (value == limit || !std::isfinite(value) || !std::isfinite(limit) ||
+      short_number(value) != short_number(limit))
+    return short_number(value);
+  for (int digits = 4; digits < 16; ++digits) {
+    std::array<char, 40> text{}, other{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+    std::snprintf(other.data(), other.size(), "%.*f", digits, limit);
+    if (std::string(text.data()) != other.data()) return text.data();
+  }
+  return short_number(value);
+}
+
 std::string bytes_text(std::size_t bytes) {
   constexpr std::array<const char*, 4> units{"B", "kB", "MB", "GB"};
   double value = static_cast<double>(bytes);

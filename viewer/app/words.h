@@ -40,6 +40,8 @@ std::string_view condition_title(Condition condition);
 std::string grouped(std::size_t number);
 /// Three significant digits, without needless exponents: "0.0123", "1.83", "12,300".
 std::string short_number(double value);
+/// The same with as many digits more as tell it apart from `limit`: "1.00023" beside 1.
+std::string number_beside(double value, double limit);
 /// Bytes in a readable unit: "412 MB".
 std::string bytes_text(std::size_t bytes);
 

@@ -94,7 +94,7 @@ void TimelinePane::stage_marks(const Ui& ui, ImVec2 low, ImVec2 size, bool named
         ui.fonts.small
             ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, title.data(), title.data() + title.size())
             .x;
-    if (!named || x + ui.px(3) < free_from || x + extent + ui.px(4) > low.x + size.x) continue;
+    if (!named || span.end <= span.begin + 1 || x + ui.px(3) < free_from || x + extent + ui.px(4) > low.x + size.x) continue;
     widgets::draw_text(list, ui.fonts.small, {x + ui.px(3), low.y + size.y - ui.px(16)},
                        to_u32(ui.colors.quiet), title);
     free_from = x + extent + ui.px(8);
@@ -108,9 +108,14 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
   const float top = low.y + ui.px(title_high), bottom = low.y + size.y - ui.px(plot.ruled ? 18 : 6);
   const auto first = static_cast<std::size_t>(range_.begin);
   const std::size_t last = std::min(values.size(), static_cast<std::size_t>(range_.end) + 1);
+  // T is gone once Z has left it, and with it what is measured on it.
+  const auto absent = [&](std::size_t k) {
+    return plot.figure != Figure::zero_set_vertices &&
+           m.index.stage(static_cast<Step>(k)) == Stage::improve;
+  };
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (std::size_t k = first; k < last; ++k)
-    if (std::isfinite(values[k]) && (plot.whole || values[k] > 0)) {
+    if (std::isfinite(values[k]) && (plot.whole || values[k] > 0) && !absent(k)) {
       least = std::min(least, static_cast<double>(values[k]));
       most = std::max(most, static_cast<double>(values[k]));
     }
@@ -128,7 +133,7 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
   std::vector<ImVec2> line;
   const std::size_t stride = std::max<std::size_t>(1, (last - first) / std::max<std::size_t>(2 * columns, 1));
   for (std::size_t k = first; k < last; k += stride) {
-    if (!std::isfinite(values[k])) continue;
+    if (!std::isfinite(values[k]) || absent(k)) continue;
     const float x = low.x + static_cast<float>(part_of(static_cast<double>(k + 1))) * size.x;
     line.push_back({x, axis.y(static_cast<double>(values[k]), top, bottom)});
   }

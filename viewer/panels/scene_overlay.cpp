@@ -5,6 +5,8 @@
 #include "app/words.h"
 #include "journal/describe.h"
 #include "panels/widgets.h"
+#include "scene/overlay.h"
+#include "scene/pick_geometry.h"
 #include "scene/reason_style.h"
 
 #include <glm/vec4.hpp>
@@ -120,7 +122,8 @@ void scale_bar(const Ui& ui, ImVec2 low, ImVec2 size, double height) {
                      label);
 }
 
-void caption(const Ui& ui, ImVec2 low, float width) {
+void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
+  const float width = size.x;
   const AppModel& m = ui.model;
   const auto state = m.state();
   if (!state || !m.run.journal || m.run.journal->events().empty()) return;
@@ -131,6 +134,10 @@ void caption(const Ui& ui, ImVec2 low, float width) {
                                       : nullptr;
   std::string text = event ? describe(*m.run.journal, *event)
                            : "The triangulation of the loose bounding box, before the first Steiner point.";
+  const double enlarged = move_scale(
+      *state, pixels_per_unit(m.camera, static_cast<double>(size.y)) / static_cast<double>(ui.scale));
+  if (enlarged > 1 && m.view.highlight.shown())
+    text += " (moves drawn " + grouped(static_cast<std::size_t>(enlarged)) + " times as long)";
   if (m.view.moment == Moment::before) text = "before · " + text;
   const float room = width - ui.px(192 + 10 + 24 + 40);
   if (room < ui.px(140)) return;

@@ -47,7 +47,7 @@ void SceneView::draw(Ui& ui) {
     draw_section(ui, {low, all});
   }
   overlay::mode_switch(ui, {low.x + all.x, low.y});
-  overlay::caption(ui, low, all.x);
+  overlay::caption(ui, low, all);
   overlay::progress(ui, low, all);
   overlay::invitation(ui, low, all);
 }
@@ -56,7 +56,8 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   const AppModel& m = ui.model;
   const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
   Key key;
-  key.view = m.view;
+  const ViewSettings view = m.shown_view();
+  key.view = view;
   key.state = m.state().get();
   key.grid = m.grid.grid().get();
   key.scene = m.run.scene.get();
@@ -82,8 +83,8 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   request.hover = key.hover;
   const auto make = [&](Quality quality) {
     request.quality = quality;
-    picture.frame = section ? renderer_->render_section(m.section, m.view, request)
-                            : renderer_->render(m.camera, m.view, request);
+    picture.frame = section ? renderer_->render_section(m.section, view, request)
+                            : renderer_->render(m.camera, view, request);
   };
   if (key != picture.key) {
     const bool first = picture.changed_at < 0;
@@ -145,8 +146,8 @@ Pick SceneView::hover_pick(Ui& ui, Area area, bool section) {
   hover_asked_ = true;
   const ImVec2 at = local(io.MousePos, area.low);
   const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
-  return section ? renderer_->pick_section(m.section, m.view, at.x, at.y, width, height, m.selection.kinds)
-                 : renderer_->pick(m.camera, m.view, at.x, at.y, width, height, m.selection.kinds);
+  return section ? renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height, m.selection.kinds)
+                 : renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds);
 }
 
 void SceneView::scene_mouse(Ui& ui, Area area) {
@@ -155,7 +156,7 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
   const bool hovered = ImGui::IsItemHovered();
   const ImVec2 at = local(io.MousePos, area.low);
   const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
-  const auto under = [&] { return renderer_->point_under(m.camera, m.view, at.x, at.y, width, height); };
+  const auto under = [&] { return renderer_->point_under(m.camera, m.shown_view(), at.x, at.y, width, height); };
   if (ImGui::IsItemActivated()) {
     pivot_ = under();
     dragged_ = false;
@@ -188,7 +189,7 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
   }
   if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
     if (ImGui::IsMouseReleased(0))
-      picked(ui, renderer_->pick(m.camera, m.view, at.x, at.y, width, height, m.selection.kinds));
+      picked(ui, renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
   if (hovered && !ImGui::IsAnyMouseDown()) {
@@ -228,7 +229,7 @@ void SceneView::section_mouse(Ui& ui, Area area) {
   }
   if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
     if (ImGui::IsMouseReleased(0))
-      picked(ui, renderer_->pick_section(m.section, m.view, at.x, at.y, width, height, m.selection.kinds));
+      picked(ui, renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height, m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
   if (hovered && !ImGui::IsAnyMouseDown()) {
@@ -301,6 +302,11 @@ void SceneView::frame_requests(Ui& ui) {
     if (box.empty()) box.add(pick.point);
     if (m.selection.mark) box.add(*m.selection.mark);
     box = box.grown(margin + 0.5 * box.longest_edge());
+    // An edge on the far side of the model would be framed from within.
+    constexpr double facing = 0.3;
+    const Vec3 normal = surface_normal(*state, pick);
+    if (squared_length(normal) > 0 && dot(normal, normalized(m.camera.eye() - m.camera.pose().target)) < facing)
+      m.camera.look_from(normal, false);
   }
   m.camera.frame(box, !m.scripted);
   m.camera.mark_set();

@@ -146,7 +146,7 @@ void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
 // by the logarithm of their number.
 void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) const {
   const AppModel& m = ui.model;
-  const float gap = ui.px(2), least = ui.px(13);
+  const float gap = ui.px(1), least = ui.px(12);
   const auto most = static_cast<std::size_t>(std::max(1.0f, (size.y + gap) / (least + gap)));
   const std::vector<TimelineLane> lanes = timeline_lanes(m.index, ui.theme, most);
   if (lanes.empty()) return;

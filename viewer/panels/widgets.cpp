@@ -223,7 +223,7 @@ bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_
 
 void limit_bar(const Ui& ui, std::string_view label, double value, double limit, bool good,
                std::string_view unit, bool limit_is_upper) {
-  std::string shown = short_number(value);
+  std::string shown = number_beside(value, limit);
   if (!unit.empty()) shown += " " + std::string(unit);
   value_row(ui, label, shown, good ? ui.colors.good_text : ui.colors.bad_text);
   const ImVec2 at = ImGui::GetCursorScreenPos();

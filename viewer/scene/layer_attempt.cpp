@@ -116,16 +116,12 @@ void AttemptLayer::update(const EdgeXray* xray, const std::optional<Vec3>& mark,
   marks_.upload(b.marks);
 }
 
-void AttemptLayer::draw_cells(gl::Program& program, const ViewFrame& frame) {
-  MeshStyle style;
-  style.opacity = frame.view.xray.opacity;
-  style.back_shade = 0.8f;
-  kernel_.draw(program, style);
-}
-
 void AttemptLayer::draw(Programs& programs, const ViewFrame& frame) {
   const float opacity = frame.view.xray.opacity;
+  MeshStyle faces;
   const auto pass = [&](float strength) {
+    faces.opacity = strength * opacity;
+    kernel_.draw(programs.mesh_flat, faces);
     edges_.draw(programs.line, strength * opacity, 2e-3f);
     marks_.draw(programs.marker, strength * opacity);
   };

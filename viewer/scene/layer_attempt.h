@@ -15,10 +15,7 @@ class AttemptLayer {
   /// Rebuilds everything; `xray` may be null. `mark`: a point to be seen, a witness.
   void update(const EdgeXray* xray, const std::optional<Vec3>& mark, const SceneColors& colors,
               const SceneSpace& space);
-  bool has_cells() const { return !kernel_.empty(); }
-  /// The kernel's faces, translucent.
-  void draw_cells(gl::Program& program, const ViewFrame& frame);
-  /// Lines and marks over the finished picture.
+  /// Translucent faces, lines and marks over the finished picture, fainter where Z hides them.
   void draw(Programs& programs, const ViewFrame& frame);
 
  private:

@@ -139,15 +139,12 @@ void HighlightLayer::update(const StateSnapshot* state, const ViewFrame& frame) 
       const bool before = frame.view.moment == Moment::before, after = frame.view.moment == Moment::after;
       if (facets) {
         // On Z its facets tell the story; those of T around them would be a tangle.
-        constexpr std::size_t shown_facets = 3000;
-        const auto some = [&](const std::vector<Triangle3>& all) {
-          return std::span(all).first(std::min(all.size(), shown_facets));
-        };
-        const bool sweep = state->moves.size() > 64;
-        if (!before && !sweep)
-          add_facet_edges(some(state->added_facets), frame.space, color8(c.accent, 1), 2.0f, false, operation);
-        if (!after && !sweep)
-          add_facet_edges(some(state->removed_facets), frame.space, color8(c.warning, 0.9f), 1.6f, !before,
+        // Where all of Z is new, as after the tessellation, its own edges say as much.
+        constexpr std::size_t shown_facets = 400;
+        if (!before && state->added_facets.size() <= shown_facets)
+          add_facet_edges(state->added_facets, frame.space, color8(c.accent, 1), 2.0f, false, operation);
+        if (!after && state->removed_facets.size() <= shown_facets)
+          add_facet_edges(state->removed_facets, frame.space, color8(c.warning, 0.9f), 1.6f, !before,
                           operation);
       } else {
         if (!before) edges.add(added, color8(c.accent, 0.8f), 1.3f, false, operation);
@@ -155,8 +152,10 @@ void HighlightLayer::update(const StateSnapshot* state, const ViewFrame& frame) 
           edges.add(std::span(state->removed_tets).first(removed), color8(c.warning, 0.85f), 1.3f, true,
                     operation);
       }
+      const double enlarged = move_scale(*state, frame.pixels_per_unit / static_cast<double>(frame.pixel_scale));
       for (const StateSnapshot::Move& move : state->moves)
-        add_arrow(move.before, move.after, frame, color8(c.selection, 0.95f), operation);
+        add_arrow(move.before, move.before + enlarged * (move.after - move.before), frame,
+                  color8(c.selection, 0.95f), operation);
       if (state->violated_tet) edges.add(*state->violated_tet, color8(c.bad), 2.0f, false, operation);
       if (state->inserted.valid() && state->inserted.index() < state->complex.vertices.size()) {
         const glm::vec3 p = frame.space.local(state->complex.position(state->inserted));

@@ -35,7 +35,7 @@ void TetrahedraLayer::update(const StateSnapshot& state, const TetFilter& filter
     const bool sided = side_tint && !violates && state.complex.form == ZeroForm::embedded;
     const bool negative = (state.tet_flags[id.index()] & tet_negative) != 0;
     const glm::vec3 color = sided ? (negative ? colors.inner : colors.outer) : role_color(role, colors);
-    const Color8 tint = color8(color, box ? std::min(alpha, 0.16f) : sided ? 1.6f * alpha : alpha);
+    const Color8 tint = color8(color, box ? std::min(alpha, 0.16f) : sided ? 0.2f : alpha);
     (violates && !box ? solid : faint).tetrahedron(p, filter.shrink, tint);
   });
   solid_.upload(solid);

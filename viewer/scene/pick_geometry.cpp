@@ -2,6 +2,7 @@
 #include "scene/pick_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isoscope {
 
@@ -45,6 +46,34 @@ Box3 pick_bounds(const StateSnapshot& state, const Pick& pick) {
     break;
   }
   return box;
+}
+
+Vec3 surface_normal(const StateSnapshot& state, const Pick& pick) {
+  Vec3 sum;
+  if (pick.kind != Pick::Kind::edge && pick.kind != Pick::Kind::vertex) return sum;
+  const ZeroSet& zero = state.zero_set;
+  for (const ZeroSet::Polygon& p : zero.polygons)
+    for (std::size_t i = 0; i < p.count; ++i) {
+      const ZeroSet::ZeroVertex& v = zero.vertices[p.v[i]];
+      const auto touches = [&](std::uint32_t id) { return v.negative.value == id || v.positive.value == id; };
+      if (!touches(pick.id) && !touches(pick.other)) continue;
+      const Vec3 a = v.position, b = zero.vertices[p.v[(i + 1) % p.count]].position,
+                 c = zero.vertices[p.v[(i + 2) % p.count]].position;
+      sum += cross(b - a, c - a);
+    }
+  return normalized(sum);
+}
+
+double move_scale(const StateSnapshot& state, double pixels_per_unit) {
+  constexpr std::size_t sweep = 4;
+  constexpr double wanted = 28; ///< pixels of the largest move
+  if (state.moves.size() < sweep) return 1;
+  double largest = 0;
+  for (const StateSnapshot::Move& m : state.moves) largest = std::max(largest, distance(m.before, m.after));
+  const double ratio = wanted / (largest * pixels_per_unit);
+  if (!(ratio > 1) || !std::isfinite(ratio)) return 1;
+  const double decade = std::pow(10.0, std::floor(std::log10(ratio)));
+  return decade * (ratio >= 5 * decade ? 5 : ratio >= 2 * decade ? 2 : 1);
 }
 
 } // namespace isoscope

@@ -272,7 +272,7 @@ bool Renderer::Impl::draw_cells(const ViewFrame& frame) {
   const ViewSettings& view = frame.view;
   const auto thin = [](const LayerSettings& layer) { return layer.shown() && layer.opacity < 1; };
   const bool any = thin(view.input) || thin(view.zero_set) ||
-                   attempt.has_cells() || (view.tetrahedra.shown() && (tetrahedra.has_faint() || view.tetrahedra.opacity < 1));
+                   (view.tetrahedra.shown() && (tetrahedra.has_faint() || view.tetrahedra.opacity < 1));
   if (!any) return false;
   targets.cells.bind(targets.width, targets.height);
   constexpr std::array<float, 4> none{0, 0, 0, 0}, clear_part{1, 1, 1, 1};
@@ -289,7 +289,6 @@ bool Renderer::Impl::draw_cells(const ViewFrame& frame) {
     if (thin(view.tetrahedra)) tetrahedra.draw_solid(programs.mesh_translucent, frame);
     tetrahedra.draw_faint(programs.mesh_translucent, frame);
   }
-  if (attempt.has_cells()) attempt.draw_cells(programs.mesh_translucent, frame);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   return true;

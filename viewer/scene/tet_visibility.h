@@ -18,9 +18,13 @@ TetRole tet_role(std::uint8_t flags, const TetFilter& filter, bool embedded = fa
 
 /// Calls visit(TetId, TetRole) for every tetrahedron that filter and clip let see, ascending by slot.
 template <class Visit>
-void for_each_visible_tet(const StateSnapshot& state, const TetFilter& filter, const Clip& clip,
+void for_each_visible_tet(const StateSnapshot& state, const TetFilter& wanted, const Clip& clip,
                           Visit&& visit) {
   const std::size_t count = std::min(state.complex.tets.size(), state.tet_flags.size());
+  // Where an operation made all of T anew, what it changed tells nothing.
+  constexpr std::size_t most_changed = 1500;
+  TetFilter filter = wanted;
+  filter.changed = wanted.changed && state.added_tets.size() <= most_changed;
   for (std::size_t i = 0; i < count; ++i) {
     if (!state.complex.tets[i].alive()) continue;
     const TetRole role =

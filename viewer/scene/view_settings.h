@@ -67,6 +67,7 @@ struct ViewSettings {
   LayerSettings xray{true, 1.0f};      ///< kernel, candidates and offenders of the selected edge
   Moment moment = Moment::both;
   bool zero_set_edges = true;
+  bool focus = true;        ///< with an edge selected samples, Ω and changed tetrahedra step back
   bool side_tint = true;    ///< tetrahedra in the colour of their side once Z is embedded
   float sample_size = 5.0f; ///< pixels at the orbit distance
   TetFilter tets;
