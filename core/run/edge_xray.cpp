@@ -11,8 +11,8 @@ namespace isoscope {
 
 namespace {
 
-/// As the ∂Γ stage has them: samples in the cells of this grid that the star's box meets, and how many of them
-/// are judged.
+/// As the ∂Γ stage has them: samples in the cells of this grid that the star's box meets, and how many of
+/// them are judged.
 constexpr double lookup_cell = 4; ///< in σ
 constexpr int most_sample_targets = 24;
 
@@ -102,7 +102,8 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   const auto alive = [&](VertexId v) {
     return v.valid() && v.index() < complex.vertices.size() && complex.vertices[v.index()].alive;
   };
-  if (complex.form == ZeroForm::free || question.a == question.b || !alive(question.a) || !alive(question.b) || !context.scene.volume)
+  if (complex.form == ZeroForm::free || question.a == question.b || !alive(question.a) ||
+      !alive(question.b) || !context.scene.volume)
     return std::nullopt;
   const Incidence incidence(complex);
   if (!incidence.adjacent(complex, question.a, question.b)) return std::nullopt;

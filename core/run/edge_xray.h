@@ -1,5 +1,5 @@
-// Everything there is to say about collapsing one edge at one step: what a person asks of an edge, answered by
-// the evaluator that the run itself asks (architecture D2).
+// Everything there is to say about collapsing one edge at one step: what a person asks of an edge, answered
+// by the evaluator that the run itself asks (architecture D2).
 #pragma once
 
 #include "criteria/nearest_sample.h"
@@ -52,8 +52,8 @@ struct EdgeXray {
 /// it and the next one.
 std::optional<std::uint32_t> edge_event(const Journal& journal, Step step, VertexId a, VertexId b);
 
-/// Judges the edge on the state. Nothing where T has no such edge: it is not there at this step, or Z has left
-/// T.
+/// Judges the edge on the state. Nothing where T has no such edge: it is not there at this step, or Z has
+/// left T.
 std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion& question,
                                   const XrayContext& context);
 

@@ -250,10 +250,10 @@ quit
 }
 
 TEST_CASE("the X-ray and the plots look as they should") {
-  const std::string script = "wait settled\nstage zero-set\nnext-event collapse zero-set\nscreenshot " +
-                             picture("xray") +
-                             "\nclear\nframe-all\nset clip plane\nset tets.all on\nsplit\ntab plots\nscreenshot " +
-                             picture("sides") + "\nquit\n";
+  const std::string script =
+      "wait settled\nstage zero-set\nnext-event collapse zero-set\nscreenshot " + picture("xray") +
+      "\nclear\nframe-all\nset clip plane\nset tets.all on\nsplit\ntab plots\nscreenshot " +
+      picture("sides") + "\nquit\n";
   REQUIRE(run_script("edge-pictures", script) == 0);
   for (const char* name : {"xray", "sides"}) compare(name);
 }

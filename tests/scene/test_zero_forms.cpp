@@ -165,7 +165,8 @@ TEST_CASE("every reason for a rejection has a look of its own") {
     const ReasonStyle& style = reason_style(static_cast<Reason>(r));
     CHECK(!style.help.empty());
     CHECK(titles.insert(std::string(style.title)).second);
-    CHECK(looks.insert(std::to_string(style.color) + "/" + std::to_string(static_cast<int>(style.shape))).second);
+    CHECK(looks.insert(std::to_string(style.color) + "/" + std::to_string(static_cast<int>(style.shape)))
+              .second);
   }
   CHECK(reason_style(Reason::none).title == "taken");
   CHECK(reason_style(Reason::kernel_sampling).title == "sampled kernel");

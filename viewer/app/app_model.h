@@ -2,9 +2,9 @@
 // a frame.
 #pragma once
 
+#include "app/event_filter.h"
 #include "app/grid_loader.h"
 #include "app/journal_index.h"
-#include "app/event_filter.h"
 #include "app/playhead.h"
 #include "app/probe.h"
 #include "app/settings.h"

@@ -39,8 +39,8 @@ bool JournalIndex::update(std::size_t budget) {
     const float spent = operation.figures.seconds;
     auto& seconds = figures_[static_cast<std::size_t>(Figure::seconds)];
     // Seconds are those of a stage; where they begin anew another one has begun.
-    if (!seconds.empty() && (event.stage != stage(static_cast<Step>(k - 1)) ||
-                             seconds_before_ + spent < seconds.back()))
+    if (!seconds.empty() &&
+        (event.stage != stage(static_cast<Step>(k - 1)) || seconds_before_ + spent < seconds.back()))
       seconds_before_ = seconds.back();
     seconds.push_back(seconds_before_ + spent);
     stage_of_.push_back(static_cast<std::uint8_t>(event.stage));

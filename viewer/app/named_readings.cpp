@@ -52,12 +52,11 @@ void add_run_readings(NamedTable& t) {
                   return begin ? std::to_string(*begin) : std::string("nan");
                 });
   }
-  for (const EventKind kind : {EventKind::insertion, EventKind::collapse, EventKind::repair,
-                               EventKind::relaxation})
-    add_reading(t, "count." + std::string(name(kind)), "operations of that kind so far",
-                [kind](const AppModel& m) {
-                  return std::to_string(m.index.count(kind, 0, m.index.steps()));
-                });
+  for (const EventKind kind :
+       {EventKind::insertion, EventKind::collapse, EventKind::repair, EventKind::relaxation})
+    add_reading(
+        t, "count." + std::string(name(kind)), "operations of that kind so far",
+        [kind](const AppModel& m) { return std::to_string(m.index.count(kind, 0, m.index.steps())); });
   for (int i = static_cast<int>(first_rejection); i <= static_cast<int>(last_rejection); ++i) {
     const auto reason = static_cast<Reason>(i);
     add_reading(t, "rejected." + std::string(name(reason)), "edges rejected for that reason so far",
@@ -71,9 +70,8 @@ void add_run_readings(NamedTable& t) {
   add_reading(t, "facets_removed", "facets of Z that it took away", [](const AppModel& m) {
     return std::to_string(m.state() ? m.state()->removed_facets.size() : 0);
   });
-  add_reading(t, "vertices_moved", "vertices that it moved", [](const AppModel& m) {
-    return std::to_string(m.state() ? m.state()->moves.size() : 0);
-  });
+  add_reading(t, "vertices_moved", "vertices that it moved",
+              [](const AppModel& m) { return std::to_string(m.state() ? m.state()->moves.size() : 0); });
 }
 
 void add_event_readings(NamedTable& t) {

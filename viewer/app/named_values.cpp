@@ -111,9 +111,8 @@ void add_stages(Table& t) {
                }});
   for (const Stage stage : {Stage::gamma, Stage::zero_set, Stage::all, Stage::improve}) {
     const auto i = static_cast<std::size_t>(stage);
-    add_switch(
-        t, "skip." + std::string(name(stage)), "the stage is left out",
-        [i](auto& m) -> decltype(auto) { return (m.draft.skipped[i]); });
+    add_switch(t, "skip." + std::string(name(stage)), "the stage is left out",
+               [i](auto& m) -> decltype(auto) { return (m.draft.skipped[i]); });
   }
   add_choice(
       t, "target", "how targets of collapses are looked for",

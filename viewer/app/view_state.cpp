@@ -157,8 +157,7 @@ std::optional<ViewState> view_from_json(const std::string& text, const ViewState
   }
   if (!read_choice(object, "mode", s.view.mode, 3) ||
       !read(object, "zero_set_edges", s.view.zero_set_edges) ||
-      !read(object, "side_tint", s.view.side_tint) ||
-      !read(object, "sample_size", s.view.sample_size, 1, 30))
+      !read(object, "side_tint", s.view.side_tint) || !read(object, "sample_size", s.view.sample_size, 1, 30))
     return std::nullopt;
   any = any || object.contains("mode");
   return any ? std::optional(s) : std::nullopt;

@@ -76,8 +76,9 @@ std::string_view stage_help(Stage stage) {
 }
 std::string_view check_title(CollapseCheck check) {
   constexpr std::array<std::string_view, collapse_check_count> words{
-      "eligible",         "link condition in T", "link condition in Z", "kernel",           "candidates",
-      "classification", "containment in Ω",    "normals",             "region witnesses"};
+      "eligible",        "link condition in T", "link condition in Z", "kernel",
+      "candidates",      "classification",      "containment in Ω",    "normals",
+      "region witnesses"};
   return words.at(static_cast<std::size_t>(check));
 }
 std::string_view check_help(CollapseCheck check) {
@@ -86,7 +87,8 @@ std::string_view check_help(CollapseCheck check) {
       "Lk(a) ∩ Lk(b) = Lk(ab) in T, or the collapse would pinch it. Figure 6",
       "The same in Z, for edges of Z. §2.4",
       "The points from which the whole one-ring is seen; its largest ball has this radius. Figures 7 and 11",
-      "Points of the kernel that were judged as targets until one passed every check. Figures 8, 9, 11 and 12",
+      "Points of the kernel that were judged as targets until one passed every check. Figures 8, 9, 11 and "
+      "12",
       "Sampled mode: every sample keeps its class. §2.4.1",
       "Certified mode: every changed facet of Z is proven to keep d ≤ δ.",
       "Condition 3 is violated nowhere where it was not before. §2.4",

@@ -112,7 +112,8 @@ void verdict(Ui& ui, const EdgeXray& x) {
   if (widgets::segmented(ui, "targets", labels, chosen))
     ui.model.selection.target = static_cast<XrayTarget>(chosen);
   ImGui::PopFont();
-  widgets::tip(ui, "Which targets", "As the stage looks for them, the ends of the edge alone, or the search.");
+  widgets::tip(ui, "Which targets",
+               "As the stage looks for them, the ends of the edge alone, or the search.");
 }
 
 /// One rung of the ladder; a click shows the witness.
@@ -127,8 +128,8 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
   const bool has_witness = v.state == CheckState::failed && squared_length(v.witness) > 0;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered() && has_witness) {
-    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + high}, to_u32(ui.colors.hover),
-                       ui.px(4));
+    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + high},
+                       to_u32(ui.colors.hover), ui.px(4));
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
   if (pressed && has_witness) ui.commands.post("witness", {std::string(name(check))});
@@ -157,9 +158,9 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
             " simplices";
   else if (!asked)
     value = "not asked";
-  const float extent =
-      ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
-  widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
+  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  widgets::draw_text(list, ui.fonts.mono,
+                     {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                      to_u32(asked ? ui.colors.text : ui.colors.quiet, asked ? 1.0f : 0.7f), value);
   ImGui::SetCursorScreenPos({at.x, at.y + high});
 }
@@ -299,7 +300,8 @@ void repair(Ui& ui, const RepairDetail& sweeps, double delta) {
   const auto y_of = [&](double v) {
     return at.y + high - ui.px(6) - static_cast<float>(v / most) * (high - ui.px(14));
   };
-  const float limit = y_of(1), step = (width - ui.px(20)) / static_cast<float>(std::max<std::size_t>(sweeps.size(), 2) - 1);
+  const float limit = y_of(1),
+              step = (width - ui.px(20)) / static_cast<float>(std::max<std::size_t>(sweeps.size(), 2) - 1);
   list.AddLine({at.x, limit}, {at.x + width, limit}, to_u32(ui.colors.text, 0.8f));
   widgets::draw_text(list, ui.fonts.small, {at.x + width - ui.px(14), limit - ui.px(16)},
                      to_u32(ui.colors.quiet), "δ");
@@ -327,8 +329,8 @@ void repair(Ui& ui, const RepairDetail& sweeps, double delta) {
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
       const RepairSweep& s = sweeps[i];
       ImGui::TableNextRow();
-      for (const std::string& cell : {std::to_string(i), short_number(s.largest_distance / delta), grouped(s.moved),
-                                      grouped(s.flipped), grouped(s.points_added)}) {
+      for (const std::string& cell : {std::to_string(i), short_number(s.largest_distance / delta),
+                                      grouped(s.moved), grouped(s.flipped), grouped(s.points_added)}) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(cell.c_str());
       }
@@ -377,9 +379,10 @@ void history(Ui& ui, const Journal& journal, VertexId a, VertexId b) {
   for (const std::uint32_t index : found) {
     const Event& e = journal.events()[index];
     ImGui::PushID(static_cast<int>(index));
-    const std::string what = e.kind == EventKind::rejection ? "stayed: " + std::string(reason_style(e.reason).title)
-                             : e.kind == EventKind::repair  ? std::string("collapsed with repair")
-                                                            : std::string("collapsed");
+    const std::string what = e.kind == EventKind::rejection
+                                 ? "stayed: " + std::string(reason_style(e.reason).title)
+                             : e.kind == EventKind::repair ? std::string("collapsed with repair")
+                                                           : std::string("collapsed");
     if (widgets::link_row(ui, "event", what, "step " + grouped(e.step + (e.operation ? 1u : 0u)),
                           describe(journal, e)))
       ui.commands.post("event", {std::to_string(index)});
@@ -402,7 +405,8 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   for (const std::uint32_t end : {picked.id, picked.other}) {
     ImGui::PushID(static_cast<int>(end));
     const bool alive = end < s.complex.vertices.size() && s.complex.vertices[end].alive;
-    if (widgets::link_row(ui, "vertex", alive ? "vertex" : "vertex, gone", grouped(end), "Selects the vertex."))
+    if (widgets::link_row(ui, "vertex", alive ? "vertex" : "vertex, gone", grouped(end),
+                          "Selects the vertex."))
       ui.commands.post("pick", {"vertex", std::to_string(end)});
     ImGui::PopID();
   }
@@ -421,8 +425,8 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   } else if (!m.probe.idle()) {
     widgets::quiet_text(ui, "The edge is being looked at.");
   } else if (s.complex.form == ZeroForm::free) {
-    widgets::quiet_text(ui, "Z has left T: there is no kernel to look into. The journal tells what was tried.",
-                        true);
+    widgets::quiet_text(
+        ui, "Z has left T: there is no kernel to look into. The journal tells what was tried.", true);
   } else {
     widgets::quiet_text(ui, "T has no such edge at this step.", true);
   }

@@ -60,9 +60,9 @@ EventStyle style_of(const Ui& ui, const Event& e) {
 
 std::string_view kind_title(EventKind kind) {
   constexpr std::array<std::string_view, event_kind_count> words{
-      "stage begins",   "stage ends", "insertions",  "relabelling",  "exhausted",
-      "topology checks", "parameters", "warnings",    "stopped",      "collapses",
-      "rejections",     "tessellation", "departure", "relocation sweeps", "collapses with repair"};
+      "stage begins",    "stage ends",   "insertions", "relabelling",       "exhausted",
+      "topology checks", "parameters",   "warnings",   "stopped",           "collapses",
+      "rejections",      "tessellation", "departure",  "relocation sweeps", "collapses with repair"};
   return words.at(static_cast<std::size_t>(kind));
 }
 
@@ -77,9 +77,9 @@ bool filter_menu(const Ui& ui, const char* label, std::bitset<n>& set, const std
   if (ImGui::InvisibleButton("filter", size)) ImGui::OpenPopup("entries");
   const bool hot = ImGui::IsItemHovered(), active = (set & offered) != offered;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y},
-                     active ? to_u32(ui.colors.accent, 0.24f) : to_u32(hot ? ui.colors.hover : ui.colors.raised),
-                     ui.px(5));
+  list.AddRectFilled(
+      at, {at.x + size.x, at.y + size.y},
+      active ? to_u32(ui.colors.accent, 0.24f) : to_u32(hot ? ui.colors.hover : ui.colors.raised), ui.px(5));
   widgets::draw_text(list, ImGui::GetFont(), {at.x + ui.px(10), at.y + (size.y - extent.y) / 2},
                      to_u32(active ? ui.colors.accent_text : ui.colors.text), shown);
   bool changed = false;
@@ -145,10 +145,9 @@ void EventList::row(Ui& ui, std::uint32_t index, float high) {
   const bool here = chosen || (target == m.transport.step() && event.operation);
   if (here || ImGui::IsItemHovered())
     list.AddRectFilled(at, {at.x + width, at.y + high},
-                       to_u32(here ? ui.colors.accent : ui.colors.hover,
-                              chosen ? 0.3f
-                              : here ? 0.16f
-                                     : 1.0f),
+                       to_u32(here ? ui.colors.accent : ui.colors.hover, chosen ? 0.3f
+                                                                         : here ? 0.16f
+                                                                                : 1.0f),
                        ui.px(4));
   const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
   const std::string number = grouped(target);

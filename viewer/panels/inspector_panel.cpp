@@ -86,7 +86,7 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   const int label = s.samples->labels[id];
   const auto error = static_cast<double>(s.errors[id]);
   widgets::heading(ui, is_bad(error) ? icon::close : icon::dot, "Sample " + grouped(id),
-          is_bad(error) ? "bad: f has the wrong sign here (§2.2)" : "good: f has its sign (§2.2)");
+                   is_bad(error) ? "bad: f has the wrong sign here (§2.2)" : "good: f has its sign (§2.2)");
   widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
   widgets::value_row(ui, "side F(s)", label > 0 ? "+1  outer" : "−1  inner",
                      label > 0 ? ui.colors.accent_text : ui.colors.inner);
@@ -151,12 +151,12 @@ void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   const std::uint8_t flags = id < s.tet_flags.size() ? s.tet_flags[id] : std::uint8_t{0};
   const bool carries = (flags & tet_heterogeneous) != 0;
   widgets::heading(ui, icon::cube, "Tetrahedron " + grouped(id),
-          s.complex.form == ZeroForm::embedded
-              ? (tet.side < 0 ? (carries ? "inner side of Z, in Γ" : "inner side of Z")
-                              : (carries ? "outer side of Z, in Γ" : "outer side of Z"))
-          : carries                ? "carries Z: in Γ"
-          : (flags & tet_box) != 0 ? "at the bounding box"
-                                   : "one label: no Z in it");
+                   s.complex.form == ZeroForm::embedded
+                       ? (tet.side < 0 ? (carries ? "inner side of Z, in Γ" : "inner side of Z")
+                                       : (carries ? "outer side of Z, in Γ" : "outer side of Z"))
+                   : carries                ? "carries Z: in Γ"
+                   : (flags & tet_box) != 0 ? "at the bounding box"
+                                            : "one label: no Z in it");
   for (std::size_t i = 0; i < 4; ++i) {
     ImGui::PushID(static_cast<int>(i));
     if (widgets::link_row(ui, "vertex", "vertex " + grouped(tet.v[i].value), "F " + short_number(f[i]),
@@ -253,8 +253,9 @@ void run_summary(Ui& ui, const StateSnapshot& s) {
   if (interpolated)
     widgets::limit_bar(ui, "largest ε", largest, s.criteria.error_limit(),
                        largest <= s.criteria.error_limit(), "", true);
-  if (interpolated && s.worst_sample.valid() && widgets::link_row(ui, "worst", "worst sample", grouped(s.worst_sample.value),
-                                                  "Selects the sample with the largest ε."))
+  if (interpolated && s.worst_sample.valid() &&
+      widgets::link_row(ui, "worst", "worst sample", grouped(s.worst_sample.value),
+                        "Selects the sample with the largest ε."))
     pick(ui, "sample", s.worst_sample.value);
   if (!free) {
     const auto alive = std::count_if(s.complex.vertices.begin(), s.complex.vertices.end(),
@@ -345,8 +346,8 @@ void inspector(Ui& ui) {
   run_summary(ui, *state);
   certificate(ui);
   if (picked.kind == Pick::Kind::none)
-    widgets::quiet_text(
-        ui, "Click an element in the view to inspect it; 1 to 4 restrict what a click hits.", true);
+    widgets::quiet_text(ui, "Click an element in the view to inspect it; 1 to 4 restrict what a click hits.",
+                        true);
 }
 
 } // namespace isoscope::panels

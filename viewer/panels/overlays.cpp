@@ -154,7 +154,8 @@ void Overlays::help(Ui& ui) {
     for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
       const ReasonStyle& style = reason_style(static_cast<Reason>(r));
       const std::string word(name(static_cast<Reason>(r)));
-      if (!contains_folded(word + " " + std::string(style.title) + " " + std::string(style.help), query_.data()))
+      if (!contains_folded(word + " " + std::string(style.title) + " " + std::string(style.help),
+                           query_.data()))
         continue;
       row(word, std::string(style.title), style.help);
       const ImVec2 low = ImGui::GetItemRectMin();

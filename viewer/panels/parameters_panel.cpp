@@ -105,7 +105,8 @@ void skip_chip(const Ui& ui, Stage stage, bool& skipped, float width) {
   ImGui::PopID();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + width, at.y + high},
-                     skipped ? to_u32(ui.colors.panel) : to_u32(stage_color(ui.theme, stage), 0.25f), ui.px(5));
+                     skipped ? to_u32(ui.colors.panel) : to_u32(stage_color(ui.theme, stage), 0.25f),
+                     ui.px(5));
   list.AddRect(at, {at.x + width, at.y + high}, to_u32(ui.colors.line), ui.px(5));
   const std::string_view label = stage_title(stage);
   const ImVec2 extent = widgets::text_size(label);
@@ -119,12 +120,13 @@ void skip_chip(const Ui& ui, Stage stage, bool& skipped, float width) {
 }
 
 void stages(Ui& ui, RunParameters& p) {
-  label(ui, "until", "The last stage", "Where the run ends: a valid mesh is there after every stage. Needs a restart.",
-        26);
+  label(ui, "until", "The last stage",
+        "Where the run ends: a valid mesh is there after every stage. Needs a restart.", 26);
   choice("##until", stage_title(p.last_stage()), [&] {
     for (int i = static_cast<int>(Stage::refinement); i < stage_count; ++i) {
       const auto stage = static_cast<Stage>(i);
-      if (ImGui::Selectable(std::string(stage_title(stage)).c_str(), stage == p.last_stage())) p.until = stage;
+      if (ImGui::Selectable(std::string(stage_title(stage)).c_str(), stage == p.last_stage()))
+        p.until = stage;
     }
   });
   label(ui, "stages", "Stages", "Those struck through are left out. Needs a restart.", 26);

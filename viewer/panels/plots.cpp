@@ -15,7 +15,7 @@ struct TimelinePane::Plot {
   const char* name;
   Figure figure;
   Rgb color;
-  bool whole;         ///< a count
+  bool whole; ///< a count
   const char* unit;
   float weight;       ///< of its width
   bool ruled = false; ///< with lines and numbers of the axis
@@ -94,7 +94,9 @@ void TimelinePane::stage_marks(const Ui& ui, ImVec2 low, ImVec2 size, bool named
         ui.fonts.small
             ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, title.data(), title.data() + title.size())
             .x;
-    if (!named || span.end <= span.begin + 1 || x + ui.px(3) < free_from || x + extent + ui.px(4) > low.x + size.x) continue;
+    if (!named || span.end <= span.begin + 1 || x + ui.px(3) < free_from ||
+        x + extent + ui.px(4) > low.x + size.x)
+      continue;
     widgets::draw_text(list, ui.fonts.small, {x + ui.px(3), low.y + size.y - ui.px(16)},
                        to_u32(ui.colors.quiet), title);
     free_from = x + extent + ui.px(8);
@@ -110,8 +112,7 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
   const std::size_t last = std::min(values.size(), static_cast<std::size_t>(range_.end) + 1);
   // T is gone once Z has left it, and with it what is measured on it.
   const auto absent = [&](std::size_t k) {
-    return plot.figure != Figure::zero_set_vertices &&
-           m.index.stage(static_cast<Step>(k)) == Stage::improve;
+    return plot.figure != Figure::zero_set_vertices && m.index.stage(static_cast<Step>(k)) == Stage::improve;
   };
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (std::size_t k = first; k < last; ++k)
@@ -125,8 +126,8 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
     for (double d = std::pow(decade, std::ceil(std::log10(axis.least))); d <= axis.most; d *= decade) {
       const float y = axis.y(d, top, bottom);
       list.AddLine({low.x, y}, {low.x + size.x, y}, to_u32(ui.colors.line));
-      widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(4), y - ui.px(15)}, to_u32(ui.colors.quiet, 0.8f),
-                         grouped(static_cast<std::size_t>(d)));
+      widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(4), y - ui.px(15)},
+                         to_u32(ui.colors.quiet, 0.8f), grouped(static_cast<std::size_t>(d)));
     }
   // Two values a pixel pair where steps are dense, each step once where they are not.
   const auto columns = static_cast<std::size_t>(size.x);
@@ -187,12 +188,11 @@ void TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const 
 void TimelinePane::plots(Ui& ui) {
   const AppModel& m = ui.model;
   seconds_ = m.plot_time ? &m.index.values(Figure::seconds) : nullptr;
-  std::vector<Plot> all{
-      {"vertices of Z", Figure::zero_set_vertices, ui.colors.text, true, "", 2.2f, true},
-      {"tetrahedra", Figure::tets, ui.colors.accent_text, true, "", 1},
-      {"bad samples", Figure::bad_samples, ui.colors.bad_text, true, "", 1},
-      {"largest ε", Figure::largest_error, ui.colors.warning_text, false, "", 1},
-      {"smallest height", Figure::smallest_height, ui.colors.good_text, false, " δ", 1}};
+  std::vector<Plot> all{{"vertices of Z", Figure::zero_set_vertices, ui.colors.text, true, "", 2.2f, true},
+                        {"tetrahedra", Figure::tets, ui.colors.accent_text, true, "", 1},
+                        {"bad samples", Figure::bad_samples, ui.colors.bad_text, true, "", 1},
+                        {"largest ε", Figure::largest_error, ui.colors.warning_text, false, "", 1},
+                        {"smallest height", Figure::smallest_height, ui.colors.good_text, false, " δ", 1}};
   bool rejections = false;
   for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r)
     rejections = rejections || !m.index.rejections(static_cast<Reason>(r)).empty();

@@ -129,13 +129,11 @@ void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   if (!state || !m.run.journal || m.run.journal->events().empty()) return;
   // A rejection that was chosen is no operation: it is told instead of the one that led here.
   const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
-  const Event* event = chosen          ? &m.run.journal->events()[*chosen]
-                       : state->event ? &*state->event
-                                      : nullptr;
+  const Event* event = chosen ? &m.run.journal->events()[*chosen] : state->event ? &*state->event : nullptr;
   std::string text = event ? describe(*m.run.journal, *event)
                            : "The triangulation of the loose bounding box, before the first Steiner point.";
-  const double enlarged = move_scale(
-      *state, pixels_per_unit(m.camera, static_cast<double>(size.y)) / static_cast<double>(ui.scale));
+  const double enlarged = move_scale(*state, pixels_per_unit(m.camera, static_cast<double>(size.y)) /
+                                                 static_cast<double>(ui.scale));
   if (enlarged > 1 && m.view.highlight.shown())
     text += " (moves drawn " + grouped(static_cast<std::size_t>(enlarged)) + " times as long)";
   if (m.view.moment == Moment::before) text = "before · " + text;
@@ -149,7 +147,7 @@ void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   pill(ui, at, {at.x + text_width + ui.px(30), at.y + high});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool rejected = event && event->kind == EventKind::rejection;
-  const Rgb color = !event ? ui.colors.quiet
+  const Rgb color = !event     ? ui.colors.quiet
                     : rejected ? reason_style(event->reason).color
                     : event->condition != Condition::none
                         ? condition_color(ui.theme, static_cast<int>(event->condition))

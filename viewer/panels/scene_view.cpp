@@ -146,7 +146,8 @@ Pick SceneView::hover_pick(Ui& ui, Area area, bool section) {
   hover_asked_ = true;
   const ImVec2 at = local(io.MousePos, area.low);
   const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
-  return section ? renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height, m.selection.kinds)
+  return section ? renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height,
+                                           m.selection.kinds)
                  : renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds);
 }
 
@@ -156,7 +157,9 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
   const bool hovered = ImGui::IsItemHovered();
   const ImVec2 at = local(io.MousePos, area.low);
   const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
-  const auto under = [&] { return renderer_->point_under(m.camera, m.shown_view(), at.x, at.y, width, height); };
+  const auto under = [&] {
+    return renderer_->point_under(m.camera, m.shown_view(), at.x, at.y, width, height);
+  };
   if (ImGui::IsItemActivated()) {
     pivot_ = under();
     dragged_ = false;
@@ -229,7 +232,8 @@ void SceneView::section_mouse(Ui& ui, Area area) {
   }
   if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
     if (ImGui::IsMouseReleased(0))
-      picked(ui, renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height, m.selection.kinds));
+      picked(ui, renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height,
+                                         m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
   if (hovered && !ImGui::IsAnyMouseDown()) {
@@ -305,7 +309,8 @@ void SceneView::frame_requests(Ui& ui) {
     // An edge on the far side of the model would be framed from within.
     constexpr double facing = 0.3;
     const Vec3 normal = surface_normal(*state, pick);
-    if (squared_length(normal) > 0 && dot(normal, normalized(m.camera.eye() - m.camera.pose().target)) < facing)
+    if (squared_length(normal) > 0 &&
+        dot(normal, normalized(m.camera.eye() - m.camera.pose().target)) < facing)
       m.camera.look_from(normal, false);
   }
   m.camera.frame(box, !m.scripted);

@@ -98,8 +98,8 @@ void status_bar(Ui& ui) {
   if (const auto state = m.state()) {
     if (state->complex.form == ZeroForm::interpolated)
       put(grouped(state->bad_samples) + " bad of " + grouped(state->samples ? state->samples->size() : 0) +
-            " samples",
-        state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+              " samples",
+          state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
     put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
   }
   put(rate_text(m), ui.colors.quiet);

@@ -19,8 +19,8 @@ constexpr std::array<KindLane, 3> kinds{
     {{EventKind::collapse, "collapses", "Edges that were collapsed. §2.4", 0x009E73, MarkerShape::disc},
      {EventKind::relaxation, "relocation sweeps", "Sweeps of relocations and flips over Z.", 0x3D8FD1,
       MarkerShape::diamond},
-     {EventKind::repair, "collapses with repair", "Edges that were collapsed with their neighbourhood repaired.",
-      0xD9A02B, MarkerShape::triangle}}};
+     {EventKind::repair, "collapses with repair",
+      "Edges that were collapsed with their neighbourhood repaired.", 0xD9A02B, MarkerShape::triangle}}};
 
 } // namespace
 
@@ -43,9 +43,9 @@ std::vector<TimelineLane> timeline_lanes(const JournalIndex& index, ThemeKind th
   }
   std::erase_if(lanes, [](const TimelineLane& lane) { return lane.total == 0; });
   while (lanes.size() > most && !lanes.empty())
-    lanes.erase(std::min_element(lanes.begin(), lanes.end(), [](const TimelineLane& a, const TimelineLane& b) {
-      return a.total < b.total;
-    }));
+    lanes.erase(
+        std::min_element(lanes.begin(), lanes.end(),
+                         [](const TimelineLane& a, const TimelineLane& b) { return a.total < b.total; }));
   return lanes;
 }
 

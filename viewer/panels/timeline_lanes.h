@@ -11,8 +11,8 @@
 
 namespace isoscope {
 
-/// One lane. Operations are drawn by their share of the steps, rejections, of which there may be any number at
-/// a step, by the logarithm of their number.
+/// One lane. Operations are drawn by their share of the steps, rejections, of which there may be any number
+/// at a step, by the logarithm of their number.
 struct TimelineLane {
   std::string_view title, help;
   Rgb color = 0;

@@ -142,8 +142,8 @@ void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
   }
 }
 
-// A lane a reason: bars a few pixels wide, as high as the lane's share of the steps below them; for rejections
-// by the logarithm of their number.
+// A lane a reason: bars a few pixels wide, as high as the lane's share of the steps below them; for
+// rejections by the logarithm of their number.
 void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) const {
   const AppModel& m = ui.model;
   const float gap = ui.px(1), least = ui.px(12);

@@ -133,17 +133,19 @@ void stage_chips(Ui& ui, float room) {
       list.AddRectFilled(low, end, to_u32(ui.colors.accent, 0.22f), ui.px(10));
     else if (hovered && begun)
       list.AddRectFilled(low, end, to_u32(ui.colors.hover), ui.px(10));
-    if (shown == stages[i]) list.AddRect(low, end, to_u32(stage_color(ui.theme, stages[i])), ui.px(10), 0, ui.px(1.2f));
+    if (shown == stages[i])
+      list.AddRect(low, end, to_u32(stage_color(ui.theme, stages[i])), ui.px(10), 0, ui.px(1.2f));
     const Rgb color = state == ChipState::running ? ui.colors.accent_text
                       : state == ChipState::done  ? ui.colors.good_text
                                                   : ui.colors.quiet;
     widgets::draw_text(list, ui.fonts.small, {x + pad, at.y + (high - extent.y) / 2},
                        to_u32(color, state == ChipState::left_out ? 0.5f : 1.0f), label);
     widgets::tip(ui, "Stage: " + std::string(stage_title(stages[i])),
-                 std::string(stage_help(stages[i])) + (state == ChipState::running    ? " Under way; click for its beginning."
-                                                       : state == ChipState::done     ? " Done; click for its beginning."
-                                                       : state == ChipState::next     ? " Not begun; a click lets a held run go on until it does."
-                                                                                      : " Left out of this run."));
+                 std::string(stage_help(stages[i])) +
+                     (state == ChipState::running ? " Under way; click for its beginning."
+                      : state == ChipState::done  ? " Done; click for its beginning."
+                      : state == ChipState::next  ? " Not begun; a click lets a held run go on until it does."
+                                                  : " Left out of this run."));
     ImGui::SameLine(0, 0);
   }
   ImGui::PopFont();

@@ -42,7 +42,8 @@ struct Builder {
       if (w >= k.facets.size()) continue;
       const Triangle3& t = k.facets[w];
       for (std::size_t i = 0; i < 3; ++i) line(t[i], t[(i + 1) % 3], rgb(kernel_color), 0.95f, 2.2f);
-      faces.triangle(space.local(t[0]), space.local(t[1]), space.local(t[2]), color8(rgb(kernel_color), 0.4f), 0);
+      faces.triangle(space.local(t[0]), space.local(t[1]), space.local(t[2]), color8(rgb(kernel_color), 0.4f),
+                     0);
     }
   }
 

@@ -73,8 +73,8 @@ void add_arrow(Vec3 from, Vec3 to, const ViewFrame& frame, Color8 tint, LineBuil
   const glm::vec3 a = frame.space.local(from), b = frame.space.local(to);
   lines.segment(a, b, tint, 2.0f);
   const glm::vec3 along = b - a;
-  const float head = std::min(0.35f * glm::length(along),
-                              static_cast<float>(9 * frame.pixel_scale / frame.pixels_per_unit));
+  const float head =
+      std::min(0.35f * glm::length(along), static_cast<float>(9 * frame.pixel_scale / frame.pixels_per_unit));
   glm::vec3 across = glm::cross(along, frame.toward);
   if (glm::length(across) < 1e-6f * glm::length(along)) across = glm::cross(along, glm::vec3(0, 1, 0.1f));
   const glm::vec3 back = b - head * glm::normalize(along), side = 0.5f * head * glm::normalize(across);
@@ -152,7 +152,8 @@ void HighlightLayer::update(const StateSnapshot* state, const ViewFrame& frame) 
           edges.add(std::span(state->removed_tets).first(removed), color8(c.warning, 0.85f), 1.3f, true,
                     operation);
       }
-      const double enlarged = move_scale(*state, frame.pixels_per_unit / static_cast<double>(frame.pixel_scale));
+      const double enlarged =
+          move_scale(*state, frame.pixels_per_unit / static_cast<double>(frame.pixel_scale));
       for (const StateSnapshot::Move& move : state->moves)
         add_arrow(move.before, move.before + enlarged * (move.after - move.before), frame,
                   color8(c.selection, 0.95f), operation);

@@ -16,8 +16,8 @@ Box3 pick_bounds(const StateSnapshot& state, const Pick& pick);
 /// Of Z at a picked edge or vertex, outwards, of unit length; zero where it has no facet of Z.
 Vec3 surface_normal(const StateSnapshot& state, const Pick& pick);
 
-/// By how much the moves of the current operation are enlarged so that a sweep of small ones can be seen: 1, 2
-/// or 5 times a power of ten.
+/// By how much the moves of the current operation are enlarged so that a sweep of small ones can be seen: 1,
+/// 2 or 5 times a power of ten.
 double move_scale(const StateSnapshot& state, double pixels_per_unit);
 
 } // namespace isoscope

@@ -1,4 +1,5 @@
-// One colour, one shape and a few words for every reason: the view, the timeline, lists and help all use them.
+// One colour, one shape and a few words for every reason: the view, the timeline, lists and help all use
+// them.
 #pragma once
 
 #include "journal/event.h"

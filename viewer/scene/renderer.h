@@ -27,7 +27,7 @@ struct FrameRequest {
   float pixel_scale = 1; ///< content scale of the monitor: line widths and disc sizes follow it
   Pick selection, hover;
   std::optional<Vec3> mark; ///< a point to be seen: a witness
-  float pulse = 0; ///< in [0, 1): phase for the highlight of the current operation
+  float pulse = 0;          ///< in [0, 1): phase for the highlight of the current operation
   bool transparent_background = false;
 };
 
@@ -60,8 +60,8 @@ class Renderer {
   Frame render_section(const SectionView& section, const ViewSettings& view, const FrameRequest& request);
 
   /// The nearest element under a framebuffer position (origin top left) that the layers, the filter and the
-  /// clip let see. `kinds`: bit 0 vertices, 1 tetrahedra, 2 samples, 3 edges. `depth_index`: 0 nearest, 1 the next
-  /// deeper ...
+  /// clip let see. `kinds`: bit 0 vertices, 1 tetrahedra, 2 samples, 3 edges. `depth_index`: 0 nearest, 1 the
+  /// next deeper ...
   Pick pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height,
             unsigned kinds, int depth_index = 0) const;
   Pick pick_section(const SectionView& section, const ViewSettings& view, double x, double y, int width,

@@ -27,8 +27,7 @@ void for_each_visible_tet(const StateSnapshot& state, const TetFilter& wanted, c
   filter.changed = wanted.changed && state.added_tets.size() <= most_changed;
   for (std::size_t i = 0; i < count; ++i) {
     if (!state.complex.tets[i].alive()) continue;
-    const TetRole role =
-        tet_role(state.tet_flags[i], filter, state.complex.form == ZeroForm::embedded);
+    const TetRole role = tet_role(state.tet_flags[i], filter, state.complex.form == ZeroForm::embedded);
     if (role == TetRole::hidden) continue;
     const TetId id(i);
     if (clip.active() && !clip.shows_cell(state.complex.positions(id))) continue;

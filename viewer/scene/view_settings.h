@@ -27,7 +27,7 @@ struct TetFilter {
   /// Once Z is embedded: tetrahedra of both sides, or of one.
   enum class Sides : std::uint8_t { both, outer, inner };
   Sides sides = Sides::both;
-  float shrink = 0.85f;     ///< display shrink about the centroid in (0, 1]; not condition 3's factor
+  float shrink = 0.85f; ///< display shrink about the centroid in (0, 1]; not condition 3's factor
   friend bool operator==(const TetFilter&, const TetFilter&) = default;
 };
 
