@@ -1,5 +1,5 @@
 #version 410 core
-// Ring, disc, cross or thin circle, with smooth edges.
+// Rings, discs, crosses, squares, diamonds, triangles, with smooth edges; from 8 on the outline alone.
 #include "frame.glsl"
 in vec3 world;
 flat in vec4 mark_tint;
@@ -20,6 +20,15 @@ void main() {
     vec2 tip = vec2(0.7071) * (radius - arm);
     inside = arm - min(capsule(p, tip), capsule(p, vec2(tip.x, -tip.y)));
   }
+  uint solid = shape & 7u;
+  if (solid == 4u) inside = 0.8 * radius - max(abs(p.x), abs(p.y));
+  if (solid == 5u) inside = 0.7071 * (radius - abs(p.x) - abs(p.y));
+  if (solid == 6u) inside = min(0.5 * radius - p.y, dot(vec2(-0.866, 0.5), vec2(abs(p.x), p.y)) + 0.5 * radius);
+  if (solid == 7u) {
+    float arm = max(0.2 * radius, 0.8 * stroke);
+    inside = arm - min(capsule(p, vec2(radius - arm, 0)), capsule(p, vec2(0, radius - arm)));
+  }
+  if (shape >= 8u) inside = 0.7 * stroke - abs(inside - 0.7 * stroke);
   float alpha = clamp(inside + 0.5, 0.0, 1.0) * mark_tint.a * opacity;
   if (alpha < 0.01) discard;
   colour = vec4(mark_tint.rgb * alpha, alpha);

@@ -22,6 +22,12 @@ std::array<Vec3, 4> EdgeStar::positions_after(const StarTet& t, Vec3 target) con
   return p;
 }
 
+std::pair<VertexId, VertexId> oriented_edge(const Complex& complex, VertexId a, VertexId b) {
+  const bool a_zero = complex.value(a) == 0, b_zero = complex.value(b) == 0;
+  if (a_zero != b_zero) return a_zero ? std::pair(a, b) : std::pair(b, a);
+  return a < b ? std::pair(a, b) : std::pair(b, a);
+}
+
 EdgeKind EdgeStar::kind() const {
   const StarVertex &a = vertices[0], &b = vertices[1];
   if (a.kind == VertexKind::box || b.kind == VertexKind::box) return EdgeKind::other;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace isoscope {
@@ -59,6 +60,9 @@ struct EdgeStar {
   std::array<Vec3, 4> positions_after(const StarTet& t, Vec3 target) const;
   EdgeKind kind() const;
 };
+
+/// The ends of an edge, first the one that stays: the vertex of Z, else the older one.
+std::pair<VertexId, VertexId> oriented_edge(const Complex& complex, VertexId a, VertexId b);
 
 /// A facet of Z in an embedded star that has an end of the edge, counter-clockwise seen from the positive
 /// side; local numbers.

@@ -191,6 +191,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   scene->samples = *samples;
   scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;
 
+  scene->volume = std::make_shared<const ToleranceVolume>(m.volume->without_octree());
   scene->thresholds = m.volume->thresholds();
   scene->regions.assign(m.volume->regions().begin(), m.volume->regions().end());
   scene->boundary_components.assign(m.volume->boundary_components().begin(),

@@ -25,6 +25,7 @@ struct Scene {
   std::shared_ptr<const ClosestPointIndex> index;
   double delta = 0; ///< absolute
   double longest_edge = 0;
+  std::shared_ptr<const ToleranceVolume> volume; ///< without its octree: what evaluations ask
   ToleranceThresholds thresholds;
   std::vector<Region> regions;
   std::vector<BoundaryComponent> boundary_components;

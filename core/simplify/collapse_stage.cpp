@@ -20,13 +20,6 @@ constexpr std::size_t priority_grain = 64;
 /// Samples nearest to the least error that are judged as targets of a ∂Γ collapse.
 constexpr std::size_t most_sample_targets = 24;
 
-/// Of two ends the one that stays: the vertex of Z, else the older one.
-std::pair<VertexId, VertexId> oriented(const Complex& complex, VertexId a, VertexId b) {
-  const bool a_zero = complex.value(a) == 0, b_zero = complex.value(b) == 0;
-  if (a_zero != b_zero) return a_zero ? std::pair(a, b) : std::pair(b, a);
-  return a < b ? std::pair(a, b) : std::pair(b, a);
-}
-
 QueuedEdge ordered(VertexId a, VertexId b, double error, std::uint32_t time) {
   return {error, std::min(a, b), std::max(a, b), time};
 }
@@ -107,7 +100,7 @@ bool CollapseStage::may_be_eligible(VertexId a, VertexId b) const {
 }
 
 double CollapseStage::priority(VertexId a, VertexId b) const {
-  const auto [stays, goes] = oriented(live_.complex(), a, b);
+  const auto [stays, goes] = oriented_edge(live_.complex(), a, b);
   return collapse_priority(live_.star(stays, goes, ring_), settings_);
 }
 
@@ -143,7 +136,7 @@ std::vector<CollapseStage::Candidate> CollapseStage::next_batch(CollapseQueue& q
     if (!live_.alive(e.a) || !live_.alive(e.b) || !live_.adjacent(e.a, e.b)) continue;
     const std::uint32_t last = changed(e.a, e.b);
     if (failures_.failed_since(e.a, e.b, last)) continue;
-    const auto [stays, goes] = oriented(live_.complex(), e.a, e.b);
+    const auto [stays, goes] = oriented_edge(live_.complex(), e.a, e.b);
     Candidate candidate{e, live_.star(stays, goes, ring_), {}, {}};
     if (e.time < last) {
       const double error = collapse_priority(candidate.star, settings_);

@@ -53,6 +53,19 @@ std::vector<RegionSummary> summarize(const Regions& octree) {
 } // namespace
 
 ToleranceVolume::ToleranceVolume() = default;
+
+ToleranceVolume ToleranceVolume::without_octree() const {
+  ToleranceVolume copy;
+  copy.index_ = index_;
+  copy.input_ = input_;
+  copy.thresholds_ = thresholds_;
+  copy.regions_ = regions_;
+  copy.boundary_components_ = boundary_components_;
+  copy.volume_components_ = volume_components_;
+  copy.volume_component_count_ = volume_component_count_;
+  return copy;
+}
+
 ToleranceVolume::ToleranceVolume(ToleranceVolume&&) noexcept = default;
 ToleranceVolume& ToleranceVolume::operator=(ToleranceVolume&&) noexcept = default;
 ToleranceVolume::~ToleranceVolume() = default;

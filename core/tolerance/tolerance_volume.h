@@ -131,6 +131,10 @@ class ToleranceVolume {
   /// it.
   std::optional<std::uint16_t> boundary_component(RegionId region, std::uint32_t volume_component) const;
 
+  /// A copy that knows distances, thresholds and regions and has no octree to ask for more: for those who
+  /// look at a run from another thread.
+  ToleranceVolume without_octree() const;
+
   /// The octree, for the sampler.
   const Regions& octree() const { return *octree_; }
   Regions& octree() { return *octree_; }

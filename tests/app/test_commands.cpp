@@ -64,5 +64,5 @@ TEST_CASE("unknown and impossible commands are refused in words") {
   CHECK(run_command(model, {"kind-tet", {}}).ok());
   CHECK(model.selection.kinds == 2);
   CHECK(run_command(model, {"kind-tet", {}}).ok());
-  CHECK(model.selection.kinds == 7);
+  CHECK(model.selection.kinds == 15);
 }

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 
 using namespace isoscope;
@@ -50,6 +51,36 @@ TEST_CASE("requests are answered, the newest one last") {
   CHECK(notified > 0); // an answer is told before the next is begun
 }
 
+TEST_CASE("near steps are judged from the state before, and far ones anew, alike") {
+  Session session;
+  const SessionSnapshot run = small_run(session);
+  Playhead head(nullptr);
+  PlayheadRequest request;
+  request.journal = run.journal;
+  const Step last = run.journal->steps();
+  // Forwards, backwards, far away, across the tessellation and the departure of Z.
+  std::vector<Step> steps;
+  for (Step k = 0; k <= last; k += std::max<Step>(1, last / 40)) steps.push_back(k);
+  for (Step k = 0; k < 40 && k < last; ++k) steps.push_back(last - k);
+  steps.insert(steps.end(), {0, last, 1, last / 2});
+  for (const Step step : steps) {
+    request.step = step;
+    head.request(request);
+    head.wait();
+    Playback fresh(run.journal);
+    const auto alone = make_snapshot(fresh, step, {}, nullptr);
+    const auto& state = *head.result()->state;
+    CAPTURE(step);
+    CHECK(state.complex == alone->complex);
+    CHECK(state.tet_flags == alone->tet_flags);
+    CHECK(state.errors == alone->errors);
+    CHECK(state.heights == alone->heights);
+    CHECK(state.sample_tets == alone->sample_tets);
+    CHECK(state.bad_samples == alone->bad_samples);
+    CHECK(state.removed_facets == alone->removed_facets);
+  }
+}
+
 TEST_CASE("previews judge the state shown by other parameters") {
   Session session;
   const SessionSnapshot run = small_run(session);
@@ -58,7 +89,10 @@ TEST_CASE("previews judge the state shown by other parameters") {
   PlayheadRequest request;
   request.generation = run.generation;
   request.journal = run.journal;
-  request.step = run.journal->steps();
+  // Where the refinement ends: later steps have no margin.
+  for (Step k = 0; k < run.journal->steps(); ++k)
+    if (run.journal->events()[run.journal->operations()[k].event].stage == Stage::refinement)
+      request.step = k + 1;
   head.request(request);
   CriteriaParameters criteria = run.journal->parameters_at(request.step);
   head.wait();

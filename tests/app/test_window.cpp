@@ -165,6 +165,99 @@ TEST_CASE("pictures look as they should") {
   for (const char* name : {"scene", "split", "inspector", "gallery"}) compare(name);
 }
 
+TEST_CASE("a whole run is watched through its stages, and edges are asked why they stayed") {
+  CHECK(run_script("stages", R"(
+wait settled
+expect phase == finished and certified == on and form == free
+expect count.collapse > 100 and count.insertion > 100
+stage gamma
+expect state_step == begin.gamma and form == interpolated
+stage tessellation
+expect form == interpolated
+step
+expect form == embedded and stage == tessellation and facets_added > 100
+stage zero-set
+next-event collapse
+expect event.kind == collapse and selection == edge and facets_removed > 0 and vertices_moved > 0
+expect xray.verdict == possible and xray.agrees == on and xray.kernel_radius > 0
+set moment before
+expect moment == before
+set moment both
+blink
+wait 1
+blink
+expect moment == both
+next-event rejection outside-tolerance zero-set
+expect event.kind == rejection and event.reason == outside-tolerance and selection == edge
+expect event.value > event.limit and xray.agrees == on and xray.verdict == outside-tolerance
+expect xray.containment == failed and xray.link == passed and xray.kernel == passed
+expect xray.kernel_faces >= 4 and xray.recorded >= 1 and xray.candidates == failed
+witness
+next-event rejection
+previous-event rejection
+expect event.kind == rejection
+next-event link-condition
+expect xray.offenders > 0 and xray.link == failed
+set xray.target general
+expect xray.halfedge == off
+set xray.target automatic
+filter rejection zero-set
+next-event
+expect event.kind == rejection
+filter
+clear
+expect xray.verdict == none and event.kind == none
+stage improve
+step
+expect form == free
+pick facet 0
+expect selection == facet
+tab plots
+set plots.over seconds
+stage all
+expect state_step == begin.all
+quit
+)",
+                   "gallery:bracket") == 0);
+}
+
+TEST_CASE("stages are left out and ended early as asked") {
+  CHECK(run_script("short", R"(
+wait settled
+expect form == embedded and phase == finished and certified == on
+expect begin.gamma == nan and begin.all == nan
+set until improve
+restart
+wait settled
+expect form == free
+quit
+)",
+                   "gallery:sphere --tolerance 12% --until zero-set --skip gamma") == 0);
+}
+
+TEST_CASE("a held run goes on until a stage begins") {
+  CHECK(run_script("until-stage", R"(
+open gallery:sphere paused
+wait settled
+stage zero-set
+wait settled
+expect phase == paused and form == embedded
+hold
+wait settled
+expect phase == finished
+quit
+)") == 0);
+}
+
+TEST_CASE("the X-ray and the plots look as they should") {
+  const std::string script =
+      "wait settled\nstage zero-set\nnext-event collapse zero-set\nscreenshot " + picture("xray") +
+      "\nclear\nframe-all\nset clip plane\nset tets.all on\nsplit\ntab plots\nscreenshot " +
+      picture("sides") + "\nquit\n";
+  REQUIRE(run_script("edge-pictures", script) == 0);
+  for (const char* name : {"xray", "sides"}) compare(name);
+}
+
 TEST_CASE("a real mouse and keyboard drive the window") {
   if (exit_of("command -v xdotool >/dev/null") != 0) {
     MESSAGE("xdotool is not there: skipped");
@@ -202,6 +295,6 @@ TEST_CASE("without a display there is a clear word and status 2") {
 TEST_CASE("wrong options are refused without a window") {
   CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --size 10 2>/dev/null") == 2);
   CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --alpha 7 2>/dev/null") == 2);
-  CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --until improve 2>/dev/null") == 2);
+  CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --until never 2>/dev/null") == 2);
   CHECK(exit_of(std::string(ISOSCOPE_PROGRAM) + " --help >/dev/null") == 0);
 }

@@ -26,7 +26,7 @@ CameraPose first_pose() {
 
 } // namespace
 
-AppModel::AppModel(std::function<void()> notify) : playhead(notify), grid(notify) {
+AppModel::AppModel(std::function<void()> notify) : playhead(notify), probe(notify), grid(notify) {
   camera.set(first_pose());
 }
 
@@ -59,7 +59,8 @@ bool AppModel::draft_needs_restart() const {
   const RunParameters& p = run.parameters;
   return draft.input != p.input || draft.tolerance.value != p.tolerance.value ||
          draft.tolerance.percent != p.tolerance.percent || draft.containment != p.containment ||
-         draft.topology != p.topology;
+         draft.topology != p.topology || draft.until != p.until || draft.skipped != p.skipped ||
+         draft.target != p.target || draft.cost_ring != p.cost_ring || draft.effort != p.effort;
 }
 
 bool AppModel::draft_differs() const {
@@ -104,7 +105,9 @@ void AppModel::take_run() {
     result_.reset();
     asked_.reset();
     preview_asked_.reset();
-    selection.picked = selection.hovered = {};
+    selection.pick({});
+    selection.hovered = {};
+    xray_asked_.reset();
     index.reset(nullptr);
     error_seen_.clear();
   }
@@ -148,6 +151,61 @@ void AppModel::request_state() {
   playhead.request(std::move(wanted));
 }
 
+std::optional<std::uint32_t> AppModel::selected_event() const {
+  const auto shown = state();
+  if (!shown || !run.journal || selection.picked.kind != Pick::Kind::edge) return std::nullopt;
+  if (selection.event && *selection.event < run.journal->events().size()) {
+    const Event& e = run.journal->events()[*selection.event];
+    if (e.step == shown->step || (e.operation && e.step + 1 == shown->step)) return selection.event;
+  }
+  return edge_event(*run.journal, shown->step, VertexId(selection.picked.id),
+                    VertexId(selection.picked.other));
+}
+
+ViewSettings AppModel::shown_view() const {
+  ViewSettings shown = view;
+  const auto now = state();
+  if (now && now->complex.form == ZeroForm::free) shown.samples.visible = false;
+  if (!view.focus || selection.picked.kind != Pick::Kind::edge) return shown;
+  constexpr float step_back = 0.35f;
+  shown.samples.visible = false;
+  shown.outer.opacity *= step_back;
+  shown.inner.opacity *= step_back;
+  shown.tets.changed = false;
+  return shown;
+}
+
+std::shared_ptr<const EdgeXray> AppModel::xray() const {
+  const auto newest = probe.result();
+  return newest && xray_asked_ && newest->request == *xray_asked_ && newest->request.state == state()
+             ? newest->xray
+             : nullptr;
+}
+
+void AppModel::request_xray() {
+  if (selection.picked.kind != Pick::Kind::edge) xray_asked_.reset();
+  const auto shown = state();
+  if (!shown || !run.journal || !run.scene || selection.picked.kind != Pick::Kind::edge) return;
+  ProbeRequest wanted;
+  wanted.state = shown;
+  wanted.journal = run.journal;
+  wanted.scene = run.scene;
+  wanted.index = sample_index();
+  wanted.parameters = run.parameters;
+  wanted.question = {VertexId(selection.picked.id), VertexId(selection.picked.other), selected_event(),
+                     selection.target};
+  if (xray_asked_ == wanted) return;
+  xray_asked_ = wanted;
+  probe.request(std::move(wanted));
+}
+
+// Half a second each, on the model's clock.
+void AppModel::blink() {
+  constexpr double period = 1.0;
+  if (!blinking) return;
+  view.moment = std::fmod(clock, period) < period / 2 ? Moment::before : Moment::after;
+}
+
 bool AppModel::update(double seconds) {
   const SessionPhase phase = run.phase;
   const auto step_before = transport.step();
@@ -178,12 +236,16 @@ bool AppModel::update(double seconds) {
       playhead.request_preview(criteria);
     }
   }
+  const Moment moment = view.moment;
+  blink();
+  changed |= moment != view.moment || !probe.idle();
+  request_xray();
   changed |= camera.update(scripted ? 1.0 : seconds);
   return changed;
 }
 
 bool AppModel::state_is_current() const {
-  if (!playhead.idle() || !index.complete() || grid.working()) return false;
+  if (!playhead.idle() || !probe.idle() || !index.complete() || grid.working()) return false;
   if (!run.journal) return true;
   return result_ && asked_ && result_->request == *asked_ && asked_->step == transport.step() &&
          (!transport.moving() || transport.step() >= live_step());

@@ -2,9 +2,11 @@
 // a frame.
 #pragma once
 
+#include "app/event_filter.h"
 #include "app/grid_loader.h"
 #include "app/journal_index.h"
 #include "app/playhead.h"
+#include "app/probe.h"
 #include "app/settings.h"
 #include "app/transport.h"
 #include "run/session.h"
@@ -58,7 +60,17 @@ struct WindowRequests {
 /// What is selected and hovered, and which kinds a pick may hit.
 struct Selection {
   Pick picked, hovered;
-  unsigned kinds = 7; ///< bit 0 vertices, 1 tetrahedra, 2 samples
+  unsigned kinds = 15; ///< bit 0 vertices, 1 tetrahedra and facets, 2 samples, 3 edges
+  /// An event of the journal whose edge is picked: its own moment is judged.
+  std::optional<std::uint32_t> event;
+  std::optional<Vec3> mark; ///< a witness that was asked for
+  XrayTarget target = XrayTarget::automatic;
+
+  void pick(const Pick& other) {
+    picked = other;
+    event.reset();
+    mark.reset();
+  }
 };
 
 class AppModel {
@@ -70,6 +82,7 @@ class AppModel {
   Session session;
   SessionSnapshot run; ///< taken once a frame
   Playhead playhead;
+  Probe probe;
   GridLoader grid;
   JournalIndex index;
   Transport transport;
@@ -82,6 +95,9 @@ class AppModel {
   Renderer::SectionView section;
   bool section_set = false; ///< a person or a script has chosen the section's place
   Selection selection;
+  EventFilter filter;     ///< of the event list
+  bool plot_time = false; ///< plots over seconds instead of steps
+  bool blinking = false;  ///< before and after of the operation in turn
   Settings settings;
   Overlay overlay = Overlay::none;
   std::deque<Message> messages;
@@ -109,6 +125,13 @@ class AppModel {
   /// The state shown; may be null.
   std::shared_ptr<const StateSnapshot> state() const { return result_ ? result_->state : nullptr; }
   std::shared_ptr<const SampleIndex> sample_index() const { return result_ ? result_->index : nullptr; }
+  /// The view as it is drawn and picked: what hides a selected edge steps back, and so do samples once they
+  /// are no longer asked.
+  ViewSettings shown_view() const;
+  /// The X-ray of the picked edge at the state shown; null while it is made and where there is none.
+  std::shared_ptr<const EdgeXray> xray() const;
+  /// The event that the selection speaks of at the step shown, if any.
+  std::optional<std::uint32_t> selected_event() const;
   Step live_step() const { return run.journal ? run.journal->steps() : 0; }
   bool running() const { return run.phase == SessionPhase::preparing || run.phase == SessionPhase::running; }
   /// The play head moves, or will as soon as the run makes a step.
@@ -124,11 +147,14 @@ class AppModel {
  private:
   void take_run();
   void request_state();
+  void request_xray();
+  void blink();
   void place_view();
   std::shared_ptr<const PlayheadResult> result_;
   std::uint64_t generation_ = 0;
   std::uint64_t framed_generation_ = 0;
   std::optional<PlayheadRequest> asked_;
+  std::optional<ProbeRequest> xray_asked_;
   std::optional<CriteriaParameters> preview_asked_;
   std::shared_ptr<const StateSnapshot> preview_state_;
   std::shared_ptr<const Scene> scene_seen_;

@@ -6,6 +6,8 @@
 #include "app/words.h"
 #include "input/mesh_io.h"
 #include "mesh/zero_set.h"
+#include "scene/pick_geometry.h"
+#include "scene/picking.h"
 
 #include <algorithm>
 #include <array>
@@ -214,7 +216,7 @@ Status hold_or_resume(AppModel& model, const Arguments&) {
 
 Status apply_parameters(AppModel& model, const Arguments&) {
   if (model.draft_needs_restart())
-    return Error{ErrorCode::usage, "These parameters change Ω itself and need a new run.",
+    return Error{ErrorCode::usage, "These parameters belong to the whole run: they need a new one.",
                  "Use Restart (Ctrl+R)."};
   if (Status s = check(model.draft); !s) return s;
   model.apply();
@@ -223,17 +225,33 @@ Status apply_parameters(AppModel& model, const Arguments&) {
 
 Status pick_element(AppModel& model, const Arguments& a) {
   const auto state = model.state();
-  if (a.size() != 2 || !state) return usage("pick", "A kind and a number are needed.");
-  const auto id = parse_number(a[1]);
-  if (!id || *id < 0 || *id > 4e9) return usage("pick", "\"" + a[1] + "\" is not a number of an element.");
+  const bool edge = !a.empty() && a[0] == "edge";
+  if (a.size() != (edge ? 3 : 2) || !state) return usage("pick", "A kind and a number are needed.");
+  std::array<std::uint32_t, 2> ids{Pick().id, Pick().id};
+  for (std::size_t i = 1; i < a.size(); ++i) {
+    const auto id = parse_number(a[i]);
+    if (!id || *id < 0 || *id > 4e9) return usage("pick", "\"" + a[i] + "\" is not a number of an element.");
+    ids.at(i - 1) = static_cast<std::uint32_t>(*id);
+  }
   Pick pick;
-  pick.id = static_cast<std::uint32_t>(*id);
+  pick.id = ids[0];
+  pick.other = ids[1];
   const Complex& t = state->complex;
   const Error absent{ErrorCode::usage, "There is no " + a[0] + " " + a[1] + " at this step.", ""};
   if (a[0] == "vertex") {
     if (pick.id >= t.vertices.size()) return absent;
     pick.kind = Pick::Kind::vertex;
     pick.point = t.vertices[pick.id].position;
+  } else if (edge) {
+    pick.kind = Pick::Kind::edge;
+    const auto ends = edge_positions(*state, pick);
+    if (!ends || pick.id == pick.other) return absent;
+    pick.point = 0.5 * ((*ends)[0] + (*ends)[1]);
+  } else if (a[0] == "facet") {
+    pick.kind = Pick::Kind::facet;
+    const Box3 box = pick_bounds(*state, pick);
+    if (box.empty()) return absent;
+    pick.point = box.center();
   } else if (a[0] == "tet") {
     if (pick.id >= t.tets.size() || !t.tets[pick.id].alive()) return absent;
     pick.kind = Pick::Kind::tet;
@@ -246,7 +264,7 @@ Status pick_element(AppModel& model, const Arguments& a) {
   } else {
     return usage("pick", "\"" + a[0] + "\" is not a kind of element.");
   }
-  model.selection.picked = pick;
+  model.selection.pick(pick);
   return {};
 }
 
@@ -260,12 +278,12 @@ Status clear_selection(AppModel& model, const Arguments&) {
   if (model.overlay != Overlay::none)
     model.overlay = Overlay::none;
   else
-    model.selection.picked = {};
+    model.selection.pick({});
   return {};
 }
 
 Status restrict_kind(AppModel& model, unsigned kind) {
-  model.selection.kinds = model.selection.kinds == kind ? 7 : kind;
+  model.selection.kinds = model.selection.kinds == kind ? pick_all : kind;
   return {};
 }
 

@@ -23,6 +23,13 @@ Status hold_or_resume(AppModel& model, const Arguments& arguments);
 Status apply_parameters(AppModel& model, const Arguments& arguments);
 
 Status pick_element(AppModel& model, const Arguments& arguments);
+Status pick_operation(AppModel& model, const Arguments& arguments);
+Status go_to_event(AppModel& model, const Arguments& arguments);
+Status next_event(AppModel& model, const Arguments& arguments, int direction);
+Status go_to_stage(AppModel& model, const Arguments& arguments);
+Status filter_events(AppModel& model, const Arguments& arguments);
+Status mark_witness(AppModel& model, const Arguments& arguments);
+Status toggle_blink(AppModel& model, const Arguments& arguments);
 Status pick_worst(AppModel& model, const Arguments& arguments);
 Status clear_selection(AppModel& model, const Arguments& arguments);
 Status restrict_kind(AppModel& model, unsigned kind);

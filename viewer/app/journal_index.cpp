@@ -25,6 +25,8 @@ bool JournalIndex::update(std::size_t budget) {
       stages_.back().end = event.step;
       stages_.back().open = false;
     }
+    if (event.kind == EventKind::rejection)
+      rejections_[static_cast<std::size_t>(event.reason)].push_back(event.step);
     if (event.kind == EventKind::parameter_change || event.kind == EventKind::warning ||
         event.kind == EventKind::topology_check || event.kind == EventKind::stopped)
       marks_.push_back({event.step, static_cast<std::uint32_t>(events_), event.kind});
@@ -34,7 +36,16 @@ bool JournalIndex::update(std::size_t budget) {
     const Event& event = journal_->events()[operation.event];
     any = true;
     conditions_.push_back(static_cast<std::uint8_t>(event.condition));
+    const float spent = operation.figures.seconds;
+    auto& seconds = figures_[static_cast<std::size_t>(Figure::seconds)];
+    // Seconds are those of a stage; where they begin anew another one has begun.
+    if (!seconds.empty() &&
+        (event.stage != stage(static_cast<Step>(k - 1)) || seconds_before_ + spent < seconds.back()))
+      seconds_before_ = seconds.back();
+    seconds.push_back(seconds_before_ + spent);
     stage_of_.push_back(static_cast<std::uint8_t>(event.stage));
+    kind_of_.push_back(static_cast<std::uint8_t>(event.kind));
+    operations_[static_cast<std::size_t>(event.kind)].push_back(static_cast<Step>(k));
     for (std::size_t c = 0; c < sums_.size(); ++c)
       sums_[c].push_back(sums_[c].back() + (c == static_cast<std::size_t>(event.condition) ? 1u : 0u));
     const StepFigures& f = operation.figures;
@@ -42,6 +53,7 @@ bool JournalIndex::update(std::size_t budget) {
     figures_[1].push_back(f.largest_error);
     figures_[2].push_back(static_cast<float>(f.zero_set_vertices));
     figures_[3].push_back(f.smallest_height);
+    figures_[4].push_back(static_cast<float>(f.tets));
   }
   if (!stages_.empty() && stages_.back().open) stages_.back().end = std::max(stages_.back().end, steps());
   return any;
@@ -59,6 +71,29 @@ std::array<std::uint32_t, condition_count> JournalIndex::counts(Step begin, Step
   for (std::size_t c = 0; c < sums_.size(); ++c)
     n[c] = sums_[c].empty() ? 0 : sums_[c][end] - sums_[c][begin];
   return n;
+}
+
+namespace {
+
+std::uint32_t count_within(const std::vector<Step>& ascending, Step begin, Step end) {
+  const auto first = std::lower_bound(ascending.begin(), ascending.end(), begin);
+  return static_cast<std::uint32_t>(std::lower_bound(first, ascending.end(), end) - first);
+}
+
+} // namespace
+
+std::uint32_t JournalIndex::count(EventKind kind, Step begin, Step end) const {
+  return count_within(operations_[static_cast<std::size_t>(kind)], begin, end);
+}
+
+std::uint32_t JournalIndex::rejections(Reason reason, Step begin, Step end) const {
+  return count_within(rejections_[static_cast<std::size_t>(reason)], begin, end);
+}
+
+std::optional<Step> JournalIndex::begin_of(Stage stage) const {
+  for (const StageSpan& span : stages_)
+    if (span.stage == stage) return span.begin;
+  return std::nullopt;
 }
 
 std::optional<Step> JournalIndex::next_change(Step from) const {

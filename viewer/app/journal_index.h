@@ -13,8 +13,15 @@
 namespace isoscope {
 
 /// What the plots draw, one value an operation.
-enum class Figure : std::uint8_t { bad_samples, largest_error, zero_set_vertices, smallest_height };
-constexpr int figure_count = 4;
+enum class Figure : std::uint8_t {
+  bad_samples,
+  largest_error,
+  zero_set_vertices,
+  smallest_height,
+  tets,
+  seconds
+};
+constexpr int figure_count = 6;
 
 class JournalIndex {
  public:
@@ -44,7 +51,20 @@ class JournalIndex {
   Condition condition(Step step) const { return static_cast<Condition>(conditions_[step]); }
   /// How many of the operations in [begin, end) each condition asked for.
   std::array<std::uint32_t, condition_count> counts(Step begin, Step end) const;
-  /// Values by operation: value k is the figure after step k + 1.
+  Stage stage(Step step) const { return static_cast<Stage>(stage_of_[step]); }
+  EventKind kind(Step step) const { return static_cast<EventKind>(kind_of_[step]); }
+  /// How many of the operations in [begin, end) are of a kind.
+  std::uint32_t count(EventKind kind, Step begin, Step end) const;
+  /// How many edges were rejected for a reason while the step was in [begin, end); with end = steps() + 1
+  /// also those after the last operation.
+  std::uint32_t rejections(Reason reason, Step begin, Step end) const;
+  /// The steps of the rejections for a reason, ascending.
+  const std::vector<Step>& rejections(Reason reason) const {
+    return rejections_[static_cast<std::size_t>(reason)];
+  }
+  /// The first step of a stage, where it has begun.
+  std::optional<Step> begin_of(Stage stage) const;
+  /// Values by operation. `seconds` runs on from stage to stage: value k is the figure after step k + 1.
   const std::vector<float>& values(Figure figure) const { return figures_[static_cast<std::size_t>(figure)]; }
   const std::vector<StageSpan>& stages() const { return stages_; }
   const std::vector<Mark>& marks() const { return marks_; }
@@ -56,7 +76,10 @@ class JournalIndex {
  private:
   std::shared_ptr<const Journal> journal_;
   std::size_t events_ = 0;
-  std::vector<std::uint8_t> conditions_, stage_of_;
+  std::vector<std::uint8_t> conditions_, stage_of_, kind_of_;
+  std::array<std::vector<Step>, event_kind_count> operations_;   ///< steps by kind, ascending
+  std::array<std::vector<Step>, reason_count> rejections_;       ///< steps by reason, ascending
+  float seconds_before_ = 0;                                     ///< of the stages before the present one
   std::array<std::vector<std::uint32_t>, condition_count> sums_; ///< prefix sums, one longer than conditions_
   std::array<std::vector<float>, figure_count> figures_;
   std::vector<StageSpan> stages_;

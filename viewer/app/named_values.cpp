@@ -1,26 +1,19 @@
 // The table of named values.
 #include "app/named_values.h"
 
+#include "app/named_table.h"
 #include "app/words.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace isoscope {
 namespace {
 
-using Table = std::vector<NamedValue>;
-
-std::string text_of(double value) {
-  std::ostringstream out;
-  out.precision(std::numeric_limits<double>::max_digits10 - 2);
-  out << value;
-  return out.str();
-}
+using Table = NamedTable;
 
 Error wrong(const std::string& text, const std::string& wanted) {
   return {ErrorCode::usage, "\"" + text + "\" is not " + wanted + ".", ""};
@@ -69,11 +62,6 @@ void add_choice(Table& t, std::string name, std::string help, std::vector<std::s
                }});
 }
 
-void add_reading(Table& t, std::string name, std::string help,
-                 std::function<std::string(const AppModel&)> get) {
-  t.push_back({std::move(name), std::move(help), std::move(get), nullptr});
-}
-
 void add_parameters(Table& t) {
   add_number(
       t, "alpha", "α, margin of condition 1", [](auto& m) -> auto& { return m.draft.alpha; }, 0.01, 0.99);
@@ -104,6 +92,36 @@ void add_parameters(Table& t) {
       t, "condition-3", "orientation", [](auto& m) -> auto& { return m.draft.condition_3; });
   add_switch(
       t, "condition-4", "topology", [](auto& m) -> auto& { return m.draft.condition_4; });
+}
+
+void add_stages(Table& t) {
+  t.push_back({"until", "the last stage; default: improve in certified mode, all in sampled mode",
+               [](const AppModel& m) { return std::string(name(m.draft.last_stage())); },
+               [](AppModel& m, const std::string& text) -> Status {
+                 if (text == "default") {
+                   m.draft.until.reset();
+                   return {};
+                 }
+                 for (int i = static_cast<int>(Stage::refinement); i < stage_count; ++i)
+                   if (name(static_cast<Stage>(i)) == text) {
+                     m.draft.until = static_cast<Stage>(i);
+                     return {};
+                   }
+                 return wrong(text, "a stage, or default");
+               }});
+  for (const Stage stage : {Stage::gamma, Stage::zero_set, Stage::all, Stage::improve}) {
+    const auto i = static_cast<std::size_t>(stage);
+    add_switch(t, "skip." + std::string(name(stage)), "the stage is left out",
+               [i](auto& m) -> decltype(auto) { return (m.draft.skipped[i]); });
+  }
+  add_choice(
+      t, "target", "how targets of collapses are looked for",
+      {"optimum", "constraints", "sampling", "octree"}, [](auto& m) -> auto& { return m.draft.target; });
+  add_choice(
+      t, "cost-ring", "whose planes make the error of a collapse", {"one", "two"},
+      [](auto& m) -> auto& { return m.draft.cost_ring; });
+  add_number(
+      t, "effort", "of the improver, 0 to 3", [](auto& m) -> auto& { return m.draft.effort; }, 0, 3);
 }
 
 Status set_normal(AppModel& m, const std::string& text) {
@@ -141,6 +159,24 @@ void add_view(Table& t) {
   add_number(
       t, "sample-size", "size of samples, pixels", [](auto& m) -> auto& { return m.view.sample_size; }, 1,
       30);
+  add_switch(
+      t, "side-tint", "tetrahedra in the colour of their side",
+      [](auto& m) -> auto& { return m.view.side_tint; });
+  add_switch(
+      t, "focus", "with an edge selected samples, Ω and changed tetrahedra step back",
+      [](auto& m) -> auto& { return m.view.focus; });
+  add_choice(
+      t, "moment", "which side of the operation is drawn", {"both", "before", "after"},
+      [](auto& m) -> auto& { return m.view.moment; });
+  add_choice(
+      t, "tets.sides", "tetrahedra of which sides, once Z is embedded", {"both", "outer", "inner"},
+      [](auto& m) -> auto& { return m.view.tets.sides; });
+  add_choice(
+      t, "xray.target", "which targets the X-ray looks for", {"automatic", "halfedge", "general"},
+      [](auto& m) -> auto& { return m.selection.target; });
+  add_choice(
+      t, "plots.over", "what plots are drawn over", {"steps", "seconds"},
+      [](auto& m) -> auto& { return m.plot_time; });
   add_switch(
       t, "axes", "axes drawn", [](auto& m) -> auto& { return m.view.axes; });
   add_switch(
@@ -195,66 +231,10 @@ void add_view(Table& t) {
       t, "ui-scale", "size of the interface", [](auto& m) -> auto& { return m.settings.ui_scale; }, 0.5, 4);
 }
 
-void add_readings(Table& t) {
-  const auto of_state = [&](const char* name, const char* help, auto get) {
-    add_reading(t, name, help, [get](const AppModel& m) {
-      const auto state = m.state();
-      return state ? text_of(static_cast<double>(get(*state))) : std::string("nan");
-    });
-  };
-  add_reading(t, "step", "the step shown",
-              [](const AppModel& m) { return std::to_string(m.transport.step()); });
-  of_state("state_step", "the step of the state that is drawn",
-           [](const StateSnapshot& s) { return s.step; });
-  add_reading(t, "steps", "operations so far",
-              [](const AppModel& m) { return std::to_string(m.live_step()); });
-  add_reading(t, "events", "events so far", [](const AppModel& m) {
-    return std::to_string(m.run.journal ? m.run.journal->events().size() : 0);
-  });
-  add_reading(t, "phase", "what the run is doing",
-              [](const AppModel& m) { return std::string(phase_word(m.run.phase)); });
-  add_reading(t, "transport", "what the play head is doing",
-              [](const AppModel& m) { return std::string(transport_word(m.transport.mode())); });
-  of_state("bad_samples", "samples with ε ≥ 1", [](const StateSnapshot& s) { return s.bad_samples; });
-  of_state("beyond_margin", "samples with ε > 1 − α", [](const StateSnapshot& s) { return s.beyond_margin; });
-  of_state("violating_2", "tetrahedra that violate condition 2",
-           [](const StateSnapshot& s) { return s.violating_2; });
-  of_state("violating_3", "tetrahedra that violate condition 3",
-           [](const StateSnapshot& s) { return s.violating_3; });
-  of_state("largest_error", "the largest ε", [](const StateSnapshot& s) { return s.largest_error; });
-  of_state("samples", "samples in S",
-           [](const StateSnapshot& s) { return s.samples ? s.samples->size() : 0; });
-  of_state("tets", "tetrahedra of T", [](const StateSnapshot& s) { return s.complex.alive_tets(); });
-  of_state("vertices", "vertices of T", [](const StateSnapshot& s) { return s.complex.vertices.size(); });
-  of_state("zero_vertices", "vertices of Z",
-           [](const StateSnapshot& s) { return s.zero_set.vertices.size(); });
-  of_state("components", "components of Z",
-           [](const StateSnapshot& s) { return s.zero_set.components.size(); });
-  of_state("euler", "Euler characteristic of Z",
-           [](const StateSnapshot& s) { return s.zero_set.euler_characteristic(); });
-  add_reading(t, "selection", "what is selected: none, vertex, tet or sample",
-              [](const AppModel& m) { return std::string(pick_word(m.selection.picked.kind)); });
-  add_reading(t, "selected_id", "its number", [](const AppModel& m) {
-    return m.selection.picked.kind == Pick::Kind::none ? std::string("nan")
-                                                       : std::to_string(m.selection.picked.id);
-  });
-  add_reading(t, "certified", "whether the finished run's mesh is proven", [](const AppModel& m) {
-    return std::string(m.run.result && m.run.result->certificate.holds() ? "on" : "off");
-  });
-  add_reading(t, "model", "what is open", [](const AppModel& m) { return m.run.parameters.input; });
-  add_reading(t, "messages", "messages shown",
-              [](const AppModel& m) { return std::to_string(m.messages.size()); });
-  add_reading(t, "distance", "of the camera from its target",
-              [](const AppModel& m) { return text_of(m.camera.pose().distance); });
-  add_reading(t, "heading", "x of the camera's backward axis", [](const AppModel& m) {
-    const auto& q = m.camera.pose().orientation;
-    return text_of(2 * (q[0] * q[2] + q[3] * q[1]));
-  });
-}
-
 Table make_table() {
   Table t;
   add_parameters(t);
+  add_stages(t);
   add_view(t);
   add_readings(t);
   return t;

@@ -21,6 +21,7 @@ struct Playhead::Impl {
   // The worker's own.
   std::unique_ptr<Playback> playback;
   std::shared_ptr<const SampleIndex> index;
+  std::shared_ptr<const StateSnapshot> last; ///< of the playback's journal: near steps are judged from it
   std::thread worker;
 
   void run();
@@ -38,6 +39,7 @@ std::shared_ptr<const PlayheadResult> Playhead::Impl::answer(const PlayheadReque
   if (!playback || &playback->journal() != request.journal.get()) {
     playback = std::make_unique<Playback>(request.journal);
     index.reset();
+    last.reset();
   }
   const NearestSample* nearest = nullptr;
   if (request.options.orientation) {
@@ -48,7 +50,8 @@ std::shared_ptr<const PlayheadResult> Playhead::Impl::answer(const PlayheadReque
   options.orientation = options.orientation && nearest != nullptr;
   auto made = std::make_shared<PlayheadResult>();
   made->request = request;
-  made->state = make_snapshot(*playback, request.step, options, nearest);
+  made->state = make_snapshot(*playback, request.step, options, nearest, last.get());
+  last = made->state;
   made->index = index;
   return made;
 }

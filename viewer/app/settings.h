@@ -12,7 +12,7 @@ namespace isoscope {
 
 /// Sizes in units of the interface, before scaling.
 struct PaneLayout {
-  float left = 300, right = 340, bottom = 190;
+  float left = 300, right = 340, bottom = 232;
   bool show_left = true, show_right = true, show_bottom = true;
   int tab = 0; ///< of the bottom pane: timeline, plots, events
 };

@@ -146,6 +146,13 @@ Rgb condition_color(ThemeKind theme, int condition) {
   return colors.at(static_cast<std::size_t>(std::clamp(condition, 0, 6)));
 }
 
+Rgb stage_color(ThemeKind theme, Stage stage) {
+  const Palette& c = palette(theme);
+  const std::array<Rgb, stage_count> colors{c.quiet, c.accent, 0x3D8FD1, 0x8C6BD8,
+                                            c.good,  0x7FA83C, 0xD9A02B};
+  return colors.at(static_cast<std::size_t>(stage));
+}
+
 Result<Fonts> load_fonts(ImFontAtlas& atlas, float scale) {
   atlas.Clear();
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();

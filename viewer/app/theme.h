@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/status.h"
+#include "journal/event.h"
 #include "scene/view_settings.h"
 
 #include <imgui.h>
@@ -31,6 +32,9 @@ ImVec4 to_vec(Rgb color, float alpha = 1.0f);
 ImU32 to_u32(Rgb color, float alpha = 1.0f);
 /// The colour of a condition's marks in timeline, events and legend; index by Condition.
 Rgb condition_color(ThemeKind theme, int condition);
+
+/// The colour of a stage in the timeline, the chips and the plots.
+Rgb stage_color(ThemeKind theme, Stage stage);
 
 /// Fonts at one scale; owned by the atlas.
 struct Fonts {

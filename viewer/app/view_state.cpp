@@ -63,14 +63,16 @@ json filter_json(const TetFilter& f) {
           {"all", f.all},
           {"box", f.box},
           {"recent", f.recent},
-          {"shrink", f.shrink}};
+          {"shrink", f.shrink},
+          {"sides", static_cast<int>(f.sides)}};
 }
 
 bool read_filter(const json& o, TetFilter& f) {
   return read(o, "zero", f.carry_zero_set) && read(o, "violate_1", f.violate_1) &&
          read(o, "violate_2", f.violate_2) && read(o, "violate_3", f.violate_3) &&
          read(o, "changed", f.changed) && read(o, "all", f.all) && read(o, "box", f.box) &&
-         read(o, "recent", f.recent, 1, 1e6) && read(o, "shrink", f.shrink, 0.05, 1);
+         read(o, "recent", f.recent, 1, 1e6) && read(o, "shrink", f.shrink, 0.05, 1) &&
+         read_choice(o, "sides", f.sides, 3);
 }
 
 json clip_json(const ClipSettings& c) {
@@ -113,6 +115,7 @@ std::string to_json(const ViewState& s) {
   object["mode"] = static_cast<int>(s.view.mode);
   object["zero_set_edges"] = s.view.zero_set_edges;
   object["sample_size"] = s.view.sample_size;
+  object["side_tint"] = s.view.side_tint;
   object["section"] = {{"u", s.section.u}, {"v", s.section.v}, {"height", s.section.height}};
   return object.dump();
 }
@@ -154,7 +157,7 @@ std::optional<ViewState> view_from_json(const std::string& text, const ViewState
   }
   if (!read_choice(object, "mode", s.view.mode, 3) ||
       !read(object, "zero_set_edges", s.view.zero_set_edges) ||
-      !read(object, "sample_size", s.view.sample_size, 1, 30))
+      !read(object, "side_tint", s.view.side_tint) || !read(object, "sample_size", s.view.sample_size, 1, 30))
     return std::nullopt;
   any = any || object.contains("mode");
   return any ? std::optional(s) : std::nullopt;

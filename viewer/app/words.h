@@ -5,6 +5,7 @@
 #include "journal/event.h"
 #include "run/session.h"
 #include "scene/view_settings.h"
+#include "simplify/collapse_attempt.h"
 
 #include <span>
 #include <string>
@@ -26,6 +27,12 @@ std::span<const LayerName> layer_names();
 
 /// The chip and menu title of a stage: "refine", "∂Γ", "tessellate", "Z", "all", "improve".
 std::string_view stage_title(Stage stage);
+/// What a stage does, in one sentence.
+std::string_view stage_help(Stage stage);
+/// A check of a collapse in a few words: "link condition in T".
+std::string_view check_title(CollapseCheck check);
+/// How a check is judged, for tooltips.
+std::string_view check_help(CollapseCheck check);
 /// A condition in a few words: "1 classification".
 std::string_view condition_title(Condition condition);
 
@@ -33,6 +40,8 @@ std::string_view condition_title(Condition condition);
 std::string grouped(std::size_t number);
 /// Three significant digits, without needless exponents: "0.0123", "1.83", "12,300".
 std::string short_number(double value);
+/// The same with as many digits more as tell it apart from `limit`: "1.00023" beside 1.
+std::string number_beside(double value, double limit);
 /// Bytes in a readable unit: "412 MB".
 std::string bytes_text(std::size_t bytes);
 

@@ -128,6 +128,17 @@ void clip_and_filter(Ui& ui) {
   filter_row(ui, "all", "Every tetrahedron inside the bounding box.", f.all, count_of(counts, tet_alive));
   filter_row(ui, "at the bounding box", "Also those with a corner of the loose bounding box. §2.2", f.box,
              count_of(counts, tet_box));
+  const auto state = ui.model.state();
+  if (state && state->complex.form == ZeroForm::embedded) {
+    constexpr std::array<const char*, 3> sides{"both sides", "outer", "inner"};
+    int side = static_cast<int>(f.sides);
+    ImGui::PushFont(ui.fonts.small);
+    if (widgets::segmented(ui, "sides", sides, side)) f.sides = static_cast<TetFilter::Sides>(side);
+    ImGui::PopFont();
+    widgets::tip(ui, "Sides of Z", "Tetrahedra on both sides of Z, or on one. §2.4.2");
+    filter_row(ui, "tint by side", "Tetrahedra in the colour of their side.", view.side_tint,
+               count_of(counts, tet_negative) + " inner");
+  }
   auto recent = static_cast<int>(f.recent);
   ImGui::PushFont(ui.fonts.mono);
   ImGui::SetNextItemWidth(-1);

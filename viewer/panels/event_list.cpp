@@ -4,6 +4,7 @@
 #include "journal/describe.h"
 #include "panels/timeline_panel.h"
 #include "panels/widgets.h"
+#include "scene/reason_style.h"
 
 #include <algorithm>
 #include <cctype>
@@ -28,39 +29,96 @@ std::string sentence(const Journal& journal, const Event& event) {
   return at == std::string::npos || at > 10 ? text : text.substr(at + dot.size());
 }
 
-bool chip(const Ui& ui, const char* label, Rgb color, bool& on) {
-  const ImVec2 extent = widgets::text_size(label), at = ImGui::GetCursorScreenPos();
-  const ImVec2 size{extent.x + ui.px(26), ui.px(24)};
+/// How an event is marked: reasons of rejections by their own glyphs, the rest by kind.
+struct EventStyle {
+  Rgb color;
+  MarkerShape shape;
+};
+EventStyle style_of(const Ui& ui, const Event& e) {
+  switch (e.kind) {
+  case EventKind::rejection:
+    return {reason_style(e.reason).color, reason_style(e.reason).shape};
+  case EventKind::collapse:
+    return {ui.colors.good, MarkerShape::disc};
+  case EventKind::repair:
+    return {ui.colors.warning, MarkerShape::triangle};
+  case EventKind::relaxation:
+    return {ui.colors.accent, MarkerShape::diamond};
+  case EventKind::stage_begin:
+  case EventKind::stage_end:
+  case EventKind::tessellation:
+  case EventKind::departure:
+    return {stage_color(ui.theme, e.stage), MarkerShape::square};
+  case EventKind::warning:
+  case EventKind::stopped:
+    return {ui.colors.warning, MarkerShape::hollow_triangle};
+  default:
+    return {condition_color(ui.theme, static_cast<int>(e.condition)),
+            e.operation ? MarkerShape::disc : MarkerShape::hollow_square};
+  }
+}
+
+std::string_view kind_title(EventKind kind) {
+  constexpr std::array<std::string_view, event_kind_count> words{
+      "stage begins",    "stage ends",   "insertions", "relabelling",       "exhausted",
+      "topology checks", "parameters",   "warnings",   "stopped",           "collapses",
+      "rejections",      "tessellation", "departure",  "relocation sweeps", "collapses with repair"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
+/// A button that opens a list of what may pass; lit when it holds something back. True when changed.
+template <std::size_t n, class Title>
+bool filter_menu(const Ui& ui, const char* label, std::bitset<n>& set, const std::bitset<n>& offered,
+                 Title&& title) {
+  const std::string shown = std::string(label) + "  " + icon::down;
+  const ImVec2 extent = widgets::text_size(shown), at = ImGui::GetCursorScreenPos();
+  const ImVec2 size{extent.x + ui.px(20), ui.px(24)};
   ImGui::PushID(label);
-  const bool pressed = ImGui::InvisibleButton("chip", size);
-  ImGui::PopID();
-  if (pressed) on = !on;
+  if (ImGui::InvisibleButton("filter", size)) ImGui::OpenPopup("entries");
+  const bool hot = ImGui::IsItemHovered(), active = (set & offered) != offered;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, to_u32(on ? ui.colors.hover : ui.colors.panel),
-                     ui.px(12));
-  list.AddRect(at, {at.x + size.x, at.y + size.y}, to_u32(ui.colors.line), ui.px(12));
-  if (on)
-    list.AddCircleFilled({at.x + ui.px(11), at.y + size.y / 2}, ui.px(4), to_u32(color), 16);
-  else
-    list.AddCircle({at.x + ui.px(11), at.y + size.y / 2}, ui.px(3.5f), to_u32(color), 16, ui.px(1.2f));
-  widgets::draw_text(list, ImGui::GetFont(), {at.x + ui.px(19), at.y + (size.y - extent.y) / 2},
-                     to_u32(ui.colors.text, on ? 1.0f : 0.6f), label);
-  return pressed;
+  list.AddRectFilled(
+      at, {at.x + size.x, at.y + size.y},
+      active ? to_u32(ui.colors.accent, 0.24f) : to_u32(hot ? ui.colors.hover : ui.colors.raised), ui.px(5));
+  widgets::draw_text(list, ImGui::GetFont(), {at.x + ui.px(10), at.y + (size.y - extent.y) / 2},
+                     to_u32(active ? ui.colors.accent_text : ui.colors.text), shown);
+  bool changed = false;
+  if (ImGui::BeginPopup("entries")) {
+    if (ImGui::Selectable("all", false, ImGuiSelectableFlags_DontClosePopups)) {
+      set.set();
+      changed = true;
+    }
+    ImGui::Separator();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!offered[i]) continue;
+      const bool lit = active && set[i];
+      if (!ImGui::Selectable((std::string(title(i)) + "##" + std::to_string(i)).c_str(), lit,
+                             ImGuiSelectableFlags_DontClosePopups))
+        continue;
+      // The first choice is that one alone, further ones add up.
+      if (!active) set.reset();
+      set.flip(i);
+      if (active && (set & offered).none()) set.set();
+      changed = true;
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+  return changed;
 }
 
 } // namespace
 
 bool EventList::passes(const Journal& journal, const Event& event) const {
-  if (!conditions_.at(static_cast<std::size_t>(event.condition))) return false;
-  if (event.operation ? !operations_ : !others_) return false;
-  return applied_.empty() || contains_folded(describe(journal, event), applied_);
+  return filter_.passes(event) && (applied_.empty() || contains_folded(describe(journal, event), applied_));
 }
 
 void EventList::gather(const AppModel& model) {
   const Journal* journal = model.run.journal.get();
-  if (journal != journal_ || applied_ != text_.data()) {
+  if (journal != journal_ || applied_ != text_.data() || filter_ != model.filter) {
     journal_ = journal;
     applied_ = text_.data();
+    filter_ = model.filter;
     scanned_ = 0;
     rows_.clear();
   }
@@ -72,40 +130,78 @@ void EventList::gather(const AppModel& model) {
       rows_.push_back(static_cast<std::uint32_t>(scanned_));
 }
 
+void EventList::row(Ui& ui, std::uint32_t index, float high) {
+  AppModel& m = ui.model;
+  const Event& event = journal_->events()[index];
+  const Step target = event.step + (event.operation ? 1u : 0u);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushID(static_cast<int>(index));
+  if (ImGui::InvisibleButton("event", {std::max(width, 1.0f), high}))
+    ui.commands.post("event", {std::to_string(index)});
+  ImGui::PopID();
+  const bool chosen = m.selection.event == index;
+  const bool here = chosen || (target == m.transport.step() && event.operation);
+  if (here || ImGui::IsItemHovered())
+    list.AddRectFilled(at, {at.x + width, at.y + high},
+                       to_u32(here ? ui.colors.accent : ui.colors.hover, chosen ? 0.3f
+                                                                         : here ? 0.16f
+                                                                                : 1.0f),
+                       ui.px(4));
+  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
+  const std::string number = grouped(target);
+  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, number.c_str()).x;
+  widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet), number);
+  const EventStyle style = style_of(ui, event);
+  widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y},
+                     to_u32(ui.colors.text, event.kind == EventKind::rejection ? 0.8f : 1.0f),
+                     widgets::fitted(sentence(*journal_, event), width - ui.px(100)));
+}
+
 void EventList::draw(Ui& ui) {
   AppModel& m = ui.model;
   ImGui::PushFont(ui.fonts.small);
   ImGui::SetNextItemWidth(ui.px(220));
   ImGui::InputTextWithHint("##filter", (std::string(icon::search) + "  filter by words").c_str(),
                            text_.data(), text_.size());
-  bool changed = false;
-  constexpr std::array<const char*, condition_count> names{"stages", "1",           "2",      "3",
-                                                           "4",      "containment", "witness"};
-  for (std::size_t c = 0; c < conditions_.size(); ++c) {
-    ImGui::SameLine(0, ui.px(c == 0 ? 10 : 5));
-    changed |= chip(ui, names[c], condition_color(ui.theme, static_cast<int>(c)), conditions_[c]);
-    widgets::tip(ui, std::string(condition_title(static_cast<Condition>(c))));
-  }
-  ImGui::SameLine(0, ui.px(14));
-  changed |= chip(ui, "operations", ui.colors.good, operations_);
+  EventFilter& f = m.filter;
+  ImGui::SameLine(0, ui.px(10));
+  filter_menu(ui, "stage", f.stages, std::bitset<stage_count>().set(),
+              [](std::size_t i) { return stage_title(static_cast<Stage>(i)); });
   ImGui::SameLine(0, ui.px(5));
-  changed |= chip(ui, "notes", ui.colors.quiet, others_);
-  if (changed) journal_ = nullptr;
+  filter_menu(ui, "kind", f.kinds, std::bitset<event_kind_count>().set(),
+              [](std::size_t i) { return kind_title(static_cast<EventKind>(i)); });
+  ImGui::SameLine(0, ui.px(5));
+  filter_menu(ui, "condition", f.conditions, std::bitset<condition_count>().set(),
+              [](std::size_t i) { return i == 0 ? "none" : condition_title(static_cast<Condition>(i)); });
+  ImGui::SameLine(0, ui.px(5));
+  std::bitset<reason_count> rejections;
+  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r)
+    rejections.set(static_cast<std::size_t>(r));
+  filter_menu(ui, "reason", f.reasons, rejections,
+              [](std::size_t i) { return reason_style(static_cast<Reason>(i)).title; });
+  ImGui::SameLine(0, ui.px(10));
+  if (!f.everything() && widgets::plain_button(ui, "show all", true, 0, ui.px(24)))
+    ui.commands.post("filter");
   gather(m);
   ImGui::SameLine(0, ui.px(14));
   widgets::quiet_text(ui, grouped(rows_.size()) + " events");
 
   if (ImGui::BeginChild("rows", {0, 0}) && journal_ != nullptr) {
     const float high = ui.px(22);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    // The row of the play head comes into sight when it moved.
+    // The row of the play head or of the chosen event comes into sight when it moved.
     const Step step = m.transport.step();
-    const auto current = std::partition_point(rows_.begin(), rows_.end(), [&](std::uint32_t row) {
-      const Event& e = journal_->events()[row];
-      return e.step + (e.operation ? 1u : 0u) < step;
-    });
-    if (step != scrolled_to_) {
-      scrolled_to_ = step;
+    const auto current = m.selection.event
+                             ? std::lower_bound(rows_.begin(), rows_.end(), *m.selection.event)
+                             : std::partition_point(rows_.begin(), rows_.end(), [&](std::uint32_t row) {
+                                 const Event& e = journal_->events()[row];
+                                 return e.step + (e.operation ? 1u : 0u) < step;
+                               });
+    const std::uint32_t place = m.selection.event.value_or(step);
+    if (place != scrolled_to_) {
+      scrolled_to_ = place;
       const float y = static_cast<float>(current - rows_.begin()) * high;
       const float scroll = ImGui::GetScrollY(), visible = ImGui::GetWindowHeight();
       if (y < scroll || y + high > scroll + visible) ImGui::SetScrollY(std::max(0.0f, y - visible / 2));
@@ -114,38 +210,8 @@ void EventList::draw(Ui& ui) {
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows_.size()), high);
     while (clipper.Step())
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const std::uint32_t row = rows_[static_cast<std::size_t>(i)];
-        const Event& event = journal_->events()[row];
-        const Step target = event.step + (event.operation ? 1u : 0u);
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float width = ImGui::GetContentRegionAvail().x;
-        ImGui::PushID(i);
-        if (ImGui::InvisibleButton("event", {std::max(width, 1.0f), high})) {
-          ui.commands.post("seek", {std::to_string(target)});
-          if (event.sample.valid()) ui.commands.post("pick", {"sample", std::to_string(event.sample.value)});
-        }
-        ImGui::PopID();
-        const bool here = target == step && event.operation;
-        if (here || ImGui::IsItemHovered())
-          list.AddRectFilled(at, {at.x + width, at.y + high},
-                             to_u32(here ? ui.colors.accent : ui.colors.hover, here ? 0.18f : 1.0f),
-                             ui.px(4));
-        const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
-        const std::string number = grouped(target);
-        const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, number.c_str()).x;
-        widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet),
-                           number);
-        const ImVec2 dot{at.x + ui.px(80), at.y + high / 2};
-        const ImU32 color = to_u32(condition_color(ui.theme, static_cast<int>(event.condition)));
-        if (event.operation)
-          list.AddCircleFilled(dot, ui.px(4), color, 16);
-        else
-          list.AddRect({dot.x - ui.px(3.5f), dot.y - ui.px(3.5f)}, {dot.x + ui.px(3.5f), dot.y + ui.px(3.5f)},
-                       color, 0, 0, ui.px(1.2f));
-        widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y}, to_u32(ui.colors.text),
-                           widgets::fitted(sentence(*journal_, event), width - ui.px(100)));
-      }
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+        row(ui, rows_[static_cast<std::size_t>(i)], high);
     ImGui::PopStyleVar();
   }
   ImGui::EndChild();

@@ -7,6 +7,7 @@
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -19,20 +20,6 @@ void pick(Ui& ui, const char* kind, std::uint32_t id) {
 
 std::string position_text(Vec3 p) {
   return short_number(p.x) + "  " + short_number(p.y) + "  " + short_number(p.z);
-}
-
-void heading(Ui& ui, const char* glyph, const std::string& title, const std::string& note) {
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted((std::string(glyph) + "  " + title).c_str());
-  ImGui::PopFont();
-  const float buttons = 2 * ui.px(28) + ui.px(4);
-  ImGui::SameLine();
-  ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - buttons, ImGui::GetCursorPosY() - ui.px(5)});
-  widgets::command_button(ui, "frame", icon::target);
-  ImGui::SameLine(0, ui.px(4));
-  widgets::command_button(ui, "clear", icon::close);
-  if (!note.empty()) widgets::quiet_text(ui, note);
-  ImGui::Dummy({0, ui.px(2)});
 }
 
 const char* kind_text(VertexKind kind) {
@@ -63,7 +50,7 @@ void vertex_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   if (id >= s.complex.vertices.size())
     return widgets::quiet_text(ui, "This vertex is not there at this step.", true);
   const Vertex& v = s.complex.vertices[id];
-  heading(ui, icon::dot, "Vertex " + grouped(id), kind_text(v.kind));
+  widgets::heading(ui, icon::dot, "Vertex " + grouped(id), kind_text(v.kind));
   widgets::value_row(ui, "position", position_text(v.position));
   widgets::value_row(ui, "F", short_number(v.value),
                      v.value > 0   ? ui.colors.accent_text
@@ -98,8 +85,8 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
     return widgets::quiet_text(ui, "This sample is not in the set of this step.", true);
   const int label = s.samples->labels[id];
   const auto error = static_cast<double>(s.errors[id]);
-  heading(ui, is_bad(error) ? icon::close : icon::dot, "Sample " + grouped(id),
-          is_bad(error) ? "bad: f has the wrong sign here (§2.2)" : "good: f has its sign (§2.2)");
+  widgets::heading(ui, is_bad(error) ? icon::close : icon::dot, "Sample " + grouped(id),
+                   is_bad(error) ? "bad: f has the wrong sign here (§2.2)" : "good: f has its sign (§2.2)");
   widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
   widgets::value_row(ui, "side F(s)", label > 0 ? "+1  outer" : "−1  inner",
                      label > 0 ? ui.colors.accent_text : ui.colors.inner);
@@ -165,10 +152,13 @@ void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   const auto f = s.complex.values(TetId(id));
   const std::uint8_t flags = id < s.tet_flags.size() ? s.tet_flags[id] : std::uint8_t{0};
   const bool carries = (flags & tet_heterogeneous) != 0;
-  heading(ui, icon::cube, "Tetrahedron " + grouped(id),
-          carries                  ? "carries Z: in Γ"
-          : (flags & tet_box) != 0 ? "at the bounding box"
-                                   : "one label: no Z in it");
+  widgets::heading(ui, icon::cube, "Tetrahedron " + grouped(id),
+                   s.complex.form == ZeroForm::embedded
+                       ? (tet.side < 0 ? (carries ? "inner side of Z, in Γ" : "inner side of Z")
+                                       : (carries ? "outer side of Z, in Γ" : "outer side of Z"))
+                   : carries                ? "carries Z: in Γ"
+                   : (flags & tet_box) != 0 ? "at the bounding box"
+                                            : "one label: no Z in it");
   for (std::size_t i = 0; i < 4; ++i) {
     ImGui::PushID(static_cast<int>(i));
     if (widgets::link_row(ui, "vertex", "vertex " + grouped(tet.v[i].value), "F " + short_number(f[i]),
@@ -201,9 +191,42 @@ void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
     if (widgets::link_row(ui, "worst", "its worst sample", grouped(worst), "Selects it."))
       pick(ui, "sample", worst);
   }
-  if (!carries) return;
+  if (!carries || s.complex.form != ZeroForm::interpolated) return;
   height_details(ui, s, p, f, tet);
   orientation_details(ui, p, f, s.criteria);
+}
+
+void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
+  if (id >= s.complex.facets.size() || !s.complex.facets[id].alive())
+    return widgets::quiet_text(ui, "This facet is not there at this step.", true);
+  const auto& v = s.complex.facets[id].v;
+  widgets::heading(ui, icon::cube, "Facet " + grouped(id), "of Z, which has left T");
+  Triangle3 p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    p[i] = s.complex.position(v[i]);
+    ImGui::PushID(static_cast<int>(i));
+    if (widgets::link_row(ui, "vertex", "vertex", grouped(v[i].value), "Selects the vertex."))
+      pick(ui, "vertex", v[i].value);
+    ImGui::PopID();
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    ImGui::PushID(static_cast<int>(3 + i));
+    const VertexId a = v[i], b = v[(i + 1) % 3];
+    if (widgets::link_row(ui, "edge", "edge", std::to_string(a.value) + " – " + std::to_string(b.value),
+                          "Selects the edge."))
+      ui.commands.post("pick", {"edge", std::to_string(a.value), std::to_string(b.value)});
+    ImGui::PopID();
+  }
+  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
+  widgets::value_row(ui, "area", short_number(0.5 * length(normal) / (delta * delta)) + " δ²");
+  widgets::value_row(ui, "normal", position_text(normalized(normal)));
+  const auto& scene = ui.model.run.scene;
+  if (!scene || !scene->index) return;
+  double largest = 0;
+  const Vec3 center = (1.0 / 3) * (p[0] + p[1] + p[2]);
+  for (const Vec3& q : {p[0], p[1], p[2], center}) largest = std::max(largest, scene->index->distance(q));
+  widgets::limit_bar(ui, "d at corners and centroid", largest / delta, 1, largest <= delta, "δ", true);
 }
 
 void run_summary(Ui& ui, const StateSnapshot& s) {
@@ -212,18 +235,36 @@ void run_summary(Ui& ui, const StateSnapshot& s) {
   ImGui::TextUnformatted("This step");
   ImGui::PopFont();
   widgets::value_row(ui, "step", grouped(s.step) + " of " + grouped(m.live_step()));
-  const std::size_t samples = s.samples ? s.samples->size() : 0;
-  widgets::value_row(ui, "samples", grouped(samples));
-  widgets::value_row(ui, "bad samples", grouped(s.bad_samples),
-                     s.bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+  if (s.event && s.event->vertex.valid() && s.event->other.valid() &&
+      widgets::link_row(ui, "operation", "edge of the operation",
+                        std::to_string(s.event->vertex.value) + " – " + std::to_string(s.event->other.value),
+                        "Selects it: the X-ray shows the moment before."))
+    ui.commands.post("pick-operation");
+  if (!s.moves.empty()) widgets::value_row(ui, "vertices moved", grouped(s.moves.size()));
+  if (!s.added_facets.empty() || !s.removed_facets.empty())
+    widgets::value_row(ui, "facets of Z",
+                       "−" + grouped(s.removed_facets.size()) + "  +" + grouped(s.added_facets.size()));
+  const bool free = s.complex.form == ZeroForm::free, interpolated = s.complex.form == ZeroForm::interpolated;
+  if (!free) {
+    const std::size_t samples = s.samples ? s.samples->size() : 0;
+    widgets::value_row(ui, "samples", grouped(samples));
+    widgets::value_row(ui, "bad samples", grouped(s.bad_samples),
+                       s.bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+  }
   const auto largest = static_cast<double>(s.largest_error);
-  widgets::limit_bar(ui, "largest ε", largest, s.criteria.error_limit(), largest <= s.criteria.error_limit(),
-                     "", true);
-  if (s.worst_sample.valid() && widgets::link_row(ui, "worst", "worst sample", grouped(s.worst_sample.value),
-                                                  "Selects the sample with the largest ε."))
+  if (interpolated)
+    widgets::limit_bar(ui, "largest ε", largest, s.criteria.error_limit(),
+                       largest <= s.criteria.error_limit(), "", true);
+  if (interpolated && s.worst_sample.valid() &&
+      widgets::link_row(ui, "worst", "worst sample", grouped(s.worst_sample.value),
+                        "Selects the sample with the largest ε."))
     pick(ui, "sample", s.worst_sample.value);
-  widgets::value_row(ui, "vertices of T", grouped(s.complex.vertices.size()));
-  widgets::value_row(ui, "tetrahedra of T", grouped(s.complex.alive_tets()));
+  if (!free) {
+    const auto alive = std::count_if(s.complex.vertices.begin(), s.complex.vertices.end(),
+                                     [](const Vertex& v) { return v.alive; });
+    widgets::value_row(ui, "vertices of T", grouped(static_cast<std::size_t>(alive)));
+    widgets::value_row(ui, "tetrahedra of T", grouped(s.complex.alive_tets()));
+  }
   widgets::value_row(ui, "vertices of Z", grouped(s.zero_set.vertices.size()));
   widgets::value_row(ui, "components of Z", grouped(s.zero_set.components.size()));
   widgets::value_row(ui, "χ of Z", std::to_string(s.zero_set.euler_characteristic()));
@@ -284,6 +325,12 @@ void inspector(Ui& ui) {
   case Pick::Kind::vertex:
     vertex_details(ui, *state, picked.id);
     break;
+  case Pick::Kind::edge:
+    edge_details(ui, *state);
+    break;
+  case Pick::Kind::facet:
+    facet_details(ui, *state, picked.id);
+    break;
   case Pick::Kind::tet:
     tet_details(ui, *state, picked.id);
     break;
@@ -301,8 +348,8 @@ void inspector(Ui& ui) {
   run_summary(ui, *state);
   certificate(ui);
   if (picked.kind == Pick::Kind::none)
-    widgets::quiet_text(
-        ui, "Click an element in the view to inspect it; 1, 2 and 3 restrict what a click hits.", true);
+    widgets::quiet_text(ui, "Click an element in the view to inspect it; 1 to 4 restrict what a click hits.",
+                        true);
 }
 
 } // namespace isoscope::panels

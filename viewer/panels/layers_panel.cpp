@@ -21,7 +21,7 @@ constexpr Row rows[] = {
     {"zero", Swatch::surface, &Palette::zero},   {"good", Swatch::disc, &Palette::good},
     {"bad", Swatch::cross, &Palette::bad},       {"tets", Swatch::cell, &Palette::warning},
     {"gamma", Swatch::line, &Palette::gamma},    {"highlight", Swatch::line, &Palette::selection},
-    {"input", Swatch::surface, &Palette::quiet},
+    {"xray", Swatch::cell, &Palette::inner},     {"input", Swatch::surface, &Palette::quiet},
 };
 
 void draw_swatch(const Ui& ui, Swatch swatch, Rgb color, ImVec2 middle, float strength) {

@@ -6,6 +6,7 @@
 #include "app/words.h"
 #include "input/gallery.h"
 #include "panels/widgets.h"
+#include "scene/reason_style.h"
 
 #include <algorithm>
 #include <cctype>
@@ -149,6 +150,16 @@ void Overlays::help(Ui& ui) {
       for (const Chord& chord : command.keys) keys += (keys.empty() ? "" : ", ") + text(chord);
       row(std::string(command.name) + (command.usage.empty() ? "" : " " + std::string(command.usage)), keys,
           command.help);
+    }
+    for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
+      const ReasonStyle& style = reason_style(static_cast<Reason>(r));
+      const std::string word(name(static_cast<Reason>(r)));
+      if (!contains_folded(word + " " + std::string(style.title) + " " + std::string(style.help),
+                           query_.data()))
+        continue;
+      row(word, std::string(style.title), style.help);
+      const ImVec2 low = ImGui::GetItemRectMin();
+      widgets::glyph(ui, {low.x - ui.px(146), low.y + ui.px(7)}, 4.5f, style.color, style.shape);
     }
     for (const NamedValue& value : named_values())
       row((value.set ? "set " : "expect ") + value.name, value.get(ui.model), value.help);

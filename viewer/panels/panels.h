@@ -9,6 +9,8 @@ void layers(Ui& ui);
 void parameters(Ui& ui);
 void clip_and_filter(Ui& ui);
 void inspector(Ui& ui);
+/// The X-ray of the selected edge: verdict, checks, kernel, candidates, cost; after T what the journal tells.
+void edge_details(Ui& ui, const StateSnapshot& state);
 void top_bar(Ui& ui);
 void status_bar(Ui& ui);
 void messages(Ui& ui, ImVec2 low, float width);

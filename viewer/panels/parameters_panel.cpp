@@ -87,6 +87,79 @@ void conditions(Ui& ui, RunParameters& p) {
   }
 }
 
+/// A choice that opens as a list.
+template <class Visit> void choice(const char* id, std::string_view shown, Visit&& entries) {
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::BeginCombo(id, std::string(shown).c_str())) {
+    entries();
+    ImGui::EndCombo();
+  }
+}
+
+/// A chip of a stage that can be left out.
+void skip_chip(const Ui& ui, Stage stage, bool& skipped, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float high = ui.px(24);
+  ImGui::PushID(static_cast<int>(stage));
+  if (ImGui::InvisibleButton("skip", {width, high})) skipped = !skipped;
+  ImGui::PopID();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + high},
+                     skipped ? to_u32(ui.colors.panel) : to_u32(stage_color(ui.theme, stage), 0.25f),
+                     ui.px(5));
+  list.AddRect(at, {at.x + width, at.y + high}, to_u32(ui.colors.line), ui.px(5));
+  const std::string_view label = stage_title(stage);
+  const ImVec2 extent = widgets::text_size(label);
+  const ImVec2 text{at.x + (width - extent.x) / 2, at.y + (high - extent.y) / 2};
+  widgets::draw_text(list, ui.fonts.small, text, to_u32(skipped ? ui.colors.quiet : ui.colors.text), label);
+  if (skipped)
+    list.AddLine({text.x - ui.px(2), at.y + high / 2}, {text.x + extent.x + ui.px(2), at.y + high / 2},
+                 to_u32(ui.colors.quiet), ui.px(1.2f));
+  widgets::tip(ui, "Stage: " + std::string(stage_title(stage)),
+               std::string(stage_help(stage)) + " Click to leave it out or to take it in; needs a restart.");
+}
+
+void stages(Ui& ui, RunParameters& p) {
+  label(ui, "until", "The last stage",
+        "Where the run ends: a valid mesh is there after every stage. Needs a restart.", 26);
+  choice("##until", stage_title(p.last_stage()), [&] {
+    for (int i = static_cast<int>(Stage::refinement); i < stage_count; ++i) {
+      const auto stage = static_cast<Stage>(i);
+      if (ImGui::Selectable(std::string(stage_title(stage)).c_str(), stage == p.last_stage()))
+        p.until = stage;
+    }
+  });
+  label(ui, "stages", "Stages", "Those struck through are left out. Needs a restart.", 26);
+  constexpr std::array<Stage, 4> optional{Stage::gamma, Stage::zero_set, Stage::all, Stage::improve};
+  const float gap = ui.px(4), each = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
+  for (std::size_t i = 0; i < optional.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, gap);
+    skip_chip(ui, optional[i], p.skipped.at(static_cast<std::size_t>(optional[i])), each);
+  }
+  label(ui, "target", "Target strategy",
+        "How the target of a collapse is looked for in its kernel: the least error alone, again under learnt "
+        "half-spaces, also by points drawn in the kernel, or by the paper's octree with invalid regions Ψ. "
+        "Needs a restart. §2.4, Figures 9 and 12",
+        26);
+  constexpr std::array<TargetStrategy, 4> strategies{TargetStrategy::optimum, TargetStrategy::constraints,
+                                                     TargetStrategy::sampling, TargetStrategy::octree};
+  choice("##target", name(p.target), [&] {
+    for (const TargetStrategy s : strategies)
+      if (ImGui::Selectable(std::string(name(s)).c_str(), s == p.target)) p.target = s;
+  });
+  constexpr std::array<const char*, 2> rings{"1-ring", "2-ring"};
+  constexpr std::array<const char*, 4> efforts{"0", "1", "2", "3"};
+  int ring = static_cast<int>(p.cost_ring), effort = p.effort;
+  label(ui, "error over", "Ring of the error",
+        "Facets of Z whose planes make the error of a collapse; the paper takes two rings. Needs a restart. "
+        "§2.4",
+        26);
+  if (widgets::segmented(ui, "ring", rings, ring)) p.cost_ring = static_cast<CostRing>(ring);
+  label(ui, "effort", "Effort of the improver",
+        "0 to 3: more rounds of relocation and repair for fewer vertices. Needs a restart.", 26);
+  if (widgets::segmented(ui, "effort", efforts, effort)) p.effort = effort;
+}
+
 void preview_line(const Ui& ui, const char* name, std::size_t now, std::size_t then, bool known) {
   std::string value = grouped(now);
   if (known) value += "  →  " + grouped(then);
@@ -99,7 +172,7 @@ void preview_line(const Ui& ui, const char* name, std::size_t now, std::size_t t
 void preview(Ui& ui) {
   const AppModel& m = ui.model;
   const auto state = m.state();
-  if (!state) return;
+  if (!state || state->complex.form == ZeroForm::free) return;
   const bool differs = m.draft_differs();
   const auto next = m.draft_preview();
   const bool known = differs && next.has_value();
@@ -132,7 +205,7 @@ void buttons(Ui& ui) {
                 : widgets::plain_button(ui, "Apply", false, half))
     ui.commands.post("apply");
   widgets::tip(ui, "Apply   Ctrl+Enter",
-               restart_only ? "δ, containment and topology mode change Ω itself: they need a restart."
+               restart_only ? "δ, the modes and the stages belong to the whole run: they need a restart."
                             : "Goes on with these parameters from the present state of the run.");
   ImGui::SameLine(0, ui.px(8));
   const bool restart = !m.draft.input.empty();
@@ -181,6 +254,7 @@ void parameters(Ui& ui) {
         "separate the two sides. Needs a restart. §1.2",
         26);
   if (widgets::segmented(ui, "topology", topology, chosen)) p.topology = static_cast<TopologyMode>(chosen);
+  stages(ui, p);
   ImGui::PopFont();
   ImGui::Dummy({0, ui.px(2)});
   conditions(ui, p);

@@ -5,6 +5,9 @@
 #include "app/words.h"
 #include "journal/describe.h"
 #include "panels/widgets.h"
+#include "scene/overlay.h"
+#include "scene/pick_geometry.h"
+#include "scene/reason_style.h"
 
 #include <glm/vec4.hpp>
 
@@ -33,8 +36,15 @@ std::string pick_line(const AppModel& m, const Pick& pick) {
     if (pick.id < state->complex.vertices.size())
       return "vertex " + grouped(pick.id) + "   F = " + short_number(state->complex.vertices[pick.id].value);
     break;
+  case Pick::Kind::edge:
+    return "edge " + grouped(pick.id) + " – " + grouped(pick.other);
+  case Pick::Kind::facet:
+    return "facet " + grouped(pick.id);
   case Pick::Kind::tet:
-    return "tetrahedron " + grouped(pick.id);
+    return "tetrahedron " + grouped(pick.id) +
+           (state->complex.form != ZeroForm::embedded || pick.id >= state->complex.tets.size() ? ""
+            : state->complex.tets[pick.id].side < 0 ? "   inner side"
+                                                    : "   outer side");
   case Pick::Kind::sample:
     if (pick.id < state->errors.size())
       return "sample " + grouped(pick.id) +
@@ -112,13 +122,21 @@ void scale_bar(const Ui& ui, ImVec2 low, ImVec2 size, double height) {
                      label);
 }
 
-void caption(const Ui& ui, ImVec2 low, float width) {
+void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
+  const float width = size.x;
   const AppModel& m = ui.model;
   const auto state = m.state();
   if (!state || !m.run.journal || m.run.journal->events().empty()) return;
-  std::string text = state->event
-                         ? describe(*m.run.journal, *state->event)
-                         : "The triangulation of the loose bounding box, before the first Steiner point.";
+  // A rejection that was chosen is no operation: it is told instead of the one that led here.
+  const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
+  const Event* event = chosen ? &m.run.journal->events()[*chosen] : state->event ? &*state->event : nullptr;
+  std::string text = event ? describe(*m.run.journal, *event)
+                           : "The triangulation of the loose bounding box, before the first Steiner point.";
+  const double enlarged = move_scale(*state, pixels_per_unit(m.camera, static_cast<double>(size.y)) /
+                                                 static_cast<double>(ui.scale));
+  if (enlarged > 1 && m.view.highlight.shown())
+    text += " (moves drawn " + grouped(static_cast<std::size_t>(enlarged)) + " times as long)";
+  if (m.view.moment == Moment::before) text = "before · " + text;
   const float room = width - ui.px(192 + 10 + 24 + 40);
   if (room < ui.px(140)) return;
   ImGui::PushFont(ui.fonts.small);
@@ -128,9 +146,14 @@ void caption(const Ui& ui, ImVec2 low, float width) {
   const float text_width = width_of(ui.fonts.small, text), high = ui.px(26);
   pill(ui, at, {at.x + text_width + ui.px(30), at.y + high});
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const int condition = state->event ? static_cast<int>(state->event->condition) : 0;
-  list.AddCircleFilled({at.x + ui.px(13), at.y + high / 2}, ui.px(4),
-                       to_u32(condition_color(ui.theme, condition)), 16);
+  const bool rejected = event && event->kind == EventKind::rejection;
+  const Rgb color = !event     ? ui.colors.quiet
+                    : rejected ? reason_style(event->reason).color
+                    : event->condition != Condition::none
+                        ? condition_color(ui.theme, static_cast<int>(event->condition))
+                        : stage_color(ui.theme, event->stage);
+  widgets::glyph(ui, {at.x + ui.px(13), at.y + high / 2}, 4.5f, color,
+                 rejected ? reason_style(event->reason).shape : MarkerShape::disc);
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2},
                      to_u32(ui.colors.text), text);
 }

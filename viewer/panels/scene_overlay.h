@@ -11,7 +11,7 @@ void mode_switch(Ui& ui, ImVec2 corner);
 void axes(const Ui& ui, ImVec2 low, ImVec2 size);
 /// `height`: scene units over the view's height.
 void scale_bar(const Ui& ui, ImVec2 low, ImVec2 size, double height);
-void caption(const Ui& ui, ImVec2 low, float width);
+void caption(const Ui& ui, ImVec2 low, ImVec2 size);
 void section_caption(const Ui& ui, ImVec2 low, ImVec2 size);
 void hover_tip(const Ui& ui);
 /// What to do where there is no model: open one, or choose from the gallery.

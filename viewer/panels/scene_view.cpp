@@ -3,6 +3,8 @@
 
 #include "panels/scene_overlay.h"
 #include "panels/widgets.h"
+#include "run/edge_xray.h"
+#include "scene/pick_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,8 @@ void SceneView::draw(Ui& ui) {
   renderer_->set_scene(m.run.scene);
   renderer_->set_grid(m.grid.grid());
   renderer_->set_state(m.state());
+  xray_ = m.xray();
+  renderer_->set_xray(xray_);
   frame_requests(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
@@ -43,7 +47,7 @@ void SceneView::draw(Ui& ui) {
     draw_section(ui, {low, all});
   }
   overlay::mode_switch(ui, {low.x + all.x, low.y});
-  overlay::caption(ui, low, all.x);
+  overlay::caption(ui, low, all);
   overlay::progress(ui, low, all);
   overlay::invitation(ui, low, all);
 }
@@ -52,12 +56,15 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   const AppModel& m = ui.model;
   const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
   Key key;
-  key.view = m.view;
+  const ViewSettings view = m.shown_view();
+  key.view = view;
   key.state = m.state().get();
   key.grid = m.grid.grid().get();
   key.scene = m.run.scene.get();
   key.width = static_cast<int>(area.size.x * density.x);
   key.pixel_height = static_cast<int>(area.size.y * density.y);
+  key.xray = xray_.get();
+  key.mark = m.selection.mark;
   key.selection = m.selection.picked;
   key.hover = m.selection.hovered;
   key.scale = ui.scale;
@@ -72,11 +79,12 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   request.height = key.pixel_height;
   request.pixel_scale = ui.scale * density.x;
   request.selection = key.selection;
+  request.mark = key.mark;
   request.hover = key.hover;
   const auto make = [&](Quality quality) {
     request.quality = quality;
-    picture.frame = section ? renderer_->render_section(m.section, m.view, request)
-                            : renderer_->render(m.camera, m.view, request);
+    picture.frame = section ? renderer_->render_section(m.section, view, request)
+                            : renderer_->render(m.camera, view, request);
   };
   if (key != picture.key) {
     const bool first = picture.changed_at < 0;
@@ -121,7 +129,7 @@ void SceneView::draw_section(Ui& ui, Area area) {
 }
 
 void SceneView::picked(Ui& ui, const Pick& pick) {
-  ui.model.selection.picked = pick;
+  ui.model.selection.pick(pick);
   if (pick.kind != Pick::Kind::none) ui.model.settings.panes.show_right = true;
 }
 
@@ -138,8 +146,9 @@ Pick SceneView::hover_pick(Ui& ui, Area area, bool section) {
   hover_asked_ = true;
   const ImVec2 at = local(io.MousePos, area.low);
   const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
-  return section ? renderer_->pick_section(m.section, m.view, at.x, at.y, width, height, m.selection.kinds)
-                 : renderer_->pick(m.camera, m.view, at.x, at.y, width, height, m.selection.kinds);
+  return section ? renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height,
+                                           m.selection.kinds)
+                 : renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds);
 }
 
 void SceneView::scene_mouse(Ui& ui, Area area) {
@@ -148,7 +157,9 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
   const bool hovered = ImGui::IsItemHovered();
   const ImVec2 at = local(io.MousePos, area.low);
   const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
-  const auto under = [&] { return renderer_->point_under(m.camera, m.view, at.x, at.y, width, height); };
+  const auto under = [&] {
+    return renderer_->point_under(m.camera, m.shown_view(), at.x, at.y, width, height);
+  };
   if (ImGui::IsItemActivated()) {
     pivot_ = under();
     dragged_ = false;
@@ -181,7 +192,7 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
   }
   if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
     if (ImGui::IsMouseReleased(0))
-      picked(ui, renderer_->pick(m.camera, m.view, at.x, at.y, width, height, m.selection.kinds));
+      picked(ui, renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
   if (hovered && !ImGui::IsAnyMouseDown()) {
@@ -221,7 +232,8 @@ void SceneView::section_mouse(Ui& ui, Area area) {
   }
   if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
     if (ImGui::IsMouseReleased(0))
-      picked(ui, renderer_->pick_section(m.section, m.view, at.x, at.y, width, height, m.selection.kinds));
+      picked(ui, renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height,
+                                         m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
   if (hovered && !ImGui::IsAnyMouseDown()) {
@@ -279,8 +291,10 @@ void SceneView::place_untouched_section(Ui& ui, float aspect) {
 
 void SceneView::frame_requests(Ui& ui) {
   AppModel& m = ui.model;
+  // What is selected may belong to a step that is still being made.
+  const bool ready = m.state_is_current() || m.running();
   const bool all = std::exchange(m.requests.frame_all, false);
-  const bool selected = std::exchange(m.requests.frame_selection, false);
+  const bool selected = ready && std::exchange(m.requests.frame_selection, false);
   if (!all && !selected) return;
   Box3 box = m.scene_bounds();
   if (box.empty()) box = renderer_->bounds();
@@ -288,13 +302,16 @@ void SceneView::frame_requests(Ui& ui) {
   const auto state = m.state();
   if (selected && !all && pick.kind != Pick::Kind::none && state) {
     const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * box.longest_edge();
-    box = {};
-    if (pick.kind == Pick::Kind::tet && pick.id < state->complex.tets.size() &&
-        state->complex.tets[pick.id].alive())
-      for (const Vec3& p : state->complex.positions(TetId(pick.id))) box.add(p);
-    else
-      box.add(pick.point);
-    box = box.grown(margin);
+    box = pick_bounds(*state, pick);
+    if (box.empty()) box.add(pick.point);
+    if (m.selection.mark) box.add(*m.selection.mark);
+    box = box.grown(margin + 0.5 * box.longest_edge());
+    // An edge on the far side of the model would be framed from within.
+    constexpr double facing = 0.3;
+    const Vec3 normal = surface_normal(*state, pick);
+    if (squared_length(normal) > 0 &&
+        dot(normal, normalized(m.camera.eye() - m.camera.pose().target)) < facing)
+      m.camera.look_from(normal, false);
   }
   m.camera.frame(box, !m.scripted);
   m.camera.mark_set();

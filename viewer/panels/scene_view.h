@@ -5,6 +5,7 @@
 #include "scene/renderer.h"
 
 #include <memory>
+#include <optional>
 
 namespace isoscope {
 
@@ -30,7 +31,9 @@ class SceneView {
     double u = 0, v = 0, height = 0;
     const void *state = nullptr, *grid = nullptr, *scene = nullptr;
     int width = 0, pixel_height = 0;
+    const void* xray = nullptr;
     Pick selection, hover;
+    std::optional<Vec3> mark;
     float scale = 1;
     friend bool operator==(const Key&, const Key&) = default;
   };
@@ -55,6 +58,7 @@ class SceneView {
 
   Renderer* renderer_;
   Picture scene_, section_;
+  std::shared_ptr<const EdgeXray> xray_; ///< of the last frame: its address tells pictures apart
   Vec3 pivot_;
   float framed_aspect_ = 0; ///< what the camera was framed for, while nobody has moved it
   Box3 framed_box_;

@@ -3,6 +3,7 @@
 #include "app/words.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
+#include "scene/reason_style.h"
 
 #include <algorithm>
 
@@ -29,14 +30,35 @@ std::string phase_text(const AppModel& m) {
   return {};
 }
 
+/// The operation in a word or three.
+std::string operation_words(const Event& e) {
+  switch (e.kind) {
+  case EventKind::insertion:
+    return "insertion for " + std::string(condition_title(e.condition));
+  case EventKind::collapse:
+    return "collapse: " + std::string(reason_style(e.reason).title);
+  case EventKind::repair:
+    return "collapse with repair";
+  case EventKind::relaxation:
+    return "relocation sweep";
+  case EventKind::tessellation:
+    return "mutual tessellation";
+  case EventKind::departure:
+    return "Z leaves T";
+  default:
+    return std::string(name(e.kind));
+  }
+}
+
 /// Operations a second over the last tenth of the run.
 std::string rate_text(const AppModel& m) {
   if (!m.run.journal || m.run.journal->operations().size() < 20) return {};
   const auto& operations = m.run.journal->operations();
   const std::size_t last = operations.size() - 1,
                     first = last - std::min<std::size_t>(last, std::max<std::size_t>(20, last / 10));
-  const double seconds =
-      static_cast<double>(operations[last].figures.seconds - operations[first].figures.seconds);
+  const auto& seconds_by_step = m.index.values(Figure::seconds);
+  if (seconds_by_step.size() <= last) return {};
+  const double seconds = static_cast<double>(seconds_by_step[last] - seconds_by_step[first]);
   if (!(seconds > 0)) return {};
   const double rate = static_cast<double>(last - first) / seconds;
   return rate >= 1000 ? short_number(rate / 1000) + " k ops/s" : short_number(rate) + " ops/s";
@@ -67,11 +89,17 @@ void status_bar(Ui& ui) {
   const bool failed =
       m.run.phase == SessionPhase::failed ||
       (m.run.phase == SessionPhase::finished && m.run.result && !m.run.result->certificate.holds());
+  const auto shown = m.state();
+  if (shown && shown->event) {
+    put(std::string(stage_title(shown->event->stage)), stage_color(ui.theme, shown->event->stage));
+    put(operation_words(*shown->event), ui.colors.text);
+  }
   put(phase_text(m), failed ? ui.colors.warning_text : ui.colors.quiet);
   if (const auto state = m.state()) {
-    put(grouped(state->bad_samples) + " bad of " + grouped(state->samples ? state->samples->size() : 0) +
-            " samples",
-        state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+    if (state->complex.form == ZeroForm::interpolated)
+      put(grouped(state->bad_samples) + " bad of " + grouped(state->samples ? state->samples->size() : 0) +
+              " samples",
+          state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
     put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
   }
   put(rate_text(m), ui.colors.quiet);

@@ -1,14 +1,15 @@
-// Density per condition, stage lanes, play head; four figures over the steps.
+// Stage lanes, density per condition, kind and reason, play head.
 #include "panels/timeline_panel.h"
 
 #include "app/icons.h"
 #include "app/words.h"
 #include "journal/describe.h"
+#include "panels/timeline_lanes.h"
 #include "panels/widgets.h"
+#include "scene/reason_style.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace isoscope {
 
@@ -67,11 +68,12 @@ void TimelinePane::tabs(Ui& ui) {
   // What the colours mean, where no lanes say it.
   ImGui::NewLine();
   if (tab == 0) return;
+  if (tab == 1) return axis_switch(ui, left, y);
   const JournalIndex& index = ui.model.index;
   const auto counts = index.counts(0, index.steps());
   float x = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
 
-  for (int c = condition_count - 1; c >= 0; --c) {
+  for (int c = condition_count - 1; c > 0; --c) {
     const auto n = counts[static_cast<std::size_t>(c)];
     if (n == 0) continue;
     const std::string label = std::string(condition_title(static_cast<Condition>(c))) + "  " + grouped(n);
@@ -94,8 +96,7 @@ bool TimelinePane::scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size) {
   ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
-  const double step =
-      range_.begin + static_cast<double>((io.MousePos.x - low.x) / size.x) * (range_.end - range_.begin);
+  const double step = from_part(static_cast<double>((io.MousePos.x - low.x) / size.x));
   if (ImGui::IsItemHovered() && io.MouseWheel != 0)
     range_.zoom(std::pow(0.8, static_cast<double>(io.MouseWheel)), step, live);
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(1)) range_.fit(live);
@@ -128,55 +129,66 @@ void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
   for (const JournalIndex::StageSpan& span : ui.model.index.stages()) {
     const float x0 = to_x(span.begin, low, size), x1 = std::max(to_x(span.end, low, size), x0 + ui.px(3));
     list.AddRectFilled({x0, low.y}, {x1 - 1, low.y + size.y},
-                       to_u32(ui.colors.accent, span.open ? 0.30f : 0.16f), ui.px(4));
+                       to_u32(stage_color(ui.theme, span.stage), span.open ? 0.55f : 0.34f), ui.px(4));
     const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2;
-    if (x1 - x0 > ui.px(50))
-      widgets::draw_text(list, ui.fonts.small, {std::max(x0, low.x) + ui.px(8), y},
-                         to_u32(ui.colors.text, 0.9f), stage_title(span.stage));
+    const std::string_view title = stage_title(span.stage);
+    const float extent =
+        ui.fonts.small
+            ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, title.data(), title.data() + title.size())
+            .x;
+    const float from = std::max(x0, low.x) + ui.px(6);
+    if (x1 - from > extent + ui.px(4))
+      widgets::draw_text(list, ui.fonts.small, {from, y}, to_u32(ui.colors.text, 0.95f), title);
   }
 }
 
-// A lane a condition: bars a few pixels wide, as high as the condition's share of the steps below them.
+// A lane a reason: bars a few pixels wide, as high as the lane's share of the steps below them; for
+// rejections by the logarithm of their number.
 void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) const {
   const AppModel& m = ui.model;
-  const auto totals = m.index.counts(0, m.index.steps());
-  const auto used =
-      static_cast<int>(std::count_if(totals.begin(), totals.end(), [](auto n) { return n > 0; }));
-  if (used == 0) return;
+  const float gap = ui.px(1), least = ui.px(12);
+  const auto most = static_cast<std::size_t>(std::max(1.0f, (size.y + gap) / (least + gap)));
+  const std::vector<TimelineLane> lanes = timeline_lanes(m.index, ui.theme, most);
+  if (lanes.empty()) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float gap = ui.px(3),
-              lane = std::min((size.y - gap * static_cast<float>(used - 1)) / static_cast<float>(used),
-                              ui.px(40));
+  const auto used = static_cast<float>(lanes.size());
+  const float lane = std::min((size.y - gap * (used - 1)) / used, ui.px(30));
   const double steps = range_.end - range_.begin;
   const int bins =
       std::max(1, static_cast<int>(std::min(static_cast<double>(size.x / ui.px(3)), std::ceil(steps))));
+  const auto edge = [&](int i) { return static_cast<Step>(range_.begin + steps * i / bins); };
   float y = low.y;
-  for (std::size_t c = 0; c < totals.size(); ++c) {
-    if (totals[c] == 0) continue;
-    const Rgb color = condition_color(ui.theme, static_cast<int>(c));
+  for (const TimelineLane& row : lanes) {
     const float text_y = y + (lane - ui.fonts.small->FontSize) / 2;
-    const std::string count = grouped(totals[c]);
+    const std::string count = grouped(row.total);
     const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
-    list.AddRectFilled({low.x - gutter, y + lane / 2 - ui.px(4)},
-                       {low.x - gutter + ui.px(8), y + lane / 2 + ui.px(4)}, to_u32(color), ui.px(2));
-    widgets::draw_text(list, ui.fonts.small, {low.x - gutter + ui.px(14), text_y},
-                       to_u32(ui.colors.text, 0.85f), condition_title(static_cast<Condition>(c)));
+    widgets::glyph(ui, {low.x - gutter + ui.px(5), y + lane / 2}, 4.5f, row.color, row.shape);
+    widgets::draw_text(list, ui.fonts.small, {low.x - gutter + ui.px(15), text_y},
+                       to_u32(ui.colors.text, 0.85f), row.title);
     widgets::draw_text(list, ui.fonts.mono, {low.x - extent - ui.px(10), text_y}, to_u32(ui.colors.quiet),
                        count);
-    list.AddRectFilled({low.x, y}, {low.x + size.x, y + lane}, to_u32(ui.colors.ground, 0.6f), ui.px(4));
+    list.AddRectFilled({low.x, y}, {low.x + size.x, y + lane}, to_u32(ui.colors.ground, 0.6f), ui.px(3));
+    std::vector<std::uint32_t> numbers(static_cast<std::size_t>(bins), 0);
+    std::uint32_t largest = 1;
     for (int i = 0; i < bins; ++i) {
-      const auto begin = static_cast<Step>(range_.begin + steps * i / bins),
-                 end = static_cast<Step>(range_.begin + steps * (i + 1) / bins);
-      const Step last = std::min(std::max(end, begin + 1), m.index.steps());
-      if (last <= begin) break;
-      const auto n = m.index.counts(begin, last)[c];
+      // The last bin also holds what was rejected after the last operation.
+      const Step begin = edge(i), end = std::max(edge(i + 1), begin + 1) + (i + 1 == bins ? 1 : 0);
+      auto& n = numbers[static_cast<std::size_t>(i)];
+      n = row.count(begin, row.rejections ? end : std::min(end, m.index.steps()));
+      largest = std::max(largest, n);
+    }
+    for (int i = 0; i < bins; ++i) {
+      const auto n = static_cast<float>(numbers[static_cast<std::size_t>(i)]);
       if (n == 0) continue;
-      const float share = static_cast<float>(n) / static_cast<float>(last - begin);
+      const Step begin = edge(i);
+      const auto width = static_cast<float>(std::max(edge(i + 1), begin + 1) - begin);
+      const float share = row.rejections ? std::log1p(n) / std::log1p(static_cast<float>(largest))
+                                         : std::sqrt(std::min(n / width, 1.0f));
       const float x0 = low.x + size.x * static_cast<float>(i) / static_cast<float>(bins),
                   x1 = low.x + size.x * static_cast<float>(i + 1) / static_cast<float>(bins);
-      const float high = std::max(ui.px(3), (lane - ui.px(2)) * std::sqrt(share));
+      const float high = std::max(ui.px(2), (lane - ui.px(1)) * share);
       list.AddRectFilled({x0, y + lane - high}, {std::max(x1, x0 + 1), y + lane},
-                         to_u32(color, begin < m.transport.step() ? 0.9f : 0.38f));
+                         to_u32(row.color, begin < m.transport.step() ? 0.9f : 0.38f));
     }
     y += lane + gap;
   }
@@ -245,79 +257,17 @@ void TimelinePane::timeline(Ui& ui) {
                                        (range_.end - range_.begin);
   const auto step = static_cast<Step>(std::clamp(at, 0.0, static_cast<double>(index.steps() - 1)));
   const Journal& journal = *index.journal();
-  widgets::tip(ui, "Step " + grouped(step + 1),
-               describe(journal, journal.events()[journal.operations()[step].event]));
-}
-
-void TimelinePane::plots(Ui& ui) {
-  AppModel& m = ui.model;
-  struct Plot {
-    const char* name;
-    Figure figure;
-    Rgb color;
-    bool logarithmic;
-    const char* unit;
-  };
-  const std::array<Plot, 4> all{
-      {{"bad samples", Figure::bad_samples, ui.colors.bad_text, true, ""},
-       {"largest ε", Figure::largest_error, ui.colors.warning_text, true, ""},
-       {"vertices of Z", Figure::zero_set_vertices, ui.colors.text, false, ""},
-       {"smallest height", Figure::smallest_height, ui.colors.accent_text, true, " δ"}}};
-  const ImVec2 origin = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const float gap = ui.px(10), width = (room.x - 3 * gap) / 4;
-  if (width < ui.px(60) || room.y < ui.px(40)) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Plot& plot = all[i];
-    const ImVec2 low{origin.x + static_cast<float>(i) * (width + gap), origin.y}, size{width, room.y};
-    ImGui::PushID(plot.name);
-    scrub(ui, "plot", low, size);
-    ImGui::PopID();
-    const ImVec2 high{low.x + size.x, low.y + size.y};
-    list.AddRectFilled(low, high, to_u32(ui.colors.ground, 0.6f), ui.px(5));
-    list.PushClipRect(low, high, true);
-    const std::vector<float>& values = m.index.values(plot.figure);
-    const float top = low.y + ui.px(24), bottom = high.y - ui.px(6);
-    const auto first = static_cast<std::size_t>(range_.begin);
-    const std::size_t last = std::min(values.size(), static_cast<std::size_t>(range_.end) + 1);
-    float smallest = std::numeric_limits<float>::infinity(), largest = -smallest;
-    const auto shown = [&](float v) { return plot.logarithmic ? std::log10(std::max(v, 1e-3f)) : v; };
-    for (std::size_t k = first; k < last; ++k)
-      if (std::isfinite(values[k])) {
-        smallest = std::min(smallest, shown(values[k]));
-        largest = std::max(largest, shown(values[k]));
-      }
-    if (last > first && largest >= smallest) {
-      const float reach = std::max(largest - smallest, 1e-6f);
-      const auto y_of = [&](float v) { return bottom - (shown(v) - smallest) / reach * (bottom - top); };
-      // Two values a pixel pair where steps are dense, each step once where they are not.
-      const double columns = std::min(static_cast<double>(size.x / 2), range_.end - range_.begin);
-      const double stride = std::max(1.0, (range_.end - range_.begin) / std::max(columns, 1.0));
-      std::vector<ImVec2> line;
-      for (double from = static_cast<double>(first); from < static_cast<double>(last); from += stride) {
-        const auto k0 = static_cast<std::size_t>(from);
-        const std::size_t k1 = std::min(last, static_cast<std::size_t>(from + stride));
-        for (std::size_t k = k0; k < std::max(k1, k0 + 1); k += std::max<std::size_t>(1, (k1 - k0) / 2))
-          if (std::isfinite(values[k]))
-            line.push_back({to_x(static_cast<double>(k + 1), low, size), y_of(values[k])});
-      }
-      list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(plot.color), 0, ui.px(1.6f));
-    }
-    playhead(ui, {low.x, low.y + ui.px(20)}, {size.x, size.y - ui.px(20)});
-    widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(10), low.y + ui.px(5)}, to_u32(ui.colors.quiet),
-                       plot.name);
-    const Step step = m.transport.step();
-    if (step > 0 && step <= values.size()) {
-      const auto number = static_cast<double>(values[step - 1]);
-      const bool whole = plot.figure == Figure::bad_samples || plot.figure == Figure::zero_set_vertices;
-      const std::string value =
-          (whole ? grouped(static_cast<std::size_t>(number)) : short_number(number)) + plot.unit;
-      const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
-      widgets::draw_text(list, ui.fonts.mono, {high.x - extent - ui.px(10), low.y + ui.px(5)},
-                         to_u32(plot.color), value);
-    }
-    list.PopClipRect();
+  std::string text = describe(journal, journal.events()[journal.operations()[step].event]);
+  const double column = (range_.end - range_.begin) * static_cast<double>(ui.px(3) / size.x);
+  const Step reach = std::max<Step>(1, static_cast<Step>(column));
+  std::string stayed;
+  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
+    const auto n = index.rejections(static_cast<Reason>(r), step, step + reach);
+    if (n > 0)
+      stayed += (stayed.empty() ? "\nEdges that stayed here: " : ", ") + grouped(n) + " " +
+                std::string(reason_style(static_cast<Reason>(r)).title);
   }
+  widgets::tip(ui, "Step " + grouped(step + 1), text + stayed);
 }
 
 void TimelinePane::draw(Ui& ui) {

@@ -85,11 +85,12 @@ void model_name(Ui& ui, float room) {
   ImGui::SameLine(0, ui.px(14));
 }
 
-enum class ChipState { later, next, running, done };
+enum class ChipState { left_out, next, running, done };
 
 ChipState chip_state(const AppModel& m, Stage stage) {
-  ChipState state =
-      static_cast<int>(stage) > static_cast<int>(Stage::refinement) ? ChipState::later : ChipState::next;
+  const RunParameters& p = m.run.parameters;
+  const bool asked = stage <= p.last_stage() && !p.skipped.at(static_cast<std::size_t>(stage));
+  ChipState state = asked ? ChipState::next : ChipState::left_out;
   for (const JournalIndex::StageSpan& span : m.index.stages())
     if (span.stage == stage)
       state = span.open && m.run.phase != SessionPhase::finished ? ChipState::running : ChipState::done;
@@ -103,6 +104,8 @@ void stage_chips(Ui& ui, float room) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float high = ui.px(28), pad = ui.px(7);
   float used = 0;
+  const auto state_shown = ui.model.state();
+  const Stage shown = state_shown && state_shown->event ? state_shown->event->stage : Stage::setup;
   ImGui::PushFont(ui.fonts.small);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const ChipState state = chip_state(ui.model, stages[i]);
@@ -119,20 +122,30 @@ void stage_chips(Ui& ui, float room) {
       x += ui.px(12);
     }
     ImGui::PushID(static_cast<int>(i));
-    ImGui::InvisibleButton("stage", {width, high});
+    const bool begun = state == ChipState::running || state == ChipState::done;
+    if (ImGui::InvisibleButton("stage", {width, high}) && (begun || state == ChipState::next))
+      ui.commands.post("stage", {std::string(name(stages[i]))});
+    const bool hovered = ImGui::IsItemHovered();
     ImGui::PopID();
     const ImVec2 low{x, at.y + ui.px(4)}, end{x + extent.x + 2 * pad, at.y + high - ui.px(4)};
-    if (state == ChipState::running) list.AddRectFilled(low, end, to_u32(ui.colors.accent, 0.22f), ui.px(10));
+    // The stage of the step shown is outlined, the one that the run works at is filled.
+    if (state == ChipState::running)
+      list.AddRectFilled(low, end, to_u32(ui.colors.accent, 0.22f), ui.px(10));
+    else if (hovered && begun)
+      list.AddRectFilled(low, end, to_u32(ui.colors.hover), ui.px(10));
+    if (shown == stages[i])
+      list.AddRect(low, end, to_u32(stage_color(ui.theme, stages[i])), ui.px(10), 0, ui.px(1.2f));
     const Rgb color = state == ChipState::running ? ui.colors.accent_text
                       : state == ChipState::done  ? ui.colors.good_text
                                                   : ui.colors.quiet;
     widgets::draw_text(list, ui.fonts.small, {x + pad, at.y + (high - extent.y) / 2},
-                       to_u32(color, state == ChipState::later ? 0.75f : 1.0f), label);
-    const char* tip = state == ChipState::running ? "Under way."
-                      : state == ChipState::done  ? "Done."
-                      : state == ChipState::next  ? "Not begun."
-                                                  : "Simplification comes with a later version.";
-    widgets::tip(ui, "Stage: " + std::string(stage_title(stages[i])), tip);
+                       to_u32(color, state == ChipState::left_out ? 0.5f : 1.0f), label);
+    widgets::tip(ui, "Stage: " + std::string(stage_title(stages[i])),
+                 std::string(stage_help(stages[i])) +
+                     (state == ChipState::running ? " Under way; click for its beginning."
+                      : state == ChipState::done  ? " Done; click for its beginning."
+                      : state == ChipState::next  ? " Not begun; a click lets a held run go on until it does."
+                                                  : " Left out of this run."));
     ImGui::SameLine(0, 0);
   }
   ImGui::PopFont();

@@ -223,7 +223,7 @@ bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_
 
 void limit_bar(const Ui& ui, std::string_view label, double value, double limit, bool good,
                std::string_view unit, bool limit_is_upper) {
-  std::string shown = short_number(value);
+  std::string shown = number_beside(value, limit);
   if (!unit.empty()) shown += " " + std::string(unit);
   value_row(ui, label, shown, good ? ui.colors.good_text : ui.colors.bad_text);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -312,6 +312,20 @@ bool slider(const Ui& ui, const char* id, float& value, float low, float high, c
                          ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
   ImGui::PopFont();
   return changed;
+}
+
+void heading(Ui& ui, const char* icon, const std::string& title, const std::string& note) {
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted((std::string(icon) + "  " + title).c_str());
+  ImGui::PopFont();
+  const float buttons = 2 * ui.px(28) + ui.px(4);
+  ImGui::SameLine();
+  ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - buttons, ImGui::GetCursorPosY() - ui.px(5)});
+  command_button(ui, "frame", isoscope::icon::target);
+  ImGui::SameLine(0, ui.px(4));
+  command_button(ui, "clear", isoscope::icon::close);
+  if (!note.empty()) quiet_text(ui, note);
+  ImGui::Dummy({0, ui.px(2)});
 }
 
 void verdict_glyph(const Ui& ui, bool good) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "panels/ui.h"
+#include "scene/marker_shape.h"
 
 #include <string>
 #include <string_view>
@@ -44,8 +45,12 @@ bool segmented(const Ui& ui, const char* id, std::span<const char* const> labels
 bool slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format,
             bool logarithmic = false);
 
+/// The head of an inspector: what is selected, with buttons to frame and to clear it, and a quiet note.
+void heading(Ui& ui, const char* icon, const std::string& title, const std::string& note);
 /// Good: a disc; bad: a cross; drawn at the cursor like a glyph of the present line.
 void verdict_glyph(const Ui& ui, bool good);
+/// A mark of the view in a panel; the radius in units of the interface.
+void glyph(const Ui& ui, ImVec2 middle, float radius, Rgb color, MarkerShape shape);
 void quiet_text(const Ui& ui, std::string_view text, bool wrapped = false);
 /// Text cut with an ellipsis to a width.
 std::string fitted(std::string_view text, float width);

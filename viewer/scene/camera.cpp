@@ -140,6 +140,16 @@ void Camera::look_along(int axis, int sign, bool ease) {
   set(pose, ease);
 }
 
+void Camera::look_from(Vec3 direction, bool ease) {
+  if (squared_length(direction) == 0) return;
+  CameraPose pose = transition_ < 1 ? to_ : pose_;
+  const glm::dvec3 back = glm::normalize(to_glm(direction));
+  const glm::dvec3 upright = std::abs(back.y) > 0.98 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(upright, back));
+  store(pose, glm::quat_cast(glm::dmat3(right, glm::cross(back, right), back)));
+  set(pose, ease);
+}
+
 Vec3 Camera::eye() const {
   return pose_.target + from_glm(quaternion(pose_) * glm::dvec3(0, 0, pose_.distance));
 }

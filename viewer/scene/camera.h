@@ -46,6 +46,8 @@ class Camera {
   void zoom(double steps, Vec3 pivot);
   /// Looks along an axis: 0, 1, 2 and sign.
   void look_along(int axis, int sign, bool ease);
+  /// Looks from a direction, y upwards where it can be.
+  void look_from(Vec3 direction, bool ease);
 
   glm::mat4 view() const;
   glm::mat4 projection(double aspect) const;

@@ -1,6 +1,8 @@
 // What the current operation touched, and what is selected.
 #include "scene/layer_highlight.h"
 
+#include "scene/pick_geometry.h"
+
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -48,6 +50,38 @@ class TetEdges {
   std::vector<Vec3> hidden_;
 };
 
+/// The edges of facets of Z, a shared one once.
+void add_facet_edges(std::span<const Triangle3> facets, const SceneSpace& space, Color8 tint, float width,
+                     bool dashed, LineBuilder& lines) {
+  const auto less = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+  std::vector<std::array<Vec3, 2>> edges;
+  for (const Triangle3& t : facets)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 a = t[i], b = t[(i + 1) % 3];
+      edges.push_back(less(a, b) ? std::array{a, b} : std::array{b, a});
+    }
+  std::sort(edges.begin(), edges.end(), [&](const auto& a, const auto& b) {
+    return less(a[0], b[0]) || (!less(b[0], a[0]) && less(a[1], b[1]));
+  });
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const auto& e : edges) lines.segment(space.local(e[0]), space.local(e[1]), tint, width, dashed);
+}
+
+/// An arrow of a move; its head faces the viewer.
+void add_arrow(Vec3 from, Vec3 to, const ViewFrame& frame, Color8 tint, LineBuilder& lines) {
+  if (from == to) return;
+  const glm::vec3 a = frame.space.local(from), b = frame.space.local(to);
+  lines.segment(a, b, tint, 2.0f);
+  const glm::vec3 along = b - a;
+  const float head =
+      std::min(0.35f * glm::length(along), static_cast<float>(9 * frame.pixel_scale / frame.pixels_per_unit));
+  glm::vec3 across = glm::cross(along, frame.toward);
+  if (glm::length(across) < 1e-6f * glm::length(along)) across = glm::cross(along, glm::vec3(0, 1, 0.1f));
+  const glm::vec3 back = b - head * glm::normalize(along), side = 0.5f * head * glm::normalize(across);
+  lines.segment(b, back + side, tint, 2.0f);
+  lines.segment(b, back - side, tint, 2.0f);
+}
+
 /// Marks one picked element, where the state has it.
 void mark(const StateSnapshot& state, const TetEdges& edges, const Pick& pick, const SceneSpace& space,
           glm::vec3 color, float strength, LineBuilder& lines, std::vector<Marker>& marks) {
@@ -61,6 +95,20 @@ void mark(const StateSnapshot& state, const TetEdges& edges, const Pick& pick, c
     break;
   case Pick::Kind::sample:
     if (state.samples && pick.id < state.samples->size()) ring(state.samples->positions[pick.id]);
+    break;
+  case Pick::Kind::edge:
+    if (const auto ends = edge_positions(state, pick)) {
+      lines.segment(space.local((*ends)[0]), space.local((*ends)[1]), tint, 3.4f);
+      for (const Vec3& p : *ends) marks.push_back({space.local(p), tint, MarkerShape::disc, 7});
+    }
+    break;
+  case Pick::Kind::facet:
+    if (pick.id < state.complex.facets.size() && state.complex.facets[pick.id].alive()) {
+      const auto& v = state.complex.facets[pick.id].v;
+      const Triangle3 corners{state.complex.position(v[0]), state.complex.position(v[1]),
+                              state.complex.position(v[2])};
+      add_facet_edges(std::span(&corners, 1), space, tint, 3.0f, false, lines);
+    }
     break;
   case Pick::Kind::tet:
     if (pick.id < state.complex.tets.size() && state.complex.tets[pick.id].alive())
@@ -87,9 +135,28 @@ void HighlightLayer::update(const StateSnapshot* state, const ViewFrame& frame) 
             state->complex.tet(id).alive())
           added.push_back(state->complex.positions(id));
       const std::size_t removed = std::min(state->removed_tets.size(), shown_tets);
-      edges.add(added, color8(c.accent, 0.8f), 1.3f, false, operation);
-      edges.add(std::span(state->removed_tets).first(removed), color8(c.warning, 0.85f), 1.3f, true,
-                operation);
+      const bool facets = !state->added_facets.empty() || !state->removed_facets.empty();
+      const bool before = frame.view.moment == Moment::before, after = frame.view.moment == Moment::after;
+      if (facets) {
+        // On Z its facets tell the story; those of T around them would be a tangle.
+        // Where all of Z is new, as after the tessellation, its own edges say as much.
+        constexpr std::size_t shown_facets = 400;
+        if (!before && state->added_facets.size() <= shown_facets)
+          add_facet_edges(state->added_facets, frame.space, color8(c.accent, 1), 2.0f, false, operation);
+        if (!after && state->removed_facets.size() <= shown_facets)
+          add_facet_edges(state->removed_facets, frame.space, color8(c.warning, 0.9f), 1.6f, !before,
+                          operation);
+      } else {
+        if (!before) edges.add(added, color8(c.accent, 0.8f), 1.3f, false, operation);
+        if (!after)
+          edges.add(std::span(state->removed_tets).first(removed), color8(c.warning, 0.85f), 1.3f, true,
+                    operation);
+      }
+      const double enlarged =
+          move_scale(*state, frame.pixels_per_unit / static_cast<double>(frame.pixel_scale));
+      for (const StateSnapshot::Move& move : state->moves)
+        add_arrow(move.before, move.before + enlarged * (move.after - move.before), frame,
+                  color8(c.selection, 0.95f), operation);
       if (state->violated_tet) edges.add(*state->violated_tet, color8(c.bad), 2.0f, false, operation);
       if (state->inserted.valid() && state->inserted.index() < state->complex.vertices.size()) {
         const glm::vec3 p = frame.space.local(state->complex.position(state->inserted));

@@ -1,4 +1,5 @@
-// What the current operation touched, and what is selected: added tetrahedra solid, removed ones dashed.
+// What the current operation touched, and what is selected: added elements solid, removed ones dashed, moves
+// as arrows.
 #pragma once
 
 #include "run/snapshot.h"

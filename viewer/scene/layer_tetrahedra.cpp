@@ -20,8 +20,8 @@ glm::vec3 role_color(TetRole role, const SceneColors& colors) {
   return colors.tetrahedron;
 }
 
-void TetrahedraLayer::update(const StateSnapshot& state, const TetFilter& filter, const Clip& clip,
-                             const SceneColors& colors, const SceneSpace& space) {
+void TetrahedraLayer::update(const StateSnapshot& state, const TetFilter& filter, bool side_tint,
+                             const Clip& clip, const SceneColors& colors, const SceneSpace& space) {
   constexpr float plain_alpha = 0.13f, changed_alpha = 0.34f;
   MeshBuilder solid, faint;
   for_each_visible_tet(state, filter, clip, [&](TetId id, TetRole role) {
@@ -32,7 +32,10 @@ void TetrahedraLayer::update(const StateSnapshot& state, const TetFilter& filter
     const float alpha = violates ? 1.0f : (role == TetRole::changed ? changed_alpha : plain_alpha);
     // A box tetrahedron is large: it stays faint whatever it violates, or it would hide everything.
     const bool box = (state.tet_flags[id.index()] & tet_box) != 0;
-    const Color8 tint = color8(role_color(role, colors), box ? std::min(alpha, 0.16f) : alpha);
+    const bool sided = side_tint && !violates && state.complex.form == ZeroForm::embedded;
+    const bool negative = (state.tet_flags[id.index()] & tet_negative) != 0;
+    const glm::vec3 color = sided ? (negative ? colors.inner : colors.outer) : role_color(role, colors);
+    const Color8 tint = color8(color, box ? std::min(alpha, 0.16f) : sided ? 0.2f : alpha);
     (violates && !box ? solid : faint).tetrahedron(p, filter.shrink, tint);
   });
   solid_.upload(solid);

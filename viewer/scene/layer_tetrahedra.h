@@ -9,7 +9,8 @@ namespace isoscope {
 
 class TetrahedraLayer {
  public:
-  void update(const StateSnapshot& state, const TetFilter& filter, const Clip& clip,
+  /// `side_tint`: plain and changed ones in the colour of their side once Z is embedded.
+  void update(const StateSnapshot& state, const TetFilter& filter, bool side_tint, const Clip& clip,
               const SceneColors& colors, const SceneSpace& space);
   void clear();
   void draw_solid(gl::Program& program, const ViewFrame& frame);

@@ -1,16 +1,21 @@
 // Z: shaded polygons with their edges.
 #include "scene/layer_zero_set.h"
 
+#include "scene/zero_facets.h"
+
 namespace isoscope {
 
-void ZeroSetLayer::update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
-                          const SceneSpace& space) {
+void ZeroSetLayer::update(const StateSnapshot& state, Moment moment, const Clip& clip,
+                          const SceneColors& colors, const SceneSpace& space) {
   const ZeroSet& zero = state.zero_set;
   const Color8 tint = color8(colors.zero_set);
   MeshBuilder builder;
   builder.reserve(2 * zero.polygons.size());
-  for (const ZeroSet::Polygon& polygon : zero.polygons) {
-    if (clip.active() && !clip.cuts() && !clip.shows_cell(state.complex.positions(polygon.tet))) continue;
+  const std::vector<std::uint8_t> is_new =
+      moment == Moment::before ? new_polygons(state) : std::vector<std::uint8_t>(zero.polygons.size(), 0);
+  for (std::size_t index = 0; index < zero.polygons.size(); ++index) {
+    const ZeroSet::Polygon& polygon = zero.polygons[index];
+    if (is_new[index] || !shows_polygon(state, polygon, clip)) continue;
     std::array<glm::vec3, 4> p{};
     for (std::size_t i = 0; i < polygon.count; ++i) p[i] = space.local(zero.vertices[polygon.v[i]].position);
     if (polygon.count == 3)
@@ -18,6 +23,9 @@ void ZeroSetLayer::update(const StateSnapshot& state, const Clip& clip, const Sc
     else
       builder.quad(p, tint);
   }
+  if (moment == Moment::before)
+    for (const Triangle3& t : state.removed_facets)
+      builder.triangle(space.local(t[0]), space.local(t[1]), space.local(t[2]), tint);
   batch_.upload(builder);
 }
 

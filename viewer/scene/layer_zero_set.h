@@ -10,7 +10,8 @@ namespace isoscope {
 
 class ZeroSetLayer {
  public:
-  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
+  /// `before`: as it was before the current operation, where Z is embedded or free.
+  void update(const StateSnapshot& state, Moment moment, const Clip& clip, const SceneColors& colors,
               const SceneSpace& space);
   void clear() { batch_.upload(MeshBuilder()); }
   /// Opaque pass, or translucent when the layer's opacity is below 1.

@@ -1,8 +1,10 @@
-// A few camera-facing marks of fixed pixel size: rings around points, discs and crosses of the 2D section.
+// A few camera-facing marks of fixed pixel size: rings around points, discs and crosses of the 2D section,
+// candidates of a collapse.
 #pragma once
 
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "scene/marker_shape.h"
 #include "scene/mesh_batch.h"
 
 #include <glm/vec3.hpp>
@@ -11,8 +13,6 @@
 #include <vector>
 
 namespace isoscope {
-
-enum class MarkerShape : std::uint8_t { ring, disc, cross, circle };
 
 /// 20 bytes.
 struct Marker {

@@ -4,11 +4,13 @@
 #include "mesh/sample_sets.h"
 #include "scene/clip.h"
 #include "scene/tet_visibility.h"
+#include "scene/zero_facets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace isoscope {
@@ -104,8 +106,11 @@ void hit_zero_set(const Search& search, std::vector<Hit>& hits) {
     const auto corner = [&](std::size_t i) { return zero.vertices[polygon.v[i]].position; };
     auto t = meet_triangle(search.ray, corner(0), corner(1), corner(2));
     if (!t && polygon.count == 4) t = meet_triangle(search.ray, corner(0), corner(2), corner(3));
-    if (!t || !cell_visible(search, state.complex.positions(polygon.tet), search.along(*t))) continue;
-    hits.push_back({*t, {Pick::Kind::tet, polygon.tet.value, search.along(*t)}});
+    if (!t || !cell_visible(search, clip_cell(state, polygon).span(), search.along(*t))) continue;
+    if (polygon.facet.valid())
+      hits.push_back({*t, {Pick::Kind::facet, polygon.facet.value, search.along(*t)}});
+    else
+      hits.push_back({*t, {Pick::Kind::tet, polygon.tet.value, search.along(*t)}});
   }
 }
 
@@ -128,13 +133,59 @@ void hit_samples(const Search& search, std::vector<Hit>& hits) {
 
 void hit_vertices(const Search& search, std::vector<Hit>& hits) {
   const ViewSettings& view = search.view;
-  if (!view.tetrahedra.shown() && !view.samples.shown() && !view.gamma.shown()) return;
+  const bool zero = view.zero_set.shown() && search.scene.state->complex.form != ZeroForm::interpolated;
+  if (!view.tetrahedra.shown() && !view.samples.shown() && !view.gamma.shown() && !zero) return;
+  const bool only_zero = search.scene.state->complex.form == ZeroForm::free;
   const auto& vertices = search.scene.state->complex.vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vertex& v = vertices[i];
     if (!v.alive || (v.kind == VertexKind::box && !view.tets.box) || !search.clip.keeps(v.position)) continue;
+    if (only_zero && v.kind != VertexKind::zero) continue;
     if (const auto t = search.caught(v.position))
       hits.push_back({*t, {Pick::Kind::vertex, static_cast<std::uint32_t>(i), v.position}});
+  }
+}
+
+/// Where the ray passes nearest to a segment when it catches it.
+std::optional<double> meet_segment(const Search& search, Vec3 a, Vec3 b) {
+  const Vec3 along = b - a, d = search.ray.direction, r = a - search.ray.origin;
+  const double aa = dot(along, along), ad = dot(along, d), dd = dot(d, d);
+  const double det = aa * dd - ad * ad;
+  double s = det > 0 ? (ad * dot(d, r) - dd * dot(along, r)) / det : 0;
+  s = std::clamp(s, 0.0, 1.0);
+  return search.caught(a + s * along);
+}
+
+/// Edges of Z once it is embedded or free, of visible tetrahedra, and of ∂Γ where it is shown.
+void hit_edges(const Search& search, std::vector<Hit>& hits) {
+  const StateSnapshot& state = *search.scene.state;
+  std::vector<std::pair<VertexId, VertexId>> edges;
+  if (search.view.zero_set.shown() && state.complex.form != ZeroForm::interpolated)
+    for (const ZeroSet::Polygon& p : state.zero_set.polygons) {
+      if (!shows_polygon(state, p, search.clip)) continue;
+      for (std::size_t i = 0; i < p.count; ++i)
+        edges.push_back(std::minmax(state.zero_set.vertices[p.v[i]].negative,
+                                    state.zero_set.vertices[p.v[(i + 1) % p.count]].negative));
+    }
+  const auto in_box = [&](VertexId v) { return state.complex.vertices[v.index()].kind == VertexKind::box; };
+  const auto add = [&](VertexId a, VertexId b) {
+    if (search.view.tets.box || (!in_box(a) && !in_box(b))) edges.push_back(std::minmax(a, b));
+  };
+  if (search.view.tetrahedra.shown())
+    for_each_visible_tet(state, search.view.tets, search.clip, [&](TetId id, TetRole) {
+      const auto& v = state.complex.tet(id).v;
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = i + 1; j < 4; ++j) add(v[i], v[j]);
+    });
+  if (search.view.gamma.shown())
+    for (const GammaFacet& f : state.gamma)
+      for (std::size_t i = 0; i < 3; ++i) add(f.v[i], f.v[(i + 1) % 3]);
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const auto& [a, b] : edges) {
+    const auto t = meet_segment(search, state.complex.position(a), state.complex.position(b));
+    if (!t || !search.clip.keeps(search.along(*t))) continue;
+    hits.push_back({*t, {Pick::Kind::edge, a.value, search.along(*t), b.value}});
   }
 }
 
@@ -212,6 +263,12 @@ Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings
   if (view.zero_set.opacity >= 1) wall = std::min(wall, first(zero));
   if (kinds & pick_vertices) hit_vertices(search, hits);
   if (kinds & pick_samples) hit_samples(search, hits);
+  if (kinds & pick_edges) {
+    // Alone an edge may be far from the mouse; beside cells it must leave them room.
+    PickAt near = at;
+    near.radius *= kinds == pick_edges ? 2.0 : 0.7;
+    hit_edges(Search(scene, camera, view, near), hits);
+  }
   // A point that lies within its catch radius of a wall is drawn before it.
   const double slack = search.point_radius + (std::isfinite(wall) ? search.point_radius_rate * wall : 0);
   if (kinds & pick_tetrahedra) {
@@ -221,12 +278,16 @@ Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings
   if (depth_index == 0) std::erase_if(hits, [&](const Hit& hit) { return hit.t > wall + slack; });
   // Points are small: where one is caught it wins over the cell right around it.
   const auto rank = [&](const Hit& hit) {
-    const bool point = hit.pick.kind != Pick::Kind::tet;
-    return point ? hit.t - search.point_radius - search.point_radius_rate * hit.t : hit.t;
+    // Twice for vertices: the edges at a vertex pass through it.
+    const Pick::Kind kind = hit.pick.kind;
+    const double lead = kind == Pick::Kind::tet || kind == Pick::Kind::facet ? 0
+                        : kind == Pick::Kind::edge                           ? 1
+                                                                             : 2;
+    return hit.t - lead * (search.point_radius + search.point_radius_rate * hit.t);
   };
   std::sort(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
     if (rank(a) != rank(b)) return rank(a) < rank(b);
-    return a.pick.kind != b.pick.kind ? a.pick.kind < b.pick.kind : a.pick.id < b.pick.id;
+    return std::tie(a.pick.kind, a.pick.id, a.pick.other) < std::tie(b.pick.kind, b.pick.id, b.pick.other);
   });
   // A tetrahedron and its zero polygon are one thing to pick.
   std::vector<Pick> picks;

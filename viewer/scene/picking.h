@@ -23,7 +23,8 @@ struct PickScene {
   const DistanceGrid* grid = nullptr;
 };
 
-constexpr unsigned pick_vertices = 1, pick_tetrahedra = 2, pick_samples = 4;
+/// Facets of a free Z count as its cells: they come with the tetrahedra.
+constexpr unsigned pick_vertices = 1, pick_tetrahedra = 2, pick_samples = 4, pick_edges = 8, pick_all = 15;
 
 /// The hit number `depth_index` along the ray among the asked-for kinds. Number 0 is never behind an opaque
 /// surface.

@@ -12,6 +12,7 @@ Result<Programs> Programs::build(const gl::ShaderSource& source) {
       {&Programs::background, "background", "fullscreen.vert", "background.frag"},
       {&Programs::mesh_opaque, "mesh_opaque", "mesh.vert", "mesh_opaque.frag"},
       {&Programs::mesh_translucent, "mesh_translucent", "mesh.vert", "mesh_translucent.frag"},
+      {&Programs::mesh_flat, "mesh_flat", "mesh.vert", "mesh_flat.frag"},
       {&Programs::line, "line", "line.vert", "line.frag"},
       {&Programs::marker, "marker", "marker.vert", "marker.frag"},
       {&Programs::sample, "sample", "sample.vert", "sample.frag"},

@@ -6,6 +6,7 @@
 #include "gl/shader_source.h"
 #include "scene/clip.h"
 #include "scene/frame_targets.h"
+#include "scene/layer_attempt.h"
 #include "scene/layer_gamma.h"
 #include "scene/layer_highlight.h"
 #include "scene/layer_input.h"
@@ -42,6 +43,7 @@ struct Built {
   ThemeKind theme = ThemeKind::dark;
   TetFilter tets;
   bool good = true, bad = true;
+  Moment moment = Moment::both;
   friend bool operator==(const Built&, const Built&) = default;
 };
 
@@ -73,6 +75,7 @@ struct Renderer::Impl {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const DistanceGrid> grid;
   std::shared_ptr<const StateSnapshot> state;
+  std::shared_ptr<const EdgeXray> xray;
   SceneSpace space;
 
   ZeroSetLayer zero_set;
@@ -82,6 +85,7 @@ struct Renderer::Impl {
   SamplesLayer samples;
   ToleranceLayer tolerance;
   HighlightLayer highlight;
+  AttemptLayer attempt;
   SectionLayer section;
   Built zero_built, gamma_built, input_built, tets_built, samples_built;
   double seconds = 0;
@@ -157,7 +161,10 @@ ViewFrame Renderer::Impl::view_frame(const Camera& camera, const ViewSettings& v
   frame.selection = request.selection;
   frame.hover = request.hover;
   frame.pulse = request.pulse;
+  frame.mark = request.mark;
   frame.pixels_per_unit = pixels_per_unit(camera, height);
+  const Vec3 toward = normalized(camera.eye() - camera.pose().target);
+  frame.toward = {static_cast<float>(toward.x), static_cast<float>(toward.y), static_cast<float>(toward.z)};
   return frame;
 }
 
@@ -180,9 +187,11 @@ void Renderer::Impl::update_layers(const ViewFrame& frame) {
       input.clear();
   }
   wanted.source = state.get();
-  if (view.zero_set.shown() && stale(zero_built, wanted)) {
+  Built zero_wanted = wanted;
+  zero_wanted.moment = view.moment;
+  if (view.zero_set.shown() && stale(zero_built, zero_wanted)) {
     if (state)
-      zero_set.update(*state, clip, frame.colors, space);
+      zero_set.update(*state, view.moment, clip, frame.colors, space);
     else
       zero_set.clear();
   }
@@ -206,13 +215,15 @@ void Renderer::Impl::update_layers(const ViewFrame& frame) {
   // Cut tetrahedra depend on the clip too: only those that it touches or keeps are uploaded.
   wanted.clip = view.clip;
   wanted.tets = view.tets;
+  wanted.good = view.side_tint;
   if (view.tetrahedra.shown() && stale(tets_built, wanted)) {
     if (state)
-      tetrahedra.update(*state, view.tets, clip, frame.colors, space);
+      tetrahedra.update(*state, view.tets, view.side_tint, clip, frame.colors, space);
     else
       tetrahedra.clear();
   }
   highlight.update(state.get(), frame);
+  attempt.update(view.xray.shown() ? xray.get() : nullptr, frame.mark, frame.colors, space);
 }
 
 void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request,
@@ -360,6 +371,10 @@ void Renderer::set_state(std::shared_ptr<const StateSnapshot> state) {
   if (!impl_->scene && !impl_->grid) impl_->place_origin();
 }
 
+void Renderer::set_xray(std::shared_ptr<const EdgeXray> xray) {
+  impl_->xray = std::move(xray);
+}
+
 Box3 Renderer::bounds() const {
   return impl_->bounds();
 }
@@ -403,6 +418,7 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   r.highlight.draw(r.programs, frame);
+  r.attempt.draw(r.programs, frame);
   return r.finish(r.targets, start, request.quality);
 }
 

@@ -10,9 +10,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
+
+struct EdgeXray;
 
 /// How much work a frame may cost.
 enum class Quality : std::uint8_t { moving, rest };
@@ -23,7 +26,8 @@ struct FrameRequest {
   Quality quality = Quality::rest;
   float pixel_scale = 1; ///< content scale of the monitor: line widths and disc sizes follow it
   Pick selection, hover;
-  float pulse = 0; ///< in [0, 1): phase for the highlight of the current operation
+  std::optional<Vec3> mark; ///< a point to be seen: a witness
+  float pulse = 0;          ///< in [0, 1): phase for the highlight of the current operation
   bool transparent_background = false;
 };
 
@@ -38,6 +42,7 @@ class Renderer {
   void set_scene(std::shared_ptr<const Scene> scene);
   void set_grid(std::shared_ptr<const DistanceGrid> grid);
   void set_state(std::shared_ptr<const StateSnapshot> state);
+  void set_xray(std::shared_ptr<const EdgeXray> xray);
   Box3 bounds() const;
 
   /// Renders the 3D view; returns the colour texture's name, valid until the next call. Resolution may be
@@ -55,8 +60,8 @@ class Renderer {
   Frame render_section(const SectionView& section, const ViewSettings& view, const FrameRequest& request);
 
   /// The nearest element under a framebuffer position (origin top left) that the layers, the filter and the
-  /// clip let see. `kinds`: bit 0 vertices, 1 tetrahedra, 2 samples. `depth_index`: 0 nearest, 1 the next
-  /// deeper ...
+  /// clip let see. `kinds`: bit 0 vertices, 1 tetrahedra, 2 samples, 3 edges. `depth_index`: 0 nearest, 1 the
+  /// next deeper ...
   Pick pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height,
             unsigned kinds, int depth_index = 0) const;
   Pick pick_section(const SectionView& section, const ViewSettings& view, double x, double y, int width,

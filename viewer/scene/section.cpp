@@ -1,6 +1,8 @@
 // Draws the 2D section as the paper's figures do.
 #include "scene/section.h"
 
+#include "scene/pick_geometry.h"
+
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -29,6 +31,7 @@ void outline(const std::array<Vec3, 4>& p, const SectionPlane& plane, const Scen
 
 void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
   LineBuilder lines, marked;
+  MeshBuilder cells;
   std::vector<Marker> samples, marks;
   if (state) {
     const SceneColors& c = frame.colors;
@@ -39,6 +42,13 @@ void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
       for (const auto& s : segments)
         lines.segment(frame.space.local(plane.lift(s.a)), frame.space.local(plane.lift(s.b)), tint, width);
     };
+    if (frame.view.side_tint && frame.view.tetrahedra.shown()) {
+      const auto local = [&](PlanePoint p) { return frame.space.local(plane.lift(p)); };
+      for (const SectionGeometry::Cell& cell : geometry.cells)
+        for (std::size_t i = 1; i + 1 < cell.count; ++i)
+          cells.triangle(local(cell.corners[0]), local(cell.corners[i]), local(cell.corners[i + 1]),
+                         color8(cell.negative ? c.inner : c.outer), 0);
+    }
     if (frame.view.tetrahedra.shown()) add(geometry.tetrahedra, color8(c.section_line), 1.0f);
     if (frame.view.gamma.shown()) add(geometry.gamma, color8(c.gamma), 1.8f);
     if (frame.view.zero_set.shown()) add(geometry.zero_set, color8(c.section_zero), 2.6f);
@@ -78,12 +88,16 @@ void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
           state->complex.tets[pick.id].alive())
         outline(state->complex.positions(TetId(pick.id)), plane, frame.space, color8(c.selection), 2.2f,
                 false, marked);
+      if (const auto ends = edge_positions(*state, pick))
+        marked.segment(frame.space.local(plane.lift(plane.project((*ends)[0]))),
+                       frame.space.local(plane.lift(plane.project((*ends)[1]))), color8(c.selection), 2.6f);
       if (pick.kind == Pick::Kind::vertex && pick.id < state->complex.vertices.size())
         ring(state->complex.vertices[pick.id].position, c.selection, 16);
       if (pick.kind == Pick::Kind::sample && state->samples && pick.id < state->samples->size())
         ring(state->samples->positions[pick.id], c.selection, 16);
     }
   }
+  cells_.upload(cells);
   lines_.upload(lines);
   marked_.upload(marked);
   samples_.upload(samples);
@@ -104,6 +118,10 @@ void SectionLayer::draw(Programs& programs, const ViewFrame& frame, ToleranceLay
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  MeshStyle flat;
+  flat.opacity = 0.2f;
+  flat.back_shade = 1;
+  cells_.draw(programs.mesh_flat, flat);
   lines_.draw(programs.line, 1, 0);
   samples_.draw(programs.marker, frame.view.samples.opacity);
   marked_.draw(programs.line, 1, 0);

@@ -5,6 +5,7 @@
 #include "scene/layer_tolerance.h"
 #include "scene/line_batch.h"
 #include "scene/markers.h"
+#include "scene/mesh_batch.h"
 #include "scene/programs.h"
 #include "scene/section_geometry.h"
 #include "scene/section_view.h"
@@ -19,6 +20,7 @@ class SectionLayer {
   void draw(Programs& programs, const ViewFrame& frame, ToleranceLayer& tolerance, float background_opacity);
 
  private:
+  MeshBatch cells_;
   LineBatch lines_, marked_;
   MarkerBatch samples_, marks_;
 };

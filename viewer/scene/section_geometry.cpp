@@ -35,6 +35,30 @@ bool drawn(const StateSnapshot& state, std::size_t tet, bool box) {
          (box || tet >= state.tet_flags.size() || (state.tet_flags[tet] & tet_box) == 0);
 }
 
+/// The polygon in which the plane cuts a tetrahedron that has corners on both sides.
+std::optional<SectionGeometry::Cell> cut_cell(const std::array<Vec3, 4>& p, const std::array<double, 4>& h,
+                                              const SectionPlane& plane) {
+  std::array<std::size_t, 4> above{}, below{};
+  std::size_t na = 0, nb = 0;
+  for (std::size_t i = 0; i < 4; ++i) (h[i] >= 0 ? above[na++] : below[nb++]) = i;
+  if (na == 0 || nb == 0) return std::nullopt;
+  const auto meet = [&](std::size_t a, std::size_t b) {
+    return plane.project(p[a] + h[a] / (h[a] - h[b]) * (p[b] - p[a]));
+  };
+  SectionGeometry::Cell cell;
+  if (na == 2) {
+    cell.count = 4;
+    cell.corners = {meet(above[0], below[0]), meet(above[0], below[1]), meet(above[1], below[1]),
+                    meet(above[1], below[0])};
+  } else {
+    const std::size_t apex = na == 1 ? above[0] : below[0];
+    const auto& base = na == 1 ? below : above;
+    cell.count = 3;
+    for (std::size_t i = 0; i < 3; ++i) cell.corners[i] = meet(apex, base[i]);
+  }
+  return cell;
+}
+
 } // namespace
 
 SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane& plane,
@@ -47,6 +71,14 @@ SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane&
   for (std::size_t i = 0; i < complex.tets.size(); ++i) {
     if (!drawn(state, i, options.box)) continue;
     const Tet& tet = complex.tets[i];
+    if (tet.side != 0) {
+      std::array<double, 4> h{};
+      for (std::size_t k = 0; k < 4; ++k) h[k] = heights[tet.v[k].index()];
+      if (auto cell = cut_cell(complex.positions(TetId(i)), h, plane)) {
+        cell->negative = tet.side < 0;
+        out.cells.push_back(*cell);
+      }
+    }
     for (std::size_t facet = 0; facet < 4; ++facet) {
       const TetId other = tet.neighbor[facet];
       if (other.valid() && other.index() < i && drawn(state, other.index(), options.box)) continue;

@@ -33,7 +33,14 @@ struct SectionGeometry {
     SampleId id;
     bool bad = false, outer = true;
   };
+  /// Where the plane cuts a tetrahedron: a triangle or quad, corners in order.
+  struct Cell {
+    std::array<PlanePoint, 4> corners;
+    std::size_t count = 0;
+    bool negative = false; ///< its side
+  };
   std::vector<Segment> tetrahedra; ///< facets of T, each once
+  std::vector<Cell> cells;         ///< of tetrahedra with a side
   std::vector<Segment> zero_set;
   std::vector<Segment> gamma;  ///< ∂Γ
   std::vector<Sample> samples; ///< within `sample_distance` of the plane

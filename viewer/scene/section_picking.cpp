@@ -4,6 +4,7 @@
 
 #include "mesh/sample_sets.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isoscope {
@@ -39,6 +40,20 @@ Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView&
           std::abs(plane.height(v.position)) <= reach)
         offer(Pick::Kind::vertex, i, v.position);
     }
+  }
+  if (best.kind == Pick::Kind::none && (kinds & pick_edges) && view.zero_set.shown() &&
+      state.complex.form != ZeroForm::interpolated) {
+    // Edges of Z that the plane crosses: they are points there.
+    for (const ZeroSet::Polygon& p : state.zero_set.polygons)
+      for (std::size_t i = 0; i < p.count; ++i) {
+        const auto &a = state.zero_set.vertices[p.v[i]], &b = state.zero_set.vertices[p.v[(i + 1) % p.count]];
+        const double ha = plane.height(a.position), hb = plane.height(b.position);
+        if ((ha >= 0) == (hb >= 0)) continue;
+        const auto [v, w] = std::minmax(a.negative, b.negative);
+        offer(Pick::Kind::edge, v.value, a.position + ha / (ha - hb) * (b.position - a.position));
+        if (best.kind == Pick::Kind::edge && best.id == v.value && best.other == Pick().other)
+          best.other = w.value;
+      }
   }
   if (best.kind == Pick::Kind::none && (kinds & pick_tetrahedra)) {
     const TetId tet = section_tet(state, plane, here, view.tets.box);

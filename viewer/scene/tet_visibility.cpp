@@ -3,7 +3,10 @@
 
 namespace isoscope {
 
-TetRole tet_role(std::uint8_t flags, const TetFilter& filter) {
+TetRole tet_role(std::uint8_t flags, const TetFilter& filter, bool embedded) {
+  if (embedded && filter.sides != TetFilter::Sides::both &&
+      ((flags & tet_negative) != 0) != (filter.sides == TetFilter::Sides::inner))
+    return TetRole::hidden;
   if ((flags & tet_box) && !filter.box) return TetRole::hidden;
   if ((flags & tet_violates_1) && filter.violate_1) return TetRole::violates_1;
   if ((flags & tet_violates_2) && filter.violate_2) return TetRole::violates_2;

@@ -12,6 +12,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <optional>
+
 namespace isoscope {
 
 /// Positions on the GPU are single precision relative to this origin.
@@ -44,7 +46,9 @@ struct ViewFrame {
   Quality quality = Quality::rest;
   Pick selection{}, hover{};
   float pulse = 0;
+  std::optional<Vec3> mark{}; ///< a point to be seen
   double pixels_per_unit = 1; ///< at the target
+  glm::vec3 toward{0, 0, 1};  ///< unit, from the target to the eye
 };
 
 /// The uniform buffer behind the block Frame.

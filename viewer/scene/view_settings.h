@@ -24,7 +24,10 @@ struct TetFilter {
   bool all = false;
   bool box = false;         ///< also those with a corner of the bounding box
   std::uint32_t recent = 1; ///< operations back for `changed`
-  float shrink = 0.85f;     ///< display shrink about the centroid in (0, 1]; not condition 3's factor
+  /// Once Z is embedded: tetrahedra of both sides, or of one.
+  enum class Sides : std::uint8_t { both, outer, inner };
+  Sides sides = Sides::both;
+  float shrink = 0.85f; ///< display shrink about the centroid in (0, 1]; not condition 3's factor
   friend bool operator==(const TetFilter&, const TetFilter&) = default;
 };
 
@@ -44,6 +47,13 @@ struct ClipSettings {
 enum class ThemeKind : std::uint8_t { dark, light, paper };
 enum class ViewMode : std::uint8_t { scene, section, split };
 
+/// Which side of the current operation is drawn.
+enum class Moment : std::uint8_t {
+  both,   ///< what it left, over a ghost of what it took away
+  before, ///< Z as it was
+  after   ///< Z as it is, without ghost
+};
+
 struct ViewSettings {
   LayerSettings input{false, 1.0f}; ///< the input triangles
   LayerSettings outer{true, 0.22f}; ///< outer boundary surface of Ω
@@ -54,7 +64,11 @@ struct ViewSettings {
   LayerSettings zero_set{true, 1.0f};
   LayerSettings gamma{false, 1.0f};
   LayerSettings highlight{true, 1.0f}; ///< what the current operation touched
+  LayerSettings xray{true, 1.0f};      ///< kernel, candidates and offenders of the selected edge
+  Moment moment = Moment::both;
   bool zero_set_edges = true;
+  bool focus = true;        ///< with an edge selected samples, Ω and changed tetrahedra step back
+  bool side_tint = true;    ///< tetrahedra in the colour of their side once Z is embedded
   float sample_size = 5.0f; ///< pixels at the orbit distance
   TetFilter tets;
   ClipSettings clip;
@@ -66,11 +80,14 @@ struct ViewSettings {
 
 /// What is picked or selected.
 struct Pick {
-  enum class Kind : std::uint8_t { none, vertex, tet, sample };
+  enum class Kind : std::uint8_t { none, vertex, edge, tet, sample, facet };
   Kind kind = Kind::none;
-  std::uint32_t id = 0xffffffffu;
-  Vec3 point; ///< where the ray met it
-  friend bool operator==(const Pick& a, const Pick& b) { return a.kind == b.kind && a.id == b.id; }
+  std::uint32_t id = 0xffffffffu;    ///< of the element; of an edge: of one end
+  Vec3 point;                        ///< where the ray met it
+  std::uint32_t other = 0xffffffffu; ///< the other end of an edge
+  friend bool operator==(const Pick& a, const Pick& b) {
+    return a.kind == b.kind && a.id == b.id && a.other == b.other;
+  }
 };
 
 } // namespace isoscope

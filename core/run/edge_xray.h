@@ -1,0 +1,60 @@
+// Everything there is to say about collapsing one edge at one step: what a person asks of an edge, answered
+// by the evaluator that the run itself asks (architecture D2).
+#pragma once
+
+#include "criteria/nearest_sample.h"
+#include "run/snapshot.h"
+#include "simplify/collapse_evaluator.h"
+
+#include <array>
+#include <optional>
+
+namespace isoscope {
+
+/// Which targets are looked for.
+enum class XrayTarget : std::uint8_t {
+  automatic, ///< as the stage of the edge's kind does it; as the event did it, where there is one
+  halfedge,  ///< the ends of the edge
+  general    ///< the search of the parameters
+};
+
+/// An edge to be looked at.
+struct EdgeQuestion {
+  VertexId a, b;
+  std::optional<std::uint32_t> event; ///< a collapse or a rejection of it: its moment is judged
+  XrayTarget target = XrayTarget::automatic;
+  friend bool operator==(const EdgeQuestion&, const EdgeQuestion&) = default;
+};
+
+/// What an answer depends on besides the state; all of it immutable.
+struct XrayContext {
+  const Scene& scene;
+  const Journal& journal;
+  const RunParameters& parameters;
+  const NearestSample* nearest = nullptr; ///< of the state's samples; null: condition 3 is not judged
+};
+
+/// The answer.
+struct EdgeXray {
+  EdgeStar star;
+  bool before = false; ///< judged on the state before the operation that led to the step
+  bool halfedge = false;
+  CriteriaParameters criteria;
+  CollapseAttempt attempt;
+  KernelPolyhedron kernel;
+  /// How many candidates each reason rejected; Reason::none: taken.
+  std::array<std::uint32_t, reason_count> candidates{};
+  /// Where an event was asked about: whether the journal says the same.
+  std::optional<bool> agrees;
+};
+
+/// The event that speaks of an edge at the step shown: the operation that led there, else a rejection between
+/// it and the next one.
+std::optional<std::uint32_t> edge_event(const Journal& journal, Step step, VertexId a, VertexId b);
+
+/// Judges the edge on the state. Nothing where T has no such edge: it is not there at this step, or Z has
+/// left T.
+std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion& question,
+                                  const XrayContext& context);
+
+} // namespace isoscope

@@ -1,0 +1,55 @@
+// A worker that looks at one edge of the state shown: the newest question wins.
+#pragma once
+
+#include "app/playhead.h"
+#include "run/edge_xray.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace isoscope {
+
+/// What is asked; everything in it is immutable.
+struct ProbeRequest {
+  std::shared_ptr<const StateSnapshot> state;
+  std::shared_ptr<const Journal> journal;
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const SampleIndex> index; ///< of the state's samples, if there is one already
+  RunParameters parameters;
+  EdgeQuestion question;
+  /// The parameters belong to the journal.
+  friend bool operator==(const ProbeRequest& a, const ProbeRequest& b) {
+    return a.state == b.state && a.journal == b.journal && a.question == b.question;
+  }
+};
+
+/// The newest answer; `xray` is null where the state has no such edge.
+struct ProbeResult {
+  ProbeRequest request;
+  std::shared_ptr<const EdgeXray> xray;
+};
+
+/// Methods are for one thread, the window's; the work happens on the worker's.
+class Probe {
+ public:
+  /// `notify` is called from the worker whenever an answer is ready.
+  explicit Probe(std::function<void()> notify);
+  ~Probe();
+  Probe(const Probe&) = delete;
+  Probe& operator=(const Probe&) = delete;
+
+  /// Replaces any question that was not begun yet.
+  void request(ProbeRequest request);
+  /// The newest answer, null before the first.
+  std::shared_ptr<const ProbeResult> result() const;
+  bool idle() const;
+  /// Blocks until idle; for tests.
+  void wait() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace isoscope

@@ -1,0 +1,291 @@
+// The X-ray of an edge: the verdict, every check with its number beside its limit, kernel, candidates by
+// reason, cost.
+#include "app/icons.h"
+#include "app/words.h"
+#include "panels/edge_parts.h"
+#include "panels/panels.h"
+#include "panels/widgets.h"
+#include "run/edge_xray.h"
+#include "scene/pick_geometry.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace isoscope::panels {
+namespace {
+
+using CheckState = CheckVerdict::State;
+
+std::string edge_text(std::uint32_t a, std::uint32_t b) {
+  return std::to_string(a) + " – " + std::to_string(b);
+}
+
+std::string_view kind_text(EdgeKind kind) {
+  constexpr std::array<std::string_view, 4> words{"an edge of ∂Γ", "an edge of Z", "between Z and Γ",
+                                                  "of no kind that is collapsed"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
+/// A glyph and a sentence in one line.
+void headline(const Ui& ui, Rgb color, MarkerShape shape, std::string_view text) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float high = ui.px(26), width = ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(color, 0.18f), ui.px(5));
+  widgets::glyph(ui, {at.x + ui.px(14), at.y + high / 2}, 5.5f, color, shape);
+  ImGui::PushFont(ui.fonts.bold);
+  const std::string shown = widgets::fitted(text, width - ui.px(34));
+  const float extent = widgets::text_size(shown).y;
+  ImGui::PopFont();
+  widgets::draw_text(list, ui.fonts.bold, {at.x + ui.px(27), at.y + (high - extent) / 2},
+                     to_u32(ui.colors.text), shown);
+  ImGui::Dummy({width, high});
+}
+
+void verdict(Ui& ui, const EdgeXray& x) {
+  const CollapseAttempt& attempt = x.attempt;
+  const bool eligible = attempt.check(CollapseCheck::eligible).state == CheckState::passed;
+  if (!eligible)
+    headline(ui, ui.colors.quiet, MarkerShape::circle, "is never collapsed");
+  else if (attempt.possible())
+    headline(ui, ui.colors.good, MarkerShape::disc,
+             "can collapse: " + std::string(reason_style(attempt.found_by).title));
+  else
+    headline(ui, reason_style(attempt.rejected).color, reason_style(attempt.rejected).shape,
+             "stays: " + std::string(reason_style(attempt.rejected).title));
+  if (x.agrees) {
+    ImGui::PushFont(ui.fonts.small);
+    widgets::verdict_glyph(ui, *x.agrees);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(*x.agrees ? "the journal says the same" : "the journal says otherwise");
+    ImGui::PopFont();
+    widgets::tip(ui, "Judged again",
+                 "The evaluator that the run used, asked again about the state of that moment.");
+  }
+  constexpr std::array<const char*, 3> labels{"automatic", "halfedge", "general"};
+  int chosen = static_cast<int>(ui.model.selection.target);
+  ImGui::PushFont(ui.fonts.small);
+  if (widgets::segmented(ui, "targets", labels, chosen))
+    ui.model.selection.target = static_cast<XrayTarget>(chosen);
+  ImGui::PopFont();
+  widgets::tip(ui, "Which targets",
+               "As the stage looks for them, the ends of the edge alone, or the search.");
+}
+
+/// One rung of the ladder; a click shows the witness.
+void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
+  const CheckVerdict& v = x.attempt.check(check);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), high = ui.px(22);
+  ImGui::PushID(static_cast<int>(check));
+  const bool asked = v.state != CheckState::skipped;
+  const bool pressed = ImGui::InvisibleButton("check", {width, high});
+  ImGui::PopID();
+  const bool has_witness = v.state == CheckState::failed && squared_length(v.witness) > 0;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered() && has_witness) {
+    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + high},
+                       to_u32(ui.colors.hover), ui.px(4));
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  if (pressed && has_witness) ui.commands.post("witness", {std::string(name(check))});
+  widgets::tip(ui, check_title(check),
+               std::string(check_help(check)) + (has_witness ? " Click for the witness." : ""));
+  const ImVec2 mark{at.x + ui.px(8), at.y + high / 2};
+  if (v.state == CheckState::passed)
+    widgets::glyph(ui, mark, 4.5f, ui.colors.good, MarkerShape::disc);
+  else if (v.state == CheckState::failed)
+    widgets::glyph(ui, mark, 4.5f, ui.colors.bad_text, MarkerShape::cross);
+  else
+    widgets::glyph(ui, mark, 3.5f, ui.colors.quiet, MarkerShape::circle);
+  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), y},
+                     to_u32(asked ? ui.colors.text : ui.colors.quiet), check_title(check));
+  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
+  std::string value;
+  if (check == CollapseCheck::kernel && asked)
+    value = "r = " + short_number(v.value / delta) + " δ";
+  else if (check == CollapseCheck::candidates && asked)
+    value = grouped(x.attempt.tried) + " tried";
+  else if ((check == CollapseCheck::link || check == CollapseCheck::zero_link) &&
+           v.state == CheckState::failed)
+    value = grouped(check == CollapseCheck::link ? x.attempt.link.offending_t.size()
+                                                 : x.attempt.link.offending_zero.size()) +
+            " simplices";
+  else if (!asked)
+    value = "not asked";
+  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  widgets::draw_text(list, ui.fonts.mono,
+                     {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
+                     to_u32(asked ? ui.colors.text : ui.colors.quiet, asked ? 1.0f : 0.7f), value);
+  ImGui::SetCursorScreenPos({at.x, at.y + high});
+}
+
+Reason reason_of(CollapseCheck check, const CollapseAttempt& attempt) {
+  switch (check) {
+  case CollapseCheck::classification:
+    return Reason::misclassified;
+  case CollapseCheck::containment:
+    return Reason::outside_tolerance;
+  case CollapseCheck::normals:
+    return Reason::normals;
+  case CollapseCheck::candidates:
+    return attempt.rejected;
+  default:
+    return Reason::none;
+  }
+}
+
+void ladder(Ui& ui, const EdgeXray& x) {
+  subtitle(ui, "Checks");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
+  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
+  const bool failed_search = x.attempt.check(CollapseCheck::candidates).state == CheckState::failed;
+  for (std::size_t i = 0; i < collapse_check_count; ++i) {
+    const auto check = static_cast<CollapseCheck>(i);
+    check_row(ui, x, check);
+    const CheckVerdict& v = x.attempt.check(check);
+    // The numbers of a search that failed are those of its last candidate, told by the check behind it.
+    if (v.state != CheckState::failed || (check == CollapseCheck::candidates && failed_search)) continue;
+    const Measured m = measured(reason_of(check, x.attempt), v.value, v.limit, delta);
+    if (!m.number) continue;
+    ImGui::Indent(ui.px(20));
+    measured_row(ui, "against the limit", m);
+    ImGui::Unindent(ui.px(20));
+  }
+  ImGui::PopStyleVar();
+}
+
+void offenders(Ui& ui, const LinkVerdict& link) {
+  const std::array<const std::vector<std::vector<VertexId>>*, 2> lists{&link.offending_t,
+                                                                       &link.offending_zero};
+  if (lists[0]->empty() && lists[1]->empty()) return;
+  subtitle(ui, "In both links, not in that of the edge");
+  constexpr std::size_t most = 6;
+  int id = 0;
+  std::size_t left_out = 0;
+  for (std::size_t k = 0; k < lists.size(); ++k)
+    for (std::size_t i = 0; i < lists.at(k)->size(); ++i) {
+      const auto& simplex = (*lists.at(k))[i];
+      if (i >= most || simplex.empty()) {
+        ++left_out;
+        continue;
+      }
+      std::string numbers;
+      for (const VertexId v : simplex) numbers += (numbers.empty() ? "" : " ") + std::to_string(v.value);
+      const char* what = simplex.size() == 1 ? "vertex" : simplex.size() == 2 ? "edge" : "triangle";
+      ImGui::PushID(id++);
+      if (widgets::link_row(ui, "offender", std::string(what) + (k == 0 ? " of T" : " of Z"), numbers,
+                            "A collapse would pinch here; drawn in magenta. Click selects its first vertex."))
+        ui.commands.post("pick", {"vertex", std::to_string(simplex[0].value)});
+      ImGui::PopID();
+    }
+  if (left_out > 0) widgets::quiet_text(ui, "and " + grouped(left_out) + " more");
+}
+
+void kernel(Ui& ui, const EdgeXray& x) {
+  if (!x.attempt.kernel) return;
+  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
+  const Kernel& k = *x.attempt.kernel;
+  subtitle(ui, "Kernel");
+  if (k.empty) {
+    widgets::value_row(ui, "half-spaces without a common point", grouped(k.witness.size()),
+                       ui.colors.bad_text);
+    widgets::value_row(ui, "they miss by", short_number(k.missing_slack / delta) + " δ");
+    return;
+  }
+  widgets::value_row(ui, "half-spaces", grouped(k.half_spaces.size()));
+  widgets::value_row(ui, "inscribed radius", short_number(k.inscribed_radius / delta) + " δ");
+  widgets::value_row(ui, "faces", grouped(x.kernel.faces.size()));
+  widgets::value_row(ui, "volume", short_number(x.kernel.volume / (delta * delta * delta)) + " δ³");
+}
+
+/// Bars of the candidates by reason, with the glyphs of the view.
+void candidates(Ui& ui, const EdgeXray& x) {
+  const std::size_t all = x.attempt.candidates.size();
+  if (all == 0) return;
+  subtitle(ui, "Candidates");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i < x.candidates.size(); ++i) {
+    const std::uint32_t n = x.candidates[i];
+    if (n == 0) continue;
+    const ReasonStyle& style = reason_style(static_cast<Reason>(i));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, high = ui.px(20);
+    const float bar = width * static_cast<float>(n) / static_cast<float>(all);
+    list.AddRectFilled({at.x, at.y + ui.px(2)}, {at.x + std::max(bar, ui.px(2)), at.y + high - ui.px(2)},
+                       to_u32(style.color, 0.22f), ui.px(3));
+    widgets::glyph(ui, {at.x + ui.px(8), at.y + high / 2}, 4.5f, style.color, style.shape);
+    widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2},
+                       to_u32(ui.colors.text), style.title);
+    const std::string count = grouped(n);
+    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
+    widgets::draw_text(list, ui.fonts.mono,
+                       {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
+                       to_u32(ui.colors.text), count);
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::InvisibleButton("bar", {std::max(width, 1.0f), high - ImGui::GetStyle().ItemSpacing.y});
+    ImGui::PopID();
+    widgets::tip(ui, std::string(style.title), style.help);
+  }
+}
+
+void cost(Ui& ui, const EdgeXray& x) {
+  const CollapseAttempt& attempt = x.attempt;
+  if (!attempt.kernel || attempt.kernel->empty) return;
+  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
+  subtitle(ui, "Error");
+  widgets::value_row(ui, "at its least, unconstrained",
+                     short_number(attempt.unconstrained_cost / (delta * delta)) + " δ²");
+  if (!attempt.possible()) return;
+  widgets::value_row(ui, "at the target", short_number(attempt.cost / (delta * delta)) + " δ²");
+  widgets::value_row(ui, "target from the optimum",
+                     short_number(distance(attempt.target, attempt.optimum) / delta) + " δ");
+}
+
+} // namespace
+
+void edge_details(Ui& ui, const StateSnapshot& s) {
+  const AppModel& m = ui.model;
+  const Pick& picked = m.selection.picked;
+  const auto xray = m.xray();
+  const auto ends = edge_positions(s, picked);
+  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  std::string note = xray ? std::string(kind_text(xray->attempt.kind)) : std::string("an edge of Z");
+  if (ends) note += ", " + short_number(distance((*ends)[0], (*ends)[1]) / delta) + " δ long";
+  if (xray && xray->before) note += ", before the operation";
+  widgets::heading(ui, icon::bolt, "Edge " + edge_text(picked.id, picked.other), note);
+  for (const std::uint32_t end : {picked.id, picked.other}) {
+    ImGui::PushID(static_cast<int>(end));
+    const bool alive = end < s.complex.vertices.size() && s.complex.vertices[end].alive;
+    if (widgets::link_row(ui, "vertex", alive ? "vertex" : "vertex, gone", grouped(end),
+                          "Selects the vertex."))
+      ui.commands.post("pick", {"vertex", std::to_string(end)});
+    ImGui::PopID();
+  }
+  const auto event = m.selected_event();
+  if (xray) verdict(ui, *xray);
+  if (event) {
+    ImGui::Dummy({0, ui.px(2)});
+    event_details(ui, *m.run.journal, *event);
+  }
+  if (xray) {
+    ladder(ui, *xray);
+    candidates(ui, *xray);
+    kernel(ui, *xray);
+    cost(ui, *xray);
+    offenders(ui, xray->attempt.link);
+  } else if (!m.probe.idle()) {
+    widgets::quiet_text(ui, "The edge is being looked at.");
+  } else if (s.complex.form == ZeroForm::free) {
+    widgets::quiet_text(
+        ui, "Z has left T: there is no kernel to look into. The journal tells what was tried.", true);
+  } else {
+    widgets::quiet_text(ui, "T has no such edge at this step.", true);
+  }
+  if (m.run.journal) edge_history(ui, *m.run.journal, VertexId(picked.id), VertexId(picked.other));
+}
+
+} // namespace isoscope::panels

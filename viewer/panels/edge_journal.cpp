@@ -1,0 +1,152 @@
+// What the journal says of an edge: its event with the number that decided, the sweeps of a repair, its
+// history.
+#include "app/words.h"
+#include "journal/describe.h"
+#include "panels/edge_parts.h"
+#include "panels/widgets.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+#include <array>
+
+namespace isoscope::panels {
+namespace {
+
+/// The inner level of a transaction: the largest distance after every sweep against δ.
+void repair(Ui& ui, const RepairDetail& sweeps, double delta) {
+  if (sweeps.empty()) return;
+  subtitle(ui, "Repair, sweep by sweep");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, high = ui.px(84);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.ground, 0.6f), ui.px(5));
+  double most = 1.1;
+  for (const RepairSweep& s : sweeps) most = std::max(most, s.largest_distance / delta);
+  const auto y_of = [&](double v) {
+    return at.y + high - ui.px(6) - static_cast<float>(v / most) * (high - ui.px(14));
+  };
+  const float limit = y_of(1),
+              step = (width - ui.px(20)) / static_cast<float>(std::max<std::size_t>(sweeps.size(), 2) - 1);
+  list.AddLine({at.x, limit}, {at.x + width, limit}, to_u32(ui.colors.text, 0.8f));
+  widgets::draw_text(list, ui.fonts.small, {at.x + width - ui.px(14), limit - ui.px(16)},
+                     to_u32(ui.colors.quiet), "δ");
+  std::vector<ImVec2> line;
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+    line.push_back(
+        {at.x + ui.px(10) + static_cast<float>(i) * step, y_of(sweeps[i].largest_distance / delta)});
+  list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(ui.colors.accent), 0, ui.px(1.6f));
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const bool good = sweeps[i].largest_distance <= delta;
+    widgets::glyph(ui, line[i], 4, good ? ui.colors.good : ui.colors.bad_text,
+                   good ? MarkerShape::disc : MarkerShape::cross);
+  }
+  ImGui::Dummy({width, high});
+  ImGui::PushFont(ui.fonts.mono);
+  constexpr std::array<const char*, 5> heads{"sweep", "d / δ", "moved", "flips", "points"};
+  if (ImGui::BeginTable("sweeps", 5, ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_RowBg)) {
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::TableNextRow();
+    for (const char* head : heads) {
+      ImGui::TableNextColumn();
+      ImGui::TextColored(to_vec(ui.colors.quiet), "%s", head);
+    }
+    ImGui::PopFont();
+    for (std::size_t i = 0; i < sweeps.size(); ++i) {
+      const RepairSweep& s = sweeps[i];
+      ImGui::TableNextRow();
+      for (const std::string& cell : {std::to_string(i), short_number(s.largest_distance / delta),
+                                      grouped(s.moved), grouped(s.flipped), grouped(s.points_added)}) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(cell.c_str());
+      }
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopFont();
+}
+
+} // namespace
+
+void subtitle(const Ui& ui, const char* text) {
+  ImGui::Dummy({0, ui.px(4)});
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+Measured measured(Reason reason, double value, double limit, double delta) {
+  switch (reason) {
+  case Reason::outside_tolerance:
+  case Reason::unproven:
+  case Reason::stays_above:
+    return {value / delta, limit / delta, "δ", true, true};
+  case Reason::misclassified:
+    return {value, limit, "", true, true};
+  case Reason::normals:
+    return {value, limit, "", false, true};
+  case Reason::kernel_empty:
+    return {value / delta, 0, "δ", false, true};
+  default:
+    return {};
+  }
+}
+
+void measured_row(const Ui& ui, std::string_view label, const Measured& m) {
+  if (!m.number) return;
+  const bool good = m.upper ? m.value <= m.limit : m.value > m.limit;
+  if (m.limit > 0)
+    widgets::limit_bar(ui, label, m.value, m.limit, good, m.unit, m.upper);
+  else
+    widgets::value_row(ui, label, short_number(m.value) + (*m.unit ? " " : "") + m.unit,
+                       good ? ui.colors.good_text : ui.colors.bad_text);
+}
+
+void event_details(Ui& ui, const Journal& journal, std::uint32_t index) {
+  const Event& e = journal.events()[index];
+  const double delta = journal.parameters_at(e.step).delta;
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(describe(journal, e).c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  const bool repaired = e.kind == EventKind::repair || e.kind == EventKind::relaxation;
+  const Reason reason = repaired ? Reason::stays_above : e.reason;
+  if (e.kind == EventKind::rejection || repaired)
+    measured_row(ui, repaired ? "largest d" : reason_style(reason).title,
+                 measured(reason, e.value, e.limit, delta > 0 ? delta : 1));
+  const bool witnessed = e.kind == EventKind::rejection && squared_length(e.witness) > 0;
+  if (witnessed && widgets::link_row(ui, "witness", "witness",
+                                     short_number(e.witness.x) + "  " + short_number(e.witness.y) + "  " +
+                                         short_number(e.witness.z),
+                                     "Marks and frames the point that decided. Key J."))
+    ui.commands.post("witness");
+  if (e.detail > 0 && e.detail < journal.repairs().size())
+    repair(ui, journal.repairs()[e.detail], delta > 0 ? delta : 1);
+}
+
+void edge_history(Ui& ui, const Journal& journal, VertexId a, VertexId b) {
+  constexpr std::size_t most = 8, reach = 200000;
+  std::vector<std::uint32_t> found;
+  const std::size_t end = journal.events().size();
+  for (std::size_t i = end; i > end - std::min(end, reach) && found.size() < most; --i) {
+    const Event& e = journal.events()[i - 1];
+    if ((e.vertex == a && e.other == b) || (e.vertex == b && e.other == a))
+      found.push_back(static_cast<std::uint32_t>(i - 1));
+  }
+  if (found.empty()) return;
+  subtitle(ui, "In the journal");
+  for (const std::uint32_t index : found) {
+    const Event& e = journal.events()[index];
+    ImGui::PushID(static_cast<int>(index));
+    const std::string what = e.kind == EventKind::rejection
+                                 ? "stayed: " + std::string(reason_style(e.reason).title)
+                             : e.kind == EventKind::repair ? std::string("collapsed with repair")
+                                                           : std::string("collapsed");
+    if (widgets::link_row(ui, "event", what, "step " + grouped(e.step + (e.operation ? 1u : 0u)),
+                          describe(journal, e)))
+      ui.commands.post("event", {std::to_string(index)});
+    ImGui::PopID();
+  }
+}
+
+} // namespace isoscope::panels

@@ -1,0 +1,29 @@
+// What the parts of an edge's inspector share: titles, numbers against limits, what the journal says.
+#pragma once
+
+#include "journal/journal.h"
+#include "panels/ui.h"
+
+#include <string_view>
+
+namespace isoscope::panels {
+
+void subtitle(const Ui& ui, const char* text);
+
+/// What a number of a reason means: lengths are told in δ.
+struct Measured {
+  double value = 0, limit = 0;
+  const char* unit = "";
+  bool upper = true;   ///< the limit must not be exceeded
+  bool number = false; ///< there is one
+};
+Measured measured(Reason reason, double value, double limit, double delta);
+/// A number against its limit, as a bar where the limit leaves room for one.
+void measured_row(const Ui& ui, std::string_view label, const Measured& m);
+
+/// What the journal says of the edge's event, where it measured something; the sweeps of a repair.
+void event_details(Ui& ui, const Journal& journal, std::uint32_t index);
+/// Other events of the edge, newest first.
+void edge_history(Ui& ui, const Journal& journal, VertexId a, VertexId b);
+
+} // namespace isoscope::panels

@@ -1,0 +1,52 @@
+// Which lanes there are.
+#include "panels/timeline_lanes.h"
+
+#include "app/words.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+struct KindLane {
+  EventKind kind;
+  std::string_view title, help;
+  Rgb color;
+  MarkerShape shape;
+};
+constexpr std::array<KindLane, 3> kinds{
+    {{EventKind::collapse, "collapses", "Edges that were collapsed. §2.4", 0x009E73, MarkerShape::disc},
+     {EventKind::relaxation, "relocation sweeps", "Sweeps of relocations and flips over Z.", 0x3D8FD1,
+      MarkerShape::diamond},
+     {EventKind::repair, "collapses with repair",
+      "Edges that were collapsed with their neighbourhood repaired.", 0xD9A02B, MarkerShape::triangle}}};
+
+} // namespace
+
+std::vector<TimelineLane> timeline_lanes(const JournalIndex& index, ThemeKind theme, std::size_t most) {
+  std::vector<TimelineLane> lanes;
+  const auto conditions = index.counts(0, index.steps());
+  for (std::size_t c = 1; c < conditions.size(); ++c)
+    lanes.push_back({condition_title(static_cast<Condition>(c)), "Points inserted for this condition. §2.3",
+                     condition_color(theme, static_cast<int>(c)), MarkerShape::square, false, conditions[c],
+                     [&index, c](Step a, Step b) { return index.counts(a, b)[c]; }});
+  for (const KindLane& k : kinds)
+    lanes.push_back({k.title, k.help, k.color, k.shape, false, index.count(k.kind, 0, index.steps()),
+                     [&index, kind = k.kind](Step a, Step b) { return index.count(kind, a, b); }});
+  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
+    const auto reason = static_cast<Reason>(r);
+    const ReasonStyle& style = reason_style(reason);
+    lanes.push_back({style.title, style.help, style.color, style.shape, true,
+                     index.rejections(reason, 0, index.steps() + 1),
+                     [&index, reason](Step a, Step b) { return index.rejections(reason, a, b); }});
+  }
+  std::erase_if(lanes, [](const TimelineLane& lane) { return lane.total == 0; });
+  while (lanes.size() > most && !lanes.empty())
+    lanes.erase(
+        std::min_element(lanes.begin(), lanes.end(),
+                         [](const TimelineLane& a, const TimelineLane& b) { return a.total < b.total; }));
+  return lanes;
+}
+
+} // namespace isoscope

@@ -1,0 +1,139 @@
+// The edge under the X-ray.
+#include "scene/layer_attempt.h"
+
+#include "scene/reason_style.h"
+
+#include <glad/gl.h>
+
+namespace isoscope {
+namespace {
+
+constexpr std::uint32_t kernel_color = 0xA98BF0, offender_color = 0xE83FD0;
+
+struct Builder {
+  const SceneSpace& space;
+  LineBuilder lines;
+  MeshBuilder faces;
+  std::vector<Marker> marks;
+
+  void line(Vec3 a, Vec3 b, glm::vec3 color, float alpha, float width, bool dashed = false) {
+    lines.segment(space.local(a), space.local(b), color8(color, alpha), width, dashed);
+  }
+  void mark(Vec3 p, glm::vec3 color, MarkerShape shape, std::uint8_t diameter, float alpha = 1) {
+    marks.push_back({space.local(p), color8(color, alpha), shape, diameter});
+  }
+
+  void kernel(const KernelPolyhedron& k) {
+    const glm::vec3 color = rgb(kernel_color);
+    for (const auto& face : k.faces) {
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const Vec3 a = k.vertices[face[i]], b = k.vertices[face[(i + 1) % face.size()]];
+        if (face[i] < face[(i + 1) % face.size()]) line(a, b, color, 0.95f, 1.5f);
+        if (i + 2 < face.size())
+          faces.triangle(space.local(k.vertices[face[0]]), space.local(k.vertices[face[i + 1]]),
+                         space.local(k.vertices[face[i + 2]]), color8(color, 0.3f), 0);
+      }
+    }
+  }
+
+  /// Facets whose half-spaces have no common point.
+  void empty_kernel(const Kernel& k) {
+    for (const std::uint32_t w : k.witness) {
+      if (w >= k.facets.size()) continue;
+      const Triangle3& t = k.facets[w];
+      for (std::size_t i = 0; i < 3; ++i) line(t[i], t[(i + 1) % 3], rgb(kernel_color), 0.95f, 2.2f);
+      faces.triangle(space.local(t[0]), space.local(t[1]), space.local(t[2]), color8(rgb(kernel_color), 0.4f),
+                     0);
+    }
+  }
+
+  void star(const EdgeStar& s, const SceneColors& colors) {
+    // The ring's facets of Z before the collapse; the edges of T at the ends stay a hint.
+    for (const StarFacet& f : zero_facets(s))
+      for (std::size_t i = 0; i < 3; ++i)
+        if (f.v[i] < f.v[(i + 1) % 3] || f.ring())
+          line(s.vertices[f.v[i]].position, s.vertices[f.v[(i + 1) % 3]].position, colors.selection, 0.55f,
+               1.2f);
+    line(s.vertices[0].position, s.vertices[1].position, colors.selection, 1, 3.4f);
+    mark(s.vertices[0].position, colors.selection, MarkerShape::disc, 8);
+    mark(s.vertices[1].position, colors.selection, MarkerShape::ring, 11);
+  }
+
+  void offenders(const EdgeStar& s, const std::vector<std::vector<VertexId>>& simplices) {
+    const auto place = [&](VertexId v) {
+      for (const auto& w : s.vertices)
+        if (w.id == v) return w.position;
+      return s.vertices[0].position;
+    };
+    const glm::vec3 color = rgb(offender_color);
+    for (const auto& simplex : simplices) {
+      if (simplex.size() == 1) mark(place(simplex[0]), color, MarkerShape::square, 12);
+      for (std::size_t i = 0; i < simplex.size() && simplex.size() > 1; ++i)
+        line(place(simplex[i]), place(simplex[(i + 1) % simplex.size()]), color, 1, 2.8f);
+      if (simplex.size() == 3)
+        faces.triangle(space.local(place(simplex[0])), space.local(place(simplex[1])),
+                       space.local(place(simplex[2])), color8(color, 0.45f), 0);
+    }
+  }
+
+  void candidates(const CollapseAttempt& attempt) {
+    for (const CandidateRecord& c : attempt.candidates) {
+      const ReasonStyle& style = reason_style(c.rejected);
+      if (c.rejected != Reason::none) mark(c.point, rgb(style.color), style.shape, 9, 0.95f);
+    }
+  }
+};
+
+} // namespace
+
+void AttemptLayer::update(const EdgeXray* xray, const std::optional<Vec3>& mark, const SceneColors& colors,
+                          const SceneSpace& space) {
+  Builder b{space, {}, {}, {}};
+  if (xray) {
+    const CollapseAttempt& attempt = xray->attempt;
+    b.star(xray->star, colors);
+    if (attempt.kernel && attempt.kernel->empty)
+      b.empty_kernel(*attempt.kernel);
+    else
+      b.kernel(xray->kernel);
+    b.offenders(xray->star, attempt.link.offending_t);
+    b.offenders(xray->star, attempt.link.offending_zero);
+    b.candidates(attempt);
+    const bool searched = attempt.kernel && !attempt.kernel->empty;
+    if (searched) b.mark(attempt.optimum, colors.accent, MarkerShape::hollow_diamond, 14);
+    if (attempt.possible()) {
+      if (attempt.optimum != attempt.target)
+        b.line(attempt.optimum, attempt.target, colors.accent, 0.8f, 1.4f, true);
+      b.mark(attempt.target, colors.good, MarkerShape::disc, 12);
+      b.mark(attempt.target, colors.good, MarkerShape::ring, 20);
+    }
+  }
+  if (mark) {
+    b.mark(*mark, colors.bad, MarkerShape::cross, 16);
+    b.mark(*mark, colors.bad, MarkerShape::ring, 26);
+  }
+  kernel_.upload(b.faces);
+  edges_.upload(b.lines);
+  marks_.upload(b.marks);
+}
+
+void AttemptLayer::draw(Programs& programs, const ViewFrame& frame) {
+  const float opacity = frame.view.xray.opacity;
+  MeshStyle faces;
+  const auto pass = [&](float strength) {
+    faces.opacity = strength * opacity;
+    kernel_.draw(programs.mesh_flat, faces);
+    edges_.draw(programs.line, strength * opacity, 2e-3f);
+    marks_.draw(programs.marker, strength * opacity);
+  };
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  // What Z hides stays readable: the kernel and its candidates straddle Z.
+  glDepthFunc(GL_GREATER);
+  pass(0.5f);
+  glDepthFunc(GL_LEQUAL);
+  pass(1.0f);
+  glDepthMask(GL_TRUE);
+}
+
+} // namespace isoscope

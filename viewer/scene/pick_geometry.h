@@ -1,0 +1,23 @@
+// Where a picked element lies at a step.
+#pragma once
+
+#include "run/snapshot.h"
+#include "scene/view_settings.h"
+
+#include <optional>
+
+namespace isoscope {
+
+/// The ends of a picked edge. One that the current operation collapsed lies where it was before it.
+std::optional<std::array<Vec3, 2>> edge_positions(const StateSnapshot& state, const Pick& pick);
+/// Everything of the element, empty where the state has it not.
+Box3 pick_bounds(const StateSnapshot& state, const Pick& pick);
+
+/// Of Z at a picked edge or vertex, outwards, of unit length; zero where it has no facet of Z.
+Vec3 surface_normal(const StateSnapshot& state, const Pick& pick);
+
+/// By how much the moves of the current operation are enlarged so that a sweep of small ones can be seen: 1,
+/// 2 or 5 times a power of ten.
+double move_scale(const StateSnapshot& state, double pixels_per_unit);
+
+} // namespace isoscope
