@@ -17,7 +17,7 @@ struct RunOptions::Raw {
   std::string tolerance;
   std::optional<double> sigma, alpha, shrink, time_limit;
   std::optional<unsigned> threads;
-  std::string until, containment = "certified", topology = "keep", target = "sampling";
+  std::string until, containment = "certified", topology = "keep", target;
   std::vector<std::string> skip;
   std::vector<int> off;
   bool no_normals = false;
@@ -115,9 +115,6 @@ Result<RunParameters> RunOptions::finish() const {
       return unknown("--skip", skip, "gamma, zero-set, all, improve");
     p.skipped[static_cast<std::size_t>(*stage)] = true;
   }
-  const auto strategy = strategy_named(r.target);
-  if (!strategy) return unknown("--target", r.target, "optimum, constraints, sampling, octree");
-  p.target = *strategy;
   if (r.cost_ring != 1 && r.cost_ring != 2)
     return unknown("--cost-ring", std::to_string(r.cost_ring), "1, 2");
   p.cost_ring = r.cost_ring == 1 ? CostRing::one : CostRing::two;
@@ -134,6 +131,13 @@ Result<RunParameters> RunOptions::finish() const {
     p.containment = Containment::sampled;
   } else if (r.containment != "certified") {
     return unknown("--containment", r.containment, "certified, sampled");
+  }
+  // Half-spaces are learnt from facets that leave Ω, which sampled mode does not look at.
+  if (p.containment == Containment::sampled) p.target = TargetStrategy::sampling;
+  if (!r.target.empty()) {
+    const auto strategy = strategy_named(r.target);
+    if (!strategy) return unknown("--target", r.target, "optimum, constraints, sampling, octree");
+    p.target = *strategy;
   }
   if (r.topology == "separate") {
     p.topology = TopologyMode::separate;

@@ -27,7 +27,7 @@ OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::ar
 }
 
 std::array<FacetOrientationTest, 6> check_facet_orientation(const Triangle3& facet, double shrink,
-                                                            const NearestSample& samples, double delta) {
+                                                            double reach, const NearestSample& samples) {
   const Vec3 centroid = (facet[0] + facet[1] + facet[2]) / 3.0;
   const Vec3 normal = normalized(cross(facet[1] - facet[0], facet[2] - facet[0]));
   std::array<FacetOrientationTest, 6> tests;
@@ -35,12 +35,9 @@ std::array<FacetOrientationTest, 6> check_facet_orientation(const Triangle3& fac
     FacetOrientationTest& test = tests[i];
     test.shrunk = centroid + shrink * (facet[i / 2] - centroid);
     test.label = i % 2 == 0 ? +1 : -1;
-    const SampleId nearest = samples.nearest_of(test.shrunk, test.label);
-    if (!nearest.valid()) continue;
-    const Vec3 sample = samples.positions()[nearest.index()];
-    if (distance(sample, test.shrunk) > orientation_reach * delta) continue;
-    test.sample = nearest;
-    test.agreement = test.label * dot(normal, sample - facet[0]);
+    test.sample = samples.nearest_of(test.shrunk, test.label, reach);
+    if (!test.sample.valid()) continue;
+    test.agreement = test.label * dot(normal, samples.positions()[test.sample.index()] - centroid);
   }
   return tests;
 }

@@ -41,18 +41,14 @@ OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::ar
 /// sample nearest to a shrunk corner must lie on its own side of the facet's plane.
 struct FacetOrientationTest {
   Vec3 shrunk;     ///< corner of the copy shrunk about the centroid
-  SampleId sample; ///< invalid when none of the side is near enough to say anything about this place
+  SampleId sample; ///< the nearest of the side `label`; invalid when none is within reach
   int label = +1;
   double agreement = 0; ///< distance of the sample to the plane, positive on the side of its label
   bool good() const { return !sample.valid() || agreement > 0; }
 };
 
-/// Samples farther than this many δ from a shrunk corner do not count: in walls thinner than 2δ the nearest
-/// sample of the other side lies somewhere else.
-inline constexpr double orientation_reach = 4;
-
-/// All six tests; `facet` is counter-clockwise seen from the positive side.
+/// All six tests; `facet` is counter-clockwise seen from the positive side, `reach` as above.
 std::array<FacetOrientationTest, 6> check_facet_orientation(const Triangle3& facet, double shrink,
-                                                            const NearestSample& samples, double delta);
+                                                            double reach, const NearestSample& samples);
 
 } // namespace isoscope

@@ -40,7 +40,7 @@ struct RunParameters {
   /// The last stage; absent: improve in certified mode, all in sampled mode, where the paper ends.
   std::optional<Stage> until;
   std::array<bool, stage_count> skipped{};          ///< stages to leave out: gamma, zero_set, all or improve
-  TargetStrategy target = TargetStrategy::sampling; ///< how targets of general collapses are looked for
+  TargetStrategy target = TargetStrategy::constraints; ///< how targets of general collapses are looked for
   CostRing cost_ring = CostRing::one;               ///< facets of Z whose planes make the error (§2.4)
   int effort = 2;                                   ///< of the improver, 0 to 3
   unsigned threads = 0;                             ///< 0: all cores

@@ -196,6 +196,7 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
 TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationContext& context) {
   if (context.nearest == nullptr || !context.nearest->has(+1) || !context.nearest->has(-1)) return {};
   const double shrink = context.criteria.shrink;
+  const double reach = orientation_reach * context.criteria.delta;
   std::size_t before = 0, after = 0;
   TargetVerdict verdict;
   const auto note_worst = [&](double agreement, Vec3 at) {
@@ -205,8 +206,7 @@ TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationC
   if (star.form == ZeroForm::embedded) {
     const auto count = [&](const Triangle3& t, bool note) {
       std::size_t violated = 0;
-      for (const FacetOrientationTest& test :
-           check_facet_orientation(t, shrink, *context.nearest, context.criteria.delta)) {
+      for (const FacetOrientationTest& test : check_facet_orientation(t, shrink, reach, *context.nearest)) {
         if (test.good()) continue;
         ++violated;
         if (note) note_worst(test.agreement, test.shrunk);
@@ -221,7 +221,7 @@ TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationC
     const auto count = [&](const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
                            bool note) -> std::size_t {
       if (zero_polygon(p, f).count == 0) return 0;
-      const OrientationVerdict v = check_orientation(p, f, shrink, *context.nearest);
+      const OrientationVerdict v = check_orientation(p, f, shrink, reach, *context.nearest);
       if (note && v.misoriented) {
         const OrientationTest& worst = v.tests[static_cast<std::size_t>(v.worst)];
         note_worst(worst.f * worst.label, worst.shrunk);
