@@ -1,4 +1,4 @@
-// Separation: f has the sign of every region of the complement at its deepest point (algorithm notes §2, §4).
+// Separation: f has the sign of its side at every witness of the complement of Ω (algorithm notes §2, §4).
 #pragma once
 
 #include "refine/context.h"
@@ -7,7 +7,7 @@
 
 namespace isoscope {
 
-/// Asks f at the witness of every region deeper than δ; where the sign is wrong the witness becomes a vertex.
+/// Asks f at every witness; where the sign is wrong the witness becomes a vertex.
 class WitnessCondition {
  public:
   explicit WitnessCondition(RefinementContext& context) : context_(context) {}
@@ -24,9 +24,9 @@ class WitnessCondition {
     bool given_up = false;
   };
   RefinementContext& context_;
-  std::vector<Place> places_; ///< by region
+  std::vector<Place> places_; ///< by witness
 
-  bool good(std::size_t region);
+  bool good(std::size_t witness);
 };
 
 } // namespace isoscope

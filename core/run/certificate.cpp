@@ -220,22 +220,26 @@ double winding_number(const TriangleMesh& mesh, Vec3 p) {
 
 void check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c) {
   c.separates = true;
-  const auto regions = volume.regions();
-  std::vector<double> winding(regions.size(), 0);
-  parallel_for(regions.size(), 1, [&](std::size_t i) {
-    if (!regions[i].unbounded) winding[i] = winding_number(mesh, regions[i].deepest);
-  });
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const Region& r = regions[i];
-    if (r.unbounded || r.depth <= volume.thresholds().delta) continue;
-    const double expected = r.label < 0 ? 1 : 0;
+  std::size_t more = 0;
+  const auto witnesses = volume.witnesses();
+  std::vector<double> winding(witnesses.size(), 0);
+  parallel_for(witnesses.size(), 1,
+               [&](std::size_t i) { winding[i] = winding_number(mesh, witnesses[i].point); });
+  for (std::size_t i = 0; i < witnesses.size(); ++i) {
+    const Witness& w = witnesses[i];
+    const double expected = w.label < 0 ? 1 : 0;
     if (std::abs(winding[i] - expected) < 0.01) continue;
+    if (!c.separates) {
+      ++more;
+      continue;
+    }
     c.separates = false;
     char text[32];
     std::snprintf(text, sizeof text, "%.3f", winding[i]);
     c.failures.push_back("The mesh winds " + std::string(text) + " times around the region at " +
-                         place(r.deepest) + " instead of " + (r.label < 0 ? "once." : "not at all."));
+                         place(w.point) + " instead of " + (w.label < 0 ? "once." : "not at all."));
   }
+  if (more > 0) c.failures.push_back("So it does with " + std::to_string(more) + " other regions.");
 }
 
 void check_expectation(const ExpectedTopology& expected, Certificate& c) {

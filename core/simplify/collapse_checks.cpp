@@ -18,9 +18,6 @@ namespace {
 constexpr std::size_t piece_budget = 4000;
 /// A violating point that hardly depends on the target teaches nothing about it.
 constexpr double least_weight = 1e-3;
-/// Regions that hardly rise above δ may be swallowed by Ω.
-constexpr double depth_margin = 1.0001;
-
 TargetVerdict rejection(Reason reason, double value, double limit, Vec3 witness) {
   TargetVerdict verdict;
   verdict.reason = reason;
@@ -241,9 +238,8 @@ TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationC
 TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
   Box3 box;
   for (const auto& v : star.vertices) box.add(v.position);
-  for (const Region& region : volume.regions()) {
-    if (region.depth <= depth_margin * volume.thresholds().delta) continue;
-    const Vec3 x = region.deepest;
+  for (const Witness& witness : volume.witnesses()) {
+    const Vec3 x = witness.point;
     if (x.x < box.lo.x || x.x > box.hi.x || x.y < box.lo.y || x.y > box.hi.y || x.z < box.lo.z ||
         x.z > box.hi.z)
       continue;
@@ -252,13 +248,13 @@ TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const Tolerance
     const double f = star.form == ZeroForm::embedded
                          ? after.tet->side
                          : interpolate(after.corners, values_after(star, *after.tet))(x);
-    if (f * region.label > 0) continue;
+    if (f * witness.label > 0) continue;
     const Location before = locate_before(star, x);
-    const double f_before = before.tet == nullptr ? region.label
+    const double f_before = before.tet == nullptr ? witness.label
                             : star.form == ZeroForm::embedded
                                 ? before.tet->side
                                 : interpolate(before.corners, star.values(*before.tet))(x);
-    if (f_before * region.label > 0) return rejection(Reason::witness_side, f * region.label, 0, x);
+    if (f_before * witness.label > 0) return rejection(Reason::witness_side, f * witness.label, 0, x);
   }
   return {};
 }

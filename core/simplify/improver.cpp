@@ -45,8 +45,7 @@ class Improver {
     const double delta = volume.thresholds().delta;
     if (options_.preserve_normals && samples != nullptr)
       rules.orientation = OrientationTester{samples, options_.shrink, sample_radius * delta};
-    for (const Region& r : volume.regions())
-      if (r.depth > delta) rules.witnesses.push_back(r.deepest);
+    for (const Witness& w : volume.witnesses()) rules.witnesses.push_back(w.point);
     return rules;
   }
 

@@ -60,6 +60,7 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   copy.input_ = input_;
   copy.thresholds_ = thresholds_;
   copy.regions_ = regions_;
+  copy.witnesses_ = witnesses_;
   copy.boundary_components_ = boundary_components_;
   copy.volume_components_ = volume_components_;
   copy.volume_component_count_ = volume_component_count_;
@@ -105,6 +106,7 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   if (!characteristics.ok()) return characteristics.error();
   for (std::size_t i = 0; i < v.boundary_components_.size(); ++i)
     v.boundary_components_[i].euler_characteristic = (*characteristics)[i];
+  v.witnesses_ = find_witnesses(v, control);
   if (control.cancelled())
     return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
   return v;
@@ -288,7 +290,9 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget) {
   const Regions::Cell c = octree_->cell(i);
   const double side = octree_->side(c.level);
   const RegionId id = add_region(i, octree_->center(c), static_cast<double>(c.distance), side * side * side);
-  regions_.back().label = index_->inside_by_parity(regions_.back().deepest) ? -1 : +1;
+  Region& region = regions_.back();
+  region.label = index_->inside_by_parity(region.deepest) ? -1 : +1;
+  if (region.depth > thresholds_.delta) witnesses_.push_back({region.deepest, region.label, region.depth});
   return id;
 }
 

@@ -7,6 +7,7 @@
 #include "base/status.h"
 #include "input/triangle_soup.h"
 #include "tolerance/closest_point.h"
+#include "tolerance/witnesses.h"
 
 #include <cstdint>
 #include <memory>
@@ -97,6 +98,8 @@ class ToleranceVolume {
   /// Regions ascending by id; the first is the unbounded one. Grows when label_at meets a region too small
   /// for the octree.
   std::span<const Region> regions() const { return regions_; }
+  /// Points that decide whether Z separates the sides. Grows with regions().
+  std::span<const Witness> witnesses() const { return witnesses_; }
   std::span<const BoundaryComponent> boundary_components() const { return boundary_components_; }
   /// Whether the boundary components of each side have the same Euler characteristic, so that Ω may be a
   /// thickening (§1.2).
@@ -155,6 +158,7 @@ class ToleranceVolume {
   ToleranceThresholds thresholds_;
   std::unique_ptr<Regions> octree_;
   std::vector<Region> regions_;
+  std::vector<Witness> witnesses_;
   std::vector<BoundaryComponent> boundary_components_; ///< ascending by region, then component of Ω'
   std::vector<std::uint32_t> volume_components_;       ///< by triangle id
   std::size_t volume_component_count_ = 0;

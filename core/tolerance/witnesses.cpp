@@ -1,0 +1,162 @@
+// Groups cells beyond δ by their faces, then climbs from the triangles' offsets to what the cells missed.
+#include "tolerance/witnesses.h"
+
+#include "base/parallel.h"
+#include "tolerance/regions.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace isoscope {
+namespace {
+
+using CellIndex = Regions::CellIndex;
+
+/// Offsets of triangles start this far beyond δ, relatively.
+constexpr double offset_margin = 1e-4;
+/// At most about so many triangles are looked at.
+constexpr std::size_t most_triangles = 200000;
+constexpr int climb_steps = 60;
+constexpr std::size_t triangles_per_task = 256;
+
+/// The OUT cells whose centres lie beyond δ, with a union-find across faces.
+class DeepCells {
+ public:
+  DeepCells(const Regions& octree, double delta) : octree_(octree), delta_(delta), parent_(octree.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    for (CellIndex i = 0; i < octree.size(); ++i) {
+      if (!deep(i)) continue;
+      const Regions::Cell& c = octree.cell(i);
+      const Vec3 center = octree.center(c);
+      const double reach = 0.5 * octree.side(c.level) * (1 + 1e-6);
+      for (int face = 0; face < 6; ++face) {
+        Vec3 p = center;
+        p[face / 2] += face % 2 == 0 ? reach : -reach;
+        const CellIndex n = octree.locate(p);
+        if (n != Regions::none && deep(n)) unite(i, n);
+      }
+    }
+  }
+
+  bool deep(CellIndex i) const {
+    const Regions::Cell& c = octree_.cell(i);
+    return c.child == Regions::none && c.kind == Regions::Kind::out &&
+           static_cast<double>(c.distance) > delta_;
+  }
+
+  /// Whether p lies in the ball about the centre of its cell that holds nothing of Ω.
+  bool joined(Vec3 p) const {
+    const CellIndex i = octree_.locate(p);
+    if (i == Regions::none) return true;
+    if (!deep(i)) return false;
+    const Regions::Cell& c = octree_.cell(i);
+    return distance(p, octree_.center(c)) < static_cast<double>(c.distance) - delta_;
+  }
+
+  /// The deepest cell of each group, by its smallest cell.
+  std::vector<CellIndex> deepest() const {
+    std::map<CellIndex, CellIndex> best;
+    for (CellIndex i = 0; i < octree_.size(); ++i) {
+      if (!deep(i)) continue;
+      const auto [at, fresh] = best.emplace(find(i), i);
+      if (!fresh && octree_.cell(i).distance > octree_.cell(at->second).distance) at->second = i;
+    }
+    std::vector<CellIndex> cells;
+    for (const auto& [root, cell] : best) cells.push_back(cell);
+    return cells;
+  }
+
+ private:
+  const Regions& octree_;
+  double delta_;
+  std::vector<CellIndex> parent_;
+
+  CellIndex find(CellIndex i) const {
+    while (parent_[i] != i) i = parent_[i];
+    return i;
+  }
+  void unite(CellIndex a, CellIndex b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+    // Halves the way for the next one.
+    while (parent_[parent_[std::max(a, b)]] != parent_[std::max(a, b)]) {
+      parent_[std::max(a, b)] = parent_[parent_[std::max(a, b)]];
+    }
+  }
+};
+
+/// Climbs from a point beyond δ by balls outside of Ω; true when it comes to where a group of cells is, else
+/// `p` is the farthest point reached.
+bool climb(const ClosestPointIndex& index, const DeepCells& cells, double delta, Vec3& p, double& depth) {
+  ClosestPoint at = index.closest(p);
+  depth = at.distance();
+  for (int step = 0; step < climb_steps; ++step) {
+    if (cells.joined(p)) return true;
+    const double radius = 0.99 * (at.distance() - delta);
+    const Vec3 q = p + radius * normalized(p - at.point);
+    const ClosestPoint next = index.closest_near(q, at.triangle);
+    if (next.distance() <= at.distance() + 1e-3 * radius) break;
+    p = q;
+    at = next;
+    depth = at.distance();
+  }
+  return cells.joined(p);
+}
+
+int label_of(const ToleranceVolume& volume, Vec3 p) {
+  const Regions& octree = volume.octree();
+  const CellIndex i = octree.locate(p);
+  if (i == Regions::none) return volume.regions().front().label;
+  if (octree.cell(i).kind == Regions::Kind::out) {
+    if (const auto number = octree.number(i)) return volume.regions()[*number].label;
+  }
+  return volume.index().inside_by_parity(p) ? -1 : +1;
+}
+
+} // namespace
+
+std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunControl& control) {
+  const double delta = volume.thresholds().delta;
+  const ClosestPointIndex& index = volume.index();
+  std::vector<Witness> witnesses;
+  for (const Region& r : volume.regions()) {
+    if (r.depth > delta * (1 + offset_margin)) witnesses.push_back({r.deepest, r.label, r.depth});
+  }
+  const DeepCells cells(volume.octree(), delta);
+  for (const CellIndex i : cells.deepest()) {
+    const Regions::Cell& c = volume.octree().cell(i);
+    const Vec3 p = volume.octree().center(c);
+    const double depth = index.distance(p);
+    if (depth > delta * (1 + offset_margin)) witnesses.push_back({p, label_of(volume, p), depth});
+  }
+  if (!volume.input().closed_manifold) return witnesses;
+
+  const std::size_t stride = index.size() / most_triangles + 1, looked = (index.size() + stride - 1) / stride;
+  std::vector<Witness> found(2 * looked);
+  parallel_for(looked, triangles_per_task, [&](std::size_t i) {
+    const Triangle3& t = index.triangle(TriangleId(i * stride));
+    const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
+    if (normal == Vec3{} || control.cancelled()) return;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double offset = (side == 0 ? 1 : -1) * delta * (1 + offset_margin);
+      Vec3 p = (t[0] + t[1] + t[2]) / 3.0 + offset * normal;
+      double depth = index.distance(p);
+      if (depth <= delta * (1 + 0.5 * offset_margin) || climb(index, cells, delta, p, depth)) continue;
+      found[2 * i + side] = {p, index.inside_by_parity(p) ? -1 : +1, depth};
+    }
+  });
+  for (const Witness& w : found) {
+    if (!(w.depth > 0)) continue;
+    // Climbs that end in the ball of an earlier witness belong to it.
+    const bool known = std::any_of(witnesses.begin(), witnesses.end(), [&](const Witness& o) {
+      return distance(w.point, o.point) < std::max(o.depth, w.depth) - delta;
+    });
+    if (!known) witnesses.push_back(w);
+  }
+  return witnesses;
+}
+
+} // namespace isoscope
