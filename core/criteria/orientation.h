@@ -13,7 +13,7 @@ namespace isoscope {
 /// How far a shrunk vertex looks for samples, in units of δ. The paper asks for the samples "locally": in a
 /// wall thinner than 2δ, which has no boundary inside, the nearest sample of that side lies at some other
 /// part of the surface and says nothing about this place.
-constexpr double orientation_reach = 4;
+constexpr double orientation_reach = 2.5;
 
 /// One test of condition 3: a shrunk vertex, the nearest sample of one side, f there.
 struct OrientationTest {
