@@ -28,7 +28,7 @@ struct Tolerance {
 struct RunParameters {
   std::string input;   ///< a file, or gallery:NAME
   Tolerance tolerance; ///< δ > 0
-  double sigma = 0;    ///< σ/δ in (0, 1]; 0: 1/2 in certified mode, 1/8 in sampled mode
+  double sigma = 0;    ///< σ/δ in (0, 1]; 0: 1/8 in sampled mode, default_sigma_ratio() in certified mode
   double alpha = 0.2;  ///< α in (0, 1)
   double shrink = 0.7; ///< in (0, 1]
   Containment containment = Containment::certified;
@@ -37,10 +37,11 @@ struct RunParameters {
   Stage until = Stage::refinement;
   unsigned threads = 0;  ///< 0: all cores
   double time_limit = 0; ///< seconds, 0 none
-  double sigma_ratio() const {
-    return sigma > 0 ? sigma : (containment == Containment::certified ? 0.5 : 0.125);
+  /// `by_default`: what certified mode takes when nothing is given (Scene::default_sigma).
+  double sigma_ratio(double by_default = 0.5) const {
+    return sigma > 0 ? sigma : (containment == Containment::certified ? by_default : 0.125);
   }
-  CriteriaParameters criteria(double delta) const;
+  CriteriaParameters criteria(double delta, double default_sigma = 0.5) const;
 };
 
 /// Reads "0.6%" or "0.012"; fails with usage on anything that is not a positive finite number.

@@ -24,6 +24,7 @@ struct Scene {
   std::shared_ptr<const ClosestPointIndex> index;
   double delta = 0; ///< absolute
   double longest_edge = 0;
+  double default_sigma = 0.5; ///< σ/δ of this input in certified mode when none is given
   ToleranceThresholds thresholds;
   std::vector<Region> regions;
   std::vector<BoundaryComponent> boundary_components;

@@ -81,7 +81,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
       {"parameters",
        {{"tolerance", scene.delta},
         {"tolerance_given", p.tolerance.text()},
-        {"sigma", p.sigma_ratio()},
+        {"sigma", p.sigma_ratio(scene.default_sigma)},
         {"alpha", p.alpha},
         {"shrink", p.shrink},
         {"containment", p.containment == Containment::certified ? "certified" : "sampled"},
