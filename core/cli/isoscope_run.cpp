@@ -146,7 +146,7 @@ int run(int argc, char** argv) {
   const auto scene = pipeline.prepare();
   progress.finish();
   if (!scene) return fail(scene.error(), exit_status(scene.error().code));
-  gate.set(parameters->criteria((*scene)->delta));
+  gate.set(parameters->criteria((*scene)->delta, (*scene)->default_sigma));
   if (!quiet) {
     for (const ParameterWarning& w : (*scene)->warnings) note(w.message);
     if (!(*scene)->thickening_note.empty()) note((*scene)->thickening_note);

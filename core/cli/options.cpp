@@ -62,8 +62,10 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
       "--tolerance", r.tolerance,
       "δ: a percentage of the longest edge of the bounding box (0.6%) or a length; default 0.6%, for bundled "
       "models their own");
-  app.add_option("--sigma", r.sigma,
-                 "σ/δ, density of the samples, in (0, 1]; default 0.5, sampled mode 0.125");
+  app.add_option(
+      "--sigma", r.sigma,
+      "σ/δ, density of the samples, in (0, 1]; default 0.5, or what keeps them to about two million, at most "
+      "0.95; sampled mode 0.125");
   app.add_option("--alpha", r.alpha, "α, margin of the classification, in (0, 1); default 0.2");
   app.add_option("--shrink", r.shrink, "factor of the shrunk copy in condition 3, in (0, 1]; default 0.7");
   app.add_option(

@@ -61,7 +61,7 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
   text += line("Input", parameters.input + ": " + grouped(scene.input->points.size()) + " vertices, " +
                             grouped(scene.input->triangles.size()) + " faces; δ = " +
                             number("%.6g", scene.delta) + " (" + parameters.tolerance.text() +
-                            "), σ = " + number("%.3g", parameters.sigma_ratio()) + " δ");
+                            "), σ = " + number("%.3g", parameters.sigma_ratio(scene.default_sigma)) + " δ");
   text += line("Samples", grouped(scene.samples->size()) + " on " +
                               counted(scene.boundary_components.size(), "boundary component") + ", " +
                               number("%.2f", scene.sampling_seconds) + " s");

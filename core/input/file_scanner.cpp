@@ -42,12 +42,6 @@ std::uint64_t physical_memory() {
 
 } // namespace
 
-std::string printable(std::string_view text, std::size_t limit) {
-  std::string shown;
-  for (const char c : text.substr(0, limit)) shown += (c >= ' ' && c <= '~') ? c : '?';
-  return text.size() > limit ? shown + "..." : shown;
-}
-
 FileScanner::FileScanner(const std::filesystem::path& file) : file_(file) {
   struct stat info {};
   const std::string give = "Give the path of an OFF, OBJ, PLY or STL file.";

@@ -1,10 +1,11 @@
 // A bounded, line-counting view of a file's bytes and words, on which the mesh readers are built.
 //
-// The readers are our own and not CGAL's: CGAL's readers do not check all face indices, believe the counts of a
-// header, take numbers through streams that depend on the locale, and cannot say on which line a file goes
+// The readers are our own and not CGAL's: CGAL's readers do not check all face indices, believe the counts of
+// a header, take numbers through streams that depend on the locale, and cannot say on which line a file goes
 // wrong. The tests compare the two on good files.
 #pragma once
 
+#include "base/pending_file.h"
 #include "base/status.h"
 
 #include <array>
@@ -21,9 +22,6 @@ namespace isoscope {
 struct MeshFileFailure {
   Error error;
 };
-
-/// `text` with control and non-ASCII bytes replaced and cut to `limit` characters: safe to show on one line.
-std::string printable(std::string_view text, std::size_t limit = 40);
 
 /// Reads a regular file front to back through a fixed buffer. Every function throws MeshFileFailure on a read
 /// error.

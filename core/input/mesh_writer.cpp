@@ -1,21 +1,17 @@
-// Writes a mesh to a temporary file beside its target and renames it when every byte is on the disk.
+// Writes a mesh in the format that the name of the file asks for.
+#include "base/pending_file.h"
 #include "input/file_scanner.h"
 #include "input/mesh_io.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <cctype>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <system_error>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace isoscope {
 
@@ -36,90 +32,6 @@ Result<Format> format_of(const fs::path& file) {
                printable(file.native(), 1000) + ": the name does not say in which format to write.",
                "End it in .off, .obj, .ply or .stl."};
 }
-
-Error io_error(const fs::path& file, const std::string& what, int error) {
-  const std::string remedy = error == ENOSPC || error == EDQUOT ? "Free some space or write elsewhere."
-                             : error == ENOENT                  ? "Make the folder first."
-                                                                : "Write to another place.";
-  return {ErrorCode::io,
-          printable(file.native(), 1000) + ": " + what + " (" +
-              std::error_code(error, std::generic_category()).message() + ").",
-          remedy};
-}
-
-/// A new file beside the target that takes its place on commit and vanishes otherwise.
-class PendingFile {
- public:
-  /// Fails when nothing can be created beside `target`; a link is followed, so that what it points to is
-  /// replaced.
-  Status open(const fs::path& target) {
-    static std::atomic<unsigned> serial{0};
-    std::error_code ignored;
-    named_ = target;
-    target_ = target;
-    if (fs::is_symlink(target, ignored)) {
-      const fs::path real = fs::canonical(target, ignored);
-      if (!ignored) target_ = real;
-    }
-    if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored))
-      return Error{ErrorCode::io, printable(target.native(), 1000) + ": exists and is not a file.",
-                   "Choose another name."};
-    for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
-      // Short, so that a target with the longest possible name can still be written.
-      temporary_ = target_.parent_path() /
-                   (".isoscope-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp");
-      descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor_ < 0 && errno != EEXIST) break;
-    }
-    if (descriptor_ < 0) return io_error(named_, "cannot be written", errno);
-    return {};
-  }
-
-  ~PendingFile() {
-    if (descriptor_ < 0) return;
-    ::close(descriptor_);
-    ::unlink(temporary_.c_str());
-  }
-  PendingFile() = default;
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
-
-  void append(const void* data, std::size_t size) {
-    buffer_.append(static_cast<const char*>(data), size);
-    if (buffer_.size() >= (std::size_t{1} << 18)) flush();
-  }
-  void append(std::string_view text) { append(text.data(), text.size()); }
-
-  Status commit() {
-    flush();
-    if (error_ == 0 && ::fsync(descriptor_) != 0) error_ = errno;
-    if (error_ == 0) {
-      const int result = ::close(descriptor_);
-      descriptor_ = -1;
-      if (result != 0) error_ = errno;
-      if (error_ == 0 && ::rename(temporary_.c_str(), target_.c_str()) != 0) error_ = errno;
-      if (error_ != 0) ::unlink(temporary_.c_str());
-    }
-    if (error_ != 0) return io_error(named_, "cannot be written to its end", error_);
-    return {};
-  }
-
- private:
-  void flush() {
-    std::size_t done = 0;
-    while (error_ == 0 && done < buffer_.size()) {
-      const ssize_t n = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
-      if (n < 0 && errno != EINTR) error_ = errno;
-      if (n > 0) done += static_cast<std::size_t>(n);
-    }
-    buffer_.clear();
-  }
-
-  fs::path named_, target_, temporary_;
-  int descriptor_ = -1;
-  int error_ = 0;
-  std::string buffer_;
-};
 
 /// The shortest digits that read back as the same double.
 std::string digits(double value) {

@@ -1,4 +1,5 @@
-// Raw triangles as they come from a file or from the gallery: no manifoldness, no orientation, no connectivity promised.
+// Raw triangles as they come from a file or from the gallery: no manifoldness, no orientation, no
+// connectivity promised.
 #pragma once
 
 #include "base/geometry.h"
@@ -19,6 +20,14 @@ struct TriangleSoup {
   Triangle3 triangle(std::size_t i) const {
     const auto& t = triangles[i];
     return {points[t[0]], points[t[1]], points[t[2]]};
+  }
+  double area() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const Triangle3 t = triangle(i);
+      sum += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
+    }
+    return sum;
   }
   Box3 bounds() const {
     Box3 b;

@@ -32,10 +32,10 @@ std::string Tolerance::text() const {
   return shortest(value) + (percent ? "%" : "");
 }
 
-CriteriaParameters RunParameters::criteria(double delta) const {
+CriteriaParameters RunParameters::criteria(double delta, double default_sigma) const {
   CriteriaParameters c;
   c.delta = delta;
-  c.sigma = sigma_ratio() * delta;
+  c.sigma = sigma_ratio(default_sigma) * delta;
   c.alpha = alpha;
   c.shrink = shrink;
   c.certified = containment == Containment::certified;

@@ -31,7 +31,7 @@ struct Tolerance {
 struct RunParameters {
   std::string input;   ///< a file, or gallery:NAME
   Tolerance tolerance; ///< δ > 0
-  double sigma = 0;    ///< σ/δ in (0, 1]; 0: 1/2 in certified mode, 1/8 in sampled mode
+  double sigma = 0;    ///< σ/δ in (0, 1]; 0: 1/8 in sampled mode, default_sigma_ratio() in certified mode
   double alpha = 0.2;  ///< α in (0, 1)
   double shrink = 0.7; ///< in (0, 1]
   Containment containment = Containment::certified;
@@ -45,13 +45,14 @@ struct RunParameters {
   int effort = 2;                                   ///< of the improver, 0 to 3
   unsigned threads = 0;                             ///< 0: all cores
   double time_limit = 0;                            ///< seconds, 0 none
-  double sigma_ratio() const {
-    return sigma > 0 ? sigma : (containment == Containment::certified ? 0.5 : 0.125);
+  /// `by_default`: what certified mode takes when nothing is given (Scene::default_sigma).
+  double sigma_ratio(double by_default = 0.5) const {
+    return sigma > 0 ? sigma : (containment == Containment::certified ? by_default : 0.125);
   }
   Stage last_stage() const {
     return until.value_or(containment == Containment::certified ? Stage::improve : Stage::all);
   }
-  CriteriaParameters criteria(double delta) const;
+  CriteriaParameters criteria(double delta, double default_sigma = 0.5) const;
   SimplificationParameters simplification() const;
 };
 

@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cstdio>
 
 namespace isoscope {
 
@@ -184,7 +185,8 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   }
   scene->volume_seconds = watch.seconds() - scene->input_seconds;
 
-  const CriteriaParameters criteria = parameters_.criteria(scene->delta);
+  scene->default_sigma = default_sigma_ratio(soup->area(), scene->delta);
+  const CriteriaParameters criteria = parameters_.criteria(scene->delta, scene->default_sigma);
   auto samples = m.sample(criteria.sigma);
   if (m.control->cancelled()) return cancelled_error(*m.control);
   if (!samples) return samples.error();
@@ -200,6 +202,14 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   scene->thickening_note = m.volume->thickening_note();
   scene->warnings = check_parameters(criteria.sigma, criteria.alpha, criteria.delta,
                                      criteria.condition_2 && !criteria.certified);
+  if (criteria.certified && parameters_.sigma == 0 && criteria.sigma > 0.5 * scene->delta) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "The tolerance is small for the area of the input: the samples are %.2f δ dense instead of "
+                  "δ/2, which keeps them to about two million.",
+                  scene->default_sigma);
+    scene->warnings.push_back({text, 0});
+  }
 
   m.journal->add_sample_set(scene->samples);
   m.journal->add_parameters(criteria);

@@ -1,13 +1,9 @@
-// The report's JSON and the careful writing of text files.
+// The report's JSON.
 #include "run/report.h"
 
+#include "base/pending_file.h"
+
 #include <nlohmann/json.hpp>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-
-#include <unistd.h>
 
 namespace isoscope {
 
@@ -72,12 +68,6 @@ std::string_view end_name(RunResult::End end) {
   return "unknown";
 }
 
-Error io_error(const std::filesystem::path& file, const char* what) {
-  return {ErrorCode::io,
-          "Cannot " + std::string(what) + " " + file.string() + ": " + std::strerror(errno) + ".",
-          "Give another file or make room."};
-}
-
 } // namespace
 
 std::string_view version() {
@@ -112,7 +102,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
       {"parameters",
        {{"tolerance", scene.delta},
         {"tolerance_given", p.tolerance.text()},
-        {"sigma", p.sigma_ratio()},
+        {"sigma", p.sigma_ratio(scene.default_sigma)},
         {"alpha", p.alpha},
         {"shrink", p.shrink},
         {"containment", p.containment == Containment::certified ? "certified" : "sampled"},
@@ -168,26 +158,10 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
 }
 
 Status write_text_file(const std::filesystem::path& file, const std::string& text) {
-  // A device or a pipe is written itself: nothing may take its place.
-  std::error_code ignored;
-  const bool in_place =
-      std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
-  const std::filesystem::path target = in_place ? file : std::filesystem::path(file.string() + ".part");
-  std::FILE* out = std::fopen(target.c_str(), "wb");
-  if (out == nullptr) return io_error(file, "write");
-  bool good = std::fwrite(text.data(), 1, text.size(), out) == text.size();
-  good = good && std::fflush(out) == 0;
-  good = good && (in_place || fsync(fileno(out)) == 0);
-  int failure = errno;
-  if (std::fclose(out) != 0 && good) {
-    good = false;
-    failure = errno;
-  }
-  if (good && (in_place || std::rename(target.c_str(), file.c_str()) == 0)) return {};
-  if (!good) errno = failure;
-  const Error error = io_error(file, "write");
-  if (!in_place) std::remove(target.c_str());
-  return error;
+  PendingFile out;
+  if (Status opened = out.open(file, WriteTarget::file_or_device); !opened) return opened;
+  out.append(text);
+  return out.commit();
 }
 
 } // namespace isoscope

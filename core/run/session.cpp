@@ -164,7 +164,7 @@ struct Session::Impl : public Gate {
     publish([&](SessionSnapshot& s) {
       s.scene = scene;
       s.phase = SessionPhase::running;
-      wanted = s.parameters.criteria(scene->delta);
+      wanted = s.parameters.criteria(scene->delta, scene->default_sigma);
     });
     for (;;) {
       auto result = pipeline.run();
@@ -289,7 +289,8 @@ void Session::apply(const RunParameters& parameters) {
   {
     const std::lock_guard lock(impl_->mutex);
     impl_->shown.parameters = parameters;
-    if (impl_->shown.scene) impl_->wanted = parameters.criteria(impl_->shown.scene->delta);
+    if (const auto& scene = impl_->shown.scene)
+      impl_->wanted = parameters.criteria(scene->delta, scene->default_sigma);
     impl_->parameters_pending = true;
     if (impl_->shown.phase == SessionPhase::finished) impl_->shown.phase = SessionPhase::running;
     impl_->update_attention();

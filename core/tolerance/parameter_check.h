@@ -18,4 +18,9 @@ struct ParameterWarning {
 std::vector<ParameterWarning> check_parameters(double sigma, double alpha, double delta,
                                                bool condition_2_used);
 
+/// σ/δ that certified mode takes when none is given: 1/2, and where that would be more than about two million
+/// samples so much more that it is not, up to 0.95. Containment is proven facet by facet there, so samples
+/// need not be dense. `area` of the input and `delta` absolute.
+double default_sigma_ratio(double area, double delta);
+
 } // namespace isoscope

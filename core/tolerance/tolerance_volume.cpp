@@ -18,6 +18,20 @@ constexpr std::size_t pocket_budget = 20000;
 constexpr std::size_t most_refined_cells = 6'000'000;
 constexpr std::size_t most_components = 0xffff;
 
+/// The side of the octree's main cells, in units of δ': half, and where that would take more than about 30
+/// million cells and parity tells the sides anyway, one, which takes a quarter of them. Regions that only
+/// smaller cells see are then found when somebody asks for them.
+double main_side_ratio(const ClosestPointIndex& index, const InputTopology& input, double boundary) {
+  constexpr double most_fine_cells = 3e7, fine_cells_by_area = 40;
+  if (!input.sides_known()) return 0.5;
+  double area = 0;
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    const Triangle3& t = index.triangle(TriangleId(i));
+    area += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
+  }
+  return fine_cells_by_area * area > most_fine_cells * boundary * boundary ? 1 : 0.5;
+}
+
 struct RegionSummary {
   Regions::CellIndex root = Regions::none;
   Regions::CellIndex deepest = Regions::none;
@@ -88,7 +102,8 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   // A cell of this side that holds a point beyond δ_r is OUT: its centre is at most 0.867 sides away from
   // that point, and OUT needs another 0.867 sides.
   const double min_side = 0.57 * (v.thresholds_.reject - boundary);
-  auto octree = Regions::build(*v.index_, {boundary, 0.5 * boundary, min_side, 3 * delta}, control);
+  const double main_side = main_side_ratio(*v.index_, input, boundary) * boundary;
+  auto octree = Regions::build(*v.index_, {boundary, main_side, min_side, 3 * delta}, control);
   if (!octree.ok()) return octree.error();
   v.octree_ = std::make_unique<Regions>(std::move(octree).value());
   v.join_pockets(control);

@@ -21,7 +21,7 @@ using namespace isoscope::test;
 namespace {
 
 constexpr std::string_view golden_model = "sphere";
-constexpr std::uint64_t golden_digest = 0x3ffdc0aa1dab8acf;
+constexpr std::uint64_t golden_digest = 0x61f3ad56c781ad7e;
 
 } // namespace
 

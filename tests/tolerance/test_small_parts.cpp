@@ -42,3 +42,14 @@ TEST_CASE("parameters that cannot satisfy condition 2 or section 3 are warned ab
   CHECK(check_parameters(1.0, 0.2, 1, false).size() == 1);
   CHECK(check_parameters(2.0, 0.2, 1, true).size() == 2);
 }
+
+TEST_CASE("the density in use follows the number of samples it makes") {
+  CHECK(default_sigma_ratio(1, 0.01) == 0.5);
+  const double area = 6, delta = 0.004;
+  const double ratio = default_sigma_ratio(area, delta);
+  CHECK(ratio > 0.5);
+  CHECK(ratio < 0.95);
+  CHECK(3 * area / (ratio * ratio * delta * delta) == doctest::Approx(2e6));
+  CHECK(default_sigma_ratio(2 * area, delta) > ratio);
+  CHECK(default_sigma_ratio(area, 1e-6) == 0.95);
+}

@@ -82,7 +82,7 @@ void AppModel::tell(std::string text) {
 }
 
 CriteriaParameters AppModel::draft_criteria() const {
-  return draft.criteria(run.scene ? run.scene->delta : 0.0);
+  return run.scene ? draft.criteria(run.scene->delta, run.scene->default_sigma) : draft.criteria(0);
 }
 
 std::optional<ViolationPreview> AppModel::draft_preview() const {

@@ -228,9 +228,10 @@ void parameters(Ui& ui) {
   label(ui, "σ/δ density", "Sampling density σ",
         "Radius within which every point of ∂Ω has a sample, as a fraction of δ, in (0, 1]. Smaller means "
         "more samples. §2.2");
-  double sigma = p.sigma_ratio();
+  const double by_default = ui.model.run.scene ? ui.model.run.scene->default_sigma : 0.5;
+  double sigma = p.sigma_ratio(by_default);
   number(ui, "##sigma", sigma, 0.05f, 1.0f, "%.3f", true);
-  if (sigma != p.sigma_ratio()) p.sigma = sigma;
+  if (sigma != p.sigma_ratio(by_default)) p.sigma = sigma;
   widgets::tip(ui, "Sampling density σ/δ", "Fraction of δ, in (0, 1]. §2.2");
   label(ui, "shrink", "Shrink factor",
         "Size of the shrunk copy about its centroid by which condition 3 judges a tetrahedron, in (0, 1]. "
