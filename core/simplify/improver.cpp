@@ -8,6 +8,8 @@ namespace {
 
 constexpr int sweeps_after_round = 2;
 constexpr int most_rounds = 20;
+/// In δ: up to here edges are collapsed to cheaply placed targets.
+constexpr double thinning_limit = 0.5;
 /// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
 constexpr double sample_radius = 2.5;
 /// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
@@ -78,8 +80,14 @@ class Improver {
 
   void shrink_greedily() {
     CollapseRoundOptions options;
-    options.cost_limit = rules_.sampled_limit();
     FailedEdges failed;
+    // Far below the limit the exact target does not matter yet.
+    options.cost_limit = thinning_limit * input_.delta();
+    options.placement = {false, 1};
+    round(options, failed);
+    options.cost_limit = rules_.sampled_limit();
+    options.placement = {};
+    failed.clear();
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       const std::size_t collapsed = round(options, failed);
       if (options_.effort == 0 || (r > 0 && collapsed == 0)) return;
