@@ -8,6 +8,8 @@ namespace {
 
 constexpr int sweeps_after_round = 2;
 constexpr int most_rounds = 20;
+/// A round of repairs that takes fewer than one vertex in this many is the last of its level.
+constexpr std::size_t worthwhile = 200;
 /// In δ: up to here edges are collapsed to cheaply placed targets.
 constexpr double thinning_limit = 0.5;
 /// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
@@ -105,7 +107,7 @@ class Improver {
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       const std::size_t collapsed = round(options, failed);
       relax_all();
-      if (collapsed == 0) return;
+      if (collapsed * worthwhile <= surface_.vertex_count()) return;
     }
   }
 

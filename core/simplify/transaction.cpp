@@ -187,7 +187,7 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
       for (const Facet& f : patch.complex.facets)
         if (f.alive() && (!f.extra.empty() || !f.sides.empty())) unsettle(f, settled);
       if (!can_be_repaired(verdict.reason) || ++checks > options.certificates || s >= options.sweeps) break;
-      last = unknown;
+      last = level.largest;
     } else {
       const double excess = level.largest - limit, gain = last;
       const bool hopeless = excess > 0 && ((s > 3 && gain <= 0.002 * delta) ||
