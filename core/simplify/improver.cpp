@@ -55,6 +55,7 @@ class Improver {
   }
 
   std::size_t round(const CollapseRoundOptions& options, FailedEdges& failed) {
+    control_.report("improver", -1);
     const CollapseRoundFigures figures =
         collapse_round(surface_, rules_, options, failed, control_, observer_);
     outcome_.attempts += figures.attempts;
