@@ -39,12 +39,12 @@ struct RunParameters {
   bool condition_1 = true, condition_2 = true, condition_3 = true, condition_4 = true;
   /// The last stage; absent: improve in certified mode, all in sampled mode, where the paper ends.
   std::optional<Stage> until;
-  std::array<bool, stage_count> skipped{};          ///< stages to leave out: gamma, zero_set, all or improve
+  std::array<bool, stage_count> skipped{}; ///< stages to leave out: gamma, zero_set, all or improve
   TargetStrategy target = TargetStrategy::constraints; ///< how targets of general collapses are looked for
-  CostRing cost_ring = CostRing::one;               ///< facets of Z whose planes make the error (§2.4)
-  int effort = 2;                                   ///< of the improver, 0 to 3
-  unsigned threads = 0;                             ///< 0: all cores
-  double time_limit = 0;                            ///< seconds, 0 none
+  CostRing cost_ring = CostRing::one;                  ///< facets of Z whose planes make the error (§2.4)
+  int effort = 2;                                      ///< of the improver, 0 to 3
+  unsigned threads = 0;                                ///< 0: all cores
+  double time_limit = 0;                               ///< seconds, 0 none
   /// `by_default`: what certified mode takes when nothing is given (Scene::default_sigma).
   double sigma_ratio(double by_default = 0.5) const {
     return sigma > 0 ? sigma : (containment == Containment::certified ? by_default : 0.125);

@@ -26,7 +26,7 @@ struct Scene {
   double delta = 0; ///< absolute
   double longest_edge = 0;
   std::shared_ptr<const ToleranceVolume> volume; ///< without its octree: what evaluations ask
-  double default_sigma = 0.5; ///< σ/δ of this input in certified mode when none is given
+  double default_sigma = 0.5;                    ///< σ/δ of this input in certified mode when none is given
   ToleranceThresholds thresholds;
   std::vector<Region> regions;
   std::vector<BoundaryComponent> boundary_components;

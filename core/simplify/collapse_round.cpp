@@ -26,6 +26,12 @@ struct Entry {
   }
 };
 
+/// Whether an attempt failed by so little that relaxation may make up for it.
+bool is_close(const ImproverVerdict& verdict) {
+  constexpr double little = 0.04; ///< of the limit
+  return verdict.reason != ImproverVerdict::Reason::distance || verdict.value <= (1 + little) * verdict.limit;
+}
+
 /// An entry under evaluation.
 struct Attempt {
   Entry entry;
@@ -114,7 +120,8 @@ bool Round::failed_before(const Entry& e) const {
   if (found == failed_.end()) return false;
   const int rings = options_.rings > 0 ? std::min(options_.rings, 2) : 1;
   for (const std::uint32_t v : vertices_around(complex(), {e.a, e.b}, rings))
-    if (surface_.stamp(v) > found->second) return false;
+    if ((found->second.close ? surface_.stamp(v) : surface_.collapse_stamp(v)) > found->second.commits)
+      return false;
   return true;
 }
 
@@ -187,7 +194,7 @@ void Round::settle(const Attempt& attempt) {
   verdict.limit = last.limit;
   verdict.witness = last.witness;
   if (!verdict.accepted()) {
-    failed_[{e.a, e.b}] = surface_.commits();
+    failed_[{e.a, e.b}] = {surface_.commits(), is_close(verdict)};
     figures_.stopped = !observer_.rejected(verdict);
     return;
   }

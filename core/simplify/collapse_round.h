@@ -26,9 +26,14 @@ struct CollapseRoundOptions {
   PlacementEffort placement; ///< of the targets
 };
 
-/// Edges that failed, with the number of commits there were then: tried again only when a vertex near them
-/// changed since.
-using FailedEdges = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
+/// When an edge failed, and whether it came close.
+struct Failure {
+  std::uint32_t commits = 0; ///< of the surface by then
+  bool close = false;        ///< relaxation of the neighbourhood may be enough for a second attempt
+};
+/// Edges that failed. They are tried again only when something near them has changed since: anything where
+/// they failed by little, a collapse otherwise.
+using FailedEdges = std::map<std::pair<std::uint32_t, std::uint32_t>, Failure>;
 
 struct CollapseRoundFigures {
   std::size_t attempts = 0, collapses = 0;

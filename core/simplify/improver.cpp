@@ -8,6 +8,10 @@ namespace {
 
 constexpr int sweeps_after_round = 2;
 constexpr int most_rounds = 20;
+/// A round of repairs that takes fewer than one vertex in this many is the last of its level.
+constexpr std::size_t worthwhile = 200;
+/// In δ: up to here edges are collapsed to cheaply placed targets.
+constexpr double thinning_limit = 0.5;
 /// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
 constexpr double sample_radius = 2.5;
 /// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
@@ -50,6 +54,7 @@ class Improver {
   }
 
   std::size_t round(const CollapseRoundOptions& options, FailedEdges& failed) {
+    control_.report("improver", -1);
     const CollapseRoundFigures figures =
         collapse_round(surface_, rules_, options, failed, control_, observer_);
     outcome_.attempts += figures.attempts;
@@ -77,8 +82,14 @@ class Improver {
 
   void shrink_greedily() {
     CollapseRoundOptions options;
-    options.cost_limit = rules_.sampled_limit();
     FailedEdges failed;
+    // Far below the limit the exact target does not matter yet.
+    options.cost_limit = thinning_limit * input_.delta();
+    options.placement = {false, 1};
+    round(options, failed);
+    options.cost_limit = rules_.sampled_limit();
+    options.placement = {};
+    failed.clear();
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       const std::size_t collapsed = round(options, failed);
       if (options_.effort == 0 || (r > 0 && collapsed == 0)) return;
@@ -96,7 +107,7 @@ class Improver {
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       const std::size_t collapsed = round(options, failed);
       relax_all();
-      if (collapsed == 0) return;
+      if (collapsed * worthwhile <= surface_.vertex_count()) return;
     }
   }
 

@@ -58,7 +58,8 @@ std::optional<std::uint32_t> broken_connectivity(const FacetComplex& surface, co
 } // namespace
 
 LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules)
-    : octree_(domain_of(mesh, rules.input->delta())), stamps_(mesh.points.size(), 0) {
+    : octree_(domain_of(mesh, rules.input->delta())), stamps_(mesh.points.size(), 0),
+      collapse_stamps_(mesh.points.size(), 0) {
   complex_.points = mesh.points;
   complex_.facets.resize(mesh.triangles.size());
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) complex_.facets[f].v = mesh.triangles[f];
@@ -119,7 +120,10 @@ SurfaceChange LiveSurface::commit(const SurfacePatch& patch, SurfaceChange::Kind
   change.kind = kind;
   ++commits_;
   const auto touch = [&](const std::array<std::uint32_t, 3>& v) {
-    for (const std::uint32_t w : v) stamps_[w] = commits_;
+    for (const std::uint32_t w : v) {
+      stamps_[w] = commits_;
+      if (kind != SurfaceChange::Kind::relaxation) collapse_stamps_[w] = commits_;
+    }
   };
   std::vector<std::uint32_t> changed;
   for (std::uint32_t f = 0; f < patch.slots.size(); ++f) {

@@ -19,6 +19,8 @@ class LiveSurface {
   std::size_t vertex_count() const { return vertex_count_; }
   /// Number of the last commit that changed a facet at v; 0 before the first.
   std::uint32_t stamp(std::uint32_t v) const { return stamps_[v]; }
+  /// The same for the last collapse, with or without repair.
+  std::uint32_t collapse_stamp(std::uint32_t v) const { return collapse_stamps_[v]; }
   std::uint32_t commits() const { return commits_; }
 
   /// Why a patch cannot be committed as the surface is now: a facet elsewhere that would be met (exact), or a
@@ -35,7 +37,7 @@ class LiveSurface {
  private:
   FacetComplex complex_;
   FacetOctree octree_;
-  std::vector<std::uint32_t> stamps_; ///< by vertex
+  std::vector<std::uint32_t> stamps_, collapse_stamps_; ///< by vertex
   std::uint32_t commits_ = 0;
   std::size_t vertex_count_ = 0;
 };

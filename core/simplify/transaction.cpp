@@ -17,7 +17,8 @@ constexpr std::size_t certificate_budget = 4000;
 /// A point above this share of δ counts as a violation: deciding closer to δ takes many more pieces and gains
 /// nothing.
 constexpr double reject_from = 0.998;
-constexpr std::size_t most_extra = 40; ///< samples a facet may gather
+constexpr std::size_t most_extra = 40;    ///< samples a facet may gather
+constexpr std::size_t most_witnesses = 6; ///< of which one certificate
 constexpr int relocation_rounds = 2;
 constexpr int collapse_retries = 4;   ///< of a collapse without repair whose certificate failed
 constexpr int relocation_retries = 2; ///< of a relocation whose certificate failed
@@ -28,25 +29,29 @@ struct Proof {
   Vec3 witness;
 };
 
-/// Certifies all unproven facets; each violating point becomes a sample of its facet.
+/// Certifies all unproven facets; violating points become samples of their facets.
 Proof prove(const InputSurface& input, FacetComplex& complex) {
   Proof proof;
   const double delta = input.delta();
+  std::vector<Vec3> witnesses;
   for (std::uint32_t f = 0; f < complex.facets.size(); ++f) {
     Facet& facet = complex.facets[f];
     if (!facet.alive() || facet.proven) continue;
     const Triangle3 t = complex.triangle(facet);
+    witnesses.clear();
     const FacetVerdict verdict =
-        certify_facet(input.index(), t, delta, reject_from * delta, certificate_budget, facet.seed);
+        certify_facet(input.index(), t, delta, reject_from * delta,
+                      FacetSearch{certificate_budget, facet.seed, &witnesses, most_witnesses});
     if (verdict.kind == FacetVerdict::Kind::inside) {
       facet.proven = true;
       continue;
     }
-    ++proof.failures;
+    if (verdict.kind == FacetVerdict::Kind::undecided) witnesses.push_back(verdict.witness);
     const double d = verdict.kind == FacetVerdict::Kind::outside ? verdict.closest.distance() : delta;
     if (d >= proof.distance) proof.distance = d, proof.witness = verdict.witness;
-    if (facet.extra.size() >= most_extra) facet.extra.clear();
-    facet.extra.push_back(weights_of(verdict.witness, t));
+    if (facet.extra.size() + witnesses.size() > most_extra) facet.extra.clear();
+    for (const Vec3 w : witnesses) facet.extra.push_back(weights_of(w, t));
+    proof.failures += static_cast<std::uint32_t>(witnesses.size());
     measure_facet(input, complex, f);
   }
   return proof;
@@ -182,7 +187,7 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
       for (const Facet& f : patch.complex.facets)
         if (f.alive() && (!f.extra.empty() || !f.sides.empty())) unsettle(f, settled);
       if (!can_be_repaired(verdict.reason) || ++checks > options.certificates || s >= options.sweeps) break;
-      last = unknown;
+      last = level.largest;
     } else {
       const double excess = level.largest - limit, gain = last;
       const bool hopeless = excess > 0 && ((s > 3 && gain <= 0.002 * delta) ||

@@ -69,17 +69,19 @@ void push_halves(const Piece& piece, TriangleId guess, PieceStack& stack) {
 } // namespace
 
 FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
-                           double reject, std::size_t budget, TriangleId guess) {
+                           double reject, const FacetSearch& search) {
   const double rounding = rounding_bound(index, facet);
+  using Kind = FacetVerdict::Kind;
   FacetVerdict verdict;
   // Whoever brings a guess asks for speed: then a bound from the guess is good enough, if looser.
-  const bool trust_guess = guess.valid();
+  const bool trust_guess = search.guess.valid();
   PieceStack stack;
-  stack.push({facet, guess, 0});
+  stack.push({facet, search.guess, 0});
   while (!stack.empty()) {
     const Piece piece = stack.pop();
-    if (++verdict.pieces > budget || piece.depth > max_depth) {
-      verdict.kind = FacetVerdict::Kind::undecided;
+    if (++verdict.pieces > search.budget || piece.depth > max_depth) {
+      if (verdict.kind == Kind::outside) return verdict;
+      verdict.kind = Kind::undecided;
       verdict.witness = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;
       return verdict;
     }
@@ -95,10 +97,15 @@ FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& face
     const ClosestPoint closest = index.closest_near(center, piece.guess);
     const double d = closest.distance();
     if (d - rounding > reject) {
-      verdict.kind = FacetVerdict::Kind::outside;
-      verdict.witness = center;
-      verdict.closest = closest;
-      return verdict;
+      if (verdict.kind != Kind::outside || closest.squared_distance > verdict.closest.squared_distance) {
+        verdict.witness = center;
+        verdict.closest = closest;
+      }
+      verdict.kind = Kind::outside;
+      if (search.witnesses == nullptr) return verdict;
+      search.witnesses->push_back(center);
+      if (search.witnesses->size() >= search.most_witnesses) return verdict;
+      continue;
     }
     double radius2 = 0;
     for (const Vec3 p : t) radius2 = std::max(radius2, squared_length(p - center));
@@ -111,7 +118,7 @@ FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& face
     }
     push_halves(piece, closest.triangle, stack);
   }
-  verdict.kind = FacetVerdict::Kind::inside;
+  if (verdict.kind != Kind::outside) verdict.kind = Kind::inside;
   return verdict;
 }
 

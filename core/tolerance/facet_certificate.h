@@ -4,6 +4,7 @@
 #include "tolerance/closest_point.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace isoscope {
 
@@ -17,10 +18,23 @@ struct FacetVerdict {
   std::size_t pieces = 0;  ///< pieces looked at
 };
 
-/// Accepts when d <= accept is proven everywhere (rounded outward), rejects at the first point found with d >
-/// reject (reject <= accept), undecided when `budget` pieces did not suffice. `guess`, an input triangle
-/// close to the facet, makes it faster and max_distance looser. Allocates nothing.
+/// How a certificate is made.
+struct FacetSearch {
+  std::size_t budget = 20000; ///< pieces
+  TriangleId guess;           ///< an input triangle close to the facet: makes it faster, max_distance looser
+  /// Where given, the search goes on after the first violating point until this has `most_witnesses`; each
+  /// comes from a piece of its own.
+  std::vector<Vec3>* witnesses = nullptr;
+  std::size_t most_witnesses = 6;
+};
+
+/// Accepts when d <= accept is proven everywhere (rounded outward), rejects at a point found with d > reject
+/// (reject <= accept), undecided when the budget did not suffice.
 FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
-                           double reject, std::size_t budget = 20000, TriangleId guess = {});
+                           double reject, const FacetSearch& search);
+inline FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
+                                  double reject, std::size_t budget = 20000) {
+  return certify_facet(index, facet, accept, reject, FacetSearch{budget, {}, nullptr, 0});
+}
 
 } // namespace isoscope

@@ -12,7 +12,7 @@ Start::Start(const TriangleSoup& input, double percent) : soup(input), mesh{inpu
   const double delta = percent / 100 * index->bounds().longest_edge();
   RunControl control;
   auto built = ToleranceVolume::build(index, analyse_input(soup), {delta, 0.95}, control);
-  REQUIRE(built.ok());
+  REQUIRE_MESSAGE(built.ok(), built.error().line());
   volume = std::make_unique<ToleranceVolume>(std::move(*built));
 }
 

@@ -27,6 +27,7 @@ TriangleSoup sphere(unsigned n) {
 TriangleSoup torus(unsigned n) {
   TriangleSoup soup;
   testing::add_torus(soup, {0, 0, 0}, 1, 0.4, n);
+  for (auto& f : soup.triangles) std::swap(f[0], f[1]); // outward
   return soup;
 }
 
@@ -190,10 +191,10 @@ TEST_CASE("preserved normals cost little and leave no failed test of condition 3
 TEST_CASE("two nested spheres keep their walls apart and their component each") {
   TriangleSoup soup = sphere(16);
   const std::size_t outer = soup.triangles.size();
-  testing::add_sphere(soup, {0, 0, 0}, 0.8, 16);
+  testing::add_sphere(soup, {0, 0, 0}, 0.7, 16);
   for (std::size_t i = outer; i < soup.triangles.size(); ++i)
     std::swap(soup.triangles[i][0], soup.triangles[i][1]);
-  const Start start(soup, 4); // δ = 0.08: the wall of 0.2 is just wider than 2 δ
+  const Start start(soup, 4); // δ = 0.08: the wall of 0.3 is less than twice 2 δ
   TriangleMesh mesh = start.mesh;
   Listener listener;
   improve(mesh, *start.volume, nullptr, with_effort(2), RunControl(), listener);
