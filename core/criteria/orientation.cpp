@@ -39,6 +39,10 @@ std::array<FacetOrientationTest, 6> check_facet_orientation(const Triangle3& fac
     if (!test.sample.valid()) continue;
     test.agreement = test.label * dot(normal, samples.positions()[test.sample.index()] - centroid);
   }
+  for (std::size_t i = 0; i < tests.size(); i += 2) {
+    if (tests[i].sample.valid() && tests[i + 1].sample.valid()) continue;
+    tests[i].sample = tests[i + 1].sample = SampleId();
+  }
   return tests;
 }
 
