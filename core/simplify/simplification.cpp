@@ -16,9 +16,9 @@ namespace isoscope {
 namespace {
 
 constexpr int most_rounds = 10;
-/// Rounds of the all-edges stage: mixed edges, then edges of Z again. Further ones brought little that the
-/// improver does not find too.
-constexpr int most_exchanges = 3;
+/// Rounds of the all-edges stage: mixed edges, then edges of Z again. Where the improver follows, further
+/// ones bring nothing that it does not find too.
+constexpr int most_exchanges = 8, exchanges_before_improver = 1;
 
 constexpr std::array<Stage, 5> stage_order{Stage::gamma, Stage::tessellation, Stage::zero_set, Stage::all,
                                            Stage::improve};
@@ -70,7 +70,8 @@ struct Simplification::Impl {
   }
 
   void all_edges() {
-    for (int i = 0; i < most_exchanges && !log.stopped(); ++i) {
+    const int exchanges = wanted(Stage::improve) ? exchanges_before_improver : most_exchanges;
+    for (int i = 0; i < exchanges && !log.stopped(); ++i) {
       const std::size_t mixed = collapse(EdgeKind::mixed, false, 1);
       const std::size_t zero = collapse(EdgeKind::zero, false, most_rounds);
       if (mixed + zero == 0) break;

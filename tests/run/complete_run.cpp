@@ -34,6 +34,13 @@ RunParameters gallery_parameters(const std::string& name) {
   for (const GalleryEntry& entry : gallery()) {
     if (entry.name == name) parameters.tolerance = {entry.tolerance_percent, true};
   }
+  parameters.until = Stage::refinement;
+  return parameters;
+}
+
+RunParameters complete_parameters(const std::string& name) {
+  RunParameters parameters = gallery_parameters(name);
+  parameters.until.reset();
   return parameters;
 }
 

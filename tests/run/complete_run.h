@@ -39,8 +39,10 @@ struct CompleteRun {
   bool run();
 };
 
-/// A bundled model with its own tolerance.
+/// A bundled model with its own tolerance, refined and no further.
 RunParameters gallery_parameters(const std::string& name);
+/// The same to the end of the last stage.
+RunParameters complete_parameters(const std::string& name);
 /// The complex made by all operations from nothing.
 Complex replayed(const Journal& journal);
 

@@ -71,7 +71,7 @@ Tally ask_again(const test::CompleteRun& run, std::size_t stride) {
 
 TEST_CASE("the verdicts of a certified run are found again at every step") {
   const auto finished = simplified("sphere", Containment::certified);
-  const Tally tally = ask_again(*finished, 23);
+  const Tally tally = ask_again(*finished, 11);
   CHECK(tally.asked > 30);
   CHECK(tally.collapses > 10);
   CHECK(tally.same == tally.asked);
@@ -79,9 +79,9 @@ TEST_CASE("the verdicts of a certified run are found again at every step") {
 
 TEST_CASE("the verdicts of a sampled run are found again, samples and all") {
   const auto finished = simplified("sphere", Containment::sampled);
-  const Tally tally = ask_again(*finished, 37);
+  const Tally tally = ask_again(*finished, 17);
   CHECK(tally.asked > 30);
-  CHECK(tally.collapses > 10);
+  CHECK(tally.collapses > 5);
   CHECK(tally.same == tally.asked);
 }
 

@@ -44,7 +44,7 @@ TEST_CASE("The journal is the same bits on 1, 2 and 7 threads, and the known one
   std::set<std::uint64_t> digests;
   for (const unsigned threads : {1u, 2u, 7u}) {
     const ThreadLimit limit(threads);
-    CompleteRun run(gallery_parameters(std::string(golden_model)));
+    CompleteRun run(complete_parameters(std::string(golden_model)));
     REQUIRE(run.run());
     digests.insert(digest(*run.journal));
   }
@@ -52,6 +52,38 @@ TEST_CASE("The journal is the same bits on 1, 2 and 7 threads, and the known one
   std::printf("digest of gallery:%s: 0x%016llx\n", golden_model.data(),
               static_cast<unsigned long long>(*digests.begin()));
   CHECK(*digests.begin() == golden_digest);
+}
+
+TEST_CASE("Whole runs of bundled models end coarse and certified, on Z alone") {
+  for (const char* name : {"sphere", "bracket", "rings"}) {
+    CAPTURE(name);
+    CompleteRun run(complete_parameters(name));
+    REQUIRE(run.run());
+    CHECK(run.result->certificate.failures.empty());
+    CHECK(run.result->exit_status() == 0);
+    CHECK(run.result->last_stage == Stage::improve);
+    CHECK(run.result->form == ZeroForm::free);
+    const auto stages = gather_statistics(*run.journal);
+    REQUIRE(stages.size() == 6);
+    for (std::size_t i = 1; i < stages.size(); ++i) {
+      CHECK(stages[i].zero_set_vertices <= stages[i - 1].zero_set_vertices);
+    }
+    CHECK(run.result->mesh.points.size() == stages.back().zero_set_vertices);
+    CHECK(4 * run.result->mesh.points.size() < stages.front().zero_set_vertices);
+  }
+}
+
+TEST_CASE("Stages can be left out, and the run ends where it is told to") {
+  RunParameters parameters = complete_parameters("sphere");
+  parameters.until = Stage::all;
+  parameters.skipped[static_cast<std::size_t>(Stage::gamma)] = true;
+  CompleteRun run(parameters);
+  REQUIRE(run.run());
+  CHECK(run.result->certificate.holds());
+  CHECK(run.result->form == ZeroForm::embedded);
+  std::vector<Stage> stages;
+  for (const StageStatistics& s : gather_statistics(*run.journal)) stages.push_back(s.stage);
+  CHECK(stages == std::vector<Stage>{Stage::refinement, Stage::tessellation, Stage::zero_set, Stage::all});
 }
 
 TEST_CASE("A run's journal replays bit by bit from any direction to a valid triangulation") {
