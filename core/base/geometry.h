@@ -17,28 +17,59 @@ struct Vec3 {
   friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
-constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-constexpr Vec3 operator*(Vec3 a, double s) { return s * a; }
-constexpr Vec3 operator/(Vec3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
-constexpr Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
-constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Vec3 operator+(Vec3 a, Vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Vec3 operator-(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Vec3 operator-(Vec3 a) {
+  return {-a.x, -a.y, -a.z};
+}
+constexpr Vec3 operator*(double s, Vec3 a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+constexpr Vec3 operator*(Vec3 a, double s) {
+  return s * a;
+}
+constexpr Vec3 operator/(Vec3 a, double s) {
+  return {a.x / s, a.y / s, a.z / s};
+}
+constexpr Vec3& operator+=(Vec3& a, Vec3 b) {
+  return a = a + b;
+}
+constexpr double dot(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 constexpr Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-constexpr double squared_length(Vec3 a) { return dot(a, a); }
-inline double length(Vec3 a) { return std::sqrt(squared_length(a)); }
-inline double distance(Vec3 a, Vec3 b) { return length(a - b); }
+constexpr double squared_length(Vec3 a) {
+  return dot(a, a);
+}
+inline double length(Vec3 a) {
+  return std::sqrt(squared_length(a));
+}
+inline double distance(Vec3 a, Vec3 b) {
+  return length(a - b);
+}
 /// a / |a|, or the zero vector when a is zero.
 inline Vec3 normalized(Vec3 a) {
   const double l = length(a);
   return l > 0 ? a / l : Vec3{};
 }
-inline bool is_finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+inline bool is_finite(Vec3 a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 using Triangle3 = std::array<Vec3, 3>;
+
+/// Signed solid angle of a triangle seen from p, in (−2π, 2π) (van Oosterom and Strackee 1983).
+inline double solid_angle(Vec3 p, const Triangle3& t) {
+  const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
+  const double la = length(a), lb = length(b), lc = length(c);
+  return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
 
 /// An axis-aligned box; empty (lo > hi) when default-constructed.
 struct Box3 {

@@ -2,6 +2,8 @@
 // only the tetrahedra at one end can offend.
 #include "criteria/link.h"
 
+#include "base/sort_unique.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -30,11 +32,6 @@ std::vector<VertexId> vertices_of(const EdgeStar& star, Key simplex) {
     if (v != 0) ids.push_back(star.vertices[v].id);
   }
   return ids;
-}
-
-void sort_unique(std::vector<Key>& keys) {
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
 enum Mark : std::uint8_t { in_a = 1, in_b = 2, in_edge = 4 };

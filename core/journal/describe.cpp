@@ -39,12 +39,10 @@ std::string_view placed(Reason reason) {
     return "the first point with d = δ′ towards the circumcentre goes in";
   case Reason::toward_opposite:
     return "a point traced from a vertex of the other side goes in";
-  case Reason::medial_point:
-    return "a point of thin material or of a narrow tunnel goes in";
+  case Reason::violating_point:
+    return "the violating point itself goes in, as every place at d = δ′ is taken";
   case Reason::crossing_simplex:
     return "a point where an element of one side crosses the input goes in";
-  case Reason::tightened:
-    return "the violating point of a smaller tolerance goes in";
   case Reason::region_witness:
     return "the region's deepest point goes in";
   case Reason::circumcenter_sample:

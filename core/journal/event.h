@@ -62,10 +62,9 @@ enum class Reason : std::uint8_t {
   projected,           ///< containment (a): the violating point projected to d = δ'
   toward_circumcenter, ///< containment (b): first point with d = δ' on the way to the circumcentre
   toward_opposite,     ///< containment (c): traced to a vertex of opposite label
+  violating_point,     ///< containment (d): the violating point itself, where all others are taken
   region_witness,      ///< the deepest point of a region
-  medial_point,        ///< topology: a point of thin material or of a narrow tunnel
   crossing_simplex,    ///< topology: an edge or facet of one label that crosses the input
-  tightened,           ///< topology: containment asked at a smaller δ
   no_sample_inside,    ///< exhausted: no sample strictly inside the circumscribed ball
   already_vertex,      ///< exhausted: the candidate is a vertex of T
   too_close,           ///< exhausted: the candidate is nearer to a vertex than the spacing bound
@@ -93,7 +92,7 @@ enum class Reason : std::uint8_t {
   folded,              ///< a facet would turn over (without T)
   stays_above          ///< the repair did not bring every facet below δ
 };
-constexpr int reason_count = 34;
+constexpr int reason_count = 33;
 
 /// The first and the last reason for a collapse that was not made.
 constexpr Reason first_rejection = Reason::link_condition;

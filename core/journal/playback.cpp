@@ -1,6 +1,8 @@
 // Moves a complex along the journal; samples follow only when somebody asks for them.
 #include "journal/playback.h"
 
+#include "base/sort_unique.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -120,8 +122,7 @@ const SampleSets& Playback::sample_sets() {
     for (const TetRecord& t : delta.removed) touched.push_back(t.id.value);
     for (const TetRecord& t : delta.added) touched.push_back(t.id.value);
   }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  sort_unique(touched);
   if (2 * touched.size() > complex_.tets.size()) {
     sets_->assign_all(complex_);
   } else {
@@ -146,8 +147,7 @@ std::vector<TetId> Playback::changed_in_last(Step n) const {
       if (slot < complex_.tets.size() && complex_.tets[slot].v == t.v) changed.push_back(t.id);
     }
   }
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  sort_unique(changed);
   return changed;
 }
 

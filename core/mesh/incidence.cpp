@@ -1,6 +1,7 @@
 // Keeps the lists and copies stars out of a state.
 #include "mesh/incidence.h"
 
+#include "base/sort_unique.h"
 #include "mesh/zero_set.h"
 
 #include <algorithm>
@@ -25,11 +26,6 @@ void add_facets_at(const Complex& complex, std::span<const TetId> tets, VertexId
       facets.emplace_back(t, k);
     }
   }
-}
-
-template <class T> void sort_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 void gather_embedded_facets(const Complex& complex, const Incidence& incidence,

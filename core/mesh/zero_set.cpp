@@ -1,6 +1,8 @@
 // Extracts Z and ∂Γ; numbering follows sorted edges of T, so that it depends on T alone.
 #include "mesh/zero_set.h"
 
+#include "base/sort_unique.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -85,8 +87,7 @@ void find_components(ZeroSet& z) {
       sets.unite(a, b);
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
 
   constexpr std::uint32_t none = 0xffffffffu;
   std::vector<std::uint32_t> number(z.vertices.size(), none);
@@ -124,8 +125,7 @@ ZeroSet interpolated_zero_set(const Complex& complex) {
     }
     z.polygons.push_back(polygon);
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  sort_unique(keys);
   z.vertices.reserve(keys.size());
   for (const std::uint64_t key : keys) {
     const VertexId n(static_cast<std::uint32_t>(key >> 32)), p(static_cast<std::uint32_t>(key));
@@ -207,6 +207,23 @@ ZeroPolygon zero_polygon(const std::array<Vec3, 4>& p, const std::array<double, 
   return polygon;
 }
 
+PolygonSplit split_polygon(const std::array<Vec3, 4>& corner, int count) {
+  if (count == 0) return {};
+  if (count == 3) return {{{{0, 1, 2}}}, 1};
+  if (squared_length(corner[2] - corner[0]) <= squared_length(corner[3] - corner[1]))
+    return {{{{0, 1, 2}, {0, 2, 3}}}, 2};
+  return {{{{0, 1, 3}, {1, 2, 3}}}, 2};
+}
+
+void append_triangles(const ZeroPolygon& polygon, std::vector<Triangle3>& out) {
+  const auto& c = polygon.corner;
+  const PolygonSplit split = split_polygon(c, polygon.count);
+  for (std::size_t k = 0; k < split.count; ++k) {
+    const auto [i, j, l] = split.triangles[k];
+    out.push_back({c[i], c[j], c[l]});
+  }
+}
+
 ZeroSet extract_zero_set(const Complex& complex) {
   switch (complex.form) {
   case ZeroForm::interpolated:
@@ -224,19 +241,12 @@ TriangleMesh triangulate(const ZeroSet& zero_set) {
   mesh.points.reserve(zero_set.vertices.size());
   for (const auto& v : zero_set.vertices) mesh.points.push_back(v.position);
   for (const auto& p : zero_set.polygons) {
-    const auto& v = p.v;
-    if (p.count == 3) {
-      mesh.triangles.push_back({v[0], v[1], v[2]});
-      continue;
-    }
-    const double d02 = squared_length(mesh.points[v[2]] - mesh.points[v[0]]);
-    const double d13 = squared_length(mesh.points[v[3]] - mesh.points[v[1]]);
-    if (d02 <= d13) {
-      mesh.triangles.push_back({v[0], v[1], v[2]});
-      mesh.triangles.push_back({v[0], v[2], v[3]});
-    } else {
-      mesh.triangles.push_back({v[0], v[1], v[3]});
-      mesh.triangles.push_back({v[1], v[2], v[3]});
+    std::array<Vec3, 4> corner{};
+    for (std::size_t k = 0; k < p.count; ++k) corner[k] = mesh.points[p.v[k]];
+    const PolygonSplit split = split_polygon(corner, p.count);
+    for (std::size_t k = 0; k < split.count; ++k) {
+      const auto [i, j, l] = split.triangles[k];
+      mesh.triangles.push_back({p.v[i], p.v[j], p.v[l]});
     }
   }
   return mesh;

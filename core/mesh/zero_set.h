@@ -50,6 +50,16 @@ struct ZeroPolygon {
 };
 ZeroPolygon zero_polygon(const std::array<Vec3, 4>& p, const std::array<double, 4>& f);
 
+/// The triangles of a polygon of 3 or 4 corners as indices into them, in its orientation: a quad is split
+/// along its shorter diagonal, along that of corner 0 when both are equal.
+struct PolygonSplit {
+  std::array<std::array<std::uint8_t, 3>, 2> triangles{};
+  std::size_t count = 0; ///< 1 or 2; 0 for a polygon without corners
+};
+PolygonSplit split_polygon(const std::array<Vec3, 4>& corner, int count);
+/// Appends the triangles of a zero polygon, split like those of the mesh.
+void append_triangles(const ZeroPolygon& polygon, std::vector<Triangle3>& out);
+
 /// Z of the whole triangulation.
 ZeroSet extract_zero_set(const Complex& complex);
 /// Z as an oriented triangle mesh, quads split along their shorter diagonal; outward is the positive side.

@@ -12,24 +12,15 @@ constexpr int march_steps = 2000;
 /// The march has reached d = δ' when it is this near, relative to δ'.
 constexpr double march_precision = 1e-6;
 
-/// The triangles of a zero polygon, a quad split along its shorter diagonal.
-std::vector<Triangle3> triangles_of(const ZeroPolygon& polygon) {
-  const auto& c = polygon.corner;
-  if (polygon.count == 0) return {};
-  if (polygon.count == 3) return {{c[0], c[1], c[2]}};
-  if (squared_length(c[2] - c[0]) <= squared_length(c[3] - c[1])) {
-    return {{c[0], c[1], c[2]}, {c[0], c[2], c[3]}};
-  }
-  return {{c[0], c[1], c[3]}, {c[1], c[2], c[3]}};
-}
-
 } // namespace
 
 FacetVerdict::Kind ContainmentCondition::certify(TetId t, Violation* violation) const {
   const Complex& complex = context_.live().complex();
   const ToleranceThresholds& limits = context_.volume().thresholds();
   auto worst = FacetVerdict::Kind::inside;
-  for (const Triangle3& facet : triangles_of(zero_polygon(complex.positions(t), complex.values(t)))) {
+  std::vector<Triangle3> facets;
+  append_triangles(zero_polygon(complex.positions(t), complex.values(t)), facets);
+  for (const Triangle3& facet : facets) {
     const FacetVerdict verdict =
         certify_facet(context_.volume().index(), facet, limits.delta, std::min(limits.reject, limits.delta));
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
@@ -111,6 +102,19 @@ ContainmentCondition::candidate(TetId t, const Violation& violation, int label) 
   if (context_.spacing(context_.snapped(projected), t) >= spacing) {
     return Candidate{projected, Reason::projected};
   }
+  if (const auto traced = traced_candidate(t, violation, label)) return traced;
+  // The input may be so thin that all these places coincide with vertices; beyond δ the side is known as
+  // well.
+  if (has_room(violation.witness, t)) return Candidate{violation.witness, Reason::violating_point};
+  return std::nullopt;
+}
+
+bool ContainmentCondition::has_room(Vec3 p, TetId t) const {
+  return context_.spacing(context_.snapped(p), t) >= context_.smallest_spacing();
+}
+
+std::optional<ContainmentCondition::Candidate>
+ContainmentCondition::traced_candidate(TetId t, const Violation& violation, int label) const {
   const Vec3 center = context_.live().delaunay().circumcenter(t);
   if (!is_finite(center)) return std::nullopt;
   std::optional<Candidate> best;
@@ -127,9 +131,7 @@ ContainmentCondition::candidate(TetId t, const Violation& violation, int label) 
       best = Candidate{*q, Reason::toward_opposite};
     }
   }
-  if (best && context_.spacing(context_.snapped(best->point), t) < context_.smallest_spacing()) {
-    return std::nullopt;
-  }
+  if (best && !has_room(best->point, t)) return std::nullopt;
   return best;
 }
 

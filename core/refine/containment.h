@@ -41,7 +41,10 @@ class ContainmentCondition {
   FacetVerdict::Kind certify(TetId t, Violation* violation) const;
   Turn mend(TetId t, const Violation& violation);
   Turn give_up(TetId t, Checklist::State state, Event event);
+  /// The first that the spacing of vertices allows; vertices keep apart, so that there are finitely many.
   std::optional<Candidate> candidate(TetId t, const Violation& violation, int label) const;
+  std::optional<Candidate> traced_candidate(TetId t, const Violation& violation, int label) const;
+  bool has_room(Vec3 p, TetId t) const;
   std::optional<Vec3> first_boundary_point(Vec3 from, Vec3 to) const;
 };
 

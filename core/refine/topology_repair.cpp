@@ -42,7 +42,7 @@ void TopologyCondition::note_check() {
 
 void TopologyCondition::reconsider() {
   summits_.reset();
-  enter(Phase::edges);
+  enter(context_.criteria().certified ? Phase::edges : Phase::circumradii);
 }
 
 std::string TopologyCondition::expectation() const {
@@ -65,8 +65,8 @@ void TopologyCondition::enter(Phase phase) {
     level_ = context_.volume().thresholds().boundary * level_step;
 }
 
-bool TopologyCondition::sides_known() const {
-  return context_.criteria().certified && context_.volume().input().sides_known();
+std::size_t TopologyCondition::circumradius_limit() const {
+  return sides_known() ? insertion_limit_ / 2 : insertion_limit_;
 }
 
 Event TopologyCondition::event(Reason reason) const {
@@ -94,13 +94,11 @@ Turn TopologyCondition::mend() {
   while (phase_ != Phase::given_up && context_.insertions(Condition::topology) < insertion_limit_) {
     if (context_.cancelled()) return Turn::acted;
     if (phase_ == Phase::circumradii) {
-      if (context_.criteria().certified || !refine_largest()) break;
-      return Turn::acted;
+      if (context_.insertions(Condition::topology) < circumradius_limit() && refine_largest())
+        return Turn::acted;
+      enter(Phase::edges);
     }
-    if (!sides_known()) {
-      enter(Phase::circumradii);
-      continue;
-    }
+    if (!sides_known()) break;
     if (insert_next_point()) {
       mending_ = true;
       return Turn::acted;
@@ -139,7 +137,7 @@ void TopologyCondition::advance() {
   phase_ = summits_ ? Phase::summits : Phase::edges;
   const double lowest = expected_.required ? lowest_level : lowest_level_aimed_at;
   if (level_ >= lowest * context_.volume().thresholds().delta) return;
-  if (summits_ || !expected_.required) return enter(Phase::circumradii);
+  if (summits_ || !expected_.required) return enter(Phase::given_up);
   summits_ = thin_summits(context_.volume());
   enter(Phase::summits);
 }

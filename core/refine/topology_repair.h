@@ -13,8 +13,8 @@
 namespace isoscope {
 
 /// Mends Z while its topology is wrong. Where the input tells the side of any point (closed, free of
-/// self-intersections, certified mode), points that f has on the wrong side go in, deepest first; else the
-/// paper's rule: refine the tetrahedron that carries Z with the largest circumradius.
+/// self-intersections), points that f has on the wrong side go in, deepest first. In sampled mode the paper's
+/// rule comes before: refine the tetrahedron that carries Z with the largest circumradius.
 class TopologyCondition {
  public:
   TopologyCondition(RefinementContext& context, const ExpectedTopology& expected, std::size_t insertion_limit)
@@ -34,7 +34,7 @@ class TopologyCondition {
 
  private:
   /// What is tried, in this order.
-  enum class Phase { summits, edges, facets, circumradii, given_up };
+  enum class Phase { circumradii, summits, edges, facets, given_up };
   struct Candidate {
     TetId tet;
     std::uint32_t generation = 0;
@@ -56,7 +56,9 @@ class TopologyCondition {
   bool fruitful_ = false; ///< a point went in since the present phase last looked for points
 
   void note_check();
-  bool sides_known() const;
+  bool sides_known() const { return context_.volume().input().sides_known(); }
+  /// Insertions that the paper's rule may ask for.
+  std::size_t circumradius_limit() const;
   void enter(Phase phase);
   Turn mend();
   void advance();

@@ -3,6 +3,7 @@
 #include "run/certificate.h"
 
 #include "base/parallel.h"
+#include "base/place.h"
 #include "tolerance/facet_certificate.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -24,13 +25,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr std::size_t piece_budget = 200000;
+constexpr int place_digits = 9;
 constexpr double input_distance_precision = 0.01; ///< in units of δ
-
-std::string place(Vec3 p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.9g, %.9g, %.9g)", p.x, p.y, p.z);
-  return text;
-}
 
 Triangle3 corners(const TriangleMesh& mesh, std::size_t f) {
   const auto& t = mesh.triangles[f];
@@ -71,7 +67,7 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
   for (const auto& t : mesh.triangles) {
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) continue;
     c.closed_manifold = c.oriented = false;
-    c.failures.push_back("A facet at " + place(mesh.points[t[0]]) + " has a vertex twice.");
+    c.failures.push_back("A facet at " + place(mesh.points[t[0]], place_digits) + " has a vertex twice.");
     break;
   }
   std::vector<std::uint32_t> facet_parent(mesh.triangles.size());
@@ -84,8 +80,9 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     if (along + against != 2) c.closed_manifold = false;
     if (along != 1 || against != 1) {
       if (c.oriented) {
-        c.failures.push_back("The edge from " + place(mesh.points[e.from]) + " to " +
-                             place(mesh.points[e.to]) + " has not exactly two facets of opposite direction.");
+        c.failures.push_back("The edge from " + place(mesh.points[e.from], place_digits) + " to " +
+                             place(mesh.points[e.to], place_digits) +
+                             " has not exactly two facets of opposite direction.");
       }
       c.oriented = false;
     }
@@ -116,7 +113,7 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     } while (to != first->to && length <= degree[v]);
     if (length != degree[v]) {
       if (c.closed_manifold) {
-        c.failures.push_back("The facets around the vertex " + place(mesh.points[v]) +
+        c.failures.push_back("The facets around the vertex " + place(mesh.points[v], place_digits) +
                              " form more than one fan.");
       }
       c.closed_manifold = false;
@@ -154,7 +151,7 @@ void check_intersections(const TriangleMesh& mesh, Certificate& c) {
   if (!pairs.empty()) {
     const auto f = static_cast<std::size_t>(pairs.front().first);
     c.failures.push_back(std::to_string(pairs.size()) + " pairs of facets intersect, one at " +
-                         place(corners(mesh, f)[0]) + ".");
+                         place(corners(mesh, f)[0], place_digits) + ".");
   }
 }
 
@@ -192,7 +189,7 @@ void check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
     char ratio[32];
     std::snprintf(ratio, sizeof ratio, "%.4g", worst / delta);
     c.failures.push_back(std::to_string(outside) + " facets leave the tolerance volume, the worst by d = " +
-                         ratio + " δ at " + place(where) + ".");
+                         ratio + " δ at " + place(where, place_digits) + ".");
   }
   if (undecided > 0) {
     c.failures.push_back(std::to_string(undecided) + " facets could be proven neither inside nor outside.");
@@ -206,16 +203,11 @@ void measure_input_distance(const TriangleMesh& mesh, const ToleranceVolume& vol
       bound_distance(volume.index(), index, input_distance_precision * volume.thresholds().delta, control);
 }
 
-/// Winding number of the mesh around p by signed solid angles (van Oosterom and Strackee 1983).
+/// Winding number of the mesh around p.
 double winding_number(const TriangleMesh& mesh, Vec3 p) {
   double sum = 0;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    const Triangle3 t = corners(mesh, f);
-    const Vec3 a = t[0] - p, b = t[1] - p, d = t[2] - p;
-    const double la = length(a), lb = length(b), ld = length(d);
-    sum += std::atan2(dot(a, cross(b, d)), la * lb * ld + dot(a, b) * ld + dot(b, d) * la + dot(d, a) * lb);
-  }
-  return sum / (2 * std::numbers::pi);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) sum += solid_angle(p, corners(mesh, f));
+  return sum / (4 * std::numbers::pi);
 }
 
 void check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c) {
@@ -237,7 +229,8 @@ void check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, C
     char text[32];
     std::snprintf(text, sizeof text, "%.3f", winding[i]);
     c.failures.push_back("The mesh winds " + std::string(text) + " times around the region at " +
-                         place(w.point) + " instead of " + (w.label < 0 ? "once." : "not at all."));
+                         place(w.point, place_digits) + " instead of " +
+                         (w.label < 0 ? "once." : "not at all."));
   }
   if (more > 0) c.failures.push_back("So it does with " + std::to_string(more) + " other regions.");
 }

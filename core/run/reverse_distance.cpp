@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "tolerance/facet_certificate.h"
+#include "tolerance/rounding.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,6 +17,8 @@ namespace {
 
 constexpr std::size_t piece_budget = 200000;
 constexpr std::size_t grain = 256;
+/// A computed distance comes from fewer.
+constexpr int roundings = 32;
 
 /// The farthest point found so far: what a triangle must exceed to count.
 struct Farthest {
@@ -42,14 +45,6 @@ Farthest farthest_corner(const ClosestPointIndex& from, const ClosestPointIndex&
 /// What the distance of an undecided triangle's points cannot exceed, since distances are 1-Lipschitz.
 double crude_bound(const ClosestPointIndex& to, const Triangle3& t) {
   return to.distance(t[0]) + std::max(length(t[1] - t[0]), length(t[2] - t[0]));
-}
-
-/// What a computed distance may be off by: fewer than 32 roundings of numbers below the largest coordinate.
-double rounding_bound(const ClosestPointIndex& from, const ClosestPointIndex& to) {
-  double largest = 0;
-  for (const Box3& box : {from.bounds(), to.bounds()})
-    for (int a = 0; a < 3; ++a) largest = std::max({largest, std::abs(box.lo[a]), std::abs(box.hi[a])});
-  return 32 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 } // namespace
@@ -86,7 +81,7 @@ DistanceBounds bound_distance(const ClosestPointIndex& from, const ClosestPointI
     open.resize(still_open);
   }
   if (control.abandoned()) return {};
-  const double rounding = rounding_bound(from, to);
+  const double rounding = rounding_bound(from.bounds(), to.bounds(), roundings);
   return {std::max(0.0, farthest.distance - rounding), upper + rounding, farthest.point};
 }
 

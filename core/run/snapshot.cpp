@@ -2,6 +2,7 @@
 #include "run/snapshot.h"
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "criteria/height.h"
 #include "criteria/orientation.h"
 
@@ -32,8 +33,7 @@ std::optional<std::vector<std::uint32_t>> touched_slots(const Journal& journal, 
     for (const TetRecord& t : delta.added) touched.push_back(t.id.value);
     if (touched.size() > slots) return std::nullopt;
   }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  sort_unique(touched);
   while (!touched.empty() && touched.back() >= slots) touched.pop_back();
   return touched;
 }

@@ -66,12 +66,6 @@ double error_at(const EdgeStar& star, const Location& at, const std::array<doubl
                                          : sample_error(f, label);
 }
 
-void append_polygon(const ZeroPolygon& polygon, std::vector<Triangle3>& out) {
-  const auto& c = polygon.corner;
-  if (polygon.count >= 3) out.push_back({c[0], c[1], c[2]});
-  if (polygon.count == 4) out.push_back({c[0], c[2], c[3]});
-}
-
 /// Barycentric weight of corner k of a triangle at a point of its plane.
 double weight_at(const Triangle3& t, std::size_t k, Vec3 w) {
   const Vec3 a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
@@ -118,7 +112,7 @@ std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target)
   std::vector<Triangle3> triangles;
   for (const EdgeStar::StarTet& t : star.tets) {
     if (!t.ring())
-      append_polygon(zero_polygon(star.positions_after(t, target), values_after(star, t)), triangles);
+      append_triangles(zero_polygon(star.positions_after(t, target), values_after(star, t)), triangles);
   }
   for (const Triangle3& t : triangles) facets.push_back({t, -1});
   return facets;
@@ -134,7 +128,7 @@ std::vector<Triangle3> zero_facets_before(const EdgeStar& star) {
     return triangles;
   }
   for (const EdgeStar::StarTet& t : star.tets) {
-    append_polygon(zero_polygon(star.positions(t), star.values(t)), triangles);
+    append_triangles(zero_polygon(star.positions(t), star.values(t)), triangles);
   }
   return triangles;
 }

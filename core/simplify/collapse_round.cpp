@@ -2,6 +2,7 @@
 #include "simplify/collapse_round.h"
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 
 #include <algorithm>
 #include <queue>
@@ -100,8 +101,7 @@ void Round::push_all() {
 }
 
 void Round::push(std::vector<Edge>& edges) {
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   std::vector<std::optional<CollapseCandidate>> candidates(edges.size());
   parallel_for(edges.size(), 4, [&](std::size_t i) {
     const auto [a, b] = edges[i];

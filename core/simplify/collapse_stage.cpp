@@ -2,6 +2,7 @@
 #include "simplify/collapse_stage.h"
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,8 +116,7 @@ std::vector<QueuedEdge> CollapseStage::eligible_edges() const {
       }
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   std::vector<QueuedEdge> queued(edges.size());
   parallel_for(edges.size(), priority_grain, [&](std::size_t i) {
     queued[i] =

@@ -1,6 +1,8 @@
 // Connectivity of small and large facet complexes.
 #include "simplify/facet_complex.h"
 
+#include "base/sort_unique.h"
+
 #include <algorithm>
 
 namespace isoscope {
@@ -31,8 +33,7 @@ std::vector<std::uint32_t> FacetComplex::neighbors(std::uint32_t v) const {
   for (const std::uint32_t f : stars[v])
     for (const std::uint32_t w : facets[f].v)
       if (w != v) found.push_back(w);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_unique(found);
   return found;
 }
 

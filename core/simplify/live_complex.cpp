@@ -1,6 +1,8 @@
 // Collapses as deltas, and the counters that follow them.
 #include "simplify/live_complex.h"
 
+#include "base/sort_unique.h"
+
 #include <algorithm>
 #include <array>
 
@@ -33,8 +35,7 @@ std::vector<VertexId> LiveComplex::neighbors(VertexId v) const {
       if (n != v) found.push_back(n);
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_unique(found);
   return found;
 }
 
@@ -44,8 +45,7 @@ Delta LiveComplex::collapse(VertexId a, VertexId b, Vec3 target) const {
   const auto at_a = incidence_.tets_of(a), at_b = incidence_.tets_of(b);
   std::vector<TetId> star(at_a.begin(), at_a.end());
   star.insert(star.end(), at_b.begin(), at_b.end());
-  std::sort(star.begin(), star.end());
-  star.erase(std::unique(star.begin(), star.end()), star.end());
+  sort_unique(star);
   for (const TetId t : star) {
     const Tet& tet = complex_.tet(t);
     delta.removed.push_back({t, tet.v, tet.side});

@@ -1,15 +1,12 @@
 // Copies neighbourhoods out of a surface.
 #include "simplify/surface_patch.h"
 
+#include "base/sort_unique.h"
+
 #include <algorithm>
 
 namespace isoscope {
 namespace {
-
-void sort_unique(std::vector<std::uint32_t>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
 
 SurfacePatch take(const FacetComplex& surface, std::vector<std::uint32_t> slots,
                   std::span<const std::uint32_t> free_vertices) {

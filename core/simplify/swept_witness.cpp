@@ -5,12 +5,6 @@
 
 namespace isoscope {
 
-double solid_angle(Vec3 p, const Triangle3& t) {
-  const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
-  const double la = length(a), lb = length(b), lc = length(c);
-  return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-}
-
 std::optional<Vec3> swept_witness(std::span<const Vec3> witnesses, std::span<const Triangle3> before,
                                   std::span<const Triangle3> after) {
   Box3 box;

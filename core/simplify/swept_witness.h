@@ -8,9 +8,6 @@
 
 namespace isoscope {
 
-/// Signed solid angle of a triangle seen from p, in (−2π, 2π) (van Oosterom and Strackee 1983).
-double solid_angle(Vec3 p, const Triangle3& t);
-
 /// The first witness whose side changes when the facets `before` are replaced by `after`; both have the same
 /// border.
 std::optional<Vec3> swept_witness(std::span<const Vec3> witnesses, std::span<const Triangle3> before,

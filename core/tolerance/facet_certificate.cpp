@@ -1,6 +1,8 @@
 // Branch and bound over the pieces of a facet.
 #include "tolerance/facet_certificate.h"
 
+#include "tolerance/rounding.h"
+
 #include <array>
 
 namespace isoscope {
@@ -31,14 +33,7 @@ class PieceStack {
 /// What a computed distance, circumradius bound or repeatedly rounded midpoint may be off by. Each comes from
 /// fewer than 32 operations on numbers below the largest coordinate M, and midpoints along one path of
 /// bisections drift by at most one rounding a level, so (32 + 32 + max_depth) u M is enough; 256 leaves room.
-double rounding_bound(const ClosestPointIndex& index, const Triangle3& facet) {
-  double largest = 0;
-  for (int a = 0; a < 3; ++a) {
-    largest = std::max({largest, std::abs(index.bounds().lo[a]), std::abs(index.bounds().hi[a])});
-    for (const Vec3 p : facet) largest = std::max(largest, std::abs(p[a]));
-  }
-  return 256 * std::numeric_limits<double>::epsilon() * largest;
-}
+constexpr int roundings = 256;
 
 /// Upper bound of d on the piece from one input triangle: the distance to a convex set is convex, so a corner
 /// attains it.
@@ -70,7 +65,9 @@ void push_halves(const Piece& piece, TriangleId guess, PieceStack& stack) {
 
 FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
                            double reject, const FacetSearch& search) {
-  const double rounding = rounding_bound(index, facet);
+  Box3 box;
+  for (const Vec3 p : facet) box.add(p);
+  const double rounding = rounding_bound(index.bounds(), box, roundings);
   using Kind = FacetVerdict::Kind;
   FacetVerdict verdict;
   // Whoever brings a guess asks for speed: then a bound from the guess is good enough, if looser.

@@ -1,8 +1,9 @@
 // Sides of regions by parity and by two-colouring.
 #include "tolerance/region_labels.h"
 
+#include "base/place.h"
+
 #include <algorithm>
-#include <cstdio>
 #include <deque>
 #include <optional>
 
@@ -13,12 +14,7 @@ namespace {
 constexpr unsigned ballot_size = 16;
 /// Triangles from which the thickness of a part is measured.
 constexpr std::size_t thickness_probes = 2000;
-
-std::string place(Vec3 p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
-  return text;
-}
+constexpr int place_digits = 6;
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -44,7 +40,7 @@ Error nothing_inside(const ToleranceVolume& volume, std::uint32_t component) {
   const ToleranceThresholds& t = volume.thresholds();
   Error error{ErrorCode::unsupported,
               "The input is thinner than twice the tolerance everywhere around " +
-                  place(centroid(volume.index().triangle(part.front()))) +
+                  place(centroid(volume.index().triangle(part.front())), place_digits) +
                   ": nothing is left inside of it there.",
               "Choose a smaller tolerance."};
   double depth = 0;
@@ -67,7 +63,7 @@ Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
   const Vec3 p =
       border_is_here ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front()));
   return {ErrorCode::unsupported,
-          "The input is an open surface near " + place(p) +
+          "The input is an open surface near " + place(p, place_digits) +
               ": both its sides are connected outside of the tolerance volume.",
           "A larger tolerance closes gaps; approximating open surfaces comes with a later version."};
 }
@@ -93,7 +89,7 @@ Error non_manifold(Vec3 where) {
   return {ErrorCode::unsupported,
           "The input is not a manifold surface: more than two regions meet one connected part of it, one of "
           "them around " +
-              place(where) + ".",
+              place(where, place_digits) + ".",
           "Remove inner walls, or split the input into its closed parts."};
 }
 

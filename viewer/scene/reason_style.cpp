@@ -7,16 +7,15 @@ namespace isoscope {
 namespace {
 
 constexpr ReasonStyle taken{0x009E73, MarkerShape::disc, "taken", "The target of the collapse."};
-constexpr std::array<std::string_view, 22> found{"",
+constexpr std::array<std::string_view, 21> found{"",
                                                  "largest error",
                                                  "sample near the circumcentre",
                                                  "projected",
                                                  "towards the circumcentre",
                                                  "towards the other side",
+                                                 "violating point",
                                                  "witness of a region",
-                                                 "medial point",
                                                  "crossing element",
-                                                 "smaller tolerance",
                                                  "no sample inside",
                                                  "vertex already",
                                                  "too close",
