@@ -198,6 +198,8 @@ void Round::settle(const Attempt& attempt) {
     figures_.stopped = !observer_.rejected(verdict);
     return;
   }
+  verdict.limit = rules_.input->delta();
+  verdict.value = attempt.patch.largest_distance(verdict.limit);
   const SurfaceChange change = surface_.commit(attempt.patch, verdict.kind);
   ++figures_.collapses;
   failed_.erase({e.a, e.b});

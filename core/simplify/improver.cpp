@@ -14,7 +14,6 @@ constexpr std::size_t worthwhile = 200;
 constexpr double thinning_limit = 0.5;
 /// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
 constexpr double sample_radius = 2.5;
-/// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
 
 /// One level of collapse with repair.
 struct RepairLevel {
@@ -75,6 +74,8 @@ class Improver {
       verdict.kind = SurfaceChange::Kind::relaxation;
       verdict.moved = figures.moved;
       verdict.flipped = figures.flipped;
+      verdict.value = figures.largest;
+      verdict.limit = input_.delta();
       stopped_ = !observer_.accepted(difference(before, surface_.complex(), SurfaceChange::Kind::relaxation),
                                      verdict);
     }

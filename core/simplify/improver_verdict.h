@@ -35,7 +35,7 @@ struct SurfaceChange {
 /// What was decided on an edge (or on a sweep) and why. Lengths are absolute.
 struct ImproverVerdict {
   enum class Reason {
-    accepted,
+    accepted,     ///< value: the largest sampled d of the changed facets, at most δ = limit
     distance,     ///< the largest sampled d (value) stays above what a certificate can accept (limit)
     certificate,  ///< d(witness) = value > δ = limit
     folded,       ///< a facet is turned away from the input's normals, or has no normal

@@ -29,9 +29,10 @@ class InputSurface {
     if (guess.valid()) {
       const Vec3 c = closest_point_on_triangle(p, index_->triangle(guess));
       const double d2 = squared_length(p - c);
-      if (d2 < enough_ * enough_) return sample(p, {c, d2, guess});
+      const ClosestPoint found{c, d2, guess};
+      return sample(p, d2 < enough_ * enough_ ? found : index_->closest_near(p, found, enough_));
     }
-    return sample(p, index_->closest_near(p, guess));
+    return sample(p, index_->closest(p));
   }
   Vec3 normal(TriangleId t) const { return normals_[t.index()]; }
   double delta() const { return delta_; }

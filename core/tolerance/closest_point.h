@@ -52,6 +52,11 @@ class ClosestPointIndex {
   ClosestPoint closest(Vec3 p, double radius = std::numeric_limits<double>::infinity()) const;
   /// The same, starting from a guess that is likely close: a faster query, the same distance.
   ClosestPoint closest_near(Vec3 p, TriangleId guess) const;
+  /// The same, starting from the closest point on some triangle. Once something nearer than `enough` is found
+  /// it may be returned.
+  ClosestPoint closest_near(Vec3 p, const ClosestPoint& found, double enough) const {
+    return search(p, found, enough * enough);
+  }
   double distance(Vec3 p) const { return closest(p).distance(); }
 
   /// Fills `near` with the triangles within `radius` of `center`; leaves it unusable, which makes its queries
@@ -87,16 +92,23 @@ class ClosestPointIndex {
   };
   static constexpr std::uint8_t empty_child = 0xff;
 
-  ClosestPoint search(Vec3 p, ClosestPoint best) const;
+  ClosestPoint search(Vec3 p, ClosestPoint best, double squared_enough = 0) const;
   template <class MeetsBox, class AtSlot> void visit(const MeetsBox& meets_box, const AtSlot& at_slot) const;
 
+  /// The plane through a triangle: normal · x = offset. The normal is zero where the triangle has none.
+  struct Plane {
+    Vec3 normal;
+    double offset;
+  };
   std::vector<Triangle3> triangles_; ///< in leaf order
+  std::vector<Plane> planes_;        ///< by slot
   std::vector<std::uint32_t> ids_;   ///< slot -> triangle id
   std::vector<std::uint32_t> slots_; ///< triangle id -> slot
   std::vector<Node> nodes_;          ///< nodes_[0] is the root
   Box3 bounds_;
   Vec3 origin_;
   double inverse_scale_ = 1;
+  double largest_coordinate_ = 0;
 };
 
 } // namespace isoscope

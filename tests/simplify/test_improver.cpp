@@ -106,7 +106,12 @@ TEST_CASE("the changes replay the run, and every decision names its reason") {
   Replay replay(start.mesh);
   for (const SurfaceChange& change : listener.changes) replay.apply(change);
   CHECK(replay.triangles() == triangles(mesh));
-  for (const ImproverVerdict& v : listener.verdicts) CHECK(v.accepted());
+  for (const ImproverVerdict& v : listener.verdicts) {
+    CHECK(v.accepted());
+    CHECK(v.value > 0);
+    CHECK(v.value <= v.limit);
+    CHECK(v.limit == start.delta());
+  }
   for (const ImproverVerdict& v : listener.rejections) {
     CHECK_FALSE(v.accepted());
     CHECK(v.a < v.b);
@@ -117,14 +122,17 @@ TEST_CASE("the changes replay the run, and every decision names its reason") {
 }
 
 TEST_CASE("one thread and several give the same bits") {
-  const Start start(torus(14), 2);
+  const Start start(torus(14), 3);
+  const auto samples = sample_boundary(*start.volume, start.delta() / 2, RunControl());
+  REQUIRE(samples.ok());
+  const NearestSample nearest(samples->positions, samples->labels);
   std::vector<TriangleMesh> results;
   std::vector<std::size_t> rejections;
   for (const unsigned threads : {1u, 2u, 5u}) {
     const ThreadLimit limit(threads);
     TriangleMesh mesh = start.mesh;
     Listener listener;
-    improve(mesh, *start.volume, nullptr, with_effort(2), RunControl(), listener);
+    improve(mesh, *start.volume, &nearest, with_effort(2), RunControl(), listener);
     results.push_back(mesh);
     rejections.push_back(listener.rejections.size());
   }

@@ -54,6 +54,10 @@ TEST_CASE("closest points equal those of brute force on soups of every size and 
           CHECK(std::abs(distance(p, found.point) - found.distance()) <= slack);
           const ClosestPoint guessed = index.closest_near(p, TriangleId(random.below(n)));
           CHECK(std::abs(guessed.distance() - expected) <= slack);
+          const double enough = random.unit() * 3 * expected;
+          const ClosestPoint near = index.closest_near(p, {}, enough);
+          CHECK(std::abs(distance(p, near.point) - near.distance()) <= slack);
+          CHECK(near.distance() <= std::max(enough, expected) + slack);
           CHECK_FALSE(index.closest(p, expected * (1 - 1e-9) - slack).triangle.valid());
           CHECK(index.closest(p, expected * (1 + 1e-9) + slack).triangle.valid());
         }
