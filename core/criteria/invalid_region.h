@@ -54,4 +54,9 @@ InvalidRegion invalid_region(const EdgeStar& star, const EdgeStar::StarTet& tet,
 /// stays outside Ω for all targets nearer to T than (d(w) − δ)/τ. `weight` is τ > 0, `excess` d(w) − δ >= 0.
 InvalidRegion invalid_region(Vec3 target, double weight, double excess);
 
+/// The part of Ψ inside a kernel for display, the ball as a polyhedron of tangent planes. A face's source:
+/// the half-spaces of the kernel come first, then those of Ψ, then the planes of the ball. Without vertices
+/// where they have no room in common.
+KernelPolyhedron invalid_polyhedron(const InvalidRegion& region, const Kernel& kernel);
+
 } // namespace isoscope

@@ -58,5 +58,7 @@ struct KernelPolyhedron {
 };
 /// Without vertices when the kernel is empty.
 KernelPolyhedron kernel_polyhedron(const Kernel& kernel);
+/// The same for any half-spaces whose common points are no farther from `origin` than `size`.
+KernelPolyhedron half_space_polyhedron(std::span<const HalfSpace> half_spaces, Vec3 origin, double size);
 
 } // namespace isoscope

@@ -139,4 +139,17 @@ KernelPolyhedron kernel_polyhedron(const Kernel& kernel) {
   return result;
 }
 
+KernelPolyhedron half_space_polyhedron(std::span<const HalfSpace> half_spaces, Vec3 origin, double size) {
+  const InscribedBall ball = inscribed_ball(half_spaces, origin, size);
+  if (!(ball.radius > 1e-9 * size)) return {};
+  Clipper clipper({}, 2 * size);
+  for (std::size_t i = 0; i < half_spaces.size(); ++i) {
+    const HalfSpace& h = half_spaces[i];
+    clipper.cut({h.normal, -h.slack(ball.center)}, static_cast<Index>(i), 1e-13 * size);
+  }
+  KernelPolyhedron result = clipper.result(1e-12 * size);
+  for (Vec3& v : result.vertices) v += ball.center;
+  return result;
+}
+
 } // namespace isoscope

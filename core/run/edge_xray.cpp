@@ -3,18 +3,13 @@
 
 #include "mesh/incidence.h"
 #include "mesh/predicates.h"
+#include "simplify/sample_targets.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace isoscope {
 
 namespace {
-
-/// As the ∂Γ stage has them: samples in the cells of this grid that the star's box meets, and how many of
-/// them are judged.
-constexpr double lookup_cell = 4; ///< in σ
-constexpr int most_sample_targets = 24;
 
 bool speaks_of(const Event& e, VertexId a, VertexId b) {
   return (e.vertex == a && e.other == b) || (e.vertex == b && e.other == a);
@@ -35,25 +30,6 @@ void add_samples(EdgeStar& star, const BoundarySamples& samples) {
   }
 }
 
-std::vector<Vec3> sample_targets(const EdgeStar& star, const BoundarySamples& samples) {
-  Box3 box;
-  for (const auto& v : star.vertices) box.add(v.position);
-  const double cell = lookup_cell * samples.sigma;
-  const auto within = [&](double x, double lo, double hi) {
-    const double k = std::floor(x / cell);
-    return k >= std::floor(lo / cell) && k <= std::floor(hi / cell);
-  };
-  const int label = star.vertices[0].value > 0 ? +1 : -1;
-  std::vector<Vec3> points;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Vec3 p = samples.positions[i];
-    if (samples.labels[i] == label && within(p.x, box.lo.x, box.hi.x) && within(p.y, box.lo.y, box.hi.y) &&
-        within(p.z, box.lo.z, box.hi.z))
-      points.push_back(p);
-  }
-  return points;
-}
-
 /// How the stages collapse edges of a kind.
 CollapseSettings settings_for(EdgeKind kind, bool halfedge, const RunParameters& parameters) {
   CollapseSettings settings;
@@ -62,6 +38,20 @@ CollapseSettings settings_for(EdgeKind kind, bool halfedge, const RunParameters&
   settings.search.strategy = parameters.target;
   if (kind == EdgeKind::gamma && !halfedge) settings.search.kernel_samples = most_sample_targets;
   return settings;
+}
+
+std::vector<EdgeXray::Invalid> largest_invalid(const CollapseAttempt& attempt) {
+  constexpr std::size_t most = 12; ///< more would be a tangle
+  std::vector<EdgeXray::Invalid> shapes;
+  for (const InvalidRegion& region : attempt.invalid_regions) {
+    KernelPolyhedron shape = invalid_polyhedron(region, *attempt.kernel);
+    const std::size_t ball_from = attempt.kernel->half_spaces.size() + region.half_spaces.size();
+    if (!shape.vertices.empty()) shapes.push_back({std::move(shape), ball_from});
+  }
+  std::stable_sort(shapes.begin(), shapes.end(),
+                   [](const auto& a, const auto& b) { return a.shape.volume > b.shape.volume; });
+  if (shapes.size() > most) shapes.resize(most);
+  return shapes;
 }
 
 bool same_verdict(const CollapseAttempt& attempt, const Event& e) {
@@ -116,7 +106,7 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   const EdgeKind kind = out.star.kind();
   const bool by_samples = kind == EdgeKind::gamma && !out.criteria.certified && state.samples;
   const std::vector<Vec3> targets =
-      by_samples ? sample_targets(out.star, *state.samples) : std::vector<Vec3>();
+      by_samples ? SampleTargets(*state.samples).near(out.star) : std::vector<Vec3>();
   const EvaluationContext evaluation{*context.scene.volume, context.nearest, out.criteria};
   const auto judge = [&](bool halfedge) {
     out.halfedge = halfedge;
@@ -137,7 +127,10 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   }
   for (const CandidateRecord& c : out.attempt.candidates)
     ++out.candidates[static_cast<std::size_t>(c.rejected)];
-  if (out.attempt.kernel) out.kernel = kernel_polyhedron(*out.attempt.kernel);
+  if (out.attempt.kernel) {
+    out.kernel = kernel_polyhedron(*out.attempt.kernel);
+    out.invalid = largest_invalid(out.attempt);
+  }
   return out;
 }
 

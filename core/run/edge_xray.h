@@ -42,6 +42,12 @@ struct EdgeXray {
   CriteriaParameters criteria;
   CollapseAttempt attempt;
   KernelPolyhedron kernel;
+  /// A Ψ within the kernel; from which source on its faces stand for the ball.
+  struct Invalid {
+    KernelPolyhedron shape;
+    std::size_t ball_from = 0;
+  };
+  std::vector<Invalid> invalid; ///< the largest Ψ that the search met, by descending volume
   /// How many candidates each reason rejected; Reason::none: taken.
   std::array<std::uint32_t, reason_count> candidates{};
   /// Where an event was asked about: whether the journal says the same.

@@ -65,6 +65,7 @@ struct OctreeCell {
 struct CollapseAttempt {
   VertexId a, b; ///< a stays
   EdgeKind kind = EdgeKind::other;
+  /// Those behind `candidates` speak of the target, and where none passed of the candidate of least error.
   std::array<CheckVerdict, collapse_check_count> checks;
   Reason rejected = Reason::none; ///< the first check that failed; none: the collapse is possible
   Reason found_by = Reason::none; ///< which strategy found the target

@@ -149,6 +149,8 @@ CollapseAttempt evaluate_collapse(const EdgeStar& star, const CollapseSettings& 
   attempt.candidates = std::move(found.candidates);
   attempt.cells = std::move(found.cells);
   attempt.invalid_regions = std::move(found.invalid_regions);
+  // The checks are those of the point that the verdict names, which need not be the last one judged.
+  if (full && attempt.tried > 0) judge(found.target ? *found.target : found.rejected_point);
   if (found.target) {
     attempt.check(CollapseCheck::candidates) = {State::passed, static_cast<double>(found.tried), 0,
                                                 *found.target};

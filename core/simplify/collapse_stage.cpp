@@ -18,8 +18,6 @@ constexpr std::size_t batch_size = 16;
 /// Edges looked at for one batch before it goes on with fewer.
 constexpr std::size_t batch_search = 48;
 constexpr std::size_t priority_grain = 64;
-/// Samples nearest to the least error that are judged as targets of a ∂Γ collapse.
-constexpr std::size_t most_sample_targets = 24;
 
 QueuedEdge ordered(VertexId a, VertexId b, double error, std::uint32_t time) {
   return {error, std::min(a, b), std::max(a, b), time};
@@ -34,50 +32,12 @@ struct CollapseStage::Candidate {
   CollapseAttempt attempt;
 };
 
-/// Samples of one label by cell of a grid, to find those near a star.
-struct CollapseStage::SampleLookup {
-  SampleLookup(const BoundarySamples& s, double size) : samples(s), cell(size) {
-    for (std::size_t i = 0; i < s.size(); ++i)
-      cells[key(s.positions[i])].push_back(static_cast<std::uint32_t>(i));
-  }
-  using Key = std::array<std::int32_t, 3>;
-  Key key(Vec3 p) const {
-    return {static_cast<std::int32_t>(std::floor(p.x / cell)),
-            static_cast<std::int32_t>(std::floor(p.y / cell)),
-            static_cast<std::int32_t>(std::floor(p.z / cell))};
-  }
-  /// Positions of the samples of a label within a box, in the order of their ids.
-  std::vector<Vec3> inside(const Box3& box, int label) const {
-    std::vector<std::uint32_t> found;
-    const Key lo = key(box.lo), hi = key(box.hi);
-    for (std::int32_t x = lo[0]; x <= hi[0]; ++x) {
-      for (std::int32_t y = lo[1]; y <= hi[1]; ++y) {
-        for (std::int32_t z = lo[2]; z <= hi[2]; ++z) {
-          const auto at = cells.find({x, y, z});
-          if (at == cells.end()) continue;
-          for (const std::uint32_t s : at->second) {
-            if (samples.labels[s] == label) found.push_back(s);
-          }
-        }
-      }
-    }
-    std::sort(found.begin(), found.end());
-    std::vector<Vec3> points;
-    points.reserve(found.size());
-    for (const std::uint32_t s : found) points.push_back(samples.positions[s]);
-    return points;
-  }
-  const BoundarySamples& samples;
-  double cell;
-  std::map<Key, std::vector<std::uint32_t>> cells;
-};
-
 CollapseStage::CollapseStage(LiveComplex& live, const EvaluationContext& context,
                              const CollapseSettings& settings, CostRing ring, const BoundarySamples* samples,
                              StageLog& log)
     : live_(live), context_(context), settings_(settings), ring_(ring), log_(log) {
   if (samples != nullptr && settings.kind == EdgeKind::gamma && !settings.halfedge) {
-    lookup_ = std::make_unique<SampleLookup>(*samples, 4 * samples->sigma);
+    targets_.emplace(*samples);
   }
 }
 
@@ -152,11 +112,7 @@ std::vector<CollapseStage::Candidate> CollapseStage::next_batch(CollapseQueue& q
     }
     for (const auto& t : candidate.star.tets) taken.push_back(t.id);
     std::sort(taken.begin(), taken.end());
-    if (lookup_) {
-      Box3 box;
-      for (const auto& v : candidate.star.vertices) box.add(v.position);
-      candidate.samples = lookup_->inside(box, candidate.star.vertices[0].value > 0 ? +1 : -1);
-    }
+    if (targets_) candidate.samples = targets_->near(candidate.star);
     batch.push_back(std::move(candidate));
   }
   for (const QueuedEdge& e : deferred) queue.push(e);
@@ -167,7 +123,7 @@ void CollapseStage::evaluate(std::vector<Candidate>& batch) const {
   parallel_for(batch.size(), 1, [&](std::size_t i) {
     Candidate& c = batch[i];
     CollapseSettings settings = settings_;
-    if (lookup_) settings.search.kernel_samples = static_cast<int>(most_sample_targets);
+    if (targets_) settings.search.kernel_samples = most_sample_targets;
     c.attempt = evaluate_collapse(c.star, settings, context_, EvaluationDetail::decision, c.samples);
   });
 }

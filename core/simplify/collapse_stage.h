@@ -4,9 +4,10 @@
 #include "simplify/collapse_evaluator.h"
 #include "simplify/collapse_queue.h"
 #include "simplify/live_complex.h"
+#include "simplify/sample_targets.h"
 #include "simplify/stage_log.h"
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -25,7 +26,6 @@ class CollapseStage {
 
  private:
   struct Candidate;
-  struct SampleLookup;
   std::vector<QueuedEdge> eligible_edges() const;
   std::size_t run_round();
   std::vector<Candidate> next_batch(CollapseQueue& queue);
@@ -42,7 +42,7 @@ class CollapseStage {
   CollapseSettings settings_;
   CostRing ring_;
   StageLog& log_;
-  std::unique_ptr<SampleLookup> lookup_;
+  std::optional<SampleTargets> targets_;
   FailedCollapses failures_;
 };
 

@@ -54,6 +54,7 @@ struct TargetSearchResult {
   /// Why the candidate of least error failed, when there is no target: kernel_empty or no_candidate where
   /// none was judged.
   TargetVerdict last_rejection;
+  Vec3 rejected_point; ///< that candidate, when one was judged
   std::uint32_t tried = 0;
   // When recorded.
   std::vector<CandidateRecord> candidates;

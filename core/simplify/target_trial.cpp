@@ -23,6 +23,7 @@ TargetVerdict TargetTrial::judge(Vec3 x, double cost, Reason found_by) {
   if (cost < rejected_cost_) {
     rejected_cost_ = cost;
     result_.last_rejection = verdict;
+    result_.rejected_point = x;
   }
   return verdict;
 }

@@ -40,6 +40,13 @@ TEST_CASE("lines run in order and an error names its line") {
   CHECK(!runner.done());
 }
 
+TEST_CASE("a file without a command is refused") {
+  const Result<std::vector<ScriptLine>> lines = read_script("/dev/null");
+  REQUIRE(!lines.ok());
+  CHECK(lines.error().code == ErrorCode::usage);
+  CHECK(lines.error().message.find("no command") != std::string::npos);
+}
+
 TEST_CASE("an empty script is done at once") {
   CHECK(ScriptRunner(*parse_script("")).done());
 }

@@ -164,8 +164,6 @@ std::optional<std::uint32_t> AppModel::selected_event() const {
 
 ViewSettings AppModel::shown_view() const {
   ViewSettings shown = view;
-  const auto now = state();
-  if (now && now->complex.form == ZeroForm::free) shown.samples.visible = false;
   if (!view.focus || selection.picked.kind != Pick::Kind::edge) return shown;
   constexpr float step_back = 0.35f;
   shown.samples.visible = false;

@@ -159,6 +159,32 @@ std::vector<Command> view_commands() {
        },
        nullptr,
        [](const M& m) { return m.view.focus; }},
+      {"psi",
+       "Ψ of the edge",
+       "",
+       "Shows or hides Ψ in the X-ray: where targets are known to fail.",
+       "View",
+       nullptr,
+       {},
+       [](M& m, const A&) {
+         m.view.invalid_regions = !m.view.invalid_regions;
+         return Status();
+       },
+       nullptr,
+       [](const M& m) { return m.view.invalid_regions; }},
+      {"octree-cells",
+       "Octree of the edge",
+       "",
+       "Shows or hides the cells of the octree search in the X-ray.",
+       "View",
+       nullptr,
+       {},
+       [](M& m, const A&) {
+         m.view.octree_cells = !m.view.octree_cells;
+         return Status();
+       },
+       nullptr,
+       [](const M& m) { return m.view.octree_cells; }},
       {"shrink-less",
        "Grow tetrahedra",
        "",

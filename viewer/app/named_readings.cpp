@@ -111,6 +111,10 @@ void add_xray_readings(NamedTable& t) {
   });
   of_xray("kernel_faces", "of the kernel's polyhedron",
           [](const EdgeXray& x) { return std::to_string(x.kernel.faces.size()); });
+  of_xray("psi_shown", "Ψ that have room in the kernel, the largest",
+          [](const EdgeXray& x) { return std::to_string(x.invalid.size()); });
+  of_xray("cells_visited", "cells of the octree search",
+          [](const EdgeXray& x) { return std::to_string(x.attempt.cells.size()); });
   of_xray("cost", "the error at the target", [](const EdgeXray& x) { return text_of(x.attempt.cost); });
   of_xray("optimum_cost", "the least error without constraints",
           [](const EdgeXray& x) { return text_of(x.attempt.unconstrained_cost); });

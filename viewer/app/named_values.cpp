@@ -174,6 +174,12 @@ void add_view(Table& t) {
   add_choice(
       t, "xray.target", "which targets the X-ray looks for", {"automatic", "halfedge", "general"},
       [](auto& m) -> auto& { return m.selection.target; });
+  add_switch(
+      t, "xray.psi", "Ψ drawn: where targets are known to fail",
+      [](auto& m) -> auto& { return m.view.invalid_regions; });
+  add_switch(
+      t, "xray.cells", "cells of the octree search drawn",
+      [](auto& m) -> auto& { return m.view.octree_cells; });
   add_choice(
       t, "plots.over", "what plots are drawn over", {"steps", "seconds"},
       [](auto& m) -> auto& { return m.plot_time; });

@@ -25,7 +25,11 @@ Result<std::vector<ScriptLine>> parse_script(std::string_view text) {
 Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in) return Error{ErrorCode::usage, "The script " + file.string() + " cannot be read.", ""};
-  return parse_script(std::string{std::istreambuf_iterator<char>(in), {}});
+  auto lines = parse_script(std::string{std::istreambuf_iterator<char>(in), {}});
+  if (lines && lines->empty())
+    return Error{ErrorCode::usage, "The script " + file.string() + " has no command.",
+                 "isoscope's F1 lists them."};
+  return lines;
 }
 
 Status ScriptRunner::next(AppModel& model) {

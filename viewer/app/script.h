@@ -18,6 +18,7 @@ struct ScriptLine {
 /// Reads a script; blank lines and those that begin with # are skipped. Fails with usage on an unknown
 /// command, naming the line, so that nothing has run then.
 Result<std::vector<ScriptLine>> parse_script(std::string_view text);
+/// The same for a file; one without a command is refused, since nothing would ever end the program.
 Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& file);
 
 /// Runs a script, a line whenever asked.

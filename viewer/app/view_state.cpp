@@ -116,6 +116,8 @@ std::string to_json(const ViewState& s) {
   object["zero_set_edges"] = s.view.zero_set_edges;
   object["sample_size"] = s.view.sample_size;
   object["side_tint"] = s.view.side_tint;
+  object["invalid_regions"] = s.view.invalid_regions;
+  object["octree_cells"] = s.view.octree_cells;
   object["section"] = {{"u", s.section.u}, {"v", s.section.v}, {"height", s.section.height}};
   return object.dump();
 }
@@ -157,7 +159,10 @@ std::optional<ViewState> view_from_json(const std::string& text, const ViewState
   }
   if (!read_choice(object, "mode", s.view.mode, 3) ||
       !read(object, "zero_set_edges", s.view.zero_set_edges) ||
-      !read(object, "side_tint", s.view.side_tint) || !read(object, "sample_size", s.view.sample_size, 1, 30))
+      !read(object, "side_tint", s.view.side_tint) ||
+      !read(object, "invalid_regions", s.view.invalid_regions) ||
+      !read(object, "octree_cells", s.view.octree_cells) ||
+      !read(object, "sample_size", s.view.sample_size, 1, 30))
     return std::nullopt;
   any = any || object.contains("mode");
   return any ? std::optional(s) : std::nullopt;

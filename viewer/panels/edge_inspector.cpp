@@ -147,7 +147,8 @@ void ladder(Ui& ui, const EdgeXray& x) {
     const auto check = static_cast<CollapseCheck>(i);
     check_row(ui, x, check);
     const CheckVerdict& v = x.attempt.check(check);
-    // The numbers of a search that failed are those of its last candidate, told by the check behind it.
+    // The numbers of a search that failed are those of its candidate of least error, told by the check behind
+    // it.
     if (v.state != CheckState::failed || (check == CollapseCheck::candidates && failed_search)) continue;
     const Measured m = measured(reason_of(check, x.attempt), v.value, v.limit, delta);
     if (!m.number) continue;
@@ -274,6 +275,7 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   if (xray) {
     ladder(ui, *xray);
     candidates(ui, *xray);
+    search_regions(ui, *xray);
     kernel(ui, *xray);
     cost(ui, *xray);
     offenders(ui, xray->attempt.link);

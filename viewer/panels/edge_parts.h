@@ -3,6 +3,7 @@
 
 #include "journal/journal.h"
 #include "panels/ui.h"
+#include "run/edge_xray.h"
 
 #include <string_view>
 
@@ -20,6 +21,9 @@ struct Measured {
 Measured measured(Reason reason, double value, double limit, double delta);
 /// A number against its limit, as a bar where the limit leaves room for one.
 void measured_row(const Ui& ui, std::string_view label, const Measured& m);
+
+/// What the search left out, Ψ and cells of the octree, with switches of the view: a legend in words.
+void search_regions(Ui& ui, const EdgeXray& xray);
 
 /// What the journal says of the edge's event, where it measured something; the sweeps of a repair.
 void event_details(Ui& ui, const Journal& journal, std::uint32_t index);

@@ -81,18 +81,28 @@ void vertex_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
 }
 
 void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
-  if (!s.samples || id >= s.samples->size() || id >= s.errors.size())
+  const bool classified = s.complex.form != ZeroForm::free;
+  if (!s.samples || id >= s.samples->size() || (classified && id >= s.errors.size()))
     return widgets::quiet_text(ui, "This sample is not in the set of this step.", true);
   const int label = s.samples->labels[id];
-  const auto error = static_cast<double>(s.errors[id]);
+  const double error = classified ? static_cast<double>(s.errors[id]) : 0;
   widgets::heading(ui, is_bad(error) ? icon::close : icon::dot, "Sample " + grouped(id),
-                   is_bad(error) ? "bad: f has the wrong sign here (§2.2)" : "good: f has its sign (§2.2)");
+                   !classified     ? "not classified: Z has left T"
+                   : is_bad(error) ? "bad: f has the wrong sign here (§2.2)"
+                                   : "good: f has its sign (§2.2)");
   widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
   widgets::value_row(ui, "side F(s)", label > 0 ? "+1  outer" : "−1  inner",
                      label > 0 ? ui.colors.accent_text : ui.colors.inner);
-  widgets::value_row(ui, "f(s)", short_number((1 - error) * label));
-  widgets::limit_bar(ui, "error ε(s)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(), "",
-                     true);
+  if (classified) {
+    widgets::value_row(ui, "f(s)", short_number((1 - error) * label));
+    widgets::limit_bar(ui, "error ε(s)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(),
+                       "", true);
+  } else {
+    widgets::quiet_text(ui,
+                        "f lives on T, so nothing says any more on which side of Z the sample is. The "
+                        "proof of d ≤ δ on every facet of Z stands in for it.",
+                        true);
+  }
   if (id < s.sample_tets.size() && s.sample_tets[id].valid() &&
       widgets::link_row(ui, "tet", "lies in tetrahedron", grouped(s.sample_tets[id].value), "Selects it."))
     pick(ui, "tet", s.sample_tets[id].value);

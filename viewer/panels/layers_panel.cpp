@@ -92,12 +92,18 @@ void layer_row(Ui& ui, const Row& row) {
       to_u32(ImGui::IsItemHovered() ? ui.colors.accent_text : ui.colors.text, layer.visible ? 0.9f : 0.4f),
       layer.visible ? icon::eye : icon::eye_off);
   widgets::tip(ui, layer.visible ? "Hide" : "Show", "Ctrl-click shows this layer alone.");
-  draw_swatch(ui, row.swatch, ui.colors.*(row.color), {at.x + ui.px(36), at.y + high / 2}, strength);
+  const auto state = ui.model.state();
+  const bool unclassified = row.layer == "good" && state != nullptr && state->complex.form == ZeroForm::free;
+  draw_swatch(ui, row.swatch, unclassified ? ui.colors.quiet : ui.colors.*(row.color),
+              {at.x + ui.px(36), at.y + high / 2}, strength);
   ImGui::SetCursorScreenPos({at.x + ui.px(26), at.y});
   ImGui::InvisibleButton("name", {width - slider - ui.px(30), high});
-  widgets::tip(ui, name->title, name->tip);
+  const std::string_view title = unclassified ? "Samples, not classified" : name->title;
+  widgets::tip(ui, title,
+               unclassified ? "Z has left T: f no longer classifies the samples of S. They are drawn grey."
+                            : name->tip);
   ImGui::PushFont(ui.fonts.small);
-  const std::string shown = widgets::fitted(name->title, width - slider - ui.px(54));
+  const std::string shown = widgets::fitted(title, width - slider - ui.px(54));
   ImGui::PopFont();
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(50), at.y + (high - ui.fonts.small->FontSize) / 2},
                      to_u32(ui.colors.text, layer.visible ? 1.0f : 0.55f), shown);

@@ -49,6 +49,7 @@ std::string pick_line(const AppModel& m, const Pick& pick) {
     if (pick.id < state->errors.size())
       return "sample " + grouped(pick.id) +
              "   ε = " + short_number(static_cast<double>(state->errors[pick.id]));
+    if (state->complex.form == ZeroForm::free) return "sample " + grouped(pick.id) + "   not classified";
     break;
   case Pick::Kind::none:
     break;
@@ -135,7 +136,7 @@ void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   const double enlarged = move_scale(*state, pixels_per_unit(m.camera, static_cast<double>(size.y)) /
                                                  static_cast<double>(ui.scale));
   if (enlarged > 1 && m.view.highlight.shown())
-    text += " (moves drawn " + grouped(static_cast<std::size_t>(enlarged)) + " times as long)";
+    text += " (moves drawn up to " + grouped(static_cast<std::size_t>(enlarged)) + " times as long)";
   if (m.view.moment == Moment::before) text = "before · " + text;
   const float room = width - ui.px(192 + 10 + 24 + 40);
   if (room < ui.px(140)) return;

@@ -2,6 +2,7 @@
 #include "scene/layer_attempt.h"
 
 #include "scene/reason_style.h"
+#include "scene/search_regions.h"
 
 #include <glad/gl.h>
 
@@ -86,9 +87,9 @@ struct Builder {
 
 } // namespace
 
-void AttemptLayer::update(const EdgeXray* xray, const std::optional<Vec3>& mark, const SceneColors& colors,
-                          const SceneSpace& space) {
-  Builder b{space, {}, {}, {}};
+void AttemptLayer::update(const EdgeXray* xray, const ViewFrame& frame) {
+  const SceneColors& colors = frame.colors;
+  Builder b{frame.space, {}, {}, {}};
   if (xray) {
     const CollapseAttempt& attempt = xray->attempt;
     b.star(xray->star, colors);
@@ -96,6 +97,8 @@ void AttemptLayer::update(const EdgeXray* xray, const std::optional<Vec3>& mark,
       b.empty_kernel(*attempt.kernel);
     else
       b.kernel(xray->kernel);
+    if (frame.view.invalid_regions) add_invalid_regions(*xray, frame.space, b.lines, b.faces);
+    if (frame.view.octree_cells) add_octree_cells(attempt, frame.space, b.lines);
     b.offenders(xray->star, attempt.link.offending_t);
     b.offenders(xray->star, attempt.link.offending_zero);
     b.candidates(attempt);
@@ -108,9 +111,9 @@ void AttemptLayer::update(const EdgeXray* xray, const std::optional<Vec3>& mark,
       b.mark(attempt.target, colors.good, MarkerShape::ring, 20);
     }
   }
-  if (mark) {
-    b.mark(*mark, colors.bad, MarkerShape::cross, 16);
-    b.mark(*mark, colors.bad, MarkerShape::ring, 26);
+  if (frame.mark) {
+    b.mark(*frame.mark, colors.bad, MarkerShape::cross, 16);
+    b.mark(*frame.mark, colors.bad, MarkerShape::ring, 26);
   }
   kernel_.upload(b.faces);
   edges_.upload(b.lines);

@@ -1,4 +1,5 @@
-// The edge under the X-ray: its kernel, the candidates by reason, link offenders, optimum and target.
+// The edge under the X-ray: its kernel, what the search left out, the candidates by reason, link offenders,
+// optimum and target.
 #pragma once
 
 #include "run/edge_xray.h"
@@ -12,9 +13,8 @@ namespace isoscope {
 
 class AttemptLayer {
  public:
-  /// Rebuilds everything; `xray` may be null. `mark`: a point to be seen, a witness.
-  void update(const EdgeXray* xray, const std::optional<Vec3>& mark, const SceneColors& colors,
-              const SceneSpace& space);
+  /// Rebuilds everything; `xray` may be null.
+  void update(const EdgeXray* xray, const ViewFrame& frame);
   /// Translucent faces, lines and marks over the finished picture, fainter where Z hides them.
   void draw(Programs& programs, const ViewFrame& frame);
 

@@ -152,11 +152,11 @@ void HighlightLayer::update(const StateSnapshot* state, const ViewFrame& frame) 
           edges.add(std::span(state->removed_tets).first(removed), color8(c.warning, 0.85f), 1.3f, true,
                     operation);
       }
-      const double enlarged =
-          move_scale(*state, frame.pixels_per_unit / static_cast<double>(frame.pixel_scale));
+      const double pixels = frame.pixels_per_unit / static_cast<double>(frame.pixel_scale);
+      const double enlarged = move_scale(*state, pixels);
       for (const StateSnapshot::Move& move : state->moves)
-        add_arrow(move.before, move.before + enlarged * (move.after - move.before), frame,
-                  color8(c.selection, 0.95f), operation);
+        add_arrow(move.before, arrow_tip(move, enlarged, pixels), frame, color8(c.selection, 0.95f),
+                  operation);
       if (state->violated_tet) edges.add(*state->violated_tet, color8(c.bad), 2.0f, false, operation);
       if (state->inserted.valid() && state->inserted.index() < state->complex.vertices.size()) {
         const glm::vec3 p = frame.space.local(state->complex.position(state->inserted));

@@ -41,6 +41,7 @@ void SamplesLayer::update(const StateSnapshot& state, const ViewSettings& view, 
     return;
   }
   if (state.samples != samples_ || space != space_) upload_positions(state.samples, space);
+  classified_ = state.complex.form != ZeroForm::free;
   std::vector<std::uint32_t> good, bad;
   const bool whole_cells = clip.active() && !clip.cuts();
   for (const std::uint32_t id : order_) {
@@ -75,11 +76,12 @@ void SamplesLayer::draw_class(gl::Program& program, const ViewFrame& frame, Clas
   // A thinned set is sparser: its sprites may be as much larger.
   const double kept = static_cast<double>(count) / static_cast<double>(group.count);
   program.set("spacing", static_cast<float>(samples_->sigma / std::sqrt(kept)));
-  program.set("tint", bad ? frame.colors.bad : frame.colors.good);
+  program.set("tint", bad ? frame.colors.bad : classified_ ? frame.colors.good : frame.colors.tetrahedron);
   program.set("cross_glyph", bad ? 1 : 0);
   program.set("size", frame.view.sample_size * (bad ? 1.7f : 1.0f));
   program.set("smallest", bad ? 4.5f : 1.6f);
-  program.set("opacity", layer.opacity * frame.view.samples.opacity);
+  // Without a verdict they are no more than a hint of S.
+  program.set("opacity", layer.opacity * frame.view.samples.opacity * (classified_ ? 1.0f : 0.3f));
   group.array.bind();
   glDrawElements(GL_POINTS, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
 }

@@ -1,4 +1,5 @@
-// Samples as sprites: good discs, bad crosses; full on the outer side, rings on the inner.
+// Samples as sprites: good discs, bad crosses; full on the outer side, rings on the inner. Once Z has left T
+// nothing classifies them, and they are drawn without a verdict.
 #pragma once
 
 #include "gl/buffer.h"
@@ -38,6 +39,7 @@ class SamplesLayer {
   std::vector<std::uint32_t> order_; ///< every prefix is an even thinning
   gl::Buffer positions_;
   Class good_, bad_;
+  bool classified_ = true;
   std::size_t thinned_ = 0;
 };
 

@@ -3,8 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace isoscope {
+
+namespace {
+
+constexpr double arrow_pixels = 28; ///< of an enlarged move
+
+} // namespace
 
 std::optional<std::array<Vec3, 2>> edge_positions(const StateSnapshot& state, const Pick& pick) {
   const auto& vertices = state.complex.vertices;
@@ -66,14 +73,23 @@ Vec3 surface_normal(const StateSnapshot& state, const Pick& pick) {
 
 double move_scale(const StateSnapshot& state, double pixels_per_unit) {
   constexpr std::size_t sweep = 4;
-  constexpr double wanted = 28; ///< pixels of the largest move
+  constexpr double quantile = 0.9; ///< the moves up to here decide; few long ones must not hide the others
   if (state.moves.size() < sweep) return 1;
-  double largest = 0;
-  for (const StateSnapshot::Move& m : state.moves) largest = std::max(largest, distance(m.before, m.after));
-  const double ratio = wanted / (largest * pixels_per_unit);
+  std::vector<double> lengths;
+  for (const StateSnapshot::Move& m : state.moves) lengths.push_back(distance(m.before, m.after));
+  const auto at =
+      lengths.begin() + static_cast<std::ptrdiff_t>(quantile * static_cast<double>(lengths.size() - 1));
+  std::nth_element(lengths.begin(), at, lengths.end());
+  const double ratio = arrow_pixels / (*at * pixels_per_unit);
   if (!(ratio > 1) || !std::isfinite(ratio)) return 1;
   const double decade = std::pow(10.0, std::floor(std::log10(ratio)));
   return decade * (ratio >= 5 * decade ? 5 : ratio >= 2 * decade ? 2 : 1);
+}
+
+Vec3 arrow_tip(const StateSnapshot::Move& move, double scale, double pixels_per_unit) {
+  const double length = distance(move.before, move.after), most = 2 * arrow_pixels / pixels_per_unit;
+  const double factor = length > 0 ? std::clamp(most / length, 1.0, std::max(scale, 1.0)) : 1;
+  return move.before + factor * (move.after - move.before);
 }
 
 } // namespace isoscope

@@ -17,7 +17,10 @@ Box3 pick_bounds(const StateSnapshot& state, const Pick& pick);
 Vec3 surface_normal(const StateSnapshot& state, const Pick& pick);
 
 /// By how much the moves of the current operation are enlarged so that a sweep of small ones can be seen: 1,
-/// 2 or 5 times a power of ten.
+/// 2 or 5 times a power of ten. A high quantile of their lengths decides.
 double move_scale(const StateSnapshot& state, double pixels_per_unit);
+/// Where the arrow of a move ends that is enlarged by `scale`: no move is drawn shorter than it is, and none
+/// enlarged beyond twice the length that the scale aims at.
+Vec3 arrow_tip(const StateSnapshot::Move& move, double scale, double pixels_per_unit);
 
 } // namespace isoscope

@@ -4,6 +4,7 @@
 
 #include "journal/event.h"
 #include "scene/marker_shape.h"
+#include "simplify/collapse_attempt.h"
 
 #include <string_view>
 
@@ -18,5 +19,16 @@ struct ReasonStyle {
 };
 /// Reason::none is what was taken. Reasons that reject nothing share a quiet style.
 const ReasonStyle& reason_style(Reason reason);
+
+/// How the fate of a cell of the octree search is shown.
+struct FateStyle {
+  std::uint32_t color = 0;
+  std::string_view title, help;
+};
+const FateStyle& fate_style(OctreeCell::Fate fate);
+constexpr std::size_t fate_count = 5;
+
+/// Of Ψ, faces and hatching.
+constexpr std::uint32_t invalid_color = 0xD9542B;
 
 } // namespace isoscope

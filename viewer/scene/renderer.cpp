@@ -223,7 +223,7 @@ void Renderer::Impl::update_layers(const ViewFrame& frame) {
       tetrahedra.clear();
   }
   highlight.update(state.get(), frame);
-  attempt.update(view.xray.shown() ? xray.get() : nullptr, frame.mark, frame.colors, space);
+  attempt.update(view.xray.shown() ? xray.get() : nullptr, frame);
 }
 
 void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request,

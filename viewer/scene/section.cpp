@@ -58,13 +58,17 @@ void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
           state->samples ? state->samples->sigma * frame.pixels_per_unit / frame.pixel_scale : 30;
       const float size =
           std::clamp(std::min(1.5f * frame.view.sample_size, static_cast<float>(spacing)), 3.0f, 30.0f);
+      const bool classified = state->complex.form != ZeroForm::free;
       for (const auto& s : geometry.samples) {
         if (!(s.bad ? frame.view.bad_samples : frame.view.good_samples).shown()) continue;
         const MarkerShape shape =
             s.bad ? MarkerShape::cross : (s.outer ? MarkerShape::disc : MarkerShape::circle);
         const auto diameter = static_cast<std::uint8_t>(s.bad ? std::max(1.4f * size, 6.0f) : size);
-        samples.push_back(
-            {frame.space.local(plane.lift(s.at)), color8(s.bad ? c.bad : c.good), shape, diameter});
+        samples.push_back({frame.space.local(plane.lift(s.at)),
+                           color8(s.bad        ? c.bad
+                                  : classified ? c.good
+                                               : c.tetrahedron),
+                           shape, diameter});
       }
     }
     const auto ring = [&](Vec3 p, glm::vec3 color, std::uint8_t diameter) {

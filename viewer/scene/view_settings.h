@@ -65,6 +65,8 @@ struct ViewSettings {
   LayerSettings gamma{false, 1.0f};
   LayerSettings highlight{true, 1.0f}; ///< what the current operation touched
   LayerSettings xray{true, 1.0f};      ///< kernel, candidates and offenders of the selected edge
+  bool invalid_regions = true;         ///< Ψ of the X-ray
+  bool octree_cells = true;            ///< cells of the X-ray's octree search
   Moment moment = Moment::both;
   bool zero_set_edges = true;
   bool focus = true;        ///< with an edge selected samples, Ω and changed tetrahedra step back
