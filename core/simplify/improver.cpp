@@ -31,7 +31,7 @@ class Improver {
 
   ImproverOutcome run() {
     shrink_greedily();
-    if (options_.effort >= 2) repair({2, 12, 1.4});
+    if (options_.effort >= 2) repair({2, 14, 1.8});
     if (options_.effort >= 3) {
       repair({3, 18, 1.4});
       repair({3, 18, 2});

@@ -191,7 +191,7 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
     } else {
       const double excess = level.largest - limit, gain = last;
       const bool hopeless = excess > 0 && ((s > 3 && gain <= 0.002 * delta) ||
-                                           (s > 2 && excess > 1.2 * gain * (options.sweeps - s)));
+                                           (s > 2 && excess > 1.6 * gain * (options.sweeps - s)));
       verdict = refuse(level.folded ? Refusal::folded : Refusal::distance, level.largest, limit, level.where);
       if (s >= options.sweeps || hopeless) break;
       last = level.largest;
