@@ -100,7 +100,8 @@ clear
 expect selection == none
 key Right
 quit
-)") == 0);
+)",
+                   "gallery:sphere --tolerance 12% --until refinement") == 0);
 }
 
 TEST_CASE("a held run is stepped at its live end") {
