@@ -130,7 +130,7 @@ struct Delta {
 /// T and Z at one step. Equality is bitwise: replay and undo(apply) are tested with it.
 struct Complex {
   std::vector<Vertex> vertices;
-  std::vector<Tet> tets;     ///< slots; dead ones are on no list, the free list is the refiner's business
+  std::vector<Tet> tets;         ///< slots; dead ones are on no list, the free list is the refiner's business
   std::vector<ZeroFacet> facets; ///< slots of Z once it is free
   ZeroForm form = ZeroForm::interpolated;
 

@@ -19,8 +19,8 @@ struct SimplificationParameters {
   Stage until = Stage::improve;            ///< the last stage
   std::array<bool, stage_count> skipped{}; ///< by Stage; tessellation cannot be skipped by later ones
   TargetStrategy target = TargetStrategy::constraints; ///< how targets are looked for in kernels
-  CostRing ring = CostRing::one;                    ///< whose planes make the error
-  int effort = 2;                                   ///< of the improver, 0 to 3
+  CostRing ring = CostRing::one;                       ///< whose planes make the error
+  int effort = 2;                                      ///< of the improver, 0 to 3
   friend bool operator==(const SimplificationParameters&, const SimplificationParameters&) = default;
 };
 
