@@ -120,7 +120,6 @@ TargetSearchResult search(const EdgeStar& star, const CollapseSettings& settings
                           const CollapseCost& cost, const TargetJudge& judge, TargetSearchOptions options,
                           std::span<const Vec3> samples) {
   if (settings.halfedge) {
-    // A vertex of Z goes to one of Γ nowhere: Z would be pinned to ∂Ω.
     const std::array<Vec3, 2> ends{star.vertices[0].position, star.vertices[1].position};
     return search_candidates(star, kernel, cost, ends, Reason::halfedge, judge, options);
   }
@@ -161,9 +160,7 @@ CollapseAttempt evaluate_collapse(const EdgeStar& star, const CollapseSettings& 
   }
   const TargetVerdict& last = found.last_rejection;
   const Reason reason = last.reason == Reason::none ? Reason::no_candidate : last.reason;
-  const bool first = attempt.rejected == Reason::none;
   fail(attempt, CollapseCheck::candidates, reason, last.value, last.limit, last.witness);
-  if (first) attempt.rejected = reason;
   return attempt;
 }
 

@@ -29,7 +29,7 @@ CollapseAttempt evaluate_target(const EdgeStar& star, Vec3 target, const Collaps
                                 const EvaluationContext& context);
 
 /// The error by which stages order their edges: the least that `settings` could reach without any check but
-/// the edge's kind; negative infinity never, infinite where the edge is not eligible.
+/// the edge's kind; infinite where the edge is not eligible.
 double collapse_priority(const EdgeStar& star, const CollapseSettings& settings);
 
 } // namespace isoscope

@@ -128,14 +128,6 @@ void CollapseStage::evaluate(std::vector<Candidate>& batch) const {
   });
 }
 
-StepFigures CollapseStage::figures() const {
-  StepFigures f;
-  f.zero_set_vertices = static_cast<std::uint32_t>(live_.zero_set_vertices());
-  f.tets = static_cast<std::uint32_t>(live_.alive_tets());
-  f.smallest_height = std::numeric_limits<float>::infinity();
-  return f;
-}
-
 bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
   const CollapseAttempt& attempt = candidate.attempt;
   Event e;
@@ -167,7 +159,7 @@ bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
   Delta delta = live_.collapse(attempt.a, attempt.b, attempt.target);
   live_.apply(delta);
   push_around(attempt.a, queue);
-  log_.operation(e, std::move(delta), figures());
+  log_.operation(e, std::move(delta), live_.step_figures());
   return true;
 }
 

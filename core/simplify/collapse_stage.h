@@ -35,7 +35,6 @@ class CollapseStage {
   double priority(VertexId a, VertexId b) const;
   std::uint32_t changed(VertexId a, VertexId b) const { return std::max(live_.changed(a), live_.changed(b)); }
   bool may_be_eligible(VertexId a, VertexId b) const;
-  StepFigures figures() const;
 
   LiveComplex& live_;
   const EvaluationContext& context_;

@@ -1,6 +1,7 @@
 // The schedule: greedy rounds and relaxation until nothing collapses, then rounds with repair.
 #include "simplify/improver.h"
 
+#include "criteria/orientation.h"
 #include "simplify/relaxation.h"
 
 namespace isoscope {
@@ -12,8 +13,6 @@ constexpr int most_rounds = 20;
 constexpr std::size_t worthwhile = 200;
 /// In δ: up to here edges are collapsed to cheaply placed targets.
 constexpr double thinning_limit = 0.5;
-/// Samples farther than this many δ from a shrunk corner lie beyond another sheet.
-constexpr double sample_radius = 2.5;
 
 /// One level of collapse with repair.
 struct RepairLevel {
@@ -47,7 +46,7 @@ class Improver {
     rules.input = &input_;
     const double delta = volume.thresholds().delta;
     if (options_.preserve_normals && samples != nullptr)
-      rules.orientation = OrientationTester{samples, options_.shrink, sample_radius * delta};
+      rules.orientation = OrientationTester{samples, options_.shrink, orientation_reach * delta};
     for (const Witness& w : volume.witnesses()) rules.witnesses.push_back(w.point);
     return rules;
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace isoscope {
 
@@ -59,6 +60,14 @@ Delta LiveComplex::collapse(VertexId a, VertexId b, Vec3 target) const {
   delta.moves.push_back({a, complex_.position(a), target});
   delta.killed_vertices.push_back(b);
   return delta;
+}
+
+StepFigures LiveComplex::step_figures() const {
+  StepFigures figures;
+  figures.zero_set_vertices = static_cast<std::uint32_t>(zero_set_vertices_);
+  figures.tets = static_cast<std::uint32_t>(alive_tets_);
+  figures.smallest_height = std::numeric_limits<float>::infinity();
+  return figures;
 }
 
 std::size_t LiveComplex::sign_changes(const std::vector<TetRecord>& tets) const {

@@ -1,6 +1,7 @@
 // T while it is simplified: the state, what meets at each vertex, and when each neighbourhood last changed.
 #pragma once
 
+#include "journal/journal.h"
 #include "mesh/complex.h"
 #include "mesh/incidence.h"
 #include "mesh/sample_sets.h"
@@ -37,6 +38,9 @@ class LiveComplex {
   std::size_t alive_tets() const { return alive_tets_; }
   /// Vertices of Z: zeros on edges, or vertices with F = 0 once it is embedded.
   std::size_t zero_set_vertices() const { return zero_set_vertices_; }
+
+  /// The figures of a step, but for its time.
+  StepFigures step_figures() const;
 
  private:
   void recount(const Delta& delta);

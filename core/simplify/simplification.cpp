@@ -78,14 +78,6 @@ struct Simplification::Impl {
     }
   }
 
-  StepFigures figures() const {
-    StepFigures f;
-    f.zero_set_vertices = static_cast<std::uint32_t>(live->zero_set_vertices());
-    f.tets = static_cast<std::uint32_t>(live->alive_tets());
-    f.smallest_height = std::numeric_limits<float>::infinity();
-    return f;
-  }
-
   Status tessellate() {
     Result<Delta> delta = mutual_tessellation(live->complex());
     if (!delta) return delta.error();
@@ -93,7 +85,7 @@ struct Simplification::Impl {
     Event e;
     e.kind = EventKind::tessellation;
     e.count = static_cast<std::uint32_t>(delta->added_vertices.size());
-    log.operation(e, std::move(*delta), figures());
+    log.operation(e, std::move(*delta), live->step_figures());
     return {};
   }
 
@@ -102,7 +94,7 @@ struct Simplification::Impl {
     live->apply(delta);
     Event e;
     e.kind = EventKind::departure;
-    log.operation(e, std::move(delta), figures());
+    log.operation(e, std::move(delta), live->step_figures());
     free = live->complex();
     live.reset();
   }
