@@ -302,7 +302,7 @@ bool App::at_rest() const {
     return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() &&
            !scene_view_->unfinished();
   // A run that goes on need not be waited for; what stands still is shown first.
-  return m.running() || (m.playhead.idle() && m.probe.idle() && !scene_view_->unfinished());
+  return m.running() || (m.answers_taken() && !scene_view_->unfinished());
 }
 
 bool App::advance_script() {

@@ -138,6 +138,8 @@ class AppModel {
   bool playing() const { return transport.moving() && (running() || !transport.at_live_end(live_step())); }
   /// The state shown is the one the play head asks for and nothing is under way that would change it.
   bool state_is_current() const;
+  /// Every worker has answered, and the answers are the ones shown.
+  bool answers_taken() const { return playhead.idle() && probe.idle() && playhead.result() == result_; }
   /// The live preview for the draft, absent while it is computed.
   std::optional<ViolationPreview> draft_preview() const;
   /// The draft as criteria, in the units of the present scene.
