@@ -106,13 +106,12 @@ bool climb(const ClosestPointIndex& index, const DeepCells& cells, double delta,
   return cells.joined(p);
 }
 
+/// Parity tells the sides of closed input only: a ray through a hole counts one crossing too few. There a
+/// point belongs to the region that it can escape to, and 0 says that it has none.
 int label_of(const ToleranceVolume& volume, Vec3 p) {
-  const Regions& octree = volume.octree();
-  const CellIndex i = octree.locate(p);
-  if (i == Regions::none) return volume.regions().front().label;
-  if (octree.cell(i).kind == Regions::Kind::out) {
-    if (const auto number = octree.number(i)) return volume.regions()[*number].label;
-  }
+  const RegionId region = volume.escape(p, volume.index().closest(p)).region;
+  if (region.valid()) return volume.regions()[region.index()].label;
+  if (!volume.input().closed_manifold) return 0;
   return volume.index().inside_by_parity(p) ? -1 : +1;
 }
 
@@ -130,7 +129,8 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
     const Regions::Cell& c = volume.octree().cell(i);
     const Vec3 p = volume.octree().center(c);
     const double depth = index.distance(p);
-    if (depth > delta * (1 + offset_margin)) witnesses.push_back({p, label_of(volume, p), depth});
+    if (depth <= delta * (1 + offset_margin)) continue;
+    if (const int label = label_of(volume, p); label != 0) witnesses.push_back({p, label, depth});
   }
   if (!volume.input().closed_manifold) return witnesses;
 
