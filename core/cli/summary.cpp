@@ -74,13 +74,15 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
   if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));
   text += line("Certificate", c.holds() ? "holds: closed, oriented, free of intersections, d <= " +
                                               number("%.4f", c.max_distance / scene.delta) +
-                                              " δ everywhere, sides separated, topology as expected"
+                                              " δ everywhere, sides separated" +
+                                              (c.topology_note.empty() ? ", topology as expected" : "")
                                         : "does NOT hold");
   if (c.holds()) {
     text += line("", "the input is at most " + number("%.4f", c.input_distance.upper / scene.delta) +
                          " δ away from it, somewhere " +
                          number("%.4f", c.input_distance.lower / scene.delta) + " δ");
   }
+  if (!c.topology_note.empty()) text += line("", c.topology_note);
   for (const std::string& failure : c.failures) text += line("", failure);
   text += line("Run", end_words(result.end) + ", " + number("%.2f", result.seconds) + " s, " +
                           number("%.0f", static_cast<double>(result.peak_memory_bytes) / 1e6) + " MB");

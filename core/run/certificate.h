@@ -22,6 +22,8 @@ struct Certificate {
   DistanceBounds input_distance; ///< of the input to the mesh, to 1 % of δ; told, not judged
   bool separates = false;        ///< winding number at the witness of every region is that of its side
   bool topology_as_expected = false;
+  /// Where nothing binds the topology and it differs from the one aimed at: both, in words; else empty.
+  std::string topology_note;
   std::size_t components = 0;
   long euler_characteristic = 0;
   std::vector<std::string> failures; ///< one sentence each: which, where

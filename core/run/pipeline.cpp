@@ -190,6 +190,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   auto samples = m.sample(criteria.sigma);
   if (m.control->cancelled()) return cancelled_error(*m.control);
   if (!samples) return samples.error();
+  if (Status closed = m.volume->check_passages(); !closed) return closed.error();
   scene->samples = *samples;
   scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;
 

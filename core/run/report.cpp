@@ -149,6 +149,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"input_distance", {{"lower", c.input_distance.lower}, {"upper", c.input_distance.upper}}},
         {"separates", c.separates},
         {"topology_as_expected", c.topology_as_expected},
+        {"topology_note", c.topology_note},
         {"failures", c.failures}}},
       {"end", end_name(result.end)},
       {"seconds", result.seconds},

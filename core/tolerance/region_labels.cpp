@@ -15,6 +15,10 @@ constexpr unsigned ballot_size = 16;
 /// Triangles from which the thickness of a part is measured.
 constexpr std::size_t thickness_probes = 2000;
 constexpr int place_digits = 6;
+/// Triangles whose sides are compared, how far from the plane in units of δ', and the share of them with one
+/// region on both sides from which on the surface counts as open.
+constexpr std::size_t side_probes = 4000;
+constexpr double side_reach = 1.2, open_share = 0.05;
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -62,14 +66,11 @@ Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
       border && volume.volume_component(volume.index().closest(*border).triangle) == component;
   const Vec3 p =
       border_is_here ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front()));
-  return {ErrorCode::unsupported,
-          "The input is an open surface near " + place(p, place_digits) +
-              ": both its sides are connected outside of the tolerance volume.",
-          "A larger tolerance closes gaps; approximating open surfaces comes with a later version."};
+  return open_surface_near(p);
 }
 
-/// Whether p is inside by every one of many rays (true), by none (false), or by some only (nothing).
-std::optional<bool> unanimous_parity(const ClosestPointIndex& index, Vec3 p) {
+/// How many of the ballot's rays say that p is inside.
+unsigned votes_for_inside(const ClosestPointIndex& index, Vec3 p) {
   const double reach =
       2 * (distance(index.bounds().lo, index.bounds().hi) + distance(p, index.bounds().center()));
   unsigned inside = 0;
@@ -80,6 +81,12 @@ std::optional<bool> unanimous_parity(const ClosestPointIndex& index, Vec3 p) {
     const Vec3 direction{r * std::cos(angle), r * std::sin(angle), z};
     inside += static_cast<unsigned>(index.crossings(p, p + reach * direction).size() % 2);
   }
+  return inside;
+}
+
+/// Whether p is inside by every one of many rays (true), by none (false), or by some only (nothing).
+std::optional<bool> unanimous_parity(const ClosestPointIndex& index, Vec3 p) {
+  const unsigned inside = votes_for_inside(index, p);
   if (inside == 0) return false;
   if (inside == ballot_size) return true;
   return std::nullopt;
@@ -108,7 +115,41 @@ bool is_open_at_border(const ToleranceVolume& volume) {
   return above.valid() && above == below;
 }
 
+/// A triangle with the same region on both sides, where so many are so that the surface does not separate:
+/// pockets along an open surface would pass for its other side.
+std::optional<Vec3> one_sided_place(const ToleranceVolume& volume) {
+  const ClosestPointIndex& index = volume.index();
+  const double reach = side_reach * volume.thresholds().boundary;
+  const std::size_t stride = index.size() / side_probes + 1;
+  std::size_t compared = 0, same = 0;
+  std::optional<Vec3> first;
+  for (std::size_t i = 0; i < index.size(); i += stride) {
+    const Triangle3& t = index.triangle(TriangleId(i));
+    const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
+    if (n == Vec3{}) continue;
+    std::array<RegionId, 2> sides;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vec3 p = centroid(t) + (k == 0 ? reach : -reach) * n;
+      const ClosestPoint closest = index.closest(p);
+      if (closest.distance() > volume.thresholds().boundary) sides[k] = volume.escape(p, closest).region;
+    }
+    if (!sides[0].valid() || !sides[1].valid()) continue;
+    ++compared;
+    if (sides[0] != sides[1]) continue;
+    ++same;
+    if (!first) first = centroid(t);
+  }
+  return static_cast<double>(same) > open_share * static_cast<double>(compared) ? first : std::nullopt;
+}
+
 } // namespace
+
+Error open_surface_near(Vec3 p) {
+  return {ErrorCode::unsupported,
+          "The input is an open surface near " + place(p, place_digits) +
+              ": both its sides are connected outside of the tolerance volume.",
+          "A larger tolerance closes gaps; approximating open surfaces comes with a later version."};
+}
 
 std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component) {
   const ClosestPointIndex& index = volume.index();
@@ -129,6 +170,12 @@ std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::
     }
   }
   return probes;
+}
+
+int pocket_label(const ToleranceVolume& volume, Vec3 p) {
+  const ClosestPointIndex& index = volume.index();
+  if (volume.input().closed_manifold) return index.inside_by_parity(p) ? -1 : +1;
+  return 2 * votes_for_inside(index, p) > ballot_size ? -1 : +1;
 }
 
 std::vector<int> label_by_parity(const ToleranceVolume& volume) {
@@ -157,6 +204,7 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume) {
     components[c.region.index()].push_back(c.volume_component);
   for (std::size_t c = 0; c < sides.size(); ++c)
     if (sides[c].size() < 2) return open_surface(volume, static_cast<std::uint32_t>(c));
+  if (const auto p = one_sided_place(volume)) return open_surface_near(*p);
 
   std::vector<int> labels(volume.regions().size(), 0);
   labels[0] = +1;

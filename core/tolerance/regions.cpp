@@ -217,10 +217,12 @@ void Regions::flatten() {
 }
 
 void Regions::unite(CellIndex a, CellIndex b) {
+  const CellIndex at = b;
   a = compress(a);
   b = compress(b);
   if (a == b) return;
   const bool numbered_a = numbers_.contains(a), numbered_b = numbers_.contains(b);
+  if (numbered_a && numbered_b) passages_.push_back({at, {numbers_.at(a), numbers_.at(b)}});
   const bool keep_a = numbered_a != numbered_b ? numbered_a : a < b;
   parents_[keep_a ? b : a] = keep_a ? a : b;
 }

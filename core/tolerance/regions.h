@@ -6,6 +6,7 @@
 #include "base/status.h"
 #include "tolerance/closest_point.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -73,6 +74,13 @@ class Regions {
   /// meets another main or numbered component (true), nothing is left or `budget` cells were visited (false).
   bool flood(CellIndex start, std::size_t budget);
 
+  /// Two numbered components that turned out to be one, at a passage that the main cells did not show.
+  struct Passage {
+    CellIndex cell = none;
+    std::array<std::uint32_t, 2> numbers{};
+  };
+  const std::vector<Passage>& passages() const { return passages_; }
+
   std::size_t memory_bytes() const;
 
  private:
@@ -95,6 +103,7 @@ class Regions {
   std::size_t main_size_ = 0;
   std::vector<Cell> cells_;
   std::vector<CellIndex> parents_; ///< union-find; numbered, then main, then older cells are roots
+  std::vector<Passage> passages_;
   std::unordered_map<CellIndex, std::uint32_t> numbers_; ///< by root; looked up only, never iterated
 };
 

@@ -248,6 +248,13 @@ Status ToleranceVolume::check_insides() const {
   return check_both_sides(*this);
 }
 
+Status ToleranceVolume::check_passages() const {
+  for (const Regions::Passage& p : octree_->passages())
+    if (regions_[p.numbers[0]].label != regions_[p.numbers[1]].label)
+      return open_surface_near(octree_->center(octree_->cell(p.cell)));
+  return {};
+}
+
 Box3 ToleranceVolume::domain() const {
   return octree_->domain();
 }
@@ -306,7 +313,7 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget) {
   const double side = octree_->side(c.level);
   const RegionId id = add_region(i, octree_->center(c), static_cast<double>(c.distance), side * side * side);
   Region& region = regions_.back();
-  region.label = index_->inside_by_parity(region.deepest) ? -1 : +1;
+  region.label = pocket_label(*this, region.deepest);
   if (region.depth > thresholds_.delta) witnesses_.push_back({region.deepest, region.label, region.depth});
   return id;
 }
@@ -316,7 +323,16 @@ int ToleranceVolume::label_at(Vec3 p) {
   return region.valid() ? regions_[region.index()].label : 0;
 }
 
+std::size_t ToleranceVolume::pockets() const {
+  const auto uncounted = [&](const Region& r) {
+    return std::none_of(boundary_components_.begin(), boundary_components_.end(),
+                        [&](const BoundaryComponent& c) { return c.region == r.id; });
+  };
+  return static_cast<std::size_t>(std::count_if(regions_.begin(), regions_.end(), uncounted));
+}
+
 bool ToleranceVolume::thickening() const {
+  if (pockets() > 0) return false;
   std::vector<std::vector<long>> sides(volume_component_count_);
   for (const BoundaryComponent& c : boundary_components_)
     sides[c.volume_component].push_back(c.euler_characteristic);
@@ -336,8 +352,9 @@ std::string ToleranceVolume::thickening_note() const {
            " of Euler characteristic " + std::to_string(euler);
   };
   return "At this tolerance the volume is no thickening: it has " + part(outer, outer_euler) +
-         " outside and " + part(inner, inner_euler) +
-         " inside, because it closes gaps, tunnels or walls narrower than twice the tolerance.";
+         " outside and " + part(inner, inner_euler) + " inside" +
+         (pockets() == 0 ? "" : " and " + std::to_string(pockets()) + " small pockets of one side") +
+         ", because it closes gaps, tunnels or walls narrower than twice the tolerance.";
 }
 
 std::size_t ToleranceVolume::memory_bytes() const {

@@ -104,9 +104,16 @@ class ToleranceVolume {
   /// Whether the boundary components of each side have the same Euler characteristic, so that Ω may be a
   /// thickening (§1.2).
   bool thickening() const;
+  /// Regions that no boundary component counts: they were too small to be seen before somebody asked for a
+  /// point in them.
+  std::size_t pockets() const;
   /// Fails with unsupported, naming the place, where a component of Ω' has nothing inside, or nothing
   /// outside: then its boundaries ask for no surface, and only the topology of the input does.
   Status check_insides() const;
+  /// Fails with unsupported, naming the place, where questions asked since create() found regions of
+  /// different sides to be one: a passage between them is wider than 2 δ' but narrower than the main cells
+  /// show.
+  Status check_passages() const;
   /// What Ω closes or cuts, in one sentence for the user; empty when it is a thickening.
   std::string thickening_note() const;
 

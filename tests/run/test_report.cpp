@@ -52,8 +52,9 @@ TEST_CASE("The report of a finished run is one JSON object with the promised key
              {"vertices", "faces", "components", "euler_characteristic", "genus", "embedding"});
   check_keys(report["normals"], {"oriented", "points", "bin_degrees", "histogram", "mean", "percentile_90",
                                  "percentile_99", "above_30", "above_90"});
-  check_keys(report["certificate"], {"closed_manifold", "oriented", "intersection_free", "within_tolerance",
-                                     "max_distance", "input_distance", "separates", "topology_as_expected"});
+  check_keys(report["certificate"],
+             {"closed_manifold", "oriented", "intersection_free", "within_tolerance", "max_distance",
+              "input_distance", "separates", "topology_as_expected", "topology_note"});
 
   CHECK(report["version"] == version());
   CHECK(report["input"]["path"] == "gallery:torus");
