@@ -86,11 +86,28 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
 
 Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event) {
   checklist_.set(t, state);
+  if (!open_at_ && !context_.volume().input().closed_manifold) open_at_ = both_sides_meet(t);
   event.kind = EventKind::exhausted;
   if (event.reason != Reason::budget) event.reason = Reason::too_close;
   event.count = static_cast<std::uint32_t>(checklist_.exhausted());
   context_.note(event);
   return Turn::acted;
+}
+
+std::optional<Vec3> ContainmentCondition::both_sides_meet(TetId t) const {
+  const Complex& complex = context_.live().complex();
+  const auto clearance = [&](Vec3 p) {
+    return context_.volume().index().distance(p) - context_.volume().thresholds().boundary;
+  };
+  for (const VertexId a : complex.tet(t).v) {
+    for (const VertexId b : complex.tet(t).v) {
+      if (!(complex.value(a) < 0) || !(complex.value(b) > 0)) continue;
+      const Vec3 p = complex.position(a), q = complex.position(b);
+      const double room_p = clearance(p), room_q = clearance(q);
+      if (room_p > 0 && room_q > 0 && distance(p, q) < room_p + room_q) return 0.5 * (p + q);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<ContainmentCondition::Candidate>

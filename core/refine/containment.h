@@ -20,6 +20,8 @@ class ContainmentCondition {
   std::size_t unproven() const {
     return checklist_.exhausted() + checklist_.violated() + checklist_.undecided();
   }
+  /// A place that shows the input to be open: a region outside of Ω' is on both sides of it.
+  std::optional<Vec3> open_at() const { return open_at_; }
 
  private:
   /// A vertex that would push Z back into Ω.
@@ -35,11 +37,15 @@ class ContainmentCondition {
 
   RefinementContext& context_;
   Checklist checklist_;
+  std::optional<Vec3> open_at_;
 
   void judge_pending();
   Checklist::State judge(TetId t) const;
   FacetVerdict::Kind certify(TetId t, Violation* violation) const;
   Turn mend(TetId t, const Violation& violation);
+  /// Where balls outside of Ω' of a tetrahedron's vertices with different labels overlap: no Z inside Ω
+  /// passes between them.
+  std::optional<Vec3> both_sides_meet(TetId t) const;
   Turn give_up(TetId t, Checklist::State state, Event event);
   /// The first that the spacing of vertices allows; vertices keep apart, so that there are finitely many.
   std::optional<Candidate> candidate(TetId t, const Violation& violation, int label) const;

@@ -171,6 +171,11 @@ RefinementOutcome Refinement::run() {
       return impl.outcome(End::limit);
     }
     if (impl.turn() == Turn::satisfied) break;
+    if (const auto open_at = impl.containment.open_at()) {
+      RefinementOutcome open = impl.outcome(End::open_input);
+      open.open_at = *open_at;
+      return open;
+    }
   }
   const RefinementOutcome result = impl.outcome(End::finished);
   impl.report_unmet(result);

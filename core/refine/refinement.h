@@ -21,8 +21,9 @@ struct RefinementLimits {
 
 /// What came out.
 struct RefinementOutcome {
-  enum class End { finished, stopped, limit };
+  enum class End { finished, stopped, limit, open_input };
   End end = End::finished;
+  Vec3 open_at;            ///< open_input: a place outside of Ω' that is on both sides
   bool classified = false; ///< condition 1 holds
   bool contained = false;  ///< certified mode: every zero polygon proven inside Ω
   bool witnessed = false;  ///< f has the right sign at every region's deepest point

@@ -121,6 +121,7 @@ struct Pipeline::Impl {
         current_samples = *samples;
       }
       refined = refinement->run();
+      if (refined.end == RefinementOutcome::End::open_input) return open_surface_near(refined.open_at);
       if (!resampling->resample_pending()) return {};
     }
   }

@@ -11,9 +11,6 @@ namespace isoscope {
 /// Labels by region of a volume whose regions and boundary components are known, for closed input: by ray
 /// parity.
 std::vector<int> label_by_parity(const ToleranceVolume& volume);
-/// What is said where a region lies on both sides of the surface.
-Error open_surface_near(Vec3 p);
-
 /// The side of a small region around p: by one ray in closed input, elsewhere by the most of many.
 int pocket_label(const ToleranceVolume& volume, Vec3 p);
 /// Fails with unsupported, naming the place, where a component of Ω' of a labelled volume has nothing inside.

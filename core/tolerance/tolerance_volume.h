@@ -68,6 +68,9 @@ struct InputTopology {
   bool sides_known() const { return closed_manifold && (self_intersection_free || components == 1); }
 };
 
+/// What is said where a region of the complement of Ω' lies on both sides of the input.
+Error open_surface_near(Vec3 p);
+
 /// Ω with everything the algorithm asks of it. Distance queries are const and thread-safe; label_at may
 /// refine the octree and is for one thread only.
 class ToleranceVolume {
