@@ -1,0 +1,162 @@
+// Whole runs on families of inputs with known topology: handles, nesting, many parts, thin walls, damaged
+// soups.
+#include "input/gallery.h"
+#include "run/complete_run.h"
+#include "run/voxel_soup.h"
+#include "support/models.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+/// To the end with the least effort, as validity does not depend on it.
+std::unique_ptr<CompleteRun> run_soup(TriangleSoup soup, double delta) {
+  RunParameters parameters;
+  parameters.input = "soup";
+  parameters.tolerance = {delta, false};
+  parameters.effort = 0;
+  auto run = std::make_unique<CompleteRun>(parameters);
+  run->soup = std::make_shared<const TriangleSoup>(std::move(soup));
+  run->run();
+  return run;
+}
+
+} // namespace
+
+TEST_CASE("A plate with a hundred holes keeps its genus") {
+  const auto holes = [](int x, int y, int) { return x % 2 == 0 || y % 2 == 0; };
+  const auto run = run_soup(voxel_surface({21, 21, 1}, holes), 0.18);
+  REQUIRE_MESSAGE(run->result.has_value(), (run->error ? run->error->line() : ""));
+  const Certificate& c = run->result->certificate;
+  CHECK(c.holds());
+  CHECK(c.components == 1);
+  CHECK(c.euler_characteristic == 2 - 2 * 100);
+}
+
+TEST_CASE("Nested shells and many parts keep their number, whatever the orientation of their faces") {
+  // A cube with a cavity that holds a cube.
+  const auto shells = [](int x, int y, int z) {
+    const auto ring = std::max({std::abs(x - 3), std::abs(y - 3), std::abs(z - 3)});
+    return ring == 3 || ring <= 1;
+  };
+  for (const bool flip : {false, true}) {
+    TriangleSoup soup = voxel_surface({7, 7, 7}, shells);
+    std::mt19937 random(5);
+    if (flip)
+      for (auto& t : soup.triangles)
+        if (random() % 2 != 0) std::swap(t[0], t[1]);
+    const auto run = run_soup(std::move(soup), 0.2);
+    REQUIRE_MESSAGE(run->result.has_value(), (run->error ? run->error->line() : ""));
+    CHECK(run->result->certificate.holds());
+    CHECK(run->result->certificate.components == 3);
+    CHECK(run->result->certificate.euler_characteristic == 6);
+  }
+  const auto lattice = [](int x, int y, int z) { return x % 2 == 0 && y % 2 == 0 && z % 2 == 0; };
+  const auto run = run_soup(voxel_surface({7, 7, 7}, lattice), 0.15);
+  REQUIRE(run->result.has_value());
+  CHECK(run->result->certificate.holds());
+  CHECK(run->result->certificate.components == 64);
+  CHECK(run->result->certificate.euler_characteristic == 128);
+  CHECK(run->result->mesh.points.size() >= 64 * 4);
+  CHECK(run->result->mesh.points.size() <= 64 * 9);
+}
+
+TEST_CASE("A slot narrower than twice the tolerance closes, a wider one stays") {
+  const auto slotted = [](int x, int, int z) { return z != 1 || x == 0 || x == 5; };
+  for (const double thick : {0.3, 0.8}) {
+    TriangleSoup soup = voxel_surface({6, 3, 3}, slotted); // a tunnel along y
+    for (Vec3& p : soup.points)
+      if (p.z >= 2) p.z += thick - 1;
+    const auto run = run_soup(std::move(soup), 0.2);
+    REQUIRE_MESSAGE(run->result.has_value(), (run->error ? run->error->line() : ""));
+    const Certificate& c = run->result->certificate;
+    CHECK(c.holds());
+    CHECK(c.components == 1);
+    if (thick > 0.4) CHECK(c.euler_characteristic == 0);
+    CHECK(c.within_tolerance);
+  }
+}
+
+TEST_CASE("A soup with small holes, torn and turned faces comes out whole") {
+  const auto made = make_gallery_model("torus");
+  REQUIRE(made.ok());
+  const TriangleSoup& whole = *made;
+  TriangleSoup torn;
+  std::mt19937 random(11);
+  for (std::size_t i = 0; i < whole.triangles.size(); ++i) {
+    if (i % 97 == 13) continue; // a hole
+    std::array<std::uint32_t, 3> t{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      t[k] = static_cast<std::uint32_t>(torn.points.size());
+      torn.points.push_back(whole.points[whole.triangles[i][k]]);
+    }
+    if (random() % 2) std::swap(t[0], t[1]);
+    torn.triangles.push_back(t);
+  }
+  const Box3 box = torn.bounds();
+  const auto run = run_soup(std::move(torn), 0.03 * box.longest_edge());
+  REQUIRE_MESSAGE(run->result.has_value(), (run->error ? run->error->line() : ""));
+  CHECK(run->result->certificate.holds());
+  CHECK(run->result->certificate.components == 1);
+  CHECK(run->result->certificate.euler_characteristic == 0);
+}
+
+TEST_CASE("Holes wider than the tolerance volume are refused at the place, also where pockets hide them") {
+  const auto model = demo_model("elephant-with-holes.off");
+  if (!model) return;
+  for (const double percent : {4.0, 3.0, 2.0, 0.8}) {
+    RunParameters parameters;
+    parameters.input = model->string();
+    parameters.tolerance = {percent, true};
+    parameters.effort = 0;
+    CompleteRun run(parameters);
+    run.run();
+    if (percent > 3.5) {
+      REQUIRE(run.result.has_value());
+      CHECK(run.result->certificate.holds());
+    } else {
+      REQUIRE(run.error.has_value());
+      CHECK(run.error->code == ErrorCode::unsupported);
+      CHECK(run.error->message.find("open surface near (") != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("Where small pockets make the volume no thickening, the certificate says that nothing binds") {
+  const auto model = demo_model("cow.off");
+  if (!model) return;
+  RunParameters parameters;
+  parameters.input = model->string();
+  parameters.tolerance = {2.0, true};
+  parameters.effort = 0;
+  CompleteRun run(parameters);
+  REQUIRE(run.run());
+  CHECK(run.result->certificate.holds());
+  CHECK(run.scene->thickening_note.find("pockets") != std::string::npos);
+  if (run.result->certificate.components != 1)
+    CHECK(run.result->certificate.topology_note.find("aimed at") != std::string::npos);
+}
+
+TEST_CASE("One model at tolerances from 0.8 to 8 percent is certified at each, with fewer vertices") {
+  const auto model = demo_model("sphere.off");
+  if (!model) return;
+  std::size_t before = 1u << 30;
+  for (const double percent : {0.8, 2.0, 4.0, 8.0}) {
+    RunParameters parameters;
+    parameters.input = model->string();
+    parameters.tolerance = {percent, true};
+    parameters.effort = 0;
+    CompleteRun run(parameters);
+    REQUIRE(run.run());
+    CHECK(run.result->certificate.holds());
+    CHECK(run.result->mesh.points.size() < before);
+    before = run.result->mesh.points.size();
+  }
+}
