@@ -135,8 +135,7 @@ bool Round::failed_before(std::uint32_t a, std::uint32_t b) const {
   if (failure == nullptr) return false;
   const int rings = options_.rings > 0 ? std::min(options_.rings, 2) : 1;
   for (const std::uint32_t v : vertices_around(complex(), {a, b}, rings))
-    if ((failure->close ? surface_.stamp(v) : surface_.collapse_stamp(v)) > failure->time)
-      return false;
+    if ((failure->close ? surface_.stamp(v) : surface_.collapse_stamp(v)) > failure->time) return false;
   return true;
 }
 

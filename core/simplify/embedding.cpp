@@ -2,7 +2,7 @@
 #include "simplify/embedding.h"
 
 #include "base/sort_unique.h"
-#include "criteria/link.h"
+#include "simplify/tet_flips.h"
 
 #include <algorithm>
 #include <utility>
@@ -41,13 +41,8 @@ std::optional<TetPatch> Embedding::tet_between(const std::array<std::uint32_t, 4
 }
 
 Refusal Embedding::check_edge(std::uint32_t a, std::uint32_t b, Kernel& kernel) const {
-  const EdgeStar star = live_.star(vertices_[a], vertices_[b], CostRing::one);
-  const LinkVerdict link = check_link(star, false);
-  if (!link.holds_in_t) return {Reason::link_condition, 0, 0, {}};
-  if (!link.holds_in_zero_set) return {Reason::zero_link_condition, 0, 0, {}};
-  kernel = compute_kernel(star);
-  if (kernel.empty) return {Reason::kernel_empty, kernel.inscribed_radius, 0, kernel.center};
-  return {};
+  TetPatch patch = around(std::array{a, b});
+  return make_collapsible(patch, vertices_[a], vertices_[b], kernel);
 }
 
 Delta Embedding::commit(const TetPatch& patch) {

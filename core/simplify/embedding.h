@@ -34,8 +34,8 @@ class Embedding {
   TetPatch around(std::span<const std::uint32_t> surface_vertices) const;
   /// The tetrahedron between four vertices of the surface, alone; nothing where they are not those of one.
   std::optional<TetPatch> tet_between(const std::array<std::uint32_t, 4>& surface_vertices) const;
-  /// Whether T allows to merge the ends of an edge of Z (link conditions, kernel), and where: `kernel` is
-  /// filled when it does.
+  /// Whether T allows to merge the ends of an edge of Z (link conditions, kernel), perhaps after flips, and
+  /// where: `kernel` is filled when it does.
   Refusal check_edge(std::uint32_t a, std::uint32_t b, Kernel& kernel) const;
 
   /// Takes the patch over; it must be up to date.

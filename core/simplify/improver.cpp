@@ -145,8 +145,8 @@ ImproverOptions improver_options(const CriteriaParameters& criteria, int effort)
 }
 
 ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
-                        const ImproverOptions& options, const RunControl& control,
-                        ImproverObserver& observer, const RoomInT* room) {
+                        const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+                        const RoomInT* room) {
   Improver improver(mesh, volume, samples, options, control, observer, room);
   const ImproverOutcome outcome = improver.run();
   mesh = improver.result();

@@ -37,9 +37,10 @@ struct RoomInT {
 /// Improves `mesh`: a closed oriented 2-manifold without intersections, inside Ω, that separates the regions.
 /// Every change keeps that, so the result holds at whatever moment it is cancelled. `samples` may be null:
 /// then normals are not preserved. With `room`, whose
-/// embedding has `mesh` as its Z, every change is one of T too, whose tetrahedra stay positively oriented. The result depends on the arguments only, not on the number of threads.
+/// embedding has `mesh` as its Z, every change is one of T too, whose tetrahedra stay positively oriented.
+/// The result depends on the arguments only, not on the number of threads.
 ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
-                        const ImproverOptions& options, const RunControl& control,
-                        ImproverObserver& observer, const RoomInT* room = nullptr);
+                        const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+                        const RoomInT* room = nullptr);
 
 } // namespace isoscope

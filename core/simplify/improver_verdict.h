@@ -22,21 +22,22 @@ struct SurfaceChange {
     Vec3 before, after;
   };
   EventKind kind = EventKind::collapse; ///< collapse, relaxation or repair
-  std::vector<Facet> removed, added; ///< ascending by slot; a facet with other corners is in both
-  std::vector<Move> moves;           ///< ascending by vertex
+  std::vector<Facet> removed, added;    ///< ascending by slot; a facet with other corners is in both
+  std::vector<Move> moves;              ///< ascending by vertex
   std::vector<std::uint32_t> killed_vertices;
   Delta tetrahedra; ///< the same change in T, where Z is improved inside it; else empty
 };
 
-/// What was decided on an edge (or on a sweep) and why. Lengths are absolute. Accepted: `value` is the largest
-/// sampled d of the changed facets, at most δ = `limit`. Refused:
+/// What was decided on an edge (or on a sweep) and why. Lengths are absolute. Accepted: `value` is the
+/// largest sampled d of the changed facets, at most δ = `limit`. Refused:
 ///   stays_above          the largest sampled d (value) stays above what a certificate can accept (limit)
 ///   outside_tolerance    d(witness) = value > δ = limit
 ///   folded               a facet is turned away from the input's normals, or has no normal
 ///   normals              more failed tests of condition 3 (value) than before (limit)
 ///   witness_side         a region's witness would change side
 ///   intersection         two facets would meet, one of them at `witness`
-///   zero_link_condition  a vertex would be left with fewer than three facets, or two edges would join the same
+///   zero_link_condition  a vertex would be left with fewer than three facets, or two edges would join the
+///   same
 ///                        ends
 struct ImproverVerdict : Refusal {
   EventKind kind = EventKind::collapse; ///< collapse, relaxation or repair

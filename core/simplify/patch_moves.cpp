@@ -1,6 +1,8 @@
 // Merging, relocating and flipping with measured facets.
 #include "simplify/patch_moves.h"
 
+#include "simplify/tet_flips.h"
+
 #include <algorithm>
 
 namespace isoscope {
@@ -49,7 +51,12 @@ std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, c
 void collapse_to(const InputSurface& input, SurfacePatch& patch, std::uint32_t a, std::uint32_t b,
                  Vec3 target) {
   FacetComplex& complex = patch.complex;
-  if (patch.in_t) patch.in_t->tets.collapse(patch.in_t->vertices[a], patch.in_t->vertices[b], target);
+  if (patch.in_t) {
+    const VertexId stays = patch.in_t->vertices[a], goes = patch.in_t->vertices[b];
+    Kernel kernel; // the target was found in it, after the same flips
+    make_collapsible(patch.in_t->tets, stays, goes, kernel);
+    patch.in_t->tets.collapse(stays, goes, target);
+  }
   complex.collapse(a, b);
   complex.points[a] = target;
   const std::vector<Wedge> wedges = complex.star(a);

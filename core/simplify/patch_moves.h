@@ -48,8 +48,8 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
                                   std::size_t k);
 void apply_flip(FacetComplex& complex, const FlipPlan& plan);
 /// Flips an edge of a patch if that lowers the energy and the connectivity allows it; in T that takes a
-/// tetrahedron between the two facets, which changes sides. An edge between two unproven facets is left to the
-/// side that runs from the smaller to the larger id.
+/// tetrahedron between the two facets, which changes sides. An edge between two unproven facets is left to
+/// the side that runs from the smaller to the larger id.
 std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f,
                                  std::size_t k);
 

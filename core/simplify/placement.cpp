@@ -32,8 +32,8 @@ Vec3 solve(const Symmetric3& h, Vec3 g) {
   return Vec3{a * g.x + b * g.y + c * g.z, b * g.x + d * g.y + e * g.z, c * g.x + e * g.y + f * g.z} / det;
 }
 
-/// A step from a point of the kernel that ends inside: it slides along what blocks it, and keeps a part of the
-/// distance to each facet.
+/// A step from a point of the kernel that ends inside: it slides along what blocks it, and keeps a part of
+/// the distance to each facet.
 Vec3 step_inside(const Kernel& kernel, Vec3 from, Vec3 step) {
   constexpr double kept = 0.1;
   constexpr int most_bends = 3;

@@ -23,7 +23,7 @@ struct SurfacePatch {
   /// What it holds of T, where Z is improved inside it.
   struct InT {
     TetPatch tets;
-    std::vector<VertexId> vertices;   ///< by local vertex
+    std::vector<VertexId> vertices;       ///< by local vertex
     std::vector<std::uint32_t> looked_at; ///< vertices of the surface that are corners of the tetrahedra
   };
   std::optional<InT> in_t;

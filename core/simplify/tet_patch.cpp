@@ -7,25 +7,33 @@
 
 namespace isoscope {
 
-TetPatch::TetPatch(const Complex& complex, std::span<const TetId> tets)
-    : slots_(tets.begin(), tets.end()), tets_(tets.size()) {
+bool TetPatch::LocalTet::has(std::uint32_t vertex) const {
+  return std::find(v.begin(), v.end(), vertex) != v.end();
+}
+
+TetPatch::TetPatch(const Complex& complex, std::span<const TetId> tets) : slots_(tets.begin(), tets.end()) {
   vertices_.reserve(4 * slots_.size());
   for (const TetId t : slots_)
     for (const VertexId v : complex.tet(t).v) vertices_.push_back(v);
   sort_unique(vertices_);
+  start_.reserve(vertices_.size());
   points_.reserve(vertices_.size());
-  for (const VertexId v : vertices_) points_.push_back(complex.position(v));
-  at_.resize(vertices_.size());
-  for (std::uint32_t i = 0; i < slots_.size(); ++i) {
-    const Tet& tet = complex.tet(slots_[i]);
-    tets_[i].side = tet.side;
-    for (std::size_t k = 0; k < 4; ++k) {
-      tets_[i].v[k] = local(tet.v[k]);
-      at_[tets_[i].v[k]].push_back(i);
-    }
+  for (const VertexId v : vertices_) {
+    start_.push_back(complex.vertices[v.index()]);
+    points_.push_back(complex.position(v));
   }
-  start_points_ = points_;
+  at_.resize(vertices_.size());
+  tets_.reserve(slots_.size());
+  for (const TetId t : slots_) {
+    const Tet& tet = complex.tet(t);
+    add({{local(tet.v[0]), local(tet.v[1]), local(tet.v[2]), local(tet.v[3])}, tet.side});
+  }
   start_tets_ = tets_;
+}
+
+void TetPatch::add(const LocalTet& tet) {
+  for (const std::uint32_t v : tet.v) at_[v].push_back(static_cast<std::uint32_t>(tets_.size()));
+  tets_.push_back(tet);
 }
 
 std::uint32_t TetPatch::local(VertexId v) const {
@@ -48,25 +56,61 @@ Kernel TetPatch::kernel(VertexId vertex) const {
   return kernel;
 }
 
-void TetPatch::move(VertexId v, Vec3 to) {
-  points_[local(v)] = to;
+EdgeStar TetPatch::star(VertexId a, VertexId b) const {
+  const std::uint32_t stays = local(a), goes = local(b);
+  std::vector<std::uint32_t> tets(at_[stays]);
+  tets.insert(tets.end(), at_[goes].begin(), at_[goes].end());
+  sort_unique(tets);
+  std::vector<std::uint32_t> order;
+  for (const std::uint32_t t : tets) order.insert(order.end(), tets_[t].v.begin(), tets_[t].v.end());
+  sort_unique(order);
+  std::erase_if(order, [&](std::uint32_t v) { return v == stays || v == goes; });
+  order.insert(order.begin(), {stays, goes});
+  EdgeStar star;
+  star.form = ZeroForm::embedded;
+  for (const std::uint32_t v : order)
+    star.vertices.push_back({vertices_[v], points_[v], start_[v].value, start_[v].kind});
+  const auto number = [&](std::uint32_t v) {
+    if (v == stays || v == goes) return static_cast<std::uint16_t>(v == goes);
+    return static_cast<std::uint16_t>(std::lower_bound(order.begin() + 2, order.end(), v) - order.begin());
+  };
+  for (const std::uint32_t t : tets) {
+    const LocalTet& tet = tets_[t];
+    const auto& v = tet.v;
+    star.tets.push_back({TetId(),
+                         {number(v[0]), number(v[1]), number(v[2]), number(v[3])},
+                         tet.side,
+                         tet.has(stays),
+                         tet.has(goes)});
+  }
+  return star;
 }
 
 void TetPatch::collapse(VertexId a, VertexId b, Vec3 to) {
   const std::uint32_t stays = local(a), goes = local(b);
+  std::vector<std::uint32_t> ring;
   for (const std::uint32_t t : at_[goes]) {
     LocalTet& tet = tets_[t];
-    if (std::find(tet.v.begin(), tet.v.end(), stays) != tet.v.end()) {
-      tet.alive = false;
+    if (tet.has(stays)) {
+      ring.push_back(t);
       continue;
     }
     *std::find(tet.v.begin(), tet.v.end(), goes) = stays;
     at_[stays].push_back(t);
   }
-  at_[goes].clear();
-  for (auto& list : at_) std::erase_if(list, [&](std::uint32_t t) { return !tets_[t].alive; });
+  std::erase_if(at_[goes], [&](std::uint32_t t) { return tets_[t].has(stays) && !tets_[t].has(goes); });
+  replace(ring, {});
+  std::sort(at_[stays].begin(), at_[stays].end());
   points_[stays] = to;
   killed_.push_back(b);
+}
+
+void TetPatch::replace(std::span<const std::uint32_t> removed, std::span<const LocalTet> added) {
+  for (const std::uint32_t t : removed) {
+    for (const std::uint32_t v : tets_[t].v) std::erase(at_[v], t);
+    tets_[t].alive = false;
+  }
+  for (const LocalTet& t : added) add(t);
 }
 
 std::optional<std::uint32_t> TetPatch::tet_between(const std::array<VertexId, 4>& corners) const {
@@ -85,31 +129,45 @@ bool TetPatch::up_to_date(const Complex& complex) const {
       if (tet.v[k] != vertices_[start_tets_[i].v[k]]) return false;
   }
   for (std::size_t v = 0; v < vertices_.size(); ++v)
-    if (complex.position(vertices_[v]) != start_points_[v]) return false;
+    if (complex.position(vertices_[v]) != start_[v].position) return false;
   return true;
 }
 
 bool TetPatch::moved(const LocalTet& tet) const {
   return std::any_of(tet.v.begin(), tet.v.end(),
-                     [&](std::uint32_t v) { return points_[v] != start_points_[v]; });
+                     [&](std::uint32_t v) { return points_[v] != start_[v].position; });
 }
 
-TetRecord TetPatch::record(std::size_t i, const LocalTet& tet) const {
+TetRecord TetPatch::record(TetId slot, const LocalTet& tet) const {
   const auto& v = tet.v;
-  return {slots_[i], canonical_order({vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]]}),
+  return {slot, canonical_order({vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]]}),
           tet.side};
 }
 
 Delta TetPatch::delta(std::size_t slots) const {
   Delta delta;
   delta.slots_before = static_cast<std::uint32_t>(slots);
+  std::vector<TetId> vacant; // descending
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (tets_[i] == start_tets_[i] && !moved(tets_[i])) continue;
-    delta.removed.push_back(record(i, start_tets_[i]));
-    if (tets_[i].alive) delta.added.push_back(record(i, tets_[i]));
+    delta.removed.push_back(record(slots_[i], start_tets_[i]));
+    if (tets_[i].alive) {
+      delta.added.push_back(record(slots_[i], tets_[i]));
+    } else {
+      vacant.insert(vacant.begin(), slots_[i]);
+    }
   }
+  for (std::size_t i = slots_.size(); i < tets_.size(); ++i) {
+    if (!tets_[i].alive) continue;
+    const TetId slot = vacant.empty() ? TetId(slots++) : vacant.back();
+    if (!vacant.empty()) vacant.pop_back();
+    delta.added.push_back(record(slot, tets_[i]));
+  }
+  std::sort(delta.added.begin(), delta.added.end(),
+            [](const TetRecord& x, const TetRecord& y) { return x.id < y.id; });
   for (std::size_t v = 0; v < vertices_.size(); ++v)
-    if (points_[v] != start_points_[v]) delta.moves.push_back({vertices_[v], start_points_[v], points_[v]});
+    if (points_[v] != start_[v].position)
+      delta.moves.push_back({vertices_[v], start_[v].position, points_[v]});
   delta.killed_vertices = killed_;
   return delta;
 }

@@ -71,7 +71,7 @@ PatchVerdict check_orientation(const SurfaceRules& rules, SurfacePatch& patch) {
   }
   if (after <= before) return {};
   PatchVerdict verdict = Refusal{Reason::normals, double(after), double(before),
-                                patch.complex.points[patch.complex.facets[failed.front().first].v[0]]};
+                                 patch.complex.points[patch.complex.facets[failed.front().first].v[0]]};
   verdict.points_added = after;
   for (const auto& [f, sides] : failed) {
     Facet& facet = patch.complex.facets[f];
@@ -181,7 +181,8 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
       const double excess = level.largest - limit, gain = last;
       const bool hopeless = excess > 0 && ((s > 3 && gain <= 0.002 * delta) ||
                                            (s > 2 && excess > 1.6 * gain * (options.sweeps - s)));
-      verdict = Refusal{level.folded ? Reason::folded : Reason::stays_above, level.largest, limit, level.where};
+      verdict =
+          Refusal{level.folded ? Reason::folded : Reason::stays_above, level.largest, limit, level.where};
       if (s >= options.sweeps || hopeless) break;
       last = level.largest;
     }
@@ -224,7 +225,8 @@ std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePa
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch) {
   const Proof proof = prove(*rules.input, patch.complex);
   if (proof.failures == 0) return check_shape(rules, patch);
-  PatchVerdict verdict = Refusal{Reason::outside_tolerance, proof.distance, rules.input->delta(), proof.witness};
+  PatchVerdict verdict =
+      Refusal{Reason::outside_tolerance, proof.distance, rules.input->delta(), proof.witness};
   verdict.points_added = proof.failures;
   return verdict;
 }

@@ -88,9 +88,8 @@ TEST_CASE("a sphere gets near the optimum, and more effort never needs more vert
     check_valid(mesh, start, 2);
     CHECK(mesh.points.size() <= last);
     last = mesh.points.size();
-    const bool relaxed =
-        std::any_of(listener.changes.begin(), listener.changes.end(),
-                    [](const SurfaceChange& c) { return c.kind == EventKind::relaxation; });
+    const bool relaxed = std::any_of(listener.changes.begin(), listener.changes.end(),
+                                     [](const SurfaceChange& c) { return c.kind == EventKind::relaxation; });
     CHECK(relaxed == (effort > 0));
     CHECK((outcome.repairs > 0) == (effort > 1));
   }
