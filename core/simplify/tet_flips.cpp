@@ -141,7 +141,7 @@ bool remove_triangle(TetPatch& patch, const std::array<std::uint32_t, 3>& triang
       if (std::find(triangle.begin(), triangle.end(), v) == triangle.end()) apex[i] = v;
   // Counter-clockwise seen from the first apex.
   const auto [x, y] = opposite_edge(patch.tet(sides[0]), triangle[0], apex[0]);
-  const std::array<std::uint32_t, 3> ring{triangle[0], y, x};
+  const std::array<std::uint32_t, 3> ring{triangle[0], x, y};
   std::array<LocalTet, 3> tets;
   for (std::size_t k = 0; k < 3; ++k) {
     tets[k] = {{ring[k], ring[(k + 1) % 3], apex[1], apex[0]}, patch.tet(sides[0]).side};
