@@ -144,12 +144,30 @@ TetRecord TetPatch::record(TetId slot, const LocalTet& tet) const {
           tet.side};
 }
 
+/// By tetrahedron of the complex: whether the delta has it.
+std::vector<std::uint8_t> TetPatch::changed() const {
+  std::vector<std::uint8_t> flags(slots_.size(), 0);
+  for (std::uint32_t i = 0; i < slots_.size(); ++i) {
+    if (!(tets_[i] == start_tets_[i]) || moved(tets_[i])) flags[i] = 1;
+    if (!tets_[i].alive || tets_[i].side == start_tets_[i].side) continue;
+    // Each of its facets has one of any two of its corners.
+    for (std::size_t k = 0; k < 2; ++k)
+      for (const std::uint32_t t : at_[tets_[i].v[k]]) {
+        const auto shared = std::count_if(tets_[i].v.begin(), tets_[i].v.end(),
+                                          [&](std::uint32_t v) { return tets_[t].has(v); });
+        if (shared == 3 && t < slots_.size()) flags[t] = 1;
+      }
+  }
+  return flags;
+}
+
 Delta TetPatch::delta(std::size_t slots) const {
   Delta delta;
   delta.slots_before = static_cast<std::uint32_t>(slots);
   std::vector<TetId> vacant; // descending
+  const std::vector<std::uint8_t> has = changed();
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (tets_[i] == start_tets_[i] && !moved(tets_[i])) continue;
+    if (!has[i]) continue;
     delta.removed.push_back(record(slots_[i], start_tets_[i]));
     if (tets_[i].alive) {
       delta.added.push_back(record(slots_[i], tets_[i]));
@@ -181,10 +199,12 @@ Delta difference(const Complex& before, const Complex& after) {
       delta.moves.push_back({id, before.position(id), after.position(id)});
   }
   const auto moved = [&](VertexId v) { return before.position(v) != after.position(v); };
+  const auto other_side = [&](TetId t) { return t.valid() && before.tet(t).side != after.tet(t).side; };
   for (std::size_t t = 0; t < before.tets.size(); ++t) {
     const Tet &was = before.tets[t], &is = after.tets[t];
-    if (!was.alive() ||
-        (was.v == is.v && was.side == is.side && std::none_of(is.v.begin(), is.v.end(), moved)))
+    if (!was.alive()) continue;
+    if (was.side == is.side && std::none_of(is.v.begin(), is.v.end(), moved) &&
+        std::none_of(is.neighbor.begin(), is.neighbor.end(), other_side))
       continue;
     delta.removed.push_back({TetId(t), was.v, was.side});
     delta.added.push_back({TetId(t), is.v, is.side});

@@ -53,11 +53,13 @@ class TetPatch {
 
   /// Whether the complex still has these tetrahedra where they were taken from.
   bool up_to_date(const Complex& complex) const;
-  /// What turns the complex into this; `slots` is the length of its array of tetrahedra.
+  /// What turns the complex into this; `slots` is the length of its array of tetrahedra. Neighbours of a
+  /// tetrahedron that changes sides are in it too: a facet of Z is told from both its tetrahedra.
   Delta delta(std::size_t slots) const;
 
  private:
   bool moved(const LocalTet& tet) const;
+  std::vector<std::uint8_t> changed() const;
   TetRecord record(TetId slot, const LocalTet& tet) const;
   void add(const LocalTet& tet);
 
@@ -70,7 +72,7 @@ class TetPatch {
   std::vector<VertexId> killed_;
 };
 
-/// What turned one state of T into another that has the same vertices and slots: for sweeps of many small
+/// What turned one state of T into another that differs in positions and sides only: for sweeps of many small
 /// changes.
 Delta difference(const Complex& before, const Complex& after);
 

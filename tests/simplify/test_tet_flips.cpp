@@ -152,3 +152,23 @@ TEST_CASE("a patch knows the kernel of its vertices and what has changed beneath
   CHECK_FALSE(patch.up_to_date(c));
   CHECK(check_complex(c).empty());
 }
+
+TEST_CASE("a tetrahedron that changes sides takes the facets of Z along, seen from both sides") {
+  Complex c = star_of_edge({0, 0, 0, 0});
+  c.tets[0].side = -1;
+  TetPatch patch = whole(c);
+  const Tet& tet = c.tets[0];
+  const auto found = patch.tet_between({tet.v[3], tet.v[1], tet.v[0], tet.v[2]});
+  REQUIRE(found.has_value());
+  CHECK_FALSE(patch.tet_between({VertexId(0), VertexId(1), VertexId(2), VertexId(4)}).has_value());
+  patch.change_side(*found);
+  const Delta delta = patch.delta(c.tets.size());
+  CHECK(delta.removed.size() == 3); // it and the two next to it, not the one across the edge
+  Complex after = c;
+  after.apply(delta);
+  CHECK(after.tets[0].side == 1);
+  CHECK(difference(c, after).removed == delta.removed);
+  CHECK(difference(c, after).added == delta.added);
+  after.undo(delta);
+  CHECK(after == c);
+}
