@@ -17,7 +17,7 @@ struct RunOptions::Raw {
   std::string tolerance;
   std::optional<double> sigma, alpha, shrink, time_limit;
   std::optional<unsigned> threads;
-  std::string until, containment = "certified", topology = "keep", target;
+  std::string until, containment = "certified", topology = "keep", target, improver = "free";
   std::vector<std::string> skip;
   std::vector<int> off;
   bool no_normals = false;
@@ -80,6 +80,8 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
   app.add_option("--cost-ring", r.cost_ring,
                  "facets whose planes make the error of a collapse: 1 or 2 rings; default 1");
   app.add_option("--effort", r.effort, "of the improver: 0 (least) to 3 (fewest vertices); default 2");
+  app.add_option("--improver", r.improver,
+                 "where it works: free (Z leaves T, fewest vertices) or embedded (inside T); default free");
   app.add_option("--threads", r.threads,
                  "number of threads, 0 for all cores; the result does not depend on it");
   app.add_option("--containment", r.containment,
@@ -121,6 +123,11 @@ Result<RunParameters> RunOptions::finish() const {
     return unknown("--cost-ring", std::to_string(r.cost_ring), "1, 2");
   p.cost_ring = r.cost_ring == 1 ? CostRing::one : CostRing::two;
   p.effort = r.effort;
+  if (r.improver == "embedded") {
+    p.improver = ImproverPlace::embedded;
+  } else if (r.improver != "free") {
+    return unknown("--improver", r.improver, "free, embedded");
+  }
   for (const GalleryEntry& entry : gallery()) {
     if (r.input == "gallery:" + std::string(entry.name)) p.tolerance = {entry.tolerance_percent, true};
   }

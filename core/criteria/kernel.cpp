@@ -192,6 +192,12 @@ bool Kernel::contains(Vec3 x) const {
                      [x](const Triangle3& f) { return orientation(f[0], f[1], f[2], x) > 0; });
 }
 
+void Kernel::add(const Triangle3& f) {
+  const Vec3 n = normalized(cross(f[1] - f[0], f[2] - f[0]));
+  facets.push_back(f);
+  half_spaces.push_back({n, dot(n, f[0])});
+}
+
 Kernel compute_kernel(const EdgeStar& star) {
   Kernel kernel;
   const Vec3 origin = 0.5 * (star.vertices[0].position + star.vertices[1].position);
@@ -203,9 +209,7 @@ Kernel compute_kernel(const EdgeStar& star) {
     const auto& outward = outward_facets[end];
     const std::array<Vec3, 4> p = star.positions(t);
     const Triangle3 f{p[outward[0]], p[outward[2]], p[outward[1]]};
-    const Vec3 n = normalized(cross(f[1] - f[0], f[2] - f[0]));
-    kernel.facets.push_back(f);
-    kernel.half_spaces.push_back({n, dot(n, f[0])});
+    kernel.add(f);
     for (const Vec3 corner : f) size = std::max(size, distance(corner, origin));
   }
   const auto flat = std::find_if(kernel.half_spaces.begin(), kernel.half_spaces.end(),

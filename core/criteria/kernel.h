@@ -34,6 +34,8 @@ struct Kernel {
 
   /// Whether x lies strictly inside all facets. Exact.
   bool contains(Vec3 x) const;
+  /// Adds a facet, counter-clockwise seen from inside, with its half-space.
+  void add(const Triangle3& facet);
 };
 
 /// The kernel of a star; the same bits for the same star.

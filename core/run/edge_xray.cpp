@@ -108,11 +108,13 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   const std::vector<Vec3> targets =
       by_samples ? SampleTargets(*state.samples).near(out.star) : std::vector<Vec3>();
   const EvaluationContext evaluation{*context.scene.volume, context.nearest, out.criteria};
+  // The improver places its targets otherwise; what makes room for it is an ordinary collapse.
+  const bool judged_alike = event != nullptr && (event->stage != Stage::improve || kind == EdgeKind::mixed);
   const auto judge = [&](bool halfedge) {
     out.halfedge = halfedge;
     out.attempt = evaluate_collapse(out.star, settings_for(kind, halfedge, context.parameters), evaluation,
                                     EvaluationDetail::full, targets);
-    if (event != nullptr) out.agrees = same_verdict(out.attempt, *event);
+    if (judged_alike) out.agrees = same_verdict(out.attempt, *event);
   };
   const bool usual = kind == EdgeKind::gamma && !by_samples;
   judge(question.target == XrayTarget::automatic ? usual : question.target == XrayTarget::halfedge);

@@ -53,6 +53,7 @@ SimplificationParameters RunParameters::simplification() const {
   s.target = target;
   s.ring = cost_ring;
   s.effort = effort;
+  s.improver = improver;
   return s;
 }
 

@@ -43,6 +43,7 @@ struct RunParameters {
   TargetStrategy target = TargetStrategy::constraints; ///< how targets of general collapses are looked for
   CostRing cost_ring = CostRing::one;                  ///< facets of Z whose planes make the error (§2.4)
   int effort = 2;                                      ///< of the improver, 0 to 3
+  ImproverPlace improver = ImproverPlace::free;        ///< on Z alone or inside T
   unsigned threads = 0;                                ///< 0: all cores
   double time_limit = 0;                               ///< seconds, 0 none
   /// `by_default`: what certified mode takes when nothing is given (Scene::default_sigma).

@@ -18,14 +18,6 @@ namespace {
 constexpr std::size_t piece_budget = 4000;
 /// A violating point that hardly depends on the target teaches nothing about it.
 constexpr double least_weight = 1e-3;
-TargetVerdict rejection(Reason reason, double value, double limit, Vec3 witness) {
-  TargetVerdict verdict;
-  verdict.reason = reason;
-  verdict.value = value;
-  verdict.limit = limit;
-  verdict.witness = witness;
-  return verdict;
-}
 
 /// The side or f·label of the tetrahedron of a star that holds a point, before or after the collapse.
 struct Location {
@@ -150,7 +142,7 @@ TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const Crit
       margin = std::min(margin, 1 - error_before);
     }
     TargetVerdict verdict =
-        rejection(Reason::misclassified, error, star.form == ZeroForm::embedded ? 1.0 : limit, s.position);
+        Refusal{Reason::misclassified, error, star.form == ZeroForm::embedded ? 1.0 : limit, s.position};
     verdict.invalid = invalid_region(star, *after.tet, s, star.vertices[0].value, margin);
     return verdict;
   }
@@ -163,7 +155,7 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
   if (star.vertices[0].value == 0) {
     const ClosestPoint closest = index.closest(target);
     if (closest.distance() > delta) {
-      TargetVerdict verdict = rejection(Reason::outside_tolerance, closest.distance(), delta, target);
+      TargetVerdict verdict = Refusal{Reason::outside_tolerance, closest.distance(), delta, target};
       const Vec3 inward = normalized(closest.point - target);
       verdict.learnt = HalfSpace{inward, dot(inward, closest.point) - delta};
       verdict.invalid = invalid_region(target, 1, closest.distance() - delta);
@@ -174,10 +166,10 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
     const FacetVerdict verdict = certify_facet(index, facet.corners, delta, delta, piece_budget);
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     if (verdict.kind == FacetVerdict::Kind::undecided) {
-      return rejection(Reason::unproven, verdict.closest.distance(), delta, verdict.witness);
+      return Refusal{Reason::unproven, verdict.closest.distance(), delta, verdict.witness};
     }
     TargetVerdict outside =
-        rejection(Reason::outside_tolerance, verdict.closest.distance(), delta, verdict.witness);
+        Refusal{Reason::outside_tolerance, verdict.closest.distance(), delta, verdict.witness};
     learn(facet, verdict, delta, outside);
     return outside;
   }
@@ -192,7 +184,7 @@ TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationC
   TargetVerdict verdict;
   const auto note_worst = [&](double agreement, Vec3 at) {
     if (verdict.reason != Reason::none && agreement >= verdict.value) return;
-    verdict = rejection(Reason::normals, agreement, 0, at);
+    verdict = Refusal{Reason::normals, agreement, 0, at};
   };
   if (star.form == ZeroForm::embedded) {
     const auto count = [&](const Triangle3& t, bool note) {
@@ -248,7 +240,7 @@ TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const Tolerance
                             : star.form == ZeroForm::embedded
                                 ? before.tet->side
                                 : interpolate(before.corners, star.values(*before.tet))(x);
-    if (f_before * witness.label > 0) return rejection(Reason::witness_side, f * witness.label, 0, x);
+    if (f_before * witness.label > 0) return Refusal{Reason::witness_side, f * witness.label, 0, x};
   }
   return {};
 }

@@ -15,7 +15,8 @@ namespace {
 using State = CheckVerdict::State;
 
 bool eligible(EdgeKind kind, const CollapseSettings& settings) {
-  return kind == settings.kind || (settings.kind == EdgeKind::mixed && kind == EdgeKind::zero);
+  if (kind == settings.kind) return true;
+  return settings.kind == EdgeKind::mixed && !settings.halfedge && kind == EdgeKind::zero;
 }
 
 /// The checks behind a target, in order; remembers the outcome of each.
@@ -121,7 +122,10 @@ TargetSearchResult search(const EdgeStar& star, const CollapseSettings& settings
                           std::span<const Vec3> samples) {
   if (settings.halfedge) {
     const std::array<Vec3, 2> ends{star.vertices[0].position, star.vertices[1].position};
-    return search_candidates(star, kernel, cost, ends, Reason::halfedge, judge, options);
+    // A vertex of Γ goes to the vertex of Z: that leaves Z where it is.
+    const std::size_t allowed = settings.kind == EdgeKind::mixed ? 1 : 2;
+    return search_candidates(star, kernel, cost, std::span(ends).first(allowed), Reason::halfedge, judge,
+                             options);
   }
   if (settings.kind == EdgeKind::gamma) {
     return search_candidates(star, kernel, cost, samples, Reason::sample_candidate, judge, options);

@@ -13,8 +13,9 @@ namespace isoscope {
 
 /// How a stage collapses its edges.
 struct CollapseSettings {
-  EdgeKind kind = EdgeKind::zero; ///< what is eligible; a mixed stage takes edges of Z too
-  bool halfedge = false; ///< the target is one of the ends (§2.4: always before the general collapse)
+  EdgeKind kind = EdgeKind::zero; ///< what is eligible; a general mixed stage takes edges of Z too
+  /// The target is one of the ends (§2.4: always before the general collapse), of a mixed edge the one on Z.
+  bool halfedge = false;
   TargetSearchOptions search;
 };
 

@@ -39,18 +39,30 @@ class CollapseQueue {
   std::priority_queue<QueuedEdge, std::vector<QueuedEdge>, Later> heap_;
 };
 
-/// Failed edges are tried again only after a change reached their stars.
-class FailedCollapses {
+/// When an edge failed, and whether it came close.
+struct Failure {
+  std::uint32_t time = 0;
+  bool close = false; ///< relocations in the neighbourhood may be enough for a second attempt
+};
+
+/// Edges that failed, by their ends in the order given. They are tried again only after a change near them.
+template <class Vertex> class FailedCollapses {
  public:
-  void add(VertexId a, VertexId b, std::uint32_t time) { times_[{a, b}] = time; }
-  bool failed_since(VertexId a, VertexId b, std::uint32_t changed) const {
-    const auto at = times_.find({a, b});
-    return at != times_.end() && at->second >= changed;
+  void add(Vertex a, Vertex b, Failure failure) { failures_[{a, b}] = failure; }
+  void erase(Vertex a, Vertex b) { failures_.erase({a, b}); }
+  void clear() { failures_.clear(); }
+  /// Null when the edge has not failed.
+  const Failure* find(Vertex a, Vertex b) const {
+    const auto at = failures_.find({a, b});
+    return at == failures_.end() ? nullptr : &at->second;
   }
-  void clear() { times_.clear(); }
+  bool failed_since(Vertex a, Vertex b, std::uint32_t changed) const {
+    const Failure* failure = find(a, b);
+    return failure != nullptr && failure->time >= changed;
+  }
 
  private:
-  std::map<std::pair<VertexId, VertexId>, std::uint32_t> times_;
+  std::map<std::pair<Vertex, Vertex>, Failure> failures_;
 };
 
 } // namespace isoscope

@@ -28,9 +28,9 @@ struct Entry {
 };
 
 /// Whether an attempt failed by so little that relaxation may make up for it.
-bool is_close(const ImproverVerdict& verdict) {
+bool is_close(const Refusal& refusal) {
   constexpr double little = 0.04; ///< of the limit
-  return verdict.reason != ImproverVerdict::Reason::distance || verdict.value <= (1 + little) * verdict.limit;
+  return refusal.reason != Reason::stays_above || refusal.value <= (1 + little) * refusal.limit;
 }
 
 /// An entry under evaluation.
@@ -72,7 +72,9 @@ class Round {
   bool is_current(const Entry& e) const {
     return e.stamp >= std::max(surface_.stamp(e.a), surface_.stamp(e.b));
   }
-  bool failed_before(const Entry& e) const;
+  bool failed_before(std::uint32_t a, std::uint32_t b) const;
+  ImproverVerdict verdict_on(std::uint32_t a, std::uint32_t b) const;
+  void refuse(const ImproverVerdict& verdict);
   void evaluate(Attempt& attempt) const;
   void settle(const Attempt& attempt);
 
@@ -103,33 +105,50 @@ void Round::push_all() {
 void Round::push(std::vector<Edge>& edges) {
   sort_unique(edges);
   std::vector<std::optional<CollapseCandidate>> candidates(edges.size());
+  std::vector<Refusal> refusals(edges.size()); // by T
   parallel_for(edges.size(), 4, [&](std::size_t i) {
     const auto [a, b] = edges[i];
     if (control_.cancelled() || !complex().has_edge(a, b)) return;
-    candidates[i] = collapse_candidate(*rules_.input, complex(), a, b, options_.placement);
+    Kernel kernel;
+    if (surface_.embedding() != nullptr) {
+      refusals[i] = surface_.embedding()->check_edge(a, b, kernel);
+      if (!refusals[i].accepted()) return;
+    }
+    candidates[i] = collapse_candidate(*rules_.input, complex(), a, b, options_.placement,
+                                       surface_.embedding() != nullptr ? &kernel : nullptr);
   });
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto [a, b] = edges[i];
     if (candidates[i] && candidates[i]->cost <= options_.cost_limit)
-      queue_.push(
-          {candidates[i]->cost, edges[i].first, edges[i].second, surface_.commits(), candidates[i]->target});
+      queue_.push({candidates[i]->cost, a, b, surface_.commits(), candidates[i]->target});
+    if (!refusals[i].accepted() && !failed_before(a, b)) {
+      ImproverVerdict verdict = verdict_on(a, b);
+      static_cast<Refusal&>(verdict) = refusals[i];
+      refuse(verdict);
+    }
+  }
   edges.clear();
 }
 
-bool Round::failed_before(const Entry& e) const {
-  const auto found = failed_.find({e.a, e.b});
-  if (found == failed_.end()) return false;
+bool Round::failed_before(std::uint32_t a, std::uint32_t b) const {
+  const Failure* failure = failed_.find(a, b);
+  if (failure == nullptr) return false;
   const int rings = options_.rings > 0 ? std::min(options_.rings, 2) : 1;
-  for (const std::uint32_t v : vertices_around(complex(), {e.a, e.b}, rings))
-    if ((found->second.close ? surface_.stamp(v) : surface_.collapse_stamp(v)) > found->second.commits)
-      return false;
+  for (const std::uint32_t v : vertices_around(complex(), {a, b}, rings))
+    if ((failure->close ? surface_.stamp(v) : surface_.collapse_stamp(v)) > failure->time) return false;
   return true;
 }
 
 bool Round::claim(const SurfacePatch& patch) {
+  std::span<const std::uint32_t> looked_at;
+  if (patch.in_t) looked_at = patch.in_t->looked_at;
   for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
     const Claim& c = claims_[patch.vertices[i]];
     if (c.write == batch_ || (patch.free[i] && c.read == batch_)) return false;
   }
+  for (const std::uint32_t v : looked_at)
+    if (claims_[v].write == batch_) return false;
+  for (const std::uint32_t v : looked_at) claims_[v].read = batch_;
   for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
     Claim& c = claims_[patch.vertices[i]];
     c.read = batch_;
@@ -153,12 +172,12 @@ void Round::gather() {
       stale_.emplace_back(e.a, e.b);
       continue;
     }
-    if (failed_before(e)) continue;
+    if (failed_before(e.a, e.b)) continue;
     if (claims_[e.a].read == batch_ || claims_[e.b].read == batch_) {
       aside.push_back(e);
       continue;
     }
-    Attempt attempt{e, take_patch(complex(), vertices_around(complex(), {e.a, e.b}, options_.rings)), {}};
+    Attempt attempt{e, surface_.patch(vertices_around(complex(), {e.a, e.b}, options_.rings)), {}};
     if (claim(attempt.patch)) {
       attempts_.push_back(std::move(attempt));
     } else {
@@ -175,34 +194,39 @@ void Round::evaluate(Attempt& attempt) const {
                            patch.local_vertex(attempt.entry.b), attempt.entry.target, options_.repair);
 }
 
+ImproverVerdict Round::verdict_on(std::uint32_t a, std::uint32_t b) const {
+  ImproverVerdict verdict;
+  verdict.kind = options_.repair.sweeps > 0 ? EventKind::repair : EventKind::collapse;
+  verdict.a = a;
+  verdict.b = b;
+  return verdict;
+}
+
+void Round::refuse(const ImproverVerdict& verdict) {
+  failed_.add(verdict.a, verdict.b, {surface_.commits(), is_close(verdict)});
+  figures_.stopped = !observer_.rejected(verdict) || figures_.stopped;
+}
+
 void Round::settle(const Attempt& attempt) {
   ++figures_.attempts;
   const Entry& e = attempt.entry;
-  ImproverVerdict verdict;
-  verdict.kind = options_.repair.sweeps > 0 ? SurfaceChange::Kind::repair : SurfaceChange::Kind::collapse;
-  verdict.a = e.a;
-  verdict.b = e.b;
+  ImproverVerdict verdict = verdict_on(e.a, e.b);
   verdict.target = e.target;
   verdict.cost = e.cost;
   verdict.sweeps = attempt.verdict.sweeps;
   verdict.moved = attempt.verdict.moved;
   verdict.flipped = attempt.verdict.flipped;
-  PatchVerdict last = attempt.verdict;
-  if (last.accepted()) last = surface_.check(attempt.patch);
-  verdict.reason = last.reason;
-  verdict.value = last.value;
-  verdict.limit = last.limit;
-  verdict.witness = last.witness;
+  static_cast<Refusal&>(verdict) =
+      attempt.verdict.accepted() ? surface_.check(attempt.patch) : Refusal(attempt.verdict);
   if (!verdict.accepted()) {
-    failed_[{e.a, e.b}] = {surface_.commits(), is_close(verdict)};
-    figures_.stopped = !observer_.rejected(verdict);
+    refuse(verdict);
     return;
   }
   verdict.limit = rules_.input->delta();
   verdict.value = attempt.patch.largest_distance(verdict.limit);
   const SurfaceChange change = surface_.commit(attempt.patch, verdict.kind);
   ++figures_.collapses;
-  failed_.erase({e.a, e.b});
+  failed_.erase(e.a, e.b);
   for (const std::uint32_t v : complex().neighbors(e.a))
     stale_.emplace_back(std::min(v, e.a), std::max(v, e.a));
   figures_.stopped = !observer_.accepted(change, verdict);

@@ -2,10 +2,8 @@
 #pragma once
 
 #include "base/run_control.h"
+#include "simplify/collapse_queue.h"
 #include "simplify/live_surface.h"
-
-#include <map>
-#include <utility>
 
 namespace isoscope {
 
@@ -26,14 +24,9 @@ struct CollapseRoundOptions {
   PlacementEffort placement; ///< of the targets
 };
 
-/// When an edge failed, and whether it came close.
-struct Failure {
-  std::uint32_t commits = 0; ///< of the surface by then
-  bool close = false;        ///< relaxation of the neighbourhood may be enough for a second attempt
-};
-/// Edges that failed. They are tried again only when something near them has changed since: anything where
-/// they failed by little, a collapse otherwise.
-using FailedEdges = std::map<std::pair<std::uint32_t, std::uint32_t>, Failure>;
+/// Edges that failed, with the number of commits by then. They are tried again only when something near them
+/// has changed since: anything where they failed by little, a collapse otherwise.
+using FailedEdges = FailedCollapses<std::uint32_t>;
 
 struct CollapseRoundFigures {
   std::size_t attempts = 0, collapses = 0;

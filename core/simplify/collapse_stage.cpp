@@ -53,7 +53,7 @@ bool CollapseStage::may_be_eligible(VertexId a, VertexId b) const {
   case EdgeKind::zero:
     return va.value == 0 && vb.value == 0;
   case EdgeKind::mixed:
-    return va.value == 0 || vb.value == 0;
+    return settings_.halfedge ? (va.value == 0) != (vb.value == 0) : va.value == 0 || vb.value == 0;
   case EdgeKind::other:
     break;
   }
@@ -135,7 +135,7 @@ bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
   e.other = attempt.b;
   e.count = attempt.tried;
   if (!attempt.possible()) {
-    failures_.add(candidate.edge.a, candidate.edge.b, live_.clock());
+    failures_.add(candidate.edge.a, candidate.edge.b, {live_.clock(), false});
     const auto failed = std::find_if(attempt.checks.begin(), attempt.checks.end(), [](const CheckVerdict& c) {
       return c.state == CheckVerdict::State::failed;
     });

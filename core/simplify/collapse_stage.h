@@ -42,7 +42,7 @@ class CollapseStage {
   CostRing ring_;
   StageLog& log_;
   std::optional<SampleTargets> targets_;
-  FailedCollapses failures_;
+  FailedCollapses<VertexId> failures_;
 };
 
 } // namespace isoscope

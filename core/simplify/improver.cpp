@@ -23,10 +23,11 @@ struct RepairLevel {
 class Improver {
  public:
   Improver(const TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
-           const ImproverOptions& options, const RunControl& control, ImproverObserver& observer)
-      : options_(options), control_(control), observer_(observer),
+           const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+           const RoomInT* room)
+      : options_(options), control_(control), observer_(observer), room_(room),
         input_(volume.index(), volume.thresholds().delta, mesh), rules_(make_rules(volume, samples)),
-        surface_(mesh, rules_) {}
+        surface_(mesh, rules_, room != nullptr ? &room->embedding : nullptr) {}
 
   ImproverOutcome run() {
     shrink_greedily();
@@ -65,19 +66,29 @@ class Improver {
   void relax_all() {
     for (int s = 0; s < sweeps_after_round && !stopped_ && !control_.cancelled(); ++s) {
       const FacetComplex before = surface_.complex();
+      const Complex before_in_t = room_ != nullptr ? room_->embedding.complex() : Complex{};
       const RelaxationFigures figures = relax(surface_, rules_, best_places_, control_);
-      if (figures.moved + figures.flipped == 0) return;
+      if (figures.moved + figures.flipped == 0) break;
       outcome_.moved += figures.moved;
       outcome_.flipped += figures.flipped;
       ImproverVerdict verdict;
-      verdict.kind = SurfaceChange::Kind::relaxation;
+      verdict.kind = EventKind::relaxation;
       verdict.moved = figures.moved;
       verdict.flipped = figures.flipped;
       verdict.value = figures.largest;
       verdict.limit = input_.delta();
-      stopped_ = !observer_.accepted(difference(before, surface_.complex(), SurfaceChange::Kind::relaxation),
-                                     verdict);
+      SurfaceChange change = difference(before, surface_.complex(), EventKind::relaxation);
+      if (room_ != nullptr) change.tetrahedra = difference(before_in_t, room_->embedding.complex());
+      stopped_ = !observer_.accepted(change, verdict);
     }
+    make_room();
+  }
+
+  void make_room() {
+    if (room_ == nullptr || stopped_ || control_.cancelled()) return;
+    const std::uint32_t before = room_->embedding.clock();
+    stopped_ = !room_->make();
+    if (room_->embedding.clock() > before) surface_.room_changed(room_->embedding.changed_since(before));
   }
 
   void shrink_greedily() {
@@ -114,6 +125,7 @@ class Improver {
   const ImproverOptions& options_;
   const RunControl& control_;
   ImproverObserver& observer_;
+  const RoomInT* room_;
   InputSurface input_;
   SurfaceRules rules_;
   LiveSurface surface_;
@@ -124,10 +136,18 @@ class Improver {
 
 } // namespace
 
+ImproverOptions improver_options(const CriteriaParameters& criteria, int effort) {
+  ImproverOptions options;
+  options.effort = effort;
+  options.preserve_normals = criteria.condition_3;
+  options.shrink = criteria.shrink;
+  return options;
+}
+
 ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
-                        const ImproverOptions& options, const RunControl& control,
-                        ImproverObserver& observer) {
-  Improver improver(mesh, volume, samples, options, control, observer);
+                        const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+                        const RoomInT* room) {
+  Improver improver(mesh, volume, samples, options, control, observer, room);
   const ImproverOutcome outcome = improver.run();
   mesh = improver.result();
   return outcome;

@@ -2,8 +2,11 @@
 // guarded by certificates, exact intersection tests, link conditions and witnesses (algorithm notes §6).
 #pragma once
 
+#include "journal/journal.h"
 #include "simplify/collapse_round.h"
 #include "tolerance/tolerance_volume.h"
+
+#include <functional>
 
 namespace isoscope {
 
@@ -15,6 +18,9 @@ struct ImproverOptions {
   double shrink = 0.7;          ///< of the facet's copy for condition 3, in (0, 1]
 };
 
+/// What a run's criteria ask of the improver.
+ImproverOptions improver_options(const CriteriaParameters& criteria, int effort);
+
 struct ImproverOutcome {
   enum class End { finished, stopped };
   End end = End::finished;
@@ -22,11 +28,19 @@ struct ImproverOutcome {
   std::size_t moved = 0, flipped = 0;                   ///< in relaxation sweeps
 };
 
+/// T around Z, for an improver that stays inside it.
+struct RoomInT {
+  Embedding& embedding;
+  std::function<bool()> make; ///< collapses edges of T that leave Z where it is; false stops the improver
+};
+
 /// Improves `mesh`: a closed oriented 2-manifold without intersections, inside Ω, that separates the regions.
 /// Every change keeps that, so the result holds at whatever moment it is cancelled. `samples` may be null:
-/// then normals are not preserved. The result depends on the arguments only, not on the number of threads.
+/// then normals are not preserved. With `room`, whose
+/// embedding has `mesh` as its Z, every change is one of T too, whose tetrahedra stay positively oriented.
+/// The result depends on the arguments only, not on the number of threads.
 ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
-                        const ImproverOptions& options, const RunControl& control,
-                        ImproverObserver& observer);
+                        const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+                        const RoomInT* room = nullptr);
 
 } // namespace isoscope

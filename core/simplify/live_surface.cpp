@@ -9,8 +9,6 @@
 namespace isoscope {
 namespace {
 
-using Refusal = ImproverVerdict::Reason;
-
 Box3 box_of(const Triangle3& t) {
   Box3 box;
   for (const Vec3 p : t) box.add(p);
@@ -55,10 +53,21 @@ std::optional<std::uint32_t> broken_connectivity(const FacetComplex& surface, co
   return std::nullopt;
 }
 
+/// Gives a patch its part of T.
+void embed(const Embedding& embedding, TetPatch tets, SurfacePatch& patch) {
+  SurfacePatch::InT in_t{std::move(tets), {}, {}};
+  in_t.vertices.reserve(patch.vertices.size());
+  for (const std::uint32_t v : patch.vertices) in_t.vertices.push_back(embedding.vertex(v));
+  for (const VertexId v : in_t.tets.vertices())
+    if (const std::uint32_t w = embedding.surface_vertex(v); w != Embedding::not_on_surface)
+      in_t.looked_at.push_back(w);
+  patch.in_t = std::move(in_t);
+}
+
 } // namespace
 
-LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules)
-    : octree_(domain_of(mesh, rules.input->delta())), stamps_(mesh.points.size(), 0),
+LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding)
+    : embedding_(embedding), octree_(domain_of(mesh, rules.input->delta())), stamps_(mesh.points.size(), 0),
       collapse_stamps_(mesh.points.size(), 0) {
   complex_.points = mesh.points;
   complex_.facets.resize(mesh.triangles.size());
@@ -76,35 +85,60 @@ LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules)
   for (std::uint32_t f = 0; f < complex_.facets.size(); ++f) octree_.insert(f, box_of(complex_.triangle(f)));
 }
 
-PatchVerdict LiveSurface::check(const SurfacePatch& patch) const {
-  PatchVerdict verdict;
-  const FacetComplex& own = patch.complex;
-  if (const auto where = broken_connectivity(complex_, patch)) {
-    verdict.reason = Refusal::connectivity;
-    verdict.witness = own.points[*where];
-    return verdict;
+SurfacePatch LiveSurface::patch(std::span<const std::uint32_t> free_vertices) const {
+  SurfacePatch patch = take_patch(complex_, free_vertices);
+  if (embedding_ != nullptr) embed(*embedding_, embedding_->around(free_vertices), patch);
+  return patch;
+}
+
+std::optional<SurfacePatch> LiveSurface::flip_patch(const FlipPlan& plan) const {
+  std::optional<TetPatch> tet;
+  if (embedding_ != nullptr) {
+    tet = embedding_->tet_between({plan.a, plan.b, plan.c, plan.d});
+    if (!tet) return std::nullopt;
+    tet->change_side(0);
   }
+  SurfacePatch patch = take_facets(complex_, std::array{std::min(plan.f, plan.g), std::max(plan.f, plan.g)});
+  if (tet) embed(*embedding_, std::move(*tet), patch);
+  FlipPlan local = plan;
+  for (std::uint32_t* v : {&local.a, &local.b, &local.c, &local.d}) *v = patch.local_vertex(*v);
+  local.f = plan.f < plan.g ? 0 : 1;
+  local.g = 1 - local.f;
+  apply_flip(patch.complex, local);
+  return patch;
+}
+
+void LiveSurface::room_changed(std::span<const std::uint32_t> vertices) {
+  ++commits_;
+  for (const std::uint32_t v : vertices) stamps_[v] = collapse_stamps_[v] = commits_;
+}
+
+Refusal LiveSurface::check(const SurfacePatch& patch) const {
+  Refusal met;
+  const FacetComplex& own = patch.complex;
+  if (const auto where = broken_connectivity(complex_, patch))
+    return {Reason::zero_link_condition, 0, 0, own.points[*where]};
+  if (patch.in_t) return {}; // facets of T do not meet
   for (std::uint32_t f = 0; f < own.facets.size(); ++f) {
     if (!own.facets[f].alive() || !patch.changed(f)) continue;
     const IndexedTriangle facet{own.triangle(f), patch.surface_corners(own.facets[f].v)};
     const Box3 box = box_of(facet.points);
     const auto meets = [&](const IndexedTriangle& other) {
       if (!overlap(box, box_of(other.points)) || !intersect_properly(facet, other)) return false;
-      verdict.reason = Refusal::intersection;
-      verdict.witness = other.points[0];
+      met = {Reason::intersection, 0, 0, other.points[0]};
       return true;
     };
     for (std::uint32_t g = 0; g < own.facets.size(); ++g) {
       if (g == f || !own.facets[g].alive() || (g < f && patch.changed(g))) continue;
-      if (meets({own.triangle(g), patch.surface_corners(own.facets[g].v)})) return verdict;
+      if (meets({own.triangle(g), patch.surface_corners(own.facets[g].v)})) return met;
     }
-    const bool met = octree_.visit(box, [&](std::uint32_t slot) {
+    const bool found = octree_.visit(box, [&](std::uint32_t slot) {
       if (patch.has_slot(slot)) return false;
       return meets({complex_.triangle(slot), complex_.facets[slot].v});
     });
-    if (met) return verdict;
+    if (found) return met;
   }
-  return verdict;
+  return {};
 }
 
 bool LiveSurface::up_to_date(const SurfacePatch& patch) const {
@@ -112,18 +146,19 @@ bool LiveSurface::up_to_date(const SurfacePatch& patch) const {
     if (complex_.facets[patch.slots[f]].v != patch.surface_corners(patch.start_facets[f])) return false;
   for (std::size_t v = 0; v < patch.vertices.size(); ++v)
     if (complex_.points[patch.vertices[v]] != patch.start_points[v]) return false;
-  return true;
+  return !patch.in_t || patch.in_t->tets.up_to_date(embedding_->complex());
 }
 
-SurfaceChange LiveSurface::commit(const SurfacePatch& patch, SurfaceChange::Kind kind) {
+SurfaceChange LiveSurface::commit(const SurfacePatch& patch, EventKind kind) {
   SurfaceChange change;
   change.kind = kind;
   ++commits_;
+  const auto stamp = [&](std::uint32_t v) {
+    stamps_[v] = commits_;
+    if (kind != EventKind::relaxation) collapse_stamps_[v] = commits_;
+  };
   const auto touch = [&](const std::array<std::uint32_t, 3>& v) {
-    for (const std::uint32_t w : v) {
-      stamps_[w] = commits_;
-      if (kind != SurfaceChange::Kind::relaxation) collapse_stamps_[w] = commits_;
-    }
+    for (const std::uint32_t w : v) stamp(w);
   };
   std::vector<std::uint32_t> changed;
   for (std::uint32_t f = 0; f < patch.slots.size(); ++f) {
@@ -155,6 +190,12 @@ SurfaceChange LiveSurface::commit(const SurfacePatch& patch, SurfaceChange::Kind
   for (std::uint32_t v = 0; v < patch.vertices.size(); ++v)
     if (!patch.complex.alive_vertex(v)) change.killed_vertices.push_back(patch.vertices[v]);
   vertex_count_ -= change.killed_vertices.size();
+  if (patch.in_t) {
+    change.tetrahedra = embedding_->commit(patch.in_t->tets);
+    for (const TetRecord& t : change.tetrahedra.removed)
+      for (const VertexId v : t.v)
+        if (const std::uint32_t w = embedding_->surface_vertex(v); w != Embedding::not_on_surface) stamp(w);
+  }
   return change;
 }
 
@@ -171,7 +212,7 @@ TriangleMesh LiveSurface::compacted() const {
   return mesh;
 }
 
-SurfaceChange difference(const FacetComplex& before, const FacetComplex& after, SurfaceChange::Kind kind) {
+SurfaceChange difference(const FacetComplex& before, const FacetComplex& after, EventKind kind) {
   SurfaceChange change;
   change.kind = kind;
   for (std::uint32_t v = 0; v < before.points.size(); ++v) {

@@ -1,5 +1,6 @@
-// Names of checks and strategies, as filters, reports and scripts spell them.
+// Names of checks and choices, as filters, reports and scripts spell them.
 #include "simplify/collapse_attempt.h"
+#include "simplify/simplification.h"
 #include "simplify/target_search.h"
 
 #include <array>
@@ -18,6 +19,10 @@ std::string_view name(TargetStrategy strategy) {
   static constexpr std::array<std::string_view, 4> names{"optimum", "constraints", "sampling", "octree"};
   const auto i = static_cast<std::size_t>(strategy);
   return i < names.size() ? names[i] : "unknown";
+}
+
+std::string_view name(ImproverPlace place) {
+  return place == ImproverPlace::embedded ? "embedded" : "free";
 }
 
 } // namespace isoscope

@@ -1,6 +1,8 @@
 // Merging, relocating and flipping with measured facets.
 #include "simplify/patch_moves.h"
 
+#include "simplify/tet_flips.h"
+
 #include <algorithm>
 
 namespace isoscope {
@@ -26,25 +28,35 @@ void store(FacetComplex& complex, std::span<const Wedge> wedges, const Placement
 
 std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, const FacetComplex& complex,
                                                     std::uint32_t a, std::uint32_t b,
-                                                    const PlacementEffort& effort) {
+                                                    const PlacementEffort& effort, const Kernel* kernel) {
   if (!complex.link_condition(a, b)) return std::nullopt;
   const std::vector<Wedge> wedges = complex.merged_star(a, b);
   const Star star = make_star(complex, wedges, false);
   StarEvaluator evaluator(input, star);
   const Vec3 pa = complex.points[a], pb = complex.points[b];
-  Vec3 start = 0.5 * (pa + pb);
-  Placement best = evaluator.evaluate(start);
+  const auto allowed = [&](Vec3 p) { return kernel == nullptr || kernel->contains(p); };
+  const Vec3 middle = 0.5 * (pa + pb);
+  Placement best = evaluator.evaluate(allowed(middle) ? middle : kernel->center);
   if (effort.three_starts) {
-    for (const Vec3 p : {pa, pb})
+    for (const Vec3 p : {pa, pb}) {
+      if (!allowed(p)) continue;
       if (Placement other = evaluator.evaluate(p); other.energy < best.energy) best = std::move(other);
+    }
     best = evaluator.evaluate(best.point);
   }
-  evaluator.improve(best, effort.rounds);
+  evaluator.improve(best, effort.rounds, kernel);
   return CollapseCandidate{best.point, best.largest + (best.folded ? folded_surcharge * input.delta() : 0)};
 }
 
-void collapse_to(const InputSurface& input, FacetComplex& complex, std::uint32_t a, std::uint32_t b,
+void collapse_to(const InputSurface& input, SurfacePatch& patch, std::uint32_t a, std::uint32_t b,
                  Vec3 target) {
+  FacetComplex& complex = patch.complex;
+  if (patch.in_t) {
+    const VertexId stays = patch.in_t->vertices[a], goes = patch.in_t->vertices[b];
+    Kernel kernel; // the target was found in it, after the same flips
+    make_collapsible(patch.in_t->tets, stays, goes, kernel);
+    patch.in_t->tets.collapse(stays, goes, target);
+  }
   complex.collapse(a, b);
   complex.points[a] = target;
   const std::vector<Wedge> wedges = complex.star(a);
@@ -53,15 +65,22 @@ void collapse_to(const InputSurface& input, FacetComplex& complex, std::uint32_t
   store(complex, wedges, StarEvaluator(input, star).evaluate(target));
 }
 
-bool relocate(const InputSurface& input, FacetComplex& complex, std::uint32_t v, int rounds) {
+bool relocate(const InputSurface& input, SurfacePatch& patch, std::uint32_t v, int rounds) {
+  FacetComplex& complex = patch.complex;
   const std::vector<Wedge> wedges = complex.star(v);
   const Star star = make_star(complex, wedges, true);
   StarEvaluator evaluator(input, star);
   Placement placement = evaluator.evaluate(complex.points[v]);
   const double before = placement.energy;
-  evaluator.improve(placement, rounds);
+  if (patch.in_t) {
+    const Kernel kernel = patch.in_t->tets.kernel(patch.in_t->vertices[v]);
+    evaluator.improve(placement, rounds, &kernel);
+  } else {
+    evaluator.improve(placement, rounds);
+  }
   if (!(placement.energy < least_gain * before)) return false;
   complex.points[v] = placement.point;
+  if (patch.in_t) patch.in_t->tets.move(patch.in_t->vertices[v], placement.point);
   store(complex, wedges, placement);
   return true;
 }
@@ -112,8 +131,16 @@ std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch,
   // Between two fixed vertices there may be an edge outside of the patch.
   if (!patch.free[c] && !patch.free[d]) return std::nullopt;
   if (patch.complex.has_edge(patch.free[c] ? c : d, patch.free[c] ? d : c)) return std::nullopt;
+  std::optional<std::uint32_t> tet;
+  if (patch.in_t) {
+    const auto& in_t = patch.in_t->vertices;
+    tet = patch.in_t->tets.tet_between({in_t[a], in_t[b], in_t[c], in_t[d]});
+    if (!tet) return std::nullopt;
+  }
   const auto plan = plan_flip(input, patch.complex, f, k);
-  if (plan) apply_flip(patch.complex, *plan);
+  if (!plan) return std::nullopt;
+  apply_flip(patch.complex, *plan);
+  if (tet) patch.in_t->tets.change_side(*tet);
   return plan;
 }
 

@@ -20,16 +20,18 @@ struct PlacementEffort {
   int rounds = 4;
 };
 
-/// Places the merged vertex of ab; nothing where the link condition fails. The stars of a and b must be
-/// complete.
+/// Places the merged vertex of ab, within the kernel if one is given; nothing where the link condition fails.
+/// The stars of a and b must be complete.
 std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, const FacetComplex& complex,
                                                     std::uint32_t a, std::uint32_t b,
-                                                    const PlacementEffort& effort);
+                                                    const PlacementEffort& effort,
+                                                    const Kernel* kernel = nullptr);
 /// Merges b into a at the target and measures the new star.
-void collapse_to(const InputSurface& input, FacetComplex& complex, std::uint32_t a, std::uint32_t b,
+void collapse_to(const InputSurface& input, SurfacePatch& patch, std::uint32_t a, std::uint32_t b,
                  Vec3 target);
-/// Moves v to a better place; false where the energy of its star would not fall by half a percent.
-bool relocate(const InputSurface& input, FacetComplex& complex, std::uint32_t v, int rounds);
+/// Moves v to a better place, in T within its kernel; false where the energy of its star would not fall by
+/// half a percent.
+bool relocate(const InputSurface& input, SurfacePatch& patch, std::uint32_t v, int rounds);
 
 /// Two facets abc and bad that become adc and dbc.
 struct FlipPlan {
@@ -45,8 +47,9 @@ struct FlipPlan {
 std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
                                   std::size_t k);
 void apply_flip(FacetComplex& complex, const FlipPlan& plan);
-/// Flips an edge of a patch if that lowers the energy and the connectivity allows it. An edge between two
-/// unproven facets is left to the side that runs from the smaller to the larger id.
+/// Flips an edge of a patch if that lowers the energy and the connectivity allows it; in T that takes a
+/// tetrahedron between the two facets, which changes sides. An edge between two unproven facets is left to
+/// the side that runs from the smaller to the larger id.
 std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f,
                                  std::size_t k);
 

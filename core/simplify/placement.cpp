@@ -32,6 +32,29 @@ Vec3 solve(const Symmetric3& h, Vec3 g) {
   return Vec3{a * g.x + b * g.y + c * g.z, b * g.x + d * g.y + e * g.z, c * g.x + e * g.y + f * g.z} / det;
 }
 
+/// A step from a point of the kernel that ends inside: it slides along what blocks it, and keeps a part of
+/// the distance to each facet.
+Vec3 step_inside(const Kernel& kernel, Vec3 from, Vec3 step) {
+  constexpr double kept = 0.1;
+  constexpr int most_bends = 3;
+  Vec3 taken;
+  for (int bend = 0; bend < most_bends; ++bend) {
+    double part = 1;
+    const HalfSpace* blocking = nullptr;
+    for (const HalfSpace& h : kernel.half_spaces) {
+      const double rate = -dot(h.normal, step);
+      if (rate <= 0) continue;
+      const double reach = std::max(0., (1 - kept) * h.slack(from + taken) / rate);
+      if (reach < part) part = reach, blocking = &h;
+    }
+    taken += part * step;
+    if (blocking == nullptr) break;
+    step = (1 - part) * step;
+    step = step - dot(blocking->normal, step) * blocking->normal;
+  }
+  return taken;
+}
+
 } // namespace
 
 Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool with_extra) {
@@ -181,7 +204,7 @@ Vec3 StarEvaluator::minimax_step(double trust) const {
   return step;
 }
 
-void StarEvaluator::improve(Placement& best, int rounds) {
+void StarEvaluator::improve(Placement& best, int rounds, const Kernel* kernel) {
   best_linear_ = linear_;
   const double delta = input_->delta();
   double scale = 0;
@@ -189,10 +212,12 @@ void StarEvaluator::improve(Placement& best, int rounds) {
   double trust = std::min(most_trust * delta, 0.5 * scale);
   for (int round = 0; round < rounds; ++round) {
     Vec3 step = minimax_step(trust);
+    if (kernel != nullptr) step = step_inside(*kernel, best.point, step);
     if (length(step) < 1e-3 * delta) return;
     const double before = best.energy;
     bool improved = false;
     for (int halving = 0; halving < 3 && !improved; ++halving, step = 0.4 * step) {
+      if (kernel != nullptr && !kernel->contains(best.point + step)) continue;
       Placement candidate = evaluate(best.point + step, best.energy);
       if (!(candidate.energy < best.energy)) continue;
       best = std::move(candidate);

@@ -1,6 +1,7 @@
 // Minimax placement: where a vertex must lie so that the largest distance of its star is smallest.
 #pragma once
 
+#include "criteria/kernel.h"
 #include "simplify/facet_energy.h"
 
 #include <span>
@@ -43,7 +44,8 @@ class StarEvaluator {
   Placement evaluate(Vec3 x, double most_energy = std::numeric_limits<double>::infinity());
   /// Improves a placement that evaluate() just returned by at most `rounds` steps, each of which minimises
   /// the maximum of the linearised distances (p-norms of growing p) and is kept when the true energy falls.
-  void improve(Placement& placement, int rounds);
+  /// With a kernel, which must contain the placement's point, no step leaves it.
+  void improve(Placement& placement, int rounds, const Kernel* kernel = nullptr);
 
  private:
   /// d of a sample as a function of the vertex's displacement: d + weight · direction · Δ.

@@ -49,7 +49,7 @@ std::uint32_t run_batches(LiveSurface& surface, std::size_t n, double delta, dou
     parallel_for(batch.size(), 1, [&](std::size_t i) { batch[i] = propose(first + i); });
     for (const Proposal& p : batch) {
       if (!p.wanted || !surface.up_to_date(p.patch) || !surface.check(p.patch).accepted()) continue;
-      surface.commit(p.patch, SurfaceChange::Kind::relaxation);
+      surface.commit(p.patch, EventKind::relaxation);
       largest = std::max(largest, p.patch.largest_distance(delta));
       ++committed;
     }
@@ -59,7 +59,7 @@ std::uint32_t run_batches(LiveSurface& surface, std::size_t n, double delta, dou
 
 Proposal propose_relocation(const LiveSurface& surface, const SurfaceRules& rules, std::uint32_t v) {
   Proposal p;
-  p.patch = take_patch(surface.complex(), std::array{v});
+  p.patch = surface.patch(std::array{v});
   const auto verdict = relocate_vertex(rules, p.patch, p.patch.local_vertex(v));
   p.wanted = verdict && verdict->accepted();
   p.best = !verdict;
@@ -75,12 +75,9 @@ Proposal propose_flip(const LiveSurface& surface, const SurfaceRules& rules, std
     if (!plan || complex.stars[plan->a].size() <= 3 || complex.stars[plan->b].size() <= 3 ||
         complex.has_edge(plan->c, plan->d))
       continue;
-    p.patch = take_facets(complex, std::array{std::min(plan->f, plan->g), std::max(plan->f, plan->g)});
-    FlipPlan local = *plan;
-    for (std::uint32_t* v : {&local.a, &local.b, &local.c, &local.d}) *v = p.patch.local_vertex(*v);
-    local.f = plan->f < plan->g ? 0 : 1;
-    local.g = 1 - local.f;
-    apply_flip(p.patch.complex, local);
+    std::optional<SurfacePatch> patch = surface.flip_patch(*plan);
+    if (!patch) continue;
+    p.patch = std::move(*patch);
     p.wanted = check_patch(rules, p.patch).accepted();
     if (p.wanted) break;
   }

@@ -3,6 +3,7 @@
 
 #include "criteria/nearest_sample.h"
 #include "simplify/collapse_stage.h"
+#include "simplify/embedded_improvement.h"
 #include "simplify/free_improvement.h"
 #include "simplify/live_complex.h"
 #include "simplify/stage_log.h"
@@ -99,6 +100,17 @@ struct Simplification::Impl {
     live.reset();
   }
 
+  void improve() {
+    if (live && parameters.improver == ImproverPlace::embedded) {
+      // A vertex of Γ that goes to a vertex of Z leaves Z as it is and takes tetrahedra out of its way.
+      const auto make_room = [this] { collapse(EdgeKind::mixed, true, most_rounds); };
+      improve_embedded_zero_set(*live, context, parameters.effort, make_room, log);
+      return;
+    }
+    if (live) leave();
+    if (!log.stopped()) improve_free_zero_set(free, context, parameters.effort, log);
+  }
+
   Status run_stage(Stage stage) {
     log.begin(stage);
     switch (stage) {
@@ -117,8 +129,7 @@ struct Simplification::Impl {
       all_edges();
       break;
     case Stage::improve:
-      if (live) leave();
-      if (!log.stopped()) improve_free_zero_set(free, context, parameters.effort, log);
+      improve();
       break;
     default:
       break;

@@ -11,8 +11,16 @@
 
 #include <array>
 #include <memory>
+#include <string_view>
 
 namespace isoscope {
+
+/// Where the improver works (algorithm notes §6).
+enum class ImproverPlace : std::uint8_t {
+  free,    ///< on Z alone: it leaves T first
+  embedded ///< inside T: what keeps the embedding where Ω is no thickening
+};
+std::string_view name(ImproverPlace);
 
 /// What to do after refinement, and how hard to try.
 struct SimplificationParameters {
@@ -21,6 +29,7 @@ struct SimplificationParameters {
   TargetStrategy target = TargetStrategy::constraints; ///< how targets are looked for in kernels
   CostRing ring = CostRing::one;                       ///< whose planes make the error
   int effort = 2;                                      ///< of the improver, 0 to 3
+  ImproverPlace improver = ImproverPlace::free;
   friend bool operator==(const SimplificationParameters&, const SimplificationParameters&) = default;
 };
 

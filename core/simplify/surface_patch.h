@@ -2,7 +2,9 @@
 #pragma once
 
 #include "simplify/facet_complex.h"
+#include "simplify/tet_patch.h"
 
+#include <optional>
 #include <span>
 
 namespace isoscope {
@@ -17,6 +19,14 @@ struct SurfacePatch {
   std::vector<Vec3> start_points;      ///< as they were taken from the surface
   std::vector<std::array<std::uint32_t, 3>> start_facets;
   std::uint32_t start_misoriented = 0; ///< failed tests of all facets
+
+  /// What it holds of T, where Z is improved inside it.
+  struct InT {
+    TetPatch tets;
+    std::vector<VertexId> vertices;       ///< by local vertex
+    std::vector<std::uint32_t> looked_at; ///< vertices of the surface that are corners of the tetrahedra
+  };
+  std::optional<InT> in_t;
 
   std::uint32_t local_vertex(std::uint32_t surface_vertex) const;
   bool has_slot(std::uint32_t slot) const;

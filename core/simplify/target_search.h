@@ -8,6 +8,7 @@
 #include "journal/event.h"
 #include "mesh/edge_star.h"
 #include "simplify/collapse_attempt.h"
+#include "simplify/refusal.h"
 
 #include <functional>
 #include <optional>
@@ -26,10 +27,9 @@ enum class TargetStrategy : std::uint8_t {
 };
 
 /// What the judge says of a point: the checks that depend on where it lies.
-struct TargetVerdict {
-  Reason reason = Reason::none; ///< none: the point can be the target
-  double value = 0, limit = 0;
-  Vec3 witness;
+struct TargetVerdict : Refusal {
+  TargetVerdict() = default;
+  TargetVerdict(const Refusal& refusal) : Refusal(refusal) {}
   /// A half-space that the target must lie in to avoid this failure, to first order.
   std::optional<HalfSpace> learnt;
   /// Targets that fail for the same reason: they are not asked for again.

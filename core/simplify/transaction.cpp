@@ -11,8 +11,6 @@
 namespace isoscope {
 namespace {
 
-using Refusal = ImproverVerdict::Reason;
-
 constexpr std::size_t certificate_budget = 4000;
 /// A point above this share of δ counts as a violation: deciding closer to δ takes many more pieces and gains
 /// nothing.
@@ -57,15 +55,6 @@ Proof prove(const InputSurface& input, FacetComplex& complex) {
   return proof;
 }
 
-PatchVerdict refuse(Refusal reason, double value, double limit, Vec3 witness) {
-  PatchVerdict verdict;
-  verdict.reason = reason;
-  verdict.value = value;
-  verdict.limit = limit;
-  verdict.witness = witness;
-  return verdict;
-}
-
 /// Condition 3 of the changed facets. Where more tests fail than before, the failed ones become samples of
 /// their facets.
 PatchVerdict check_orientation(const SurfaceRules& rules, SurfacePatch& patch) {
@@ -81,8 +70,8 @@ PatchVerdict check_orientation(const SurfaceRules& rules, SurfacePatch& patch) {
     if (!failures.empty()) failed.emplace_back(f, std::move(failures));
   }
   if (after <= before) return {};
-  PatchVerdict verdict = refuse(Refusal::orientation, after, before,
-                                patch.complex.points[patch.complex.facets[failed.front().first].v[0]]);
+  PatchVerdict verdict = Refusal{Reason::normals, double(after), double(before),
+                                 patch.complex.points[patch.complex.facets[failed.front().first].v[0]]};
   verdict.points_added = after;
   for (const auto& [f, sides] : failed) {
     Facet& facet = patch.complex.facets[f];
@@ -102,10 +91,10 @@ PatchVerdict check_shape(const SurfaceRules& rules, SurfacePatch& patch) {
     const Facet& facet = patch.complex.facets[f];
     if (!facet.alive()) continue;
     after.push_back(patch.complex.triangle(facet));
-    if (facet.folded || is_degenerate(after.back())) return refuse(Refusal::folded, 0, 0, after.back()[0]);
+    if (facet.folded || is_degenerate(after.back())) return Refusal{Reason::folded, 0, 0, after.back()[0]};
   }
   if (const auto swept = swept_witness(rules.witnesses, before, after))
-    return refuse(Refusal::witness, 0, 0, *swept);
+    return Refusal{Reason::witness_side, 0, 0, *swept};
   return rules.orientation ? check_orientation(rules, patch) : PatchVerdict{};
 }
 
@@ -151,7 +140,7 @@ void sweep(const InputSurface& input, SurfacePatch& patch, Settled& settled, Rep
   std::sort(order.begin(), order.end());
   for (const auto& [key, v] : order) {
     settled[v] = 1;
-    if (!relocate(input, complex, v, relocation_rounds)) continue;
+    if (!relocate(input, patch, v, relocation_rounds)) continue;
     for (const std::uint32_t f : complex.stars[v]) unsettle(complex.facets[f], settled);
     ++record.moved;
   }
@@ -165,8 +154,8 @@ void sweep(const InputSurface& input, SurfacePatch& patch, Settled& settled, Rep
 }
 
 /// Whether samples were added because of this reason, so that moving vertices may help.
-bool can_be_repaired(Refusal reason) {
-  return reason == Refusal::certificate || reason == Refusal::orientation;
+bool can_be_repaired(Reason reason) {
+  return reason == Reason::outside_tolerance || reason == Reason::normals;
 }
 
 PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const RepairOptions& options) {
@@ -192,7 +181,8 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
       const double excess = level.largest - limit, gain = last;
       const bool hopeless = excess > 0 && ((s > 3 && gain <= 0.002 * delta) ||
                                            (s > 2 && excess > 1.6 * gain * (options.sweeps - s)));
-      verdict = refuse(level.folded ? Refusal::folded : Refusal::distance, level.largest, limit, level.where);
+      verdict =
+          Refusal{level.folded ? Reason::folded : Reason::stays_above, level.largest, limit, level.where};
       if (s >= options.sweeps || hopeless) break;
       last = level.largest;
     }
@@ -209,11 +199,11 @@ PatchVerdict settle(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_
   for (int attempt = 0;; ++attempt) {
     const Level level = measure(patch.complex);
     if (level.largest > rules.sampled_limit())
-      return refuse(Refusal::distance, level.largest, rules.sampled_limit(), level.where);
-    if (level.folded) return refuse(Refusal::folded, 0, 0, level.where);
+      return Refusal{Reason::stays_above, level.largest, rules.sampled_limit(), level.where};
+    if (level.folded) return Refusal{Reason::folded, 0, 0, level.where};
     PatchVerdict verdict = check_patch(rules, patch);
     if (!can_be_repaired(verdict.reason) || attempt == retries ||
-        !relocate(*rules.input, patch.complex, v, relocation_rounds))
+        !relocate(*rules.input, patch, v, relocation_rounds))
       return verdict;
   }
 }
@@ -222,20 +212,21 @@ PatchVerdict settle(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_
 
 PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
                                   std::uint32_t b, Vec3 target, const RepairOptions& options) {
-  collapse_to(*rules.input, patch.complex, a, b, target);
+  collapse_to(*rules.input, patch, a, b, target);
   if (options.sweeps > 0) return repair(rules, patch, options);
   return settle(rules, patch, a, collapse_retries);
 }
 
 std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v) {
-  if (!relocate(*rules.input, patch.complex, v, relocation_rounds)) return std::nullopt;
+  if (!relocate(*rules.input, patch, v, relocation_rounds)) return std::nullopt;
   return settle(rules, patch, v, relocation_retries);
 }
 
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch) {
   const Proof proof = prove(*rules.input, patch.complex);
   if (proof.failures == 0) return check_shape(rules, patch);
-  PatchVerdict verdict = refuse(Refusal::certificate, proof.distance, rules.input->delta(), proof.witness);
+  PatchVerdict verdict =
+      Refusal{Reason::outside_tolerance, proof.distance, rules.input->delta(), proof.witness};
   verdict.points_added = proof.failures;
   return verdict;
 }

@@ -26,14 +26,12 @@ struct RepairOptions {
 };
 
 /// The outcome for the patch: accepted, or the first reason against it with its figures.
-struct PatchVerdict {
-  ImproverVerdict::Reason reason = ImproverVerdict::Reason::accepted;
-  double value = 0, limit = 0;
-  Vec3 witness;
+struct PatchVerdict : Refusal {
+  PatchVerdict() = default;
+  PatchVerdict(const Refusal& refusal) : Refusal(refusal) {}
   std::uint32_t points_added = 0; ///< samples that the failed check has added to the facets
   std::vector<RepairSweep> sweeps;
   std::uint32_t moved = 0, flipped = 0;
-  bool accepted() const { return reason == ImproverVerdict::Reason::accepted; }
 };
 
 /// Merges b into a (local ids) at the target and repairs the patch until it is proven inside Ω. Everything is

@@ -28,7 +28,7 @@ class Printer : public ImproverObserver {
  public:
   explicit Printer(std::size_t vertices) : vertices_(vertices) {}
   bool accepted(const SurfaceChange& change, const ImproverVerdict& verdict) override {
-    if (change.kind != last_ || change.kind == SurfaceChange::Kind::relaxation) print();
+    if (change.kind != last_ || change.kind == EventKind::relaxation) print();
     last_ = change.kind;
     vertices_ -= change.killed_vertices.size();
     ++accepted_;
@@ -59,7 +59,7 @@ class Printer : public ImproverObserver {
 
  private:
   double start_ = seconds(), processor_start_ = processor_seconds();
-  SurfaceChange::Kind last_ = SurfaceChange::Kind::collapse;
+  EventKind last_ = EventKind::collapse;
   std::size_t vertices_, accepted_ = 0, moved_ = 0, flipped_ = 0, sweeps_ = 0;
   std::map<int, std::size_t> rejected_;
 };

@@ -88,9 +88,8 @@ TEST_CASE("a sphere gets near the optimum, and more effort never needs more vert
     check_valid(mesh, start, 2);
     CHECK(mesh.points.size() <= last);
     last = mesh.points.size();
-    const bool relaxed =
-        std::any_of(listener.changes.begin(), listener.changes.end(),
-                    [](const SurfaceChange& c) { return c.kind == SurfaceChange::Kind::relaxation; });
+    const bool relaxed = std::any_of(listener.changes.begin(), listener.changes.end(),
+                                     [](const SurfaceChange& c) { return c.kind == EventKind::relaxation; });
     CHECK(relaxed == (effort > 0));
     CHECK((outcome.repairs > 0) == (effort > 1));
   }
@@ -115,8 +114,8 @@ TEST_CASE("the changes replay the run, and every decision names its reason") {
   for (const ImproverVerdict& v : listener.rejections) {
     CHECK_FALSE(v.accepted());
     CHECK(v.a < v.b);
-    if (v.reason == ImproverVerdict::Reason::distance) CHECK(v.value > v.limit);
-    if (v.reason == ImproverVerdict::Reason::certificate)
+    if (v.reason == Reason::stays_above) CHECK(v.value > v.limit);
+    if (v.reason == Reason::outside_tolerance)
       CHECK(start.volume->index().distance(v.witness) == doctest::Approx(v.value));
   }
 }

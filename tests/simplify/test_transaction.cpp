@@ -11,7 +11,6 @@
 
 using namespace isoscope;
 using isoscope::testing::Start;
-using Refusal = ImproverVerdict::Reason;
 
 namespace {
 
@@ -47,7 +46,7 @@ TEST_CASE("a collapse that would move the surface across a witness is refused fo
   CHECK(attempt().accepted());
   bench.rules.witnesses = {{0.9, 0.02, 0}}; // inside of the octahedron, outside of what would be left
   const PatchVerdict verdict = attempt();
-  CHECK(verdict.reason == Refusal::witness);
+  CHECK(verdict.reason == Reason::witness_side);
   CHECK(verdict.witness == bench.rules.witnesses[0]);
   bench.rules.witnesses = {{0, 0, 0}, {3, 0, 0}};
   CHECK(attempt().accepted());
@@ -56,7 +55,7 @@ TEST_CASE("a collapse that would move the surface across a witness is refused fo
 TEST_CASE("every edge of a sphere: accepted patches are proven, refused ones say why, the surface stays") {
   const Bench bench(sphere(), 4);
   const LiveSurface surface(bench.start.mesh, bench.rules);
-  std::map<Refusal, std::size_t> reasons;
+  std::map<Reason, std::size_t> reasons;
   for (const Facet& f : surface.complex().facets) {
     const std::uint32_t a = f.v[0], b = f.v[1];
     if (a > b) continue;
@@ -82,7 +81,7 @@ TEST_CASE("every edge of a sphere: accepted patches are proven, refused ones say
         if (!patch.free[v]) CHECK(patch.complex.points[v] == patch.start_points[v]);
     }
   }
-  CHECK(reasons[Refusal::accepted] > 100);
+  CHECK(reasons[Reason::none] > 100);
   CHECK(surface.commits() == 0);
   CHECK(surface.compacted().points == bench.start.mesh.points);
   CHECK(surface.compacted().triangles == bench.start.mesh.triangles);
@@ -97,10 +96,10 @@ TEST_CASE("a patch that meets a facet elsewhere, or doubles an edge, cannot be c
   SurfacePatch patch = take_patch(surface.complex(), std::array{0u});
   CHECK(surface.check(patch).accepted());
   patch.complex.points[patch.local_vertex(0)] = -1.0 * surface.complex().points[0]; // across the hole
-  CHECK(surface.check(patch).reason == Refusal::intersection);
+  CHECK(surface.check(patch).reason == Reason::intersection);
   patch.complex.points[patch.local_vertex(0)] = 1.01 * surface.complex().points[0];
   REQUIRE(surface.check(patch).accepted());
-  const SurfaceChange change = surface.commit(patch, SurfaceChange::Kind::relaxation);
+  const SurfaceChange change = surface.commit(patch, EventKind::relaxation);
   CHECK(change.moves.size() == 1);
   CHECK(change.removed.empty());
   CHECK(surface.stamp(0) == 1);

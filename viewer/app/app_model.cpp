@@ -60,7 +60,8 @@ bool AppModel::draft_needs_restart() const {
   return draft.input != p.input || draft.tolerance.value != p.tolerance.value ||
          draft.tolerance.percent != p.tolerance.percent || draft.containment != p.containment ||
          draft.topology != p.topology || draft.until != p.until || draft.skipped != p.skipped ||
-         draft.target != p.target || draft.cost_ring != p.cost_ring || draft.effort != p.effort;
+         draft.target != p.target || draft.cost_ring != p.cost_ring || draft.effort != p.effort ||
+         draft.improver != p.improver;
 }
 
 bool AppModel::draft_differs() const {

@@ -122,6 +122,9 @@ void add_stages(Table& t) {
       [](auto& m) -> auto& { return m.draft.cost_ring; });
   add_number(
       t, "effort", "of the improver, 0 to 3", [](auto& m) -> auto& { return m.draft.effort; }, 0, 3);
+  add_choice(
+      t, "improver", "on Z alone or inside T", {"free", "embedded"},
+      [](auto& m) -> auto& { return m.draft.improver; });
 }
 
 Status set_normal(AppModel& m, const std::string& text) {

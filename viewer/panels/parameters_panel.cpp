@@ -158,6 +158,14 @@ void stages(Ui& ui, RunParameters& p) {
   label(ui, "effort", "Effort of the improver",
         "0 to 3: more rounds of relocation and repair for fewer vertices. Needs a restart.", 26);
   if (widgets::segmented(ui, "effort", efforts, effort)) p.effort = effort;
+  constexpr std::array<const char*, 2> places{"Z alone", "inside T"};
+  int place = static_cast<int>(p.improver);
+  label(ui, "improver", "Where the improver works",
+        "On Z alone it gets by with fewer vertices; inside T every step keeps the embedding, which is the "
+        "proof "
+        "where Ω is no thickening. Needs a restart.",
+        26);
+  if (widgets::segmented(ui, "improver", places, place)) p.improver = static_cast<ImproverPlace>(place);
 }
 
 void preview_line(const Ui& ui, const char* name, std::size_t now, std::size_t then, bool known) {

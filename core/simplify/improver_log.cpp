@@ -1,0 +1,37 @@
+// Fills events from verdicts.
+#include "simplify/improver_log.h"
+
+namespace isoscope {
+
+bool ImproverLog::accepted(const SurfaceChange& change, const ImproverVerdict& verdict) {
+  Delta delta = follow(change);
+  Event e = event(verdict);
+  e.kind = change.kind;
+  e.reason = Reason::minimax_placement;
+  if (change.kind == EventKind::relaxation) e.vertex = e.other = VertexId();
+  log_.operation(e, std::move(delta), figures());
+  return !log_.stopped();
+}
+
+bool ImproverLog::rejected(const ImproverVerdict& verdict) {
+  Event e = event(verdict);
+  e.kind = EventKind::rejection;
+  e.reason = verdict.reason;
+  log_.event(e);
+  return !log_.stopped();
+}
+
+Event ImproverLog::event(const ImproverVerdict& v) {
+  Event e;
+  e.vertex = vertex(v.a);
+  e.other = vertex(v.b);
+  e.point = v.target;
+  e.value = v.value;
+  e.limit = v.accepted() ? delta_ : v.limit;
+  e.witness = v.witness;
+  e.count = v.moved;
+  if (!v.sweeps.empty()) e.detail = log_.repair(v.sweeps);
+  return e;
+}
+
+} // namespace isoscope
