@@ -106,6 +106,34 @@ std::optional<std::uint32_t> edge_event(const Journal& journal, Step step, Verte
   return std::nullopt;
 }
 
+std::optional<Vec3> witness_of(const EdgeXray& xray, const CollapseAttempt& attempt, CollapseCheck check) {
+  const CheckVerdict& verdict = attempt.check(check);
+  if (verdict.state == CheckVerdict::State::skipped) return std::nullopt;
+  const auto middle = [&](const std::vector<std::vector<VertexId>>& simplices) -> std::optional<Vec3> {
+    if (simplices.empty()) return std::nullopt;
+    Vec3 sum;
+    for (const VertexId v : simplices.front())
+      for (const auto& w : xray.star.vertices)
+        if (w.id == v) sum += w.position;
+    return sum / static_cast<double>(simplices.front().size());
+  };
+  switch (check) {
+  case CollapseCheck::eligible:
+    return 0.5 * (xray.star.vertices[0].position + xray.star.vertices[1].position);
+  case CollapseCheck::link:
+    return middle(attempt.link.offending_t);
+  case CollapseCheck::zero_link:
+    return middle(attempt.link.offending_zero);
+  case CollapseCheck::candidates:
+    return attempt.tried > 0 ? std::optional(verdict.witness) : std::nullopt;
+  default:
+    // A check that passed without a number has nothing to show.
+    return verdict.state == CheckVerdict::State::failed || verdict.witness != Vec3{}
+               ? std::optional(verdict.witness)
+               : std::nullopt;
+  }
+}
+
 std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion& question,
                                   const XrayContext& context) {
   const Event* event = question.event && *question.event < context.journal.events().size()

@@ -70,6 +70,10 @@ struct EdgeXray {
 /// it and the next one.
 std::optional<std::uint32_t> edge_event(const Journal& journal, Step step, VertexId a, VertexId b);
 
+/// Where to look for what a check says: its witness, the offending simplices, the middle of the kernel;
+/// nothing where there is no such place. `attempt` is that of the X-ray or of a target that was studied.
+std::optional<Vec3> witness_of(const EdgeXray& xray, const CollapseAttempt& attempt, CollapseCheck check);
+
 /// Judges the edge on the state. Nothing where T has no such edge: it is not there at this step, or Z has
 /// left T.
 std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion& question,
