@@ -67,12 +67,19 @@ bool TargetHandle::update(Ui& ui, ImVec2 low, ImVec2 size, bool hovered) {
     depth_ = std::abs(dot(*handle - m.camera.eye(), m.camera.to_world({0, 0, -1})));
     return true;
   }
-  if (ImGui::IsAnyMouseDown()) return false;
+  if (ImGui::IsAnyMouseDown() && !ImGui::IsMouseClicked(0)) return false;
   std::optional<std::uint32_t> nearest;
   double least = 0;
   for (std::uint32_t i = 0; i < xray->attempt.candidates.size(); ++i) {
     const double d = distance_to(ui, xray->attempt.candidates[i].point, mouse, size);
     if (d >= 0 && (!nearest || d < least)) nearest = i, least = d;
+  }
+  if (nearest && ImGui::IsMouseClicked(0)) {
+    dragging_ = true;
+    const Vec3 point = xray->attempt.candidates[*nearest].point;
+    m.selection.try_target(point, nearest);
+    depth_ = std::abs(dot(point - m.camera.eye(), m.camera.to_world({0, 0, -1})));
+    return true;
   }
   m.selection.hovered_candidate = nearest;
   return false;
