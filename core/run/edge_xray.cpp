@@ -172,7 +172,8 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
     out.settings = settings_for(kind, halfedge, context.parameters);
     if (octree) out.settings.search.strategy = TargetStrategy::octree;
     out.attempt = evaluate_collapse(out.star, out.settings, evaluation, EvaluationDetail::full, targets);
-    if (event != nullptr) out.agrees = same_verdict(out.attempt, *event);
+    if (event != nullptr && question.target == XrayTarget::automatic)
+      out.agrees = same_verdict(out.attempt, *event);
   };
   const bool usual = kind == EdgeKind::gamma && !by_samples;
   judge(question.target == XrayTarget::automatic ? usual : question.target == XrayTarget::halfedge);

@@ -62,7 +62,8 @@ struct EdgeXray {
   Pruning pruning;
   /// How many candidates each reason rejected; Reason::none: taken.
   std::array<std::uint32_t, reason_count> candidates{};
-  /// Where an event was asked about: whether the journal says the same, numbers and all.
+  /// Where an event was asked about, and no other search than the stage's: whether the journal says the same,
+  /// numbers and all.
   std::optional<bool> agrees;
 };
 

@@ -114,44 +114,29 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
   const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
   widgets::draw_text(list, ui.fonts.mono,
                      {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
-                     to_u32(asked ? ui.colors.text : ui.colors.quiet, asked ? 1.0f : 0.7f), value);
-  ImGui::SetCursorScreenPos({at.x, at.y + high});
-}
-
-Reason reason_of(CollapseCheck check, const CollapseAttempt& attempt) {
-  switch (check) {
-  case CollapseCheck::classification:
-    return Reason::misclassified;
-  case CollapseCheck::containment:
-    return Reason::outside_tolerance;
-  case CollapseCheck::normals:
-    return Reason::normals;
-  case CollapseCheck::candidates:
-    return attempt.rejected;
-  default:
-    return Reason::none;
+                     to_u32(!asked                          ? ui.colors.quiet
+                            : v.state == CheckState::failed ? ui.colors.bad_text
+                                                            : ui.colors.text,
+                            asked ? 1.0f : 0.7f),
+                     value);
+  if (v.seconds > 0) {
+    const std::string time = time_text(v.seconds);
+    const float small = ui.fonts.small->FontSize;
+    const float room = std::max(extent, ui.px(104)) + ui.px(10);
+    const float taken = ui.fonts.small->CalcTextSizeA(small, 1e9f, 0, time.c_str()).x;
+    widgets::draw_text(list, ui.fonts.small, {at.x + width - room - taken, y}, to_u32(ui.colors.quiet, 0.8f),
+                       time);
   }
+  ImGui::SetCursorScreenPos({at.x, at.y + high});
 }
 
 void ladder(Ui& ui, const EdgeXray& x) {
   subtitle(ui, "Checks");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
-  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
   double seconds = 0;
-  for (const CheckVerdict& v : x.attempt.checks) seconds += v.seconds;
-  const bool failed_search = x.attempt.check(CollapseCheck::candidates).state == CheckState::failed;
   for (std::size_t i = 0; i < collapse_check_count; ++i) {
-    const auto check = static_cast<CollapseCheck>(i);
-    check_row(ui, x, check);
-    const CheckVerdict& v = x.attempt.check(check);
-    // The numbers of a search that failed are those of its candidate of least error, told by the check behind
-    // it.
-    if (v.state != CheckState::failed || (check == CollapseCheck::candidates && failed_search)) continue;
-    const Measured m = measured(reason_of(check, x.attempt), v.value, v.limit, delta);
-    if (!m.number) continue;
-    ImGui::Indent(ui.px(20));
-    measured_row(ui, "against the limit", m);
-    ImGui::Unindent(ui.px(20));
+    check_row(ui, x, static_cast<CollapseCheck>(i));
+    seconds += x.attempt.checks[i].seconds;
   }
   ImGui::PopStyleVar();
   widgets::quiet_text(ui, "all of it in " + time_text(seconds));
@@ -206,6 +191,9 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   }
   const auto event = m.selected_event();
   if (xray) verdict(ui, *xray);
+  // What is tried comes first: it is what changes.
+  const bool tried = m.selection.what_if.has_value();
+  if (xray && tried) what_if(ui, *xray);
   if (event) {
     ImGui::Dummy({0, ui.px(2)});
     event_details(ui, *m.run.journal, *event);
@@ -213,7 +201,7 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   if (xray) {
     ladder(ui, *xray);
     offenders(ui, xray->attempt.link);
-    what_if(ui, *xray);
+    if (!tried) what_if(ui, *xray);
     candidates(ui, *xray);
     search_regions(ui, *xray);
     kernel(ui, *xray);

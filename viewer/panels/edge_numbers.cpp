@@ -10,6 +10,9 @@
 namespace isoscope::panels {
 namespace {
 
+/// Of δ: half-spaces that miss by less share boundary points, and nothing inside.
+constexpr double touching = 1e-9;
+
 double delta_of(const EdgeXray& x) {
   return x.criteria.delta > 0 ? x.criteria.delta : 1;
 }
@@ -64,6 +67,7 @@ std::string check_text(CollapseCheck check, const CheckVerdict& v, const Collaps
                        double delta) {
   switch (check) {
   case CollapseCheck::kernel:
+    if (v.value <= 0 && -v.value < touching * delta) return "no room";
     return (v.value > 0 ? "r = " : "misses ") + short_number(std::abs(v.value) / delta) + " δ";
   case CollapseCheck::candidates:
     if (attempt.found_by == Reason::user && attempt.candidates.empty())
@@ -76,14 +80,15 @@ std::string check_text(CollapseCheck check, const CheckVerdict& v, const Collaps
     return simplices.empty() ? std::string() : grouped(simplices.size()) + " simplices";
   }
   case CollapseCheck::witness:
-    return v.witness == Vec3{} ? "none near" : short_number(v.value) + " > 0";
+    return v.witness == Vec3{} ? "none near" : short_number(v.value) + (v.value > 0 ? " > 0" : " ≤ 0");
   default:
     break;
   }
   const Measured m = measured(reason_of(check), v.value, v.limit, delta);
   if (!m.number || (v.witness == Vec3{} && v.value == 0)) return {};
-  return number_beside(m.value, m.limit) + (m.upper ? " / " : " > ") + short_number(m.limit) +
-         (*m.unit ? " " : "") + m.unit;
+  const std::string limit = m.limit == 1 ? "1" : m.limit == 0 ? "0" : short_number(m.limit);
+  const std::string_view sign = m.upper ? " / " : m.value > m.limit ? " > " : " ≤ ";
+  return number_beside(m.value, m.limit) + std::string(sign) + limit + (*m.unit ? " " : "") + m.unit;
 }
 
 void candidates(Ui& ui, const EdgeXray& x) {
@@ -136,8 +141,13 @@ void kernel(Ui& ui, const EdgeXray& x) {
   if (k.empty) {
     widgets::value_row(ui, "half-spaces without a common point", grouped(k.witness.size()),
                        ui.colors.bad_text);
-    widgets::value_row(ui, "each misses by",
-                       short_number(k.missing_slack / delta) + " δ  (" + short_number(k.missing_slack) + ")");
+    if (k.missing_slack < touching * delta) {
+      widgets::quiet_text(ui, "They share points of their boundaries and nothing inside: there is no room.",
+                          true);
+      return;
+    }
+    widgets::value_row(ui, "each misses by", short_number(k.missing_slack / delta) + " δ");
+    widgets::value_row(ui, "as a length", short_number(k.missing_slack));
     float& push = ui.model.view.kernel_push;
     const std::string shown =
         "pushed " + short_number(static_cast<double>(push) * k.missing_slack / delta) + " δ";

@@ -88,7 +88,7 @@ void snap_buttons(Ui& ui) {
 void what_if(Ui& ui, const EdgeXray& x) {
   subtitle(ui, "What if the target were elsewhere?");
   const Selection& selection = ui.model.selection;
-  if (!selection.what_if && !selection.hovered_candidate) {
+  if (!selection.what_if) {
     if (widgets::plain_button(ui, "Try a target", true, ImGui::GetContentRegionAvail().x))
       ui.commands.post("what-if");
     widgets::tip(ui, "Try a target", "Or take the target in the view and drag it. Key M.");
