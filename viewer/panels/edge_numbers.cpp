@@ -152,7 +152,7 @@ void kernel(Ui& ui, const EdgeXray& x) {
     const std::string shown =
         "pushed " + short_number(static_cast<double>(push) * k.missing_slack / delta) + " δ";
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    widgets::slider(ui, "push", push, 0, 1, shown.c_str());
+    widgets::slider(ui, "##push", push, 0, 1, shown.c_str());
     widgets::tip(
         ui, "Push the planes",
         "Moves the planes outwards; at the right end all of them meet in one point, the one that misses "
