@@ -15,6 +15,7 @@
 #include "scene/renderer.h"
 #include "scene/view_settings.h"
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -114,8 +115,9 @@ class AppModel {
   Overlay overlay = Overlay::none;
   std::deque<Message> messages;
   WindowRequests requests;
-  double clock = 0;      ///< seconds since the start
-  bool scripted = false; ///< no easing, nothing remembered, following is immediate
+  std::array<float, 4> scene_area{}; ///< where the 3D view lies in the window: low x, y, width, height
+  double clock = 0;                  ///< seconds since the start
+  bool scripted = false;             ///< no easing, nothing remembered, following is immediate
   std::string failed_expectation;
 
   /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ.

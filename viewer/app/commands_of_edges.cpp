@@ -3,9 +3,11 @@
 #include "app/icons.h"
 #include "app/named_values.h"
 #include "run/target_study.h"
+#include "scene/overlay.h"
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -106,6 +108,29 @@ Status go_to_candidate(M& m, const A& a) {
   return {};
 }
 
+/// As the mouse does it; scripts know no place on the screen.
+Status drag_target(M& m, const A& a) {
+  const auto xray = m.xray();
+  if (!xray) return no_xray();
+  std::array<float, 2> by{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto number = a.size() == 2 ? parse_number(a[i]) : Result<double>(Error{});
+    if (!number) return Error{ErrorCode::usage, "By how many pixels?", "It is used so: drag-target DX DY"};
+    by.at(i) = static_cast<float>(*number);
+  }
+  const auto [x, y, width, height] = m.scene_area;
+  const ScreenPoint at = project(m.camera, m.selection.what_if.value_or(first_target(*xray)),
+                                 static_cast<double>(width), static_cast<double>(height));
+  if (!at.visible) return Error{ErrorCode::usage, "The target is not in sight.", ""};
+  const float from_x = x + static_cast<float>(at.x), from_y = y + static_cast<float>(at.y);
+  constexpr int moves = 8;
+  for (int i = -2; i <= moves + 1; ++i) {
+    const float t = static_cast<float>(std::clamp(i, 0, moves)) / moves;
+    m.requests.mouse.push_back({from_x + t * by[0], from_y + t * by[1], 0, i >= 0 && i <= moves});
+  }
+  return {};
+}
+
 bool has_xray(const M& m) {
   return m.xray() != nullptr;
 }
@@ -167,6 +192,17 @@ std::vector<Command> edge_commands() {
          return nudge(m, {0, -1, 0});
        },
        has_xray},
+      {.name = "drag-target",
+       .title = "Drag the target",
+       .usage = "DX DY",
+       .help = "Drags the target that is tried with the mouse, by pixels.",
+       .menu = "",
+       .icon = nullptr,
+       .keys = {},
+       .run = drag_target,
+       .enabled = has_xray,
+       .checked = nullptr,
+       .for_scripts = true},
       {"next-candidate",
        "Next candidate",
        "",

@@ -55,7 +55,7 @@ void add_xray_numbers(NamedTable& t) {
      [](const EdgeXray& x) { return count(x.attempt.link.offending_t.size()); });
   of("offenders_zero", "the same in Z",
      [](const EdgeXray& x) { return count(x.attempt.link.offending_zero.size()); });
-  of("psi", "Ψ that the search met",
+  of("psi_count", "Ψ that the search met",
      [](const EdgeXray& x) { return count(x.attempt.invalid_regions.size()); });
   of("cells_pruned", "octree cells left out for Ψ", [](const EdgeXray& x) { return count(x.pruning.cells); });
   of("pruned_judged", "centres of them and of Ψ that were judged",

@@ -112,6 +112,7 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   ImGui::InvisibleButton("scene", area.size, every_button);
   ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
   frame_untouched(ui, area.size.x / area.size.y);
+  ui.model.scene_area = {area.low.x, area.low.y, area.size.x, area.size.y};
   scene_mouse(ui, area);
   render(ui, scene_, area, false);
   overlay::axes(ui, area.low, area.size);
