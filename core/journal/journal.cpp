@@ -1,6 +1,7 @@
 // Appends events and operations, keeps the byte count, and digests a journal.
 #include "journal/journal.h"
 
+#include <algorithm>
 #include <bit>
 #include <string_view>
 #include <type_traits>
@@ -56,6 +57,34 @@ std::uint32_t Journal::add_event(Event event) {
   }
   events_.push_back(event);
   return index;
+}
+
+void Journal::take_prefix(const Journal& from, Step step) {
+  const std::size_t operations = std::min<std::size_t>(step, from.operations().size());
+  const std::size_t end =
+      operations < from.operations().size() ? from.operations()[operations].event : from.events().size();
+  std::size_t mark = 0, next = 0;
+  double age = 0;
+  for (std::size_t i = 0; i < end; ++i) {
+    events_.push_back(from.events()[i]);
+    if (mark < from.stage_marks().size() && from.stage_marks()[mark].event == i) {
+      age = from.stage_marks()[mark].seconds;
+      stage_marks_.push_back(from.stage_marks()[mark++]);
+    }
+    if (next < operations && from.operations()[next].event == i)
+      operations_.push_back(from.operations()[next++]);
+  }
+  for (std::size_t i = 0, n = from.sample_sets().size(); i < n; ++i)
+    sample_sets_.push_back(from.sample_sets()[i]);
+  for (std::size_t i = 0, n = from.parameters().size(); i < n && from.parameters()[i].step <= operations; ++i)
+    parameters_.push_back(from.parameters()[i]);
+  for (std::size_t i = 1, n = from.texts().size(); i < n; ++i) texts_.push_back(from.texts()[i]);
+  for (std::size_t i = 1, n = from.repairs().size(); i < n; ++i) repairs_.push_back(from.repairs()[i]);
+  bytes_.fetch_add(events_.size() * sizeof(Event) + operations_.size() * sizeof(Operation),
+                   std::memory_order_relaxed);
+  // Times go on where the last mark was.
+  made_ = std::chrono::steady_clock::now() -
+          std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(age));
 }
 
 void Journal::add_operation(Event event, Delta delta, const StepFigures& figures) {

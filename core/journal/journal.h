@@ -76,6 +76,9 @@ class Journal {
   Journal();
 
   // Writer's side: one thread only.
+  /// Takes over what `from` says up to `step`, all events before the operation that leads on included; deltas
+  /// and samples are shared. Only into an empty journal.
+  void take_prefix(const Journal& from, Step step);
   std::uint32_t add_text(std::string text);
   std::uint32_t add_repair(RepairDetail sweeps);
   std::uint16_t add_sample_set(std::shared_ptr<const BoundarySamples> samples);

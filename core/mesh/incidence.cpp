@@ -142,4 +142,27 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
   return star;
 }
 
+Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
+                     Vec3 target) {
+  Delta delta;
+  delta.slots_before = static_cast<std::uint32_t>(complex.tets.size());
+  const auto at_a = incidence.tets_of(a), at_b = incidence.tets_of(b);
+  std::vector<TetId> star(at_a.begin(), at_a.end());
+  star.insert(star.end(), at_b.begin(), at_b.end());
+  sort_unique(star);
+  for (const TetId t : star) {
+    const Tet& tet = complex.tet(t);
+    delta.removed.push_back({t, tet.v, tet.side});
+    const bool has_a = std::find(tet.v.begin(), tet.v.end(), a) != tet.v.end();
+    std::array<VertexId, 4> v = tet.v;
+    const auto b_at = std::find(v.begin(), v.end(), b);
+    if (has_a && b_at != v.end()) continue;
+    if (b_at != v.end()) *b_at = a;
+    delta.added.push_back({t, canonical_order(v), tet.side});
+  }
+  delta.moves.push_back({a, complex.position(a), target});
+  delta.killed_vertices.push_back(b);
+  return delta;
+}
+
 } // namespace isoscope

@@ -32,4 +32,7 @@ enum class CostRing : std::uint8_t { one, two };
 EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
                           CostRing ring);
 
+/// What collapsing the edge ab of T changes: a stays and goes to `target`, the tetrahedra at both vanish.
+Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b, Vec3 target);
+
 } // namespace isoscope

@@ -1,8 +1,9 @@
 // Gathers the star on the state, or on the one before it, and asks the evaluator for everything.
 #include "run/edge_xray.h"
 
+#include "criteria/collapse_cost.h"
 #include "mesh/incidence.h"
-#include "mesh/predicates.h"
+#include "run/star_at.h"
 #include "simplify/sample_targets.h"
 
 #include <algorithm>
@@ -13,31 +14,6 @@ namespace {
 
 bool speaks_of(const Event& e, VertexId a, VertexId b) {
   return (e.vertex == a && e.other == b) || (e.vertex == b && e.other == a);
-}
-
-void add_samples(EdgeStar& star, const BoundarySamples& samples) {
-  Box3 box;
-  for (const auto& v : star.vertices) box.add(v.position);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Vec3 p = samples.positions[i];
-    const bool near = p.x >= box.lo.x && p.x <= box.hi.x && p.y >= box.lo.y && p.y <= box.hi.y &&
-                      p.z >= box.lo.z && p.z <= box.hi.z;
-    if (!near) continue;
-    const bool held = std::any_of(star.tets.begin(), star.tets.end(), [&](const EdgeStar::StarTet& t) {
-      return holds_perturbed(star.positions(t), p);
-    });
-    if (held) star.samples.push_back({SampleId(i), p, samples.labels[i]});
-  }
-}
-
-/// How the stages collapse edges of a kind.
-CollapseSettings settings_for(EdgeKind kind, bool halfedge, const RunParameters& parameters) {
-  CollapseSettings settings;
-  settings.kind = kind;
-  settings.halfedge = halfedge;
-  settings.search.strategy = parameters.target;
-  if (kind == EdgeKind::gamma && !halfedge) settings.search.kernel_samples = most_sample_targets;
-  return settings;
 }
 
 std::vector<EdgeXray::Invalid> largest_invalid(const CollapseAttempt& attempt) {
@@ -54,9 +30,63 @@ std::vector<EdgeXray::Invalid> largest_invalid(const CollapseAttempt& attempt) {
   return shapes;
 }
 
+bool same_reason(const CollapseAttempt& attempt, const Event& e) {
+  return e.kind == EventKind::collapse ? attempt.possible()
+                                       : !attempt.possible() && attempt.rejected == e.reason;
+}
+
+/// Bit for bit: the reason, the target and every number that the journal keeps.
 bool same_verdict(const CollapseAttempt& attempt, const Event& e) {
-  if (e.kind == EventKind::collapse) return attempt.possible() && attempt.target == e.point;
-  return e.kind == EventKind::rejection && !attempt.possible() && attempt.rejected == e.reason;
+  if (!same_reason(attempt, e)) return false;
+  if (e.kind == EventKind::collapse)
+    return attempt.target == e.point && attempt.found_by == e.reason && attempt.tried == e.count &&
+           attempt.cost == e.value && attempt.unconstrained_cost == e.limit;
+  const CheckVerdict* failed = attempt.first_failed();
+  if (failed == nullptr || failed->value != e.value || failed->limit != e.limit ||
+      failed->witness != e.witness)
+    return false;
+  // A decision ends at the first check that fails; behind the kernel nothing more was measured.
+  const bool searched = failed == &attempt.check(CollapseCheck::candidates);
+  return !searched || (attempt.tried == e.count && attempt.optimum == e.point);
+}
+
+/// Whether the checks that depend on the target let it pass.
+bool target_passes(const EdgeStar& star, Vec3 target, const CollapseSettings& settings,
+                   const EvaluationContext& context) {
+  const CollapseAttempt attempt = evaluate_target(star, target, settings, context);
+  for (std::size_t i = static_cast<std::size_t>(CollapseCheck::candidates); i < collapse_check_count; ++i)
+    if (attempt.checks[i].state == CheckVerdict::State::failed) return false;
+  return true;
+}
+
+/// Judges centres of what was left out.
+EdgeXray::Pruning check_pruning(const EdgeXray& x, const CollapseSettings& settings,
+                                const EvaluationContext& context) {
+  constexpr std::uint32_t most = 160; ///< a judgement may cost a millisecond
+  EdgeXray::Pruning pruning;
+  const Kernel& kernel = *x.attempt.kernel;
+  const CollapseCost cost(x.star);
+  for (const OctreeCell& cell : x.attempt.cells) {
+    const Vec3 c = cell.box.center();
+    if (cell.fate == OctreeCell::Fate::costlier) {
+      ++pruning.costlier_judged;
+      pruning.costlier_wrong += cost(c) < x.attempt.cost;
+    }
+    if (cell.fate != OctreeCell::Fate::invalid) continue;
+    ++pruning.cells;
+    if (pruning.cells_judged == most || !kernel.contains(c)) continue;
+    ++pruning.cells_judged;
+    if (target_passes(x.star, c, settings, context)) pruning.wrong.push_back(c);
+  }
+  for (const EdgeXray::Invalid& region : x.invalid) {
+    Vec3 middle;
+    for (const Vec3& v : region.shape.vertices) middle += v;
+    middle = middle / static_cast<double>(region.shape.vertices.size());
+    if (!kernel.contains(middle)) continue;
+    ++pruning.regions_judged;
+    if (target_passes(x.star, middle, settings, context)) pruning.wrong.push_back(middle);
+  }
+  return pruning;
 }
 
 } // namespace
@@ -74,6 +104,34 @@ std::optional<std::uint32_t> edge_event(const Journal& journal, Step step, Verte
       return static_cast<std::uint32_t>(i);
   }
   return std::nullopt;
+}
+
+std::optional<Vec3> witness_of(const EdgeXray& xray, const CollapseAttempt& attempt, CollapseCheck check) {
+  const CheckVerdict& verdict = attempt.check(check);
+  if (verdict.state == CheckVerdict::State::skipped) return std::nullopt;
+  const auto middle = [&](const std::vector<std::vector<VertexId>>& simplices) -> std::optional<Vec3> {
+    if (simplices.empty()) return std::nullopt;
+    Vec3 sum;
+    for (const VertexId v : simplices.front())
+      for (const auto& w : xray.star.vertices)
+        if (w.id == v) sum += w.position;
+    return sum / static_cast<double>(simplices.front().size());
+  };
+  switch (check) {
+  case CollapseCheck::eligible:
+    return 0.5 * (xray.star.vertices[0].position + xray.star.vertices[1].position);
+  case CollapseCheck::link:
+    return middle(attempt.link.offending_t);
+  case CollapseCheck::zero_link:
+    return middle(attempt.link.offending_zero);
+  case CollapseCheck::candidates:
+    return attempt.tried > 0 ? std::optional(verdict.witness) : std::nullopt;
+  default:
+    // A check that passed without a number has nothing to show.
+    return verdict.state == CheckVerdict::State::failed || verdict.witness != Vec3{}
+               ? std::optional(verdict.witness)
+               : std::nullopt;
+  }
 }
 
 std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion& question,
@@ -102,29 +160,33 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   if (event != nullptr && event->vertex.valid()) a = event->vertex, b = event->other;
   out.star = gather_edge_star(complex, incidence, a, b, context.parameters.cost_ring);
   out.criteria = context.journal.parameters_at(out.before ? state.step - 1 : state.step);
-  if (!out.criteria.certified && state.samples) add_samples(out.star, *state.samples);
+  if (!out.criteria.certified && state.samples) add_star_samples(out.star, *state.samples);
   const EdgeKind kind = out.star.kind();
   const bool by_samples = kind == EdgeKind::gamma && !out.criteria.certified && state.samples;
   const std::vector<Vec3> targets =
       by_samples ? SampleTargets(*state.samples).near(out.star) : std::vector<Vec3>();
   const EvaluationContext evaluation{*context.scene.volume, context.nearest, out.criteria};
   // The improver places its targets otherwise; what makes room for it is an ordinary collapse.
-  const bool judged_alike = event != nullptr && (event->stage != Stage::improve || kind == EdgeKind::mixed);
+  const bool judged_alike = event != nullptr && question.target == XrayTarget::automatic &&
+                            (event->stage != Stage::improve || kind == EdgeKind::mixed);
+  const bool octree = question.target == XrayTarget::octree;
   const auto judge = [&](bool halfedge) {
     out.halfedge = halfedge;
-    out.attempt = evaluate_collapse(out.star, settings_for(kind, halfedge, context.parameters), evaluation,
-                                    EvaluationDetail::full, targets);
+    out.settings = settings_for(kind, halfedge, context.parameters);
+    if (octree) out.settings.search.strategy = TargetStrategy::octree;
+    out.attempt = evaluate_collapse(out.star, out.settings, evaluation, EvaluationDetail::full, targets);
     if (judged_alike) out.agrees = same_verdict(out.attempt, *event);
   };
   const bool usual = kind == EdgeKind::gamma && !by_samples;
   judge(question.target == XrayTarget::automatic ? usual : question.target == XrayTarget::halfedge);
-  // The journal does not say in which of a stage's two passes it was.
+  // The journal does not say in which of a stage's two passes it was: its numbers do.
   if (question.target == XrayTarget::automatic && out.agrees == false) {
     const CollapseAttempt first = out.attempt;
     judge(!usual);
-    if (out.agrees == false) {
+    if (out.agrees == false && !(same_reason(out.attempt, *event) && !same_reason(first, *event))) {
       out.attempt = first;
       out.halfedge = usual;
+      out.settings = settings_for(kind, usual, context.parameters);
     }
   }
   for (const CandidateRecord& c : out.attempt.candidates)
@@ -132,6 +194,7 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   if (out.attempt.kernel) {
     out.kernel = kernel_polyhedron(*out.attempt.kernel);
     out.invalid = largest_invalid(out.attempt);
+    if (!out.attempt.kernel->empty) out.pruning = check_pruning(out, out.settings, evaluation);
   }
   return out;
 }

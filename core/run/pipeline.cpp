@@ -3,6 +3,7 @@
 
 #include "input/gallery.h"
 #include "input/mesh_io.h"
+#include "journal/playback.h"
 #include "mesh/zero_set.h"
 
 #include <sys/resource.h>
@@ -89,6 +90,7 @@ struct Pipeline::Impl {
   RefinementOutcome refined;              ///< what came out of it
   std::unique_ptr<Simplification> simplification;
   double seconds = 0; ///< of all parts so far
+  std::string branched;
 
   void record_warning(const std::string& text) {
     Event e;
@@ -228,6 +230,29 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   return m.scene;
 }
 
+Status Pipeline::branch(const BranchPoint& branch, std::shared_ptr<Journal> journal) {
+  Impl& m = *impl_;
+  if (Status can = can_branch(*branch.from, branch.step); !can) return can;
+  Playback playback(branch.from);
+  playback.seek(branch.step);
+  const StageAt at = stage_at(*branch.from, branch.step);
+  m.refinement.reset();
+  m.journal = std::move(journal);
+  m.recorder.emplace(*m.journal, *m.resampling);
+  m.current_samples = playback.samples();
+  m.simplification = std::make_unique<Simplification>(*m.volume, m.current_samples, playback.parameters(),
+                                                      parameters_.simplification(), *m.recorder, *m.control,
+                                                      playback.complex());
+  m.refined.end = RefinementOutcome::End::finished;
+  m.branched = describe(branch);
+  Event e;
+  e.kind = EventKind::warning;
+  e.stage = at.stage;
+  e.text = m.journal->add_text(m.branched);
+  m.journal->add_event(e);
+  return m.simplification->begin_with(at.stage, at.open, at.seconds, branch.a, branch.b, branch.target);
+}
+
 Result<RunResult> Pipeline::run() {
   using End = RefinementOutcome::End;
   Impl& m = *impl_;
@@ -251,6 +276,7 @@ Result<RunResult> Pipeline::run() {
     result.end = m.control->timed_out() ? RunResult::End::limit : RunResult::End::stopped;
   }
   result.refinement = m.refined;
+  result.branch = m.branched;
   result.last_stage = m.last_stage();
   result.form = m.complex().form;
   result.mesh = triangulate(extract_zero_set(m.complex()));

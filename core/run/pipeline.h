@@ -7,6 +7,7 @@
 #include "input/triangle_soup.h"
 #include "journal/recorder.h"
 #include "refine/refinement.h"
+#include "run/branch.h"
 #include "run/certificate.h"
 #include "run/normal_deviation.h"
 #include "run/parameters.h"
@@ -50,6 +51,7 @@ struct RunResult {
   NormalDeviation normals;
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
+  std::string branch;      ///< where it left another run and how; empty: it began at the beginning
   int exit_status() const; ///< 0 finished and certified, 1 not certified, 4 stopped
 };
 
@@ -61,6 +63,9 @@ class Pipeline {
 
   /// Reads (or takes `soup`), builds Ω and S. Fails with bad_input, unsupported or cancelled.
   Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr);
+  /// After prepare() and instead of the refinement: writes to `journal`, which holds the branch's prefix, and
+  /// collapses its edge; run() goes on from there. Fails with usage where that cannot be.
+  Status branch(const BranchPoint& branch, std::shared_ptr<Journal> journal);
   /// Refines, simplifies, extracts Z, certifies. May be called again after the gate's parameters changed: it
   /// goes on where it was. Once the simplification has begun, σ and conditions 1, 2 and 4 are what they were.
   Result<RunResult> run();

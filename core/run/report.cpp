@@ -151,6 +151,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"topology_as_expected", c.topology_as_expected},
         {"topology_note", c.topology_note},
         {"failures", c.failures}}},
+      {"branch", result.branch.empty() ? Json(nullptr) : Json(result.branch)},
       {"end", end_name(result.end)},
       {"seconds", result.seconds},
       {"peak_memory_bytes", result.peak_memory_bytes},

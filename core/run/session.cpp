@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -144,9 +145,9 @@ struct Session::Impl : public Gate {
 
   /// The whole life of the run's thread; nothing may escape from it.
   void work(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> soup,
-            std::shared_ptr<Journal> journal) {
+            std::shared_ptr<Journal> journal, const std::optional<BranchPoint>& branch) {
     try {
-      run_pipeline(parameters, std::move(soup), std::move(journal));
+      run_pipeline(parameters, std::move(soup), std::move(journal), branch);
     } catch (const std::bad_alloc&) {
       fail({ErrorCode::internal, "Memory is exhausted.", "Take a larger tolerance or a larger σ."});
     } catch (const std::exception& e) {
@@ -155,9 +156,10 @@ struct Session::Impl : public Gate {
   }
 
   void run_pipeline(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> soup,
-                    std::shared_ptr<Journal> journal) {
+                    std::shared_ptr<Journal> journal, const std::optional<BranchPoint>& branch) {
     const ThreadLimit threads(parameters.threads);
-    Pipeline pipeline(parameters, std::move(journal), *this, control);
+    // A branch's journal has its beginning already: what preparing says goes to one that nobody reads.
+    Pipeline pipeline(parameters, branch ? std::make_shared<Journal>() : journal, *this, control);
     auto prepared = pipeline.prepare(std::move(soup));
     if (!prepared) return fail(prepared.error());
     const std::shared_ptr<const Scene> scene = *prepared;
@@ -166,6 +168,9 @@ struct Session::Impl : public Gate {
       s.phase = SessionPhase::running;
       wanted = s.parameters.criteria(scene->delta, scene->default_sigma);
     });
+    if (branch) {
+      if (Status begun = pipeline.branch(*branch, journal); !begun) return fail(begun.error());
+    }
     for (;;) {
       auto result = pipeline.run();
       if (!result) return fail(result.error());
@@ -190,6 +195,9 @@ struct Session::Impl : public Gate {
     }
   }
 
+  void launch(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup, bool paused,
+              std::shared_ptr<Journal> journal, std::optional<BranchPoint> branch, std::uint64_t after);
+
   void join() {
     {
       const std::lock_guard lock(mutex);
@@ -206,39 +214,58 @@ struct Session::Impl : public Gate {
 Session::Session() : impl_(std::make_unique<Impl>()) {}
 
 Session::~Session() {
-  impl_->join();
+  if (impl_) impl_->join();
+}
+
+Session::Session(Session&&) noexcept = default;
+
+// The run of the one that is replaced ends with the other.
+Session& Session::operator=(Session&& other) noexcept {
+  std::swap(impl_, other.impl_);
+  return *this;
+}
+
+void Session::Impl::launch(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup, bool paused,
+                           std::shared_ptr<Journal> journal, std::optional<BranchPoint> branch,
+                           std::uint64_t after) {
+  join();
+  control.reset();
+  control.on_progress([this](std::string_view part, double fraction) {
+    const std::lock_guard lock(mutex);
+    shown.part = part;
+    shown.fraction = fraction;
+  });
+  {
+    const std::lock_guard lock(mutex);
+    const std::uint64_t generation = std::max(shown.generation, after) + 1;
+    shown = {};
+    shown.generation = generation;
+    shown.phase = SessionPhase::preparing;
+    shown.parameters = parameters;
+    shown.journal = journal;
+    wanted = {};
+    quit = stop_pending = parameters_pending = false;
+    pause_pending = false;
+    steps_left = paused ? 1 : unlimited; // the first operation puts the box there
+    until.reset();
+    update_attention();
+  }
+  changed.notify_all();
+  thread = std::thread([this, parameters = std::move(parameters), soup = std::move(soup),
+                        journal = std::move(journal), branch = std::move(branch)]() mutable {
+    work(parameters, std::move(soup), std::move(journal), branch);
+  });
 }
 
 void Session::start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup, bool paused) {
-  Impl& m = *impl_;
-  m.join();
-  m.control.reset();
-  m.control.on_progress([&m](std::string_view part, double fraction) {
-    const std::lock_guard lock(m.mutex);
-    m.shown.part = part;
-    m.shown.fraction = fraction;
-  });
+  impl_->launch(std::move(parameters), std::move(soup), paused, std::make_shared<Journal>(), std::nullopt, 0);
+}
+
+void Session::start_branch(const BranchPoint& branch, RunParameters parameters, const Scene& scene,
+                           std::uint64_t after) {
   auto journal = std::make_shared<Journal>();
-  {
-    const std::lock_guard lock(m.mutex);
-    const std::uint64_t generation = m.shown.generation + 1;
-    m.shown = {};
-    m.shown.generation = generation;
-    m.shown.phase = SessionPhase::preparing;
-    m.shown.parameters = parameters;
-    m.shown.journal = journal;
-    m.wanted = {};
-    m.quit = m.stop_pending = m.parameters_pending = false;
-    m.pause_pending = false;
-    m.steps_left = paused ? 1 : unlimited; // the first operation puts the box there
-    m.until.reset();
-    m.update_attention();
-  }
-  m.changed.notify_all();
-  m.thread = std::thread([&m, parameters = std::move(parameters), soup = std::move(soup),
-                          journal = std::move(journal)]() mutable {
-    m.work(std::move(parameters), std::move(soup), std::move(journal));
-  });
+  journal->take_prefix(*branch.from, branch.step);
+  impl_->launch(std::move(parameters), scene.input, false, std::move(journal), branch, after);
 }
 
 void Session::pause() {

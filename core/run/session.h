@@ -47,13 +47,17 @@ class Session {
   Session();
   /// Cancels and joins.
   ~Session();
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
 
   /// Starts a run, cancelling the present one. `soup` overrides parameters.input when given. `paused`: stop
   /// before the first Steiner point.
   void start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup = nullptr,
              bool paused = false);
+  /// Starts a run that goes on from a step of another one; its journal holds what was before. The input is
+  /// taken from `scene`; the generation is one more than `after`.
+  void start_branch(const BranchPoint& branch, RunParameters parameters, const Scene& scene,
+                    std::uint64_t after);
   void pause();
   void resume();
   /// Runs n operations, then pauses.

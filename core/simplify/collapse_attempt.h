@@ -8,6 +8,7 @@
 #include "journal/event.h"
 #include "mesh/edge_star.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -35,6 +36,7 @@ struct CheckVerdict {
   State state = State::skipped;
   double value = 0, limit = 0;
   Vec3 witness;
+  double seconds = 0; ///< that it took, with full detail; no part of the verdict
 };
 
 /// A target that was tried, in the order of trial.
@@ -82,6 +84,13 @@ struct CollapseAttempt {
   std::vector<InvalidRegion> invalid_regions; ///< Ψ that the search met
 
   bool possible() const { return rejected == Reason::none; }
+  /// The check whose numbers the journal keeps; null where every one passed.
+  const CheckVerdict* first_failed() const {
+    const auto found = std::find_if(checks.begin(), checks.end(), [](const CheckVerdict& c) {
+      return c.state == CheckVerdict::State::failed;
+    });
+    return found != checks.end() ? &*found : nullptr;
+  }
   const CheckVerdict& check(CollapseCheck c) const { return checks[static_cast<std::size_t>(c)]; }
   CheckVerdict& check(CollapseCheck c) { return checks[static_cast<std::size_t>(c)]; }
 };

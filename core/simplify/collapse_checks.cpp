@@ -5,6 +5,7 @@
 #include "mesh/predicates.h"
 #include "mesh/sample_sets.h"
 #include "mesh/zero_set.h"
+#include "simplify/star_location.h"
 #include "tolerance/facet_certificate.h"
 
 #include <algorithm>
@@ -18,45 +19,6 @@ namespace {
 constexpr std::size_t piece_budget = 4000;
 /// A violating point that hardly depends on the target teaches nothing about it.
 constexpr double least_weight = 1e-3;
-
-/// The side or f·label of the tetrahedron of a star that holds a point, before or after the collapse.
-struct Location {
-  const EdgeStar::StarTet* tet = nullptr;
-  std::array<Vec3, 4> corners;
-};
-
-Location locate_before(const EdgeStar& star, Vec3 x) {
-  for (const EdgeStar::StarTet& t : star.tets) {
-    const auto p = star.positions(t);
-    if (holds_perturbed(p, x)) return {&t, p};
-  }
-  return {};
-}
-
-Location locate_after(const EdgeStar& star, Vec3 target, Vec3 x) {
-  for (const EdgeStar::StarTet& t : star.tets) {
-    if (t.ring()) continue;
-    const auto p = star.positions_after(t, target);
-    if (holds_perturbed(p, x)) return {&t, p};
-  }
-  return {};
-}
-
-/// Values after the collapse: both ends take that of the end that stays.
-std::array<double, 4> values_after(const EdgeStar& star, const EdgeStar::StarTet& t) {
-  std::array<double, 4> f = star.values(t);
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (t.v[k] < 2) f[k] = star.vertices[0].value;
-  }
-  return f;
-}
-
-double error_at(const EdgeStar& star, const Location& at, const std::array<double, 4>& values, Vec3 x,
-                int label) {
-  const double f = interpolate(at.corners, values)(x);
-  return star.form == ZeroForm::embedded ? embedded_sample_error(f, label, at.tet->side)
-                                         : sample_error(f, label);
-}
 
 /// Barycentric weight of corner k of a triangle at a point of its plane.
 double weight_at(const Triangle3& t, std::size_t k, Vec3 w) {
@@ -128,16 +90,17 @@ std::vector<Triangle3> zero_facets_before(const EdgeStar& star) {
 TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const CriteriaParameters& criteria) {
   const double limit = criteria.error_limit();
   for (const EdgeStar::StarSample& s : star.samples) {
-    const Location after = locate_after(star, target, s.position);
+    const StarLocation after = locate_after(star, target, s.position);
     if (after.tet == nullptr) continue; // on the star's boundary: its tetrahedron does not change
-    const double error = error_at(star, after, values_after(star, *after.tet), s.position, s.label);
+    const double error = sample_error_at(star, after, values_after(star, *after.tet), s.position, s.label);
     const bool good = star.form == ZeroForm::embedded ? !is_bad(error) : error <= limit;
     if (good) continue;
-    const Location before = locate_before(star, s.position);
+    const StarLocation before = locate_before(star, s.position);
     // What was violated before, as refinement may leave it, must not get worse.
     double margin = criteria.alpha;
     if (before.tet != nullptr) {
-      const double error_before = error_at(star, before, star.values(*before.tet), s.position, s.label);
+      const double error_before =
+          sample_error_at(star, before, star.values(*before.tet), s.position, s.label);
       if (error <= error_before) continue;
       margin = std::min(margin, 1 - error_before);
     }
@@ -229,17 +192,13 @@ TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const Tolerance
     if (x.x < box.lo.x || x.x > box.hi.x || x.y < box.lo.y || x.y > box.hi.y || x.z < box.lo.z ||
         x.z > box.hi.z)
       continue;
-    const Location after = locate_after(star, target, x);
+    const StarLocation after = locate_after(star, target, x);
     if (after.tet == nullptr) continue;
-    const double f = star.form == ZeroForm::embedded
-                         ? after.tet->side
-                         : interpolate(after.corners, values_after(star, *after.tet))(x);
+    const double f = side_at(star, after, values_after(star, *after.tet), x);
     if (f * witness.label > 0) continue;
-    const Location before = locate_before(star, x);
-    const double f_before = before.tet == nullptr ? witness.label
-                            : star.form == ZeroForm::embedded
-                                ? before.tet->side
-                                : interpolate(before.corners, star.values(*before.tet))(x);
+    const StarLocation before = locate_before(star, x);
+    const double f_before =
+        before.tet == nullptr ? witness.label : side_at(star, before, star.values(*before.tet), x);
     if (f_before * witness.label > 0) return Refusal{Reason::witness_side, f * witness.label, 0, x};
   }
   return {};

@@ -4,8 +4,11 @@
 #include "criteria/collapse_cost.h"
 #include "criteria/kernel.h"
 #include "criteria/link.h"
+#include "simplify/collapse_margins.h"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <limits>
 
 namespace isoscope {
@@ -15,9 +18,28 @@ namespace {
 using State = CheckVerdict::State;
 
 bool eligible(EdgeKind kind, const CollapseSettings& settings) {
+  if (kind == EdgeKind::other) return false;
   if (kind == settings.kind) return true;
   return settings.kind == EdgeKind::mixed && !settings.halfedge && kind == EdgeKind::zero;
 }
+
+/// The time between its making and its question; asked for a person alone.
+class Stopwatch {
+ public:
+  explicit Stopwatch(bool on) {
+    if (on) start_ = std::chrono::steady_clock::now();
+  }
+  double seconds() const {
+    return start_ ? std::chrono::duration<double>(std::chrono::steady_clock::now() - *start_).count() : 0;
+  }
+
+ private:
+  std::optional<std::chrono::steady_clock::time_point> start_;
+};
+
+constexpr std::array<CollapseCheck, 4> target_checks{CollapseCheck::classification,
+                                                     CollapseCheck::containment, CollapseCheck::witness,
+                                                     CollapseCheck::normals};
 
 /// The checks behind a target, in order; remembers the outcome of each.
 class Judge {
@@ -27,20 +49,42 @@ class Judge {
 
   TargetVerdict operator()(Vec3 target) const {
     TargetVerdict first;
-    for (const CollapseCheck check : {CollapseCheck::classification, CollapseCheck::containment,
-                                      CollapseCheck::witness, CollapseCheck::normals}) {
+    for (const CollapseCheck check : target_checks) {
       if (first.reason != Reason::none && !all_) {
         attempt_.check(check) = {};
         continue;
       }
+      const Stopwatch watch(all_);
       const std::optional<TargetVerdict> verdict = ask(check, target);
       if (!verdict) continue;
       CheckVerdict& out = attempt_.check(check);
       out = {verdict->reason == Reason::none ? State::passed : State::failed, verdict->value, verdict->limit,
-             verdict->witness};
+             verdict->witness, watch.seconds()};
       if (verdict->reason != Reason::none && first.reason == Reason::none) first = *verdict;
     }
     return first;
+  }
+  /// What passed tells how close it came to its limit.
+  void add_margins(Vec3 target) const {
+    for (const CollapseCheck check : target_checks) {
+      CheckVerdict& out = attempt_.check(check);
+      if (out.state != State::passed) continue;
+      if (const auto margin = check_margin(check, star_, target, context_)) {
+        out.value = margin->value;
+        out.limit = margin->limit;
+        out.witness = margin->at;
+      }
+    }
+  }
+  /// Outside the kernel T would be inverted: what asks for tetrahedra is not asked.
+  void facets_only(Vec3 target) const {
+    for (const CollapseCheck check : {CollapseCheck::containment, CollapseCheck::normals}) {
+      if (check == CollapseCheck::normals && star_.form != ZeroForm::embedded) continue;
+      const Stopwatch watch(true);
+      if (const std::optional<TargetVerdict> verdict = ask(check, target))
+        attempt_.check(check) = {verdict->reason == Reason::none ? State::passed : State::failed,
+                                 verdict->value, verdict->limit, verdict->witness, watch.seconds()};
+    }
   }
 
  private:
@@ -70,7 +114,7 @@ class Judge {
 
 void fail(CollapseAttempt& attempt, CollapseCheck check, Reason reason, double value = 0, double limit = 0,
           Vec3 witness = {}) {
-  attempt.check(check) = {State::failed, value, limit, witness};
+  attempt.check(check) = {State::failed, value, limit, witness, 0};
   if (attempt.rejected == Reason::none) attempt.rejected = reason;
 }
 
@@ -91,7 +135,9 @@ bool check_edge(const EdgeStar& star, const CollapseSettings& settings, Evaluati
     fail(attempt, CollapseCheck::eligible, Reason::link_condition);
     return false;
   }
+  const Stopwatch link_watch(full);
   attempt.link = check_link(star, full);
+  const double link_seconds = link_watch.seconds();
   if (attempt.link.holds_in_t) {
     pass(attempt, CollapseCheck::link);
   } else {
@@ -106,14 +152,18 @@ bool check_edge(const EdgeStar& star, const CollapseSettings& settings, Evaluati
       if (!full) return false;
     }
   }
+  attempt.check(CollapseCheck::link).seconds = link_seconds;
+  const Stopwatch kernel_watch(full);
   attempt.kernel = compute_kernel(star);
+  const double kernel_seconds = kernel_watch.seconds();
   if (attempt.kernel->empty) {
     fail(attempt, CollapseCheck::kernel, Reason::kernel_empty, attempt.kernel->inscribed_radius, 0,
          attempt.kernel->center);
+    attempt.check(CollapseCheck::kernel).seconds = kernel_seconds;
     return false;
   }
   attempt.check(CollapseCheck::kernel) = {State::passed, attempt.kernel->inscribed_radius, 0,
-                                          attempt.kernel->center};
+                                          attempt.kernel->center, kernel_seconds};
   return true;
 }
 
@@ -147,16 +197,22 @@ CollapseAttempt evaluate_collapse(const EdgeStar& star, const CollapseSettings& 
   TargetSearchOptions options = settings.search;
   options.record = full;
   const Judge judge(star, context, attempt, full);
+  const Stopwatch watch(full);
   TargetSearchResult found = search(star, settings, *attempt.kernel, cost, judge, options, samples);
   attempt.tried = found.tried;
   attempt.candidates = std::move(found.candidates);
   attempt.cells = std::move(found.cells);
   attempt.invalid_regions = std::move(found.invalid_regions);
   // The checks are those of the point that the verdict names, which need not be the last one judged.
-  if (full && attempt.tried > 0) judge(found.target ? *found.target : found.rejected_point);
+  const double search_seconds = watch.seconds();
+  if (full && attempt.tried > 0) {
+    const Vec3 named = found.target ? *found.target : found.rejected_point;
+    judge(named);
+    judge.add_margins(named);
+  }
   if (found.target) {
     attempt.check(CollapseCheck::candidates) = {State::passed, static_cast<double>(found.tried), 0,
-                                                *found.target};
+                                                *found.target, search_seconds};
     attempt.target = *found.target;
     attempt.cost = found.cost;
     attempt.found_by = found.found_by;
@@ -165,6 +221,7 @@ CollapseAttempt evaluate_collapse(const EdgeStar& star, const CollapseSettings& 
   const TargetVerdict& last = found.last_rejection;
   const Reason reason = last.reason == Reason::none ? Reason::no_candidate : last.reason;
   fail(attempt, CollapseCheck::candidates, reason, last.value, last.limit, last.witness);
+  attempt.check(CollapseCheck::candidates).seconds = search_seconds;
   return attempt;
 }
 
@@ -179,12 +236,18 @@ CollapseAttempt evaluate_target(const EdgeStar& star, Vec3 target, const Collaps
   attempt.cost = cost(target);
   attempt.tried = 1;
   attempt.found_by = Reason::user;
+  double slack = std::numeric_limits<double>::infinity();
+  for (const HalfSpace& h : attempt.kernel->half_spaces) slack = std::min(slack, h.slack(target));
+  const Judge judge(star, context, attempt, true);
   if (!attempt.kernel->contains(target)) {
-    fail(attempt, CollapseCheck::candidates, Reason::no_candidate, 0, 0, target);
+    fail(attempt, CollapseCheck::candidates, Reason::no_candidate, slack, 0, target);
+    judge.facets_only(target);
+    judge.add_margins(target);
     return attempt;
   }
-  pass(attempt, CollapseCheck::candidates);
-  const TargetVerdict verdict = Judge(star, context, attempt, true)(target);
+  attempt.check(CollapseCheck::candidates) = {State::passed, slack, 0, target, 0};
+  const TargetVerdict verdict = judge(target);
+  judge.add_margins(target);
   if (attempt.rejected == Reason::none) attempt.rejected = verdict.reason;
   return attempt;
 }

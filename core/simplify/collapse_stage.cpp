@@ -136,12 +136,9 @@ bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
   e.count = attempt.tried;
   if (!attempt.possible()) {
     failures_.add(candidate.edge.a, candidate.edge.b, {live_.clock(), false});
-    const auto failed = std::find_if(attempt.checks.begin(), attempt.checks.end(), [](const CheckVerdict& c) {
-      return c.state == CheckVerdict::State::failed;
-    });
     e.kind = EventKind::rejection;
     e.reason = attempt.rejected;
-    if (failed != attempt.checks.end()) {
+    if (const CheckVerdict* failed = attempt.first_failed()) {
       e.value = failed->value;
       e.limit = failed->limit;
       e.witness = failed->witness;

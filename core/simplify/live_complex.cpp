@@ -26,6 +26,9 @@ EdgeStar LiveComplex::star(VertexId a, VertexId b, CostRing ring) const {
       star.samples.push_back({s, samples_->positions[s.index()], samples_->labels[s.index()]});
     });
   }
+  // The first one that goes wrong is named: which one that is must not hang on the history of the lists.
+  std::sort(star.samples.begin(), star.samples.end(),
+            [](const auto& x, const auto& y) { return x.id < y.id; });
   return star;
 }
 
@@ -41,25 +44,7 @@ std::vector<VertexId> LiveComplex::neighbors(VertexId v) const {
 }
 
 Delta LiveComplex::collapse(VertexId a, VertexId b, Vec3 target) const {
-  Delta delta;
-  delta.slots_before = static_cast<std::uint32_t>(complex_.tets.size());
-  const auto at_a = incidence_.tets_of(a), at_b = incidence_.tets_of(b);
-  std::vector<TetId> star(at_a.begin(), at_a.end());
-  star.insert(star.end(), at_b.begin(), at_b.end());
-  sort_unique(star);
-  for (const TetId t : star) {
-    const Tet& tet = complex_.tet(t);
-    delta.removed.push_back({t, tet.v, tet.side});
-    const bool has_a = std::find(tet.v.begin(), tet.v.end(), a) != tet.v.end();
-    std::array<VertexId, 4> v = tet.v;
-    const auto b_at = std::find(v.begin(), v.end(), b);
-    if (has_a && b_at != v.end()) continue;
-    if (b_at != v.end()) *b_at = a;
-    delta.added.push_back({t, canonical_order(v), tet.side});
-  }
-  delta.moves.push_back({a, complex_.position(a), target});
-  delta.killed_vertices.push_back(b);
-  return delta;
+  return collapse_delta(complex_, incidence_, a, b, target);
 }
 
 StepFigures LiveComplex::step_figures() const {

@@ -9,8 +9,11 @@
 #include "simplify/stage_log.h"
 #include "simplify/tessellation.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace isoscope {
 
@@ -43,6 +46,7 @@ struct Simplification::Impl {
   std::unique_ptr<LiveComplex> live; ///< null once Z has left T
   Complex free;                      ///< the state after that
   std::size_t next = 0;              ///< into stage_order
+  bool rejoined = false;             ///< the journal has begun the next stage
 
   bool wanted(Stage stage) const {
     return stage <= parameters.until && !parameters.skipped[static_cast<std::size_t>(stage)];
@@ -111,8 +115,40 @@ struct Simplification::Impl {
     if (!log.stopped()) improve_free_zero_set(free, context, parameters.effort, log);
   }
 
+  /// A person's operation: as safe as those of the stages.
+  Status collapse_by_hand(VertexId a, VertexId b, Vec3 target) {
+    const auto is_alive = [&](VertexId v) {
+      return v.valid() && v.index() < live->complex().vertices.size() && live->alive(v);
+    };
+    if (a == b || !is_alive(a) || !is_alive(b) || !live->adjacent(a, b))
+      return Error{ErrorCode::usage, "T has no such edge at this step.", ""};
+    const auto [stays, goes] = oriented_edge(live->complex(), a, b);
+    const EdgeStar star = live->star(stays, goes, parameters.ring);
+    CollapseSettings settings;
+    settings.kind = star.kind();
+    const CollapseAttempt attempt = evaluate_target(star, target, settings, context);
+    if (!attempt.possible())
+      return Error{ErrorCode::usage,
+                   "The edge cannot be collapsed there: " + std::string(name(attempt.rejected)) + ".",
+                   "Move the target until every check passes."};
+    Event e;
+    e.kind = EventKind::collapse;
+    e.reason = Reason::user;
+    e.vertex = attempt.a;
+    e.other = attempt.b;
+    e.count = 1;
+    e.point = target;
+    e.witness = attempt.optimum;
+    e.value = attempt.cost;
+    e.limit = attempt.unconstrained_cost;
+    Delta delta = live->collapse(attempt.a, attempt.b, target);
+    live->apply(delta);
+    log.operation(e, std::move(delta), live->step_figures());
+    return {};
+  }
+
   Status run_stage(Stage stage) {
-    log.begin(stage);
+    if (!std::exchange(rejoined, false)) log.begin(stage);
     switch (stage) {
     case Stage::gamma:
       collapse(EdgeKind::gamma, true, most_rounds);
@@ -146,6 +182,20 @@ Simplification::Simplification(const ToleranceVolume& volume, std::shared_ptr<co
                                    std::move(complex))) {}
 
 Simplification::~Simplification() = default;
+
+Status Simplification::begin_with(Stage stage, bool open, double seconds, VertexId a, VertexId b,
+                                  Vec3 target) {
+  Impl& m = *impl_;
+  m.log.rejoin(stage, seconds);
+  if (Status made = m.collapse_by_hand(a, b, target); !made) return made;
+  const auto at = std::find(stage_order.begin(), stage_order.end(), stage);
+  m.next = at != stage_order.end() ? static_cast<std::size_t>(at - stage_order.begin()) : 0;
+  // What tessellated Z into T is not done twice.
+  const bool again = stage != Stage::tessellation || m.live->complex().form == ZeroForm::interpolated;
+  m.rejoined = open && again && at != stage_order.end();
+  if (!again) ++m.next;
+  return {};
+}
 
 Result<bool> Simplification::run() {
   Impl& m = *impl_;

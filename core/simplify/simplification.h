@@ -43,6 +43,10 @@ class Simplification {
                  Recorder& recorder, const RunControl& control, Complex complex);
   ~Simplification();
 
+  /// Before the first run(): collapses an edge as a person asked for, in a stage that the journal has begun,
+  /// and goes on from there. `open`: that stage has not ended. Fails with usage where the check on the target
+  /// that says no is named, or T has no such edge.
+  Status begin_with(Stage stage, bool open, double seconds, VertexId a, VertexId b, Vec3 target);
   /// Runs the stages that are left; when told to stop it may be called again and goes on where it was. False
   /// when it was stopped. Fails with internal where the tessellation is impossible.
   Result<bool> run();

@@ -13,6 +13,12 @@ void StageLog::begin(Stage stage) {
   event(e);
 }
 
+void StageLog::rejoin(Stage stage, double seconds) {
+  stage_ = stage;
+  began_ = std::chrono::steady_clock::now() - std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                                  std::chrono::duration<double>(seconds));
+}
+
 void StageLog::end() {
   Event e;
   e.kind = stopped() ? EventKind::stopped : EventKind::stage_end;

@@ -16,6 +16,8 @@ class StageLog {
   StageLog(Recorder& recorder, const RunControl& control) : recorder_(&recorder), control_(&control) {}
 
   void begin(Stage stage);
+  /// Goes on in a stage that the journal has begun, `seconds` ago.
+  void rejoin(Stage stage, double seconds);
   /// What ended the last run does not end this one.
   void resume() { stopped_ = false; }
   /// Ends the stage; one that was told to stop ends with a `stopped` event instead.

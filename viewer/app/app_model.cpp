@@ -26,7 +26,8 @@ CameraPose first_pose() {
 
 } // namespace
 
-AppModel::AppModel(std::function<void()> notify) : playhead(notify), probe(notify), grid(notify) {
+AppModel::AppModel(std::function<void()> notify)
+    : playhead(notify), probe(notify), unlocks(notify), grid(notify) {
   camera.set(first_pose());
 }
 
@@ -176,7 +177,7 @@ ViewSettings AppModel::shown_view() const {
 
 std::shared_ptr<const EdgeXray> AppModel::xray() const {
   const auto newest = probe.result();
-  return newest && xray_asked_ && newest->request == *xray_asked_ && newest->request.state == state()
+  return newest && xray_asked_ && newest->request.same_edge(*xray_asked_) && newest->request.state == state()
              ? newest->xray
              : nullptr;
 }
@@ -193,6 +194,10 @@ void AppModel::request_xray() {
   wanted.parameters = run.parameters;
   wanted.question = {VertexId(selection.picked.id), VertexId(selection.picked.other), selected_event(),
                      selection.target};
+  wanted.target = selection.what_if;
+  if (const auto shown_xray = xray(); shown_xray && selection.hovered_candidate)
+    if (const auto i = *selection.hovered_candidate; i < shown_xray->attempt.candidates.size())
+      wanted.target = shown_xray->attempt.candidates[i].point;
   if (xray_asked_ == wanted) return;
   xray_asked_ = wanted;
   probe.request(std::move(wanted));
@@ -237,14 +242,15 @@ bool AppModel::update(double seconds) {
   }
   const Moment moment = view.moment;
   blink();
-  changed |= moment != view.moment || !probe.idle();
+  changed |= moment != view.moment || !probe.idle() || !unlocks.idle();
   request_xray();
   changed |= camera.update(scripted ? 1.0 : seconds);
   return changed;
 }
 
 bool AppModel::state_is_current() const {
-  if (!playhead.idle() || !probe.idle() || !index.complete() || grid.working()) return false;
+  if (!playhead.idle() || !probe.idle() || !unlocks.idle() || !index.complete() || grid.working())
+    return false;
   if (!run.journal) return true;
   return result_ && asked_ && result_->request == *asked_ && asked_->step == transport.step() &&
          (!transport.moving() || transport.step() >= live_step());

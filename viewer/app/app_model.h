@@ -9,11 +9,13 @@
 #include "app/probe.h"
 #include "app/settings.h"
 #include "app/transport.h"
+#include "app/unlock_worker.h"
 #include "run/session.h"
 #include "scene/camera.h"
 #include "scene/renderer.h"
 #include "scene/view_settings.h"
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -65,11 +67,20 @@ struct Selection {
   std::optional<std::uint32_t> event;
   std::optional<Vec3> mark; ///< a witness that was asked for
   XrayTarget target = XrayTarget::automatic;
+  std::optional<Vec3> what_if;                    ///< a target of the edge that is tried
+  std::optional<std::uint32_t> candidate;         ///< of the X-ray, where that target is one
+  std::optional<std::uint32_t> hovered_candidate; ///< its ghost is shown instead
 
   void pick(const Pick& other) {
     picked = other;
     event.reset();
     mark.reset();
+    try_target({});
+  }
+  void try_target(std::optional<Vec3> at, std::optional<std::uint32_t> which = {}) {
+    what_if = at;
+    candidate = which;
+    hovered_candidate.reset();
   }
 };
 
@@ -83,6 +94,8 @@ class AppModel {
   SessionSnapshot run; ///< taken once a frame
   Playhead playhead;
   Probe probe;
+  UnlockWorker unlocks;
+  std::optional<Session> other_run; ///< the run that a branch left, or the branch
   GridLoader grid;
   JournalIndex index;
   Transport transport;
@@ -102,8 +115,9 @@ class AppModel {
   Overlay overlay = Overlay::none;
   std::deque<Message> messages;
   WindowRequests requests;
-  double clock = 0;      ///< seconds since the start
-  bool scripted = false; ///< no easing, nothing remembered, following is immediate
+  std::array<float, 4> scene_area{}; ///< where the 3D view lies in the window: low x, y, width, height
+  double clock = 0;                  ///< seconds since the start
+  bool scripted = false;             ///< no easing, nothing remembered, following is immediate
   std::string failed_expectation;
 
   /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ.
@@ -130,6 +144,16 @@ class AppModel {
   ViewSettings shown_view() const;
   /// The X-ray of the picked edge at the state shown; null while it is made and where there is none.
   std::shared_ptr<const EdgeXray> xray() const;
+  /// What the target that is tried would do; null while it is made and where none is.
+  std::shared_ptr<const TargetStudy> study() const;
+  /// What unlocks the picked edge at the state shown; null where nobody asked or it is not known yet.
+  std::shared_ptr<const UnlockSearch> unlock_search() const;
+  /// Asks for it.
+  Status search_unlocks();
+  /// Begins a run at the state shown with the edge collapsed to the target that is tried.
+  Status branch_here();
+  /// Changes to the run that the branch left, and back.
+  Status change_run();
   /// The event that the selection speaks of at the step shown, if any.
   std::optional<std::uint32_t> selected_event() const;
   Step live_step() const { return run.journal ? run.journal->steps() : 0; }
@@ -139,7 +163,9 @@ class AppModel {
   /// The state shown is the one the play head asks for and nothing is under way that would change it.
   bool state_is_current() const;
   /// Every worker has answered, and the answers are the ones shown.
-  bool answers_taken() const { return playhead.idle() && probe.idle() && playhead.result() == result_; }
+  bool answers_taken() const {
+    return playhead.idle() && probe.idle() && unlocks.idle() && playhead.result() == result_;
+  }
   /// The live preview for the draft, absent while it is computed.
   std::optional<ViolationPreview> draft_preview() const;
   /// The draft as criteria, in the units of the present scene.

@@ -104,11 +104,12 @@ Status mark_witness(AppModel& model, const Arguments& a) {
   const auto xray = model.xray();
   std::optional<Vec3> found;
   if (xray) {
+    const auto study = model.study();
+    const CollapseAttempt& attempt = study ? study->attempt : xray->attempt;
     for (std::size_t i = 0; i < collapse_check_count && !found; ++i) {
       const auto check = static_cast<CollapseCheck>(i);
-      const CheckVerdict& verdict = xray->attempt.check(check);
-      const bool wanted = a.empty() ? verdict.state == CheckVerdict::State::failed : name(check) == a[0];
-      if (wanted && verdict.state != CheckVerdict::State::skipped) found = verdict.witness;
+      const bool failed = attempt.check(check).state == CheckVerdict::State::failed;
+      if (a.empty() ? failed : name(check) == a[0]) found = witness_of(*xray, attempt, check);
     }
   }
   if (!found && a.empty())

@@ -175,7 +175,7 @@ void add_view(Table& t) {
       t, "tets.sides", "tetrahedra of which sides, once Z is embedded", {"both", "outer", "inner"},
       [](auto& m) -> auto& { return m.view.tets.sides; });
   add_choice(
-      t, "xray.target", "which targets the X-ray looks for", {"automatic", "halfedge", "general"},
+      t, "xray.target", "which targets the X-ray looks for", {"automatic", "halfedge", "general", "octree"},
       [](auto& m) -> auto& { return m.selection.target; });
   add_switch(
       t, "xray.psi", "Ψ drawn: where targets are known to fail",
@@ -183,6 +183,12 @@ void add_view(Table& t) {
   add_switch(
       t, "xray.cells", "cells of the octree search drawn",
       [](auto& m) -> auto& { return m.view.octree_cells; });
+  add_number(
+      t, "xray.push", "how far the planes of an empty kernel are pushed, of what they miss by",
+      [](auto& m) -> auto& { return m.view.kernel_push; }, 0, 1);
+  add_switch(
+      t, "xray.ellipsoid", "points of the same error as the target drawn",
+      [](auto& m) -> auto& { return m.view.cost_ellipsoid; });
   add_choice(
       t, "plots.over", "what plots are drawn over", {"steps", "seconds"},
       [](auto& m) -> auto& { return m.plot_time; });
@@ -246,6 +252,7 @@ Table make_table() {
   add_stages(t);
   add_view(t);
   add_readings(t);
+  add_edge_readings(t);
   return t;
 }
 

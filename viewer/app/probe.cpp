@@ -17,6 +17,7 @@ struct Probe::Impl {
   bool working = false, quit = false;
   // The worker's own.
   std::shared_ptr<const SampleIndex> index;
+  std::shared_ptr<const ProbeResult> last;
   std::thread worker;
 
   void run();
@@ -29,10 +30,17 @@ std::shared_ptr<const ProbeResult> Probe::Impl::answer(ProbeRequest request) {
   if (samples && (!index || index->set != samples)) index = std::make_shared<const SampleIndex>(samples);
   const XrayContext context{*request.scene, *request.journal, request.parameters,
                             samples ? &index->nearest : nullptr};
-  auto xray = edge_xray(*request.state, request.question, context);
   auto made = std::make_shared<ProbeResult>();
+  // A target that is dragged leaves the edge as it is.
+  if (last && last->request.same_edge(request)) {
+    made->xray = last->xray;
+  } else if (auto xray = edge_xray(*request.state, request.question, context)) {
+    made->xray = std::make_shared<const EdgeXray>(std::move(*xray));
+  }
+  if (made->xray && request.target)
+    made->study = std::make_shared<const TargetStudy>(study_target(*made->xray, *request.target, context));
   made->request = std::move(request);
-  if (xray) made->xray = std::make_shared<const EdgeXray>(std::move(*xray));
+  last = made;
   return made;
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/playhead.h"
 #include "run/edge_xray.h"
+#include "run/target_study.h"
 
 #include <functional>
 #include <memory>
@@ -18,9 +19,13 @@ struct ProbeRequest {
   std::shared_ptr<const SampleIndex> index; ///< of the state's samples, if there is one already
   RunParameters parameters;
   EdgeQuestion question;
+  std::optional<Vec3> target; ///< to be studied beside
   /// The parameters belong to the journal.
+  bool same_edge(const ProbeRequest& other) const {
+    return state == other.state && journal == other.journal && question == other.question;
+  }
   friend bool operator==(const ProbeRequest& a, const ProbeRequest& b) {
-    return a.state == b.state && a.journal == b.journal && a.question == b.question;
+    return a.same_edge(b) && a.target == b.target;
   }
 };
 
@@ -28,6 +33,7 @@ struct ProbeRequest {
 struct ProbeResult {
   ProbeRequest request;
   std::shared_ptr<const EdgeXray> xray;
+  std::shared_ptr<const TargetStudy> study; ///< of the target, where one was asked about
 };
 
 /// Methods are for one thread, the window's; the work happens on the worker's.

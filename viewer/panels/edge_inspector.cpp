@@ -59,19 +59,24 @@ void verdict(Ui& ui, const EdgeXray& x) {
     ImGui::PushFont(ui.fonts.small);
     widgets::verdict_glyph(ui, *x.agrees);
     ImGui::SameLine();
-    ImGui::TextUnformatted(*x.agrees ? "the journal says the same" : "the journal says otherwise");
+    ImGui::TextUnformatted(*x.agrees ? "the journal says the same, numbers and all"
+                                     : "the journal says otherwise");
     ImGui::PopFont();
     widgets::tip(ui, "Judged again",
                  "The evaluator that the run used, asked again about the state of that moment.");
   }
-  constexpr std::array<const char*, 3> labels{"automatic", "halfedge", "general"};
+  constexpr std::array<const char*, 4> labels{"automatic", "halfedge", "general", "octree"};
   int chosen = static_cast<int>(ui.model.selection.target);
   ImGui::PushFont(ui.fonts.small);
   if (widgets::segmented(ui, "targets", labels, chosen))
     ui.model.selection.target = static_cast<XrayTarget>(chosen);
   ImGui::PopFont();
   widgets::tip(ui, "Which targets",
-               "As the stage looks for them, the ends of the edge alone, or the search.");
+               "As the stage looks for them, the ends of the edge alone, the search, or the paper's octree.");
+}
+
+std::string time_text(double seconds) {
+  return seconds < 1e-3 ? short_number(1e6 * seconds) + " µs" : short_number(1e3 * seconds) + " ms";
 }
 
 /// One rung of the ladder; a click shows the witness.
@@ -83,7 +88,7 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
   const bool asked = v.state != CheckState::skipped;
   const bool pressed = ImGui::InvisibleButton("check", {width, high});
   ImGui::PopID();
-  const bool has_witness = v.state == CheckState::failed && squared_length(v.witness) > 0;
+  const bool has_witness = witness_of(x, x.attempt, check).has_value();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered() && has_witness) {
     list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + high},
@@ -92,7 +97,8 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
   }
   if (pressed && has_witness) ui.commands.post("witness", {std::string(name(check))});
   widgets::tip(ui, check_title(check),
-               std::string(check_help(check)) + (has_witness ? " Click for the witness." : ""));
+               std::string(check_help(check)) + (has_witness ? " Click for the witness." : "") +
+                   (v.seconds > 0 ? " It took " + time_text(v.seconds) + "." : ""));
   const ImVec2 mark{at.x + ui.px(8), at.y + high / 2};
   if (v.state == CheckState::passed)
     widgets::glyph(ui, mark, 4.5f, ui.colors.good, MarkerShape::disc);
@@ -104,59 +110,36 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), y},
                      to_u32(asked ? ui.colors.text : ui.colors.quiet), check_title(check));
   const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
-  std::string value;
-  if (check == CollapseCheck::kernel && asked)
-    value = "r = " + short_number(v.value / delta) + " δ";
-  else if (check == CollapseCheck::candidates && asked)
-    value = grouped(x.attempt.tried) + " tried";
-  else if ((check == CollapseCheck::link || check == CollapseCheck::zero_link) &&
-           v.state == CheckState::failed)
-    value = grouped(check == CollapseCheck::link ? x.attempt.link.offending_t.size()
-                                                 : x.attempt.link.offending_zero.size()) +
-            " simplices";
-  else if (!asked)
-    value = "not asked";
+  const std::string value = asked ? check_text(check, v, x.attempt, delta) : "not asked";
   const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
   widgets::draw_text(list, ui.fonts.mono,
                      {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
-                     to_u32(asked ? ui.colors.text : ui.colors.quiet, asked ? 1.0f : 0.7f), value);
-  ImGui::SetCursorScreenPos({at.x, at.y + high});
-}
-
-Reason reason_of(CollapseCheck check, const CollapseAttempt& attempt) {
-  switch (check) {
-  case CollapseCheck::classification:
-    return Reason::misclassified;
-  case CollapseCheck::containment:
-    return Reason::outside_tolerance;
-  case CollapseCheck::normals:
-    return Reason::normals;
-  case CollapseCheck::candidates:
-    return attempt.rejected;
-  default:
-    return Reason::none;
+                     to_u32(!asked                          ? ui.colors.quiet
+                            : v.state == CheckState::failed ? ui.colors.bad_text
+                                                            : ui.colors.text,
+                            asked ? 1.0f : 0.7f),
+                     value);
+  if (v.seconds > 0) {
+    const std::string time = time_text(v.seconds);
+    const float small = ui.fonts.small->FontSize;
+    const float room = std::max(extent, ui.px(104)) + ui.px(10);
+    const float taken = ui.fonts.small->CalcTextSizeA(small, 1e9f, 0, time.c_str()).x;
+    widgets::draw_text(list, ui.fonts.small, {at.x + width - room - taken, y}, to_u32(ui.colors.quiet, 0.8f),
+                       time);
   }
+  ImGui::SetCursorScreenPos({at.x, at.y + high});
 }
 
 void ladder(Ui& ui, const EdgeXray& x) {
   subtitle(ui, "Checks");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
-  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
-  const bool failed_search = x.attempt.check(CollapseCheck::candidates).state == CheckState::failed;
+  double seconds = 0;
   for (std::size_t i = 0; i < collapse_check_count; ++i) {
-    const auto check = static_cast<CollapseCheck>(i);
-    check_row(ui, x, check);
-    const CheckVerdict& v = x.attempt.check(check);
-    // The numbers of a search that failed are those of its candidate of least error, told by the check behind
-    // it.
-    if (v.state != CheckState::failed || (check == CollapseCheck::candidates && failed_search)) continue;
-    const Measured m = measured(reason_of(check, x.attempt), v.value, v.limit, delta);
-    if (!m.number) continue;
-    ImGui::Indent(ui.px(20));
-    measured_row(ui, "against the limit", m);
-    ImGui::Unindent(ui.px(20));
+    check_row(ui, x, static_cast<CollapseCheck>(i));
+    seconds += x.attempt.checks[i].seconds;
   }
   ImGui::PopStyleVar();
+  widgets::quiet_text(ui, "all of it in " + time_text(seconds));
 }
 
 void offenders(Ui& ui, const LinkVerdict& link) {
@@ -186,66 +169,6 @@ void offenders(Ui& ui, const LinkVerdict& link) {
   if (left_out > 0) widgets::quiet_text(ui, "and " + grouped(left_out) + " more");
 }
 
-void kernel(Ui& ui, const EdgeXray& x) {
-  if (!x.attempt.kernel) return;
-  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
-  const Kernel& k = *x.attempt.kernel;
-  subtitle(ui, "Kernel");
-  if (k.empty) {
-    widgets::value_row(ui, "half-spaces without a common point", grouped(k.witness.size()),
-                       ui.colors.bad_text);
-    widgets::value_row(ui, "they miss by", short_number(k.missing_slack / delta) + " δ");
-    return;
-  }
-  widgets::value_row(ui, "half-spaces", grouped(k.half_spaces.size()));
-  widgets::value_row(ui, "inscribed radius", short_number(k.inscribed_radius / delta) + " δ");
-  widgets::value_row(ui, "faces", grouped(x.kernel.faces.size()));
-  widgets::value_row(ui, "volume", short_number(x.kernel.volume / (delta * delta * delta)) + " δ³");
-}
-
-/// Bars of the candidates by reason, with the glyphs of the view.
-void candidates(Ui& ui, const EdgeXray& x) {
-  const std::size_t all = x.attempt.candidates.size();
-  if (all == 0) return;
-  subtitle(ui, "Candidates");
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (std::size_t i = 0; i < x.candidates.size(); ++i) {
-    const std::uint32_t n = x.candidates[i];
-    if (n == 0) continue;
-    const ReasonStyle& style = reason_style(static_cast<Reason>(i));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, high = ui.px(20);
-    const float bar = width * static_cast<float>(n) / static_cast<float>(all);
-    list.AddRectFilled({at.x, at.y + ui.px(2)}, {at.x + std::max(bar, ui.px(2)), at.y + high - ui.px(2)},
-                       to_u32(style.color, 0.22f), ui.px(3));
-    widgets::glyph(ui, {at.x + ui.px(8), at.y + high / 2}, 4.5f, style.color, style.shape);
-    widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2},
-                       to_u32(ui.colors.text), style.title);
-    const std::string count = grouped(n);
-    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
-    widgets::draw_text(list, ui.fonts.mono,
-                       {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
-                       to_u32(ui.colors.text), count);
-    ImGui::PushID(static_cast<int>(i));
-    ImGui::InvisibleButton("bar", {std::max(width, 1.0f), high - ImGui::GetStyle().ItemSpacing.y});
-    ImGui::PopID();
-    widgets::tip(ui, std::string(style.title), style.help);
-  }
-}
-
-void cost(Ui& ui, const EdgeXray& x) {
-  const CollapseAttempt& attempt = x.attempt;
-  if (!attempt.kernel || attempt.kernel->empty) return;
-  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
-  subtitle(ui, "Error");
-  widgets::value_row(ui, "at its least, unconstrained",
-                     short_number(attempt.unconstrained_cost / (delta * delta)) + " δ²");
-  if (!attempt.possible()) return;
-  widgets::value_row(ui, "at the target", short_number(attempt.cost / (delta * delta)) + " δ²");
-  widgets::value_row(ui, "target from the optimum",
-                     short_number(distance(attempt.target, attempt.optimum) / delta) + " δ");
-}
-
 } // namespace
 
 void edge_details(Ui& ui, const StateSnapshot& s) {
@@ -268,17 +191,22 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   }
   const auto event = m.selected_event();
   if (xray) verdict(ui, *xray);
+  // What is tried comes first: it is what changes.
+  const bool tried = m.selection.what_if.has_value();
+  if (xray && tried) what_if(ui, *xray);
   if (event) {
     ImGui::Dummy({0, ui.px(2)});
     event_details(ui, *m.run.journal, *event);
   }
   if (xray) {
     ladder(ui, *xray);
+    offenders(ui, xray->attempt.link);
+    if (!tried) what_if(ui, *xray);
     candidates(ui, *xray);
     search_regions(ui, *xray);
     kernel(ui, *xray);
     cost(ui, *xray);
-    offenders(ui, xray->attempt.link);
+    unlock(ui);
   } else if (!m.probe.idle()) {
     widgets::quiet_text(ui, "The edge is being looked at.");
   } else if (s.complex.form == ZeroForm::free) {

@@ -3,8 +3,9 @@
 
 #include "journal/journal.h"
 #include "panels/ui.h"
-#include "run/edge_xray.h"
+#include "run/target_study.h"
 
+#include <string>
 #include <string_view>
 
 namespace isoscope::panels {
@@ -21,6 +22,20 @@ struct Measured {
 Measured measured(Reason reason, double value, double limit, double delta);
 /// A number against its limit, as a bar where the limit leaves room for one.
 void measured_row(const Ui& ui, std::string_view label, const Measured& m);
+
+/// The number of a check beside its limit, in short: "0.97 / 1 δ".
+std::string check_text(CollapseCheck check, const CheckVerdict& verdict, const CollapseAttempt& attempt,
+                       double delta);
+/// Bars of the candidates by reason, and the list of them: hovering one shows its ghost.
+void candidates(Ui& ui, const EdgeXray& xray);
+/// The half-spaces and the polyhedron; the slider that pushes the planes of an empty one.
+void kernel(Ui& ui, const EdgeXray& xray);
+/// What the constraints cost.
+void cost(Ui& ui, const EdgeXray& xray);
+/// The target that is tried: verdict, numbers before and after, where to snap, the branch.
+void what_if(Ui& ui, const EdgeXray& xray);
+/// Which neighbouring collapses would make this one possible.
+void unlock(Ui& ui);
 
 /// What the search left out, Ψ and cells of the octree, with switches of the view: a legend in words.
 void search_regions(Ui& ui, const EdgeXray& xray);

@@ -66,6 +66,18 @@ void search_regions(Ui& ui, const EdgeXray& x) {
     legend_row(ui, invalid_color, "drawn within the kernel", "The largest of them, hatched.",
                grouped(x.invalid.size()) + " of " + grouped(attempt.invalid_regions.size()), true);
   }
+  if (const std::uint32_t judged = x.pruning.cells_judged + x.pruning.regions_judged; judged > 0) {
+    widgets::verdict_glyph(ui, x.pruning.wrong.empty());
+    ImGui::SameLine();
+    ImGui::PushFont(ui.fonts.small);
+    const std::string checked =
+        x.pruning.wrong.empty() ? "right: " + grouped(judged) + " points in it judged, all fail"
+                                : grouped(x.pruning.wrong.size()) + " of " + grouped(judged) + " would pass";
+    ImGui::TextUnformatted(checked.c_str());
+    ImGui::PopFont();
+    widgets::tip(ui, "Was it right to leave them out?",
+                 "Middles of Ψ and centres of the cells inside it, judged as if nothing were known.");
+  }
   if (attempt.cells.empty()) return;
   switched_title(ui, "Octree over the kernel",
                  "Cells by least possible error; the centre of one that is not left out is a candidate. "

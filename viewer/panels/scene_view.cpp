@@ -3,7 +3,7 @@
 
 #include "panels/scene_overlay.h"
 #include "panels/widgets.h"
-#include "run/edge_xray.h"
+#include "run/target_study.h"
 #include "scene/pick_geometry.h"
 
 #include <algorithm>
@@ -30,6 +30,9 @@ void SceneView::draw(Ui& ui) {
   renderer_->set_state(m.state());
   xray_ = m.xray();
   renderer_->set_xray(xray_);
+  // Until the next answer is there, the last one stays: a drag would flicker otherwise.
+  if (const auto newest = m.study(); newest || !m.selection.what_if || !xray_) study_ = newest;
+  renderer_->set_study(study_);
   frame_requests(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
@@ -64,6 +67,7 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   key.width = static_cast<int>(area.size.x * density.x);
   key.pixel_height = static_cast<int>(area.size.y * density.y);
   key.xray = xray_.get();
+  key.study = study_.get();
   key.mark = m.selection.mark;
   key.selection = m.selection.picked;
   key.hover = m.selection.hovered;
@@ -108,6 +112,7 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   ImGui::InvisibleButton("scene", area.size, every_button);
   ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
   frame_untouched(ui, area.size.x / area.size.y);
+  ui.model.scene_area = {area.low.x, area.low.y, area.size.x, area.size.y};
   scene_mouse(ui, area);
   render(ui, scene_, area, false);
   overlay::axes(ui, area.low, area.size);
@@ -160,6 +165,10 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
   const auto under = [&] {
     return renderer_->point_under(m.camera, m.shown_view(), at.x, at.y, width, height);
   };
+  if (handle_.update(ui, area.low, area.size, hovered)) {
+    dragged_ = true;
+    return;
+  }
   if (ImGui::IsItemActivated()) {
     pivot_ = under();
     dragged_ = false;

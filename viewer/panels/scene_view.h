@@ -1,6 +1,7 @@
 // The 3D view and the section: draws the renderer's picture, turns the mouse into camera moves and picks.
 #pragma once
 
+#include "panels/target_handle.h"
 #include "panels/ui.h"
 #include "scene/renderer.h"
 
@@ -31,7 +32,7 @@ class SceneView {
     double u = 0, v = 0, height = 0;
     const void *state = nullptr, *grid = nullptr, *scene = nullptr;
     int width = 0, pixel_height = 0;
-    const void* xray = nullptr;
+    const void *xray = nullptr, *study = nullptr;
     Pick selection, hover;
     std::optional<Vec3> mark;
     float scale = 1;
@@ -58,7 +59,10 @@ class SceneView {
 
   Renderer* renderer_;
   Picture scene_, section_;
-  std::shared_ptr<const EdgeXray> xray_; ///< of the last frame: its address tells pictures apart
+  /// Of the last frame: their addresses tell pictures apart.
+  std::shared_ptr<const EdgeXray> xray_;
+  std::shared_ptr<const TargetStudy> study_;
+  TargetHandle handle_;
   Vec3 pivot_;
   float framed_aspect_ = 0; ///< what the camera was framed for, while nobody has moved it
   Box3 framed_box_;

@@ -159,6 +159,10 @@ glm::mat4 Camera::view() const {
   return glm::mat4(glm::translate(rotation, -to_glm(eye())));
 }
 
+Vec3 Camera::to_world(Vec3 direction) const {
+  return from_glm(quaternion(pose_) * to_glm(direction));
+}
+
 glm::mat4 Camera::projection(double aspect) const {
   std::array<double, 2> depth{0.01 * pose_.distance, 100 * pose_.distance};
   if (!bounds_.empty()) {

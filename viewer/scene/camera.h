@@ -52,6 +52,8 @@ class Camera {
   glm::mat4 view() const;
   glm::mat4 projection(double aspect) const;
   Vec3 eye() const;
+  /// A direction of the picture (x right, y up, z towards the eye) in the scene.
+  Vec3 to_world(Vec3 direction) const;
   /// World ray through a viewport position; pixels, origin top left.
   struct Ray {
     Vec3 origin, direction;

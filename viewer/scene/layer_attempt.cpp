@@ -1,6 +1,7 @@
 // The edge under the X-ray.
 #include "scene/layer_attempt.h"
 
+#include "scene/attempt_builder.h"
 #include "scene/reason_style.h"
 #include "scene/search_regions.h"
 
@@ -9,21 +10,9 @@
 namespace isoscope {
 namespace {
 
-constexpr std::uint32_t kernel_color = 0xA98BF0, offender_color = 0xE83FD0;
+constexpr std::uint32_t offender_color = 0xE83FD0;
 
-struct Builder {
-  const SceneSpace& space;
-  LineBuilder lines;
-  MeshBuilder faces;
-  std::vector<Marker> marks;
-
-  void line(Vec3 a, Vec3 b, glm::vec3 color, float alpha, float width, bool dashed = false) {
-    lines.segment(space.local(a), space.local(b), color8(color, alpha), width, dashed);
-  }
-  void mark(Vec3 p, glm::vec3 color, MarkerShape shape, std::uint8_t diameter, float alpha = 1) {
-    marks.push_back({space.local(p), color8(color, alpha), shape, diameter});
-  }
-
+struct Builder : AttemptBuilder {
   void kernel(const KernelPolyhedron& k) {
     const glm::vec3 color = rgb(kernel_color);
     for (const auto& face : k.faces) {
@@ -34,17 +23,6 @@ struct Builder {
           faces.triangle(space.local(k.vertices[face[0]]), space.local(k.vertices[face[i + 1]]),
                          space.local(k.vertices[face[i + 2]]), color8(color, 0.3f), 0);
       }
-    }
-  }
-
-  /// Facets whose half-spaces have no common point.
-  void empty_kernel(const Kernel& k) {
-    for (const std::uint32_t w : k.witness) {
-      if (w >= k.facets.size()) continue;
-      const Triangle3& t = k.facets[w];
-      for (std::size_t i = 0; i < 3; ++i) line(t[i], t[(i + 1) % 3], rgb(kernel_color), 0.95f, 2.2f);
-      faces.triangle(space.local(t[0]), space.local(t[1]), space.local(t[2]), color8(rgb(kernel_color), 0.4f),
-                     0);
     }
   }
 
@@ -87,14 +65,14 @@ struct Builder {
 
 } // namespace
 
-void AttemptLayer::update(const EdgeXray* xray, const ViewFrame& frame) {
+void AttemptLayer::update(const EdgeXray* xray, const TargetStudy* study, const ViewFrame& frame) {
   const SceneColors& colors = frame.colors;
-  Builder b{frame.space, {}, {}, {}};
+  Builder b{{frame.space, {}, {}, {}}};
   if (xray) {
     const CollapseAttempt& attempt = xray->attempt;
     b.star(xray->star, colors);
     if (attempt.kernel && attempt.kernel->empty)
-      b.empty_kernel(*attempt.kernel);
+      add_empty_kernel(b, *xray, static_cast<double>(frame.view.kernel_push));
     else
       b.kernel(xray->kernel);
     if (frame.view.invalid_regions) add_invalid_regions(*xray, frame.space, b.lines, b.faces);
@@ -102,14 +80,19 @@ void AttemptLayer::update(const EdgeXray* xray, const ViewFrame& frame) {
     b.offenders(xray->star, attempt.link.offending_t);
     b.offenders(xray->star, attempt.link.offending_zero);
     b.candidates(attempt);
+    for (const Vec3& wrong : xray->pruning.wrong) b.mark(wrong, colors.warning, MarkerShape::square, 13);
     const bool searched = attempt.kernel && !attempt.kernel->empty;
     if (searched) b.mark(attempt.optimum, colors.accent, MarkerShape::hollow_diamond, 14);
+    const bool chosen = attempt.possible() || study;
+    if (searched && chosen && frame.view.cost_ellipsoid)
+      add_cost_ellipsoid(b, *xray, study ? study->target : attempt.target, colors.accent);
     if (attempt.possible()) {
       if (attempt.optimum != attempt.target)
         b.line(attempt.optimum, attempt.target, colors.accent, 0.8f, 1.4f, true);
       b.mark(attempt.target, colors.good, MarkerShape::disc, 12);
       b.mark(attempt.target, colors.good, MarkerShape::ring, 20);
     }
+    if (study) add_ghost(b, *study, colors);
   }
   if (frame.mark) {
     b.mark(*frame.mark, colors.bad, MarkerShape::cross, 16);

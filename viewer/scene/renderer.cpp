@@ -76,6 +76,7 @@ struct Renderer::Impl {
   std::shared_ptr<const DistanceGrid> grid;
   std::shared_ptr<const StateSnapshot> state;
   std::shared_ptr<const EdgeXray> xray;
+  std::shared_ptr<const TargetStudy> study;
   SceneSpace space;
 
   ZeroSetLayer zero_set;
@@ -223,7 +224,7 @@ void Renderer::Impl::update_layers(const ViewFrame& frame) {
       tetrahedra.clear();
   }
   highlight.update(state.get(), frame);
-  attempt.update(view.xray.shown() ? xray.get() : nullptr, frame);
+  attempt.update(view.xray.shown() ? xray.get() : nullptr, study.get(), frame);
 }
 
 void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request,
@@ -373,6 +374,10 @@ void Renderer::set_state(std::shared_ptr<const StateSnapshot> state) {
 
 void Renderer::set_xray(std::shared_ptr<const EdgeXray> xray) {
   impl_->xray = std::move(xray);
+}
+
+void Renderer::set_study(std::shared_ptr<const TargetStudy> study) {
+  impl_->study = std::move(study);
 }
 
 Box3 Renderer::bounds() const {

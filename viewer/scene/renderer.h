@@ -16,6 +16,7 @@
 namespace isoscope {
 
 struct EdgeXray;
+struct TargetStudy;
 
 /// How much work a frame may cost.
 enum class Quality : std::uint8_t { moving, rest };
@@ -43,6 +44,7 @@ class Renderer {
   void set_grid(std::shared_ptr<const DistanceGrid> grid);
   void set_state(std::shared_ptr<const StateSnapshot> state);
   void set_xray(std::shared_ptr<const EdgeXray> xray);
+  void set_study(std::shared_ptr<const TargetStudy> study);
   Box3 bounds() const;
 
   /// Renders the 3D view; returns the colour texture's name, valid until the next call. Resolution may be

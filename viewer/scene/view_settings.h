@@ -67,6 +67,8 @@ struct ViewSettings {
   LayerSettings xray{true, 1.0f};      ///< kernel, candidates and offenders of the selected edge
   bool invalid_regions = true;         ///< Ψ of the X-ray
   bool octree_cells = true;            ///< cells of the X-ray's octree search
+  bool cost_ellipsoid = true;          ///< points of the same error as the target of the X-ray
+  float kernel_push = 0;               ///< planes of an empty kernel, of what they miss by, in [0, 1]
   Moment moment = Moment::both;
   bool zero_set_edges = true;
   bool focus = true;        ///< with an edge selected samples, Ω and changed tetrahedra step back

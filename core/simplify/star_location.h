@@ -1,0 +1,26 @@
+// Where a point lies in the star of an edge, before and after a collapse, and what f says there.
+#pragma once
+
+#include "mesh/edge_star.h"
+
+#include <array>
+
+namespace isoscope {
+
+/// A tetrahedron of a star with its corners at one of the two moments; null where none holds the point.
+struct StarLocation {
+  const EdgeStar::StarTet* tet = nullptr;
+  std::array<Vec3, 4> corners;
+};
+
+StarLocation locate_before(const EdgeStar& star, Vec3 x);
+StarLocation locate_after(const EdgeStar& star, Vec3 target, Vec3 x);
+/// F at the corners after the collapse: both ends take that of the end that stays.
+std::array<double, 4> values_after(const EdgeStar& star, const EdgeStar::StarTet& t);
+/// ε of a sample at a located point.
+double sample_error_at(const EdgeStar& star, const StarLocation& at, const std::array<double, 4>& values,
+                       Vec3 x, int label);
+/// f·label at a located point; the side of the tetrahedron once Z is embedded.
+double side_at(const EdgeStar& star, const StarLocation& at, const std::array<double, 4>& values, Vec3 x);
+
+} // namespace isoscope

@@ -1,0 +1,59 @@
+// What the model does about a picked edge beyond its X-ray: chosen targets, unlocking, branches.
+#include "app/app_model.h"
+
+namespace isoscope {
+
+std::shared_ptr<const TargetStudy> AppModel::study() const {
+  const auto newest = probe.result();
+  return newest && xray_asked_ && newest->request == *xray_asked_ && newest->request.state == state()
+             ? newest->study
+             : nullptr;
+}
+
+std::shared_ptr<const UnlockSearch> AppModel::unlock_search() const {
+  const auto newest = unlocks.result();
+  return newest && xray_asked_ && newest->request.same_edge(*xray_asked_) ? newest->search : nullptr;
+}
+
+Status AppModel::search_unlocks() {
+  if (!xray() || !xray_asked_)
+    return Error{ErrorCode::usage, "There is no X-ray.", "Select an edge of T first."};
+  unlocks.request(*xray_asked_);
+  return {};
+}
+
+Status AppModel::branch_here() {
+  const auto shown = xray();
+  const auto tried = study();
+  if (!shown || !tried)
+    return Error{ErrorCode::usage, "No target is tried.", "Select an edge of T and choose a target first."};
+  const Step step = state()->step - (shown->before ? 1 : 0);
+  if (Status can = can_branch(*run.journal, step); !can) return can;
+  if (!tried->attempt.possible())
+    return Error{ErrorCode::usage,
+                 "The edge cannot be collapsed there: " + std::string(name(tried->attempt.rejected)) + ".",
+                 "Move the target until every check passes."};
+  Session branch;
+  branch.start_branch({run.journal, step, shown->star.a(), shown->star.b(), tried->target}, run.parameters,
+                      *run.scene, run.generation);
+  if (run.phase == SessionPhase::running) session.pause();
+  other_run.reset();
+  other_run.emplace(std::move(session));
+  session = std::move(branch);
+  generation_ = 0;
+  draft = run.parameters;
+  transport.restart();
+  return {};
+}
+
+Status AppModel::change_run() {
+  if (!other_run) return Error{ErrorCode::usage, "There is no other run.", "A branch makes one."};
+  if (run.phase == SessionPhase::running) session.pause();
+  std::swap(session, *other_run);
+  draft = session.snapshot().parameters;
+  generation_ = 0;
+  transport.restart();
+  return {};
+}
+
+} // namespace isoscope
