@@ -85,6 +85,42 @@ TEST_CASE("conditions over the events of a short journal") {
   }
 }
 
+TEST_CASE("every stage, kind, condition and reason can be asked for by its name") {
+  const auto passes = [](const std::string& text, const Event& event) {
+    Journal journal;
+    journal.add_event(event);
+    return holds(*read(text), journal, 0, nullptr);
+  };
+  Event e;
+  for (int k = 0; k < event_kind_count; ++k) {
+    e = {};
+    e.kind = static_cast<EventKind>(k);
+    // The stage of that name holds the kind of that name.
+    e.stage = e.kind == EventKind::tessellation ? Stage::tessellation : Stage::all;
+    CAPTURE(name(e.kind));
+    CHECK(passes(std::string(name(e.kind)), e));
+    CHECK(!passes("!" + std::string(name(e.kind)), e));
+  }
+  for (int r = 1; r < reason_count; ++r) {
+    e = {};
+    e.reason = static_cast<Reason>(r);
+    CHECK(passes(std::string(name(e.reason)), e));
+    e.reason = static_cast<Reason>(r == 1 ? 2 : 1);
+    CHECK(!passes(std::string(name(static_cast<Reason>(r))), e));
+  }
+  for (int c = 1; c < condition_count; ++c) {
+    e = {};
+    e.condition = static_cast<Condition>(c);
+    CHECK(passes("condition == " + std::string(name(e.condition)), e));
+    CHECK(!passes("condition == none", e));
+  }
+  for (int s = 0; s < stage_count; ++s) {
+    e = {};
+    e.stage = static_cast<Stage>(s);
+    CHECK(passes("stage == " + std::string(name(e.stage)), e));
+  }
+}
+
 TEST_CASE("the next and the previous match") {
   const auto journal = test::hand_made_events();
   const RunControl control;
