@@ -93,8 +93,8 @@ quit
 }
 
 TEST_CASE("a wrong condition is refused") {
-  CHECK(run_script("wrong", "break rejct\nquit\n") == 2);
-  CHECK(run_script("wrong-filter", "filter reason == kernl\nquit\n") == 2);
+  CHECK(run_script("wrong", "break rejct\nquit\n") == 1);
+  CHECK(run_script("wrong-filter", "filter reason == kernl\nquit\n") == 1);
 }
 
 TEST_CASE("the list takes conditions and words, saved ones are lanes, a range limits them") {
@@ -137,22 +137,22 @@ stage zero-set
 wait settled
 next-event rejection
 wait settled
-expect level == operation and gates == 10
+expect depth == 1 and gates == 10
 key F11
 wait settled
-expect level == gate and gate == 1 and gate.failed == off
+expect depth == 2 and gate.number == 1 and gate.failed == off
 step-over 9
-expect gate == 10
+expect gate.number == 10
 key Shift+F10
-expect gate == 9
+expect gate.number == 9
 key Shift+F11
-expect level == operation
+expect depth == 1
 key F10
 wait settled
 expect event.kind != none
 key Shift+F10
 key Shift+F11
-expect level == stage
+expect depth == 0
 key Shift+F10
 wait settled
 expect state_step == begin.zero-set
@@ -160,20 +160,20 @@ key F10
 wait settled
 expect state_step == begin.all
 key F11
-expect level == operation
+expect depth == 1
 next-event repair
 wait settled
 key F11
 wait settled
-expect level == gate and gates >= 2 and gate == 1
+expect depth == 2 and gates >= 2 and gate.number == 1
 step-over 100
-expect level == operation
+expect depth == 1
 next-event stays_above && sweeps > 0
 wait settled
 key F11
 wait settled
 step-over
-expect level == gate
+expect depth == 2
 quit
 )") == 0);
 }

@@ -39,14 +39,11 @@ void add_debug_readings(NamedTable& t) {
     for (const FilteredEvents& lane : m.debug.lanes) events += lane.rows().size();
     return std::to_string(events);
   });
-  add("level", "how deep one steps: stage, operation or gate", [](const AppModel& m) {
-    return std::string(m.debug.level == DebugLevel::stage       ? "stage"
-                       : m.debug.level == DebugLevel::operation ? "operation"
-                                                                : "gate");
-  });
+  add("depth", "how deep one steps: 0 stages, 1 operations, 2 gates",
+      [](const AppModel& m) { return std::to_string(static_cast<int>(m.debug.level)); });
   add("gates", "of the event at which one stands",
       [](const AppModel& m) { return std::to_string(gates_of(m).size()); });
-  add("gate", "the number of the gate shown, from 1; 0 none",
+  add("gate.number", "the number of the gate shown, from 1; 0 none",
       [gate](const AppModel& m) { return gate(m) ? std::to_string(m.debug.gate + 1) : std::string("0"); });
   add("gate.failed", "whether the gate shown failed", [gate](const AppModel& m) {
     const auto shown = gate(m);
