@@ -254,9 +254,10 @@ Status choose_range(AppModel& m, const Arguments& a) {
   }
   const auto begin = parse_number(a[0]);
   const auto end = a.size() == 2 ? parse_number(a[1]) : Result<double>(-1.0);
-  if (!begin || !end || *begin < 0 || *end < *begin || *end > 4e9)
+  if (!begin || !end || *begin < 0 || *end < *begin || *begin > static_cast<double>(m.live_step()))
     return usage("range", "A range has a first and a last step.");
-  m.debug.range = StepSpan{static_cast<Step>(*begin), static_cast<Step>(*end)};
+  m.debug.range = StepSpan{static_cast<Step>(*begin),
+                           static_cast<Step>(std::min(*end, static_cast<double>(m.live_step())))};
   return {};
 }
 

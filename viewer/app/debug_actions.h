@@ -21,7 +21,7 @@ void show_event(AppModel& model, std::uint32_t index);
 /// The gates of the event at which one stands, in their order; empty where it has none, or while the X-ray is
 /// made.
 std::vector<GateView> gates_of(const AppModel& model);
-/// "∂Γ › collapse of event 123 › 4 kernel failed 0.2 against 1"
+/// "Z, rejection 123, 4 kernel: failed, 0.2 against 1", with arrows between.
 std::string breadcrumb(const AppModel& model);
 /// The condition that F9 would break on; empty where nothing is selected.
 std::string condition_of_selection(const AppModel& model);

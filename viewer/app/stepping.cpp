@@ -1,5 +1,6 @@
 // Steps over, into and out of the tree of stages, operations and gates.
 #include "app/debug_actions.h"
+#include "app/icons.h"
 #include "app/named_values.h"
 #include "app/words.h"
 
@@ -139,17 +140,18 @@ std::vector<GateView> gates_of(const AppModel& m) {
 }
 
 std::string breadcrumb(const AppModel& m) {
+  const std::string between = std::string("  ") + icon::right + "  ";
   const auto here = event_here(m);
   if (!here) return "setup";
   const Event& e = m.run.journal->events()[*here];
   std::string text(stage_title(e.stage));
   if (m.debug.level == DebugLevel::stage) return text;
-  text += " › " + std::string(name(e.kind)) + " " + grouped(*here);
+  text += between + std::string(name(e.kind)) + " " + grouped(*here);
   if (m.debug.level == DebugLevel::operation) return text;
   const auto gates = gates_of(m);
-  if (m.debug.gate >= gates.size()) return text + " › …";
+  if (m.debug.gate >= gates.size()) return text + between + "…";
   const GateView& gate = gates[m.debug.gate];
-  return text + " › " + std::to_string(m.debug.gate + 1) + " " + gate.title + ": " + gate.state +
+  return text + between + std::to_string(m.debug.gate + 1) + " " + gate.title + ": " + gate.state +
          (gate.numbers.empty() ? "" : ", " + gate.numbers);
 }
 
