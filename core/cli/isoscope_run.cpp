@@ -6,6 +6,7 @@
 #include "cli/progress_line.h"
 #include "cli/summary.h"
 #include "input/mesh_io.h"
+#include "journal/describe.h"
 #include "run/pipeline.h"
 #include "run/report.h"
 
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,20 +40,31 @@ extern "C" void on_signal(int) {
   control->cancel();
 }
 
-/// Never pauses; ends the stage once the run is cancelled, and shows progress.
+/// Never pauses; ends the run once it is cancelled or a breakpoint holds, and shows progress.
 class BatchGate : public Gate {
  public:
-  BatchGate(const RunControl& control, ProgressLine& progress) : control_(&control), progress_(&progress) {}
+  BatchGate(RunControl& control, ProgressLine& progress, BreakpointSet& breakpoints)
+      : control_(&control), progress_(&progress), breakpoints_(&breakpoints),
+        asks_(breakpoints.any_enabled()) {}
   Verdict pass(const Journal& journal, const Event& event) override {
     if (event.operation) progress_->operation(journal, event.stage);
+    if (asks_ && !hit_) {
+      hit_ = breakpoints_->ask(journal);
+      if (hit_) control_->cancel();
+    }
     return control_->cancelled() ? Verdict::stop : Verdict::go_on;
   }
   CriteriaParameters wanted_parameters() const override { return criteria_; }
   void set(const CriteriaParameters& criteria) { criteria_ = criteria; }
+  /// What made the run stop.
+  const std::optional<BreakpointHit>& hit() const { return hit_; }
 
  private:
-  const RunControl* control_;
+  RunControl* control_;
   ProgressLine* progress_;
+  BreakpointSet* breakpoints_;
+  bool asks_;
+  std::optional<BreakpointHit> hit_;
   CriteriaParameters criteria_;
 };
 
@@ -101,7 +114,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", std::string("isoscope-run ") + std::string(version()));
   app.footer("Exit status: 0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 "
              "stopped by a limit "
-             "or by the user.");
+             "or by the user; 5 stopped at a breakpoint.");
   if (argc > 1 && std::string_view(argv[1]) == "replay") {
     return fail({ErrorCode::usage, "replay belongs to a later stage, which this version does not have.", ""},
                 2);
@@ -115,6 +128,9 @@ int run(int argc, char** argv) {
     const Status printed = print(gallery_table());
     return printed.ok() ? 0 : fail(printed.error(), 1);
   }
+  BreakpointSet breakpoints;
+  if (Status added = add_breakpoints(options.breakpoints(), breakpoints); !added)
+    return fail(added.error(), 2);
   const auto parameters = options.finish();
   if (!parameters) return fail(parameters.error(), 2);
   if (parameters->input.empty()) {
@@ -141,12 +157,13 @@ int run(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
 
   auto journal = std::make_shared<Journal>();
-  BatchGate gate(control, progress);
+  BatchGate gate(control, progress, breakpoints);
   Pipeline pipeline(*parameters, journal, gate, control);
   const auto scene = pipeline.prepare();
   progress.finish();
   if (!scene) return fail(scene.error(), exit_status(scene.error().code));
   gate.set(parameters->criteria((*scene)->delta, (*scene)->default_sigma));
+  breakpoints.set_expected([&] { return expected_genus(**scene); });
   if (!quiet) {
     for (const ParameterWarning& w : (*scene)->warnings) note(w.message);
     if (!(*scene)->thickening_note.empty()) note((*scene)->thickening_note);
@@ -155,7 +172,12 @@ int run(int argc, char** argv) {
   progress.finish();
   if (!result) return fail(result.error(), exit_status(result.error().code));
 
-  int status = result->exit_status();
+  constexpr int stopped_at_breakpoint = 5;
+  int status = gate.hit() ? stopped_at_breakpoint : result->exit_status();
+  if (gate.hit()) {
+    std::fprintf(stderr, "isoscope-run: %s: %s\n", gate.hit()->note().c_str(),
+                 describe(*journal, journal->events()[gate.hit()->event]).c_str());
+  }
   if (!outputs.mesh.empty()) {
     if (Status written = write_mesh(outputs.mesh, result->mesh); !written) status = fail(written.error(), 1);
   }

@@ -22,7 +22,8 @@ struct RunOptions::Raw {
   std::vector<int> off;
   bool no_normals = false;
   int effort = 2, cost_ring = 1;
-  std::string record, breakpoint;
+  std::string record;
+  std::vector<std::string> breakpoints;
 };
 
 namespace {
@@ -91,10 +92,10 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
                  "switch a condition of the refinement off: 1, 2, 3 or 4; repeatable");
   app.add_flag("--no-normals", r.no_normals, "the same as --no-condition 3");
   app.add_option("--time-limit", r.time_limit, "seconds after which the run stops with what it has; 0: none");
-  for (const auto& [option, target] :
-       {std::pair{"--record", &r.record}, std::pair{"--break", &r.breakpoint}}) {
-    app.add_option(option, *target)->group("");
-  }
+  app.add_option("--record", r.record)->group("");
+  app.add_option("--break", r.breakpoints,
+                 "stop at the first event for which a condition holds, such as "
+                 "'reject && reason == kernel_empty'; repeatable, each stops");
 }
 
 RunOptions::~RunOptions() = default;
@@ -102,7 +103,6 @@ RunOptions::~RunOptions() = default;
 Result<RunParameters> RunOptions::finish() const {
   const Raw& r = *raw_;
   if (!r.record.empty()) return later("--record");
-  if (!r.breakpoint.empty()) return later("--break");
   if (r.input == "replay") return later("replay");
 
   RunParameters p;
@@ -183,6 +183,19 @@ Result<RunParameters> RunOptions::finish() const {
   }
   if (Status valid = check(p); !valid) return valid.error();
   return p;
+}
+
+const std::vector<std::string>& RunOptions::breakpoints() const {
+  return raw_->breakpoints;
+}
+
+Status add_breakpoints(const std::vector<std::string>& texts, BreakpointSet& set) {
+  for (const std::string& text : texts) {
+    const auto added = set.add(text);
+    if (const auto* wrong = std::get_if<QueryError>(&added))
+      return Error{ErrorCode::usage, "--break: " + wrong->picture(text), ""};
+  }
+  return {};
 }
 
 std::string gallery_table() {

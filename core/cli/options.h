@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/status.h"
+#include "query/breakpoints.h"
 #include "run/parameters.h"
 
 #include <memory>
@@ -22,11 +23,16 @@ class RunOptions {
   RunOptions(CLI::App& app, bool input_required);
   ~RunOptions();
   Result<RunParameters> finish() const;
+  /// The texts of --break.
+  const std::vector<std::string>& breakpoints() const;
 
  private:
   struct Raw;
   std::unique_ptr<Raw> raw_;
 };
+
+/// Fails with usage on the first text that is no condition, with a picture of the place.
+Status add_breakpoints(const std::vector<std::string>& texts, BreakpointSet& set);
 
 /// The bundled models as a table for a terminal.
 std::string gallery_table();

@@ -67,6 +67,12 @@ class ResamplingGate : public Gate {
 
 } // namespace
 
+std::optional<double> expected_genus(const Scene& scene) {
+  const ExpectedTopology& e = scene.expected;
+  if (!e.euler_characteristic || !e.components) return std::nullopt;
+  return static_cast<double>(*e.components) - static_cast<double>(*e.euler_characteristic) / 2;
+}
+
 int RunResult::exit_status() const {
   if (end != End::finished) return 4;
   return certificate.holds() ? 0 : 1;

@@ -39,6 +39,9 @@ struct Scene {
   double input_seconds = 0, volume_seconds = 0, sampling_seconds = 0;
 };
 
+/// The genus that Z should have, where χ and the number of components are both asked for.
+std::optional<double> expected_genus(const Scene& scene);
+
 /// How a run ended.
 struct RunResult {
   enum class End { finished, stopped, limit };

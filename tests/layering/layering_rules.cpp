@@ -16,7 +16,7 @@ constexpr int longest_file = 600;
 // The folders that a folder's files may include, besides their own. Architecture, section 3.
 const std::map<std::string, Names, std::less<>>& allowed_folders() {
   static const Names core = {"base",    "input",  "tolerance", "mesh", "criteria",
-                             "journal", "refine", "simplify",  "run"};
+                             "journal", "query",  "refine",    "simplify", "run"};
   static const auto with_core = [](Names more) {
     more.insert(core.begin(), core.end());
     return more;
@@ -28,6 +28,7 @@ const std::map<std::string, Names, std::less<>>& allowed_folders() {
       {"core/mesh", {"base", "input"}},
       {"core/criteria", {"base", "input", "tolerance", "mesh"}},
       {"core/journal", {"base", "input", "tolerance", "mesh"}},
+      {"core/query", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
       {"core/refine", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
       {"core/simplify", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
       {"core/run", {"base", "input", "tolerance", "mesh", "criteria", "journal", "refine", "simplify"}},

@@ -1,6 +1,7 @@
 // What happens between two frames: the run's news, the play head, the workers.
 #include "app/app_model.h"
 
+#include "app/debug_actions.h"
 #include "input/gallery.h"
 #include "scene/section_view.h"
 
@@ -27,7 +28,11 @@ CameraPose first_pose() {
 } // namespace
 
 AppModel::AppModel(std::function<void()> notify)
-    : playhead(notify), probe(notify), unlocks(notify), grid(notify) {
+    : playhead(notify), probe(notify), unlocks(notify), grid(notify), debug(notify) {
+  debug.breakpoints->set_expected([this] {
+    const auto scene = session.snapshot().scene;
+    return scene ? expected_genus(*scene) : std::nullopt;
+  });
   camera.set(first_pose());
 }
 
@@ -217,6 +222,7 @@ bool AppModel::update(double seconds) {
   place_view();
   bool changed = phase != run.phase || running();
   changed |= index.update();
+  changed |= update_debugger(*this);
   transport.set_immediate(scripted);
   const bool growing = running() || !index.complete();
   transport.update(std::min(seconds, 0.1), live_step(), growing);
@@ -251,6 +257,7 @@ bool AppModel::update(double seconds) {
 bool AppModel::state_is_current() const {
   if (!playhead.idle() || !probe.idle() || !unlocks.idle() || !index.complete() || grid.working())
     return false;
+  if (!debugger_is_current(*this)) return false;
   if (!run.journal) return true;
   return result_ && asked_ && result_->request == *asked_ && asked_->step == transport.step() &&
          (!transport.moving() || transport.step() >= live_step());

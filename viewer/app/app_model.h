@@ -2,6 +2,7 @@
 // a frame.
 #pragma once
 
+#include "app/debugger.h"
 #include "app/event_filter.h"
 #include "app/grid_loader.h"
 #include "app/journal_index.h"
@@ -99,6 +100,7 @@ class AppModel {
   GridLoader grid;
   JournalIndex index;
   Transport transport;
+  Debugger debug;
   RunParameters draft;   ///< what the parameter panel shows: asked for when applied
   double wait_until = 0; ///< scripts: seconds on the clock until which `wait SECONDS` holds
 

@@ -277,6 +277,8 @@ Status pick_worst(AppModel& model, const Arguments&) {
 Status clear_selection(AppModel& model, const Arguments&) {
   if (model.overlay != Overlay::none)
     model.overlay = Overlay::none;
+  else if (model.debug.range)
+    model.debug.range.reset();
   else
     model.selection.pick({});
   return {};
@@ -353,7 +355,7 @@ Status toggle_panes(AppModel& model, const Arguments&) {
 }
 
 Status choose_tab(AppModel& model, const Arguments& a) {
-  constexpr std::array<std::string_view, 3> names{"timeline", "plots", "events"};
+  constexpr std::array<std::string_view, 4> names{"timeline", "plots", "events", "breakpoints"};
   const auto found = a.empty() ? names.end() : std::find(names.begin(), names.end(), a[0]);
   if (found == names.end()) return usage("tab", "Which tab?");
   model.settings.panes.tab = static_cast<int>(found - names.begin());

@@ -48,8 +48,8 @@ struct CommandCall {
   Arguments arguments;
 };
 
-/// Splits a line at blanks; "double quotes" keep them. The commands `view` and `expect` take the rest of the
-/// line as it is.
+/// Splits a line at blanks; "double quotes" keep them. Commands that take a condition, `view` and `expect`
+/// take the rest of the line as it is.
 CommandCall parse_call(std::string_view line);
 /// Runs it; fails with usage on an unknown name or wrong arguments, and with what the command itself says.
 Status run_command(AppModel& model, const CommandCall& call);

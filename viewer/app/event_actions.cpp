@@ -1,17 +1,32 @@
 // Commands on the events of the journal: going to them, filtering them, showing their witnesses.
-#include "app/command_actions.h"
+#include "app/debug_actions.h"
 #include "app/named_values.h"
 
 #include <algorithm>
+#include <iterator>
 
-namespace isoscope::actions {
+namespace isoscope {
+namespace actions {
 namespace {
 
 Error usage(const std::string& name, const std::string& what) {
   return {ErrorCode::usage, what, "It is used so: " + name + " " + std::string(find_command(name)->usage)};
 }
 
-void go_to(AppModel& model, std::uint32_t index) {
+/// The condition that the words of a command make.
+Result<std::shared_ptr<const Expression>> condition_of(const Arguments& a) {
+  std::string text;
+  for (const std::string& word : a) text += (text.empty() ? "" : " ") + word;
+  ParsedQuery parsed = parse_query(text);
+  if (const auto* error = std::get_if<QueryError>(&parsed))
+    return Error{ErrorCode::usage, error->picture(text), ""};
+  return std::get<std::shared_ptr<const Expression>>(std::move(parsed));
+}
+
+} // namespace
+} // namespace actions
+
+void show_event(AppModel& model, std::uint32_t index) {
   const Event& event = model.run.journal->events()[index];
   model.transport.jump(event.step + (event.operation ? 1u : 0u));
   Pick pick;
@@ -30,14 +45,14 @@ void go_to(AppModel& model, std::uint32_t index) {
   if (pick.kind != Pick::Kind::none) model.requests.frame_selection = true;
 }
 
-} // namespace
+namespace actions {
 
 Status pick_operation(AppModel& model, const Arguments&) {
   const auto state = model.state();
   if (!state || state->step == 0) return Error{ErrorCode::usage, "No operation led to this step.", ""};
   const std::uint32_t index = model.run.journal->operations()[state->step - 1].event;
   const bool frame = model.requests.frame_selection;
-  go_to(model, index);
+  show_event(model, index);
   model.requests.frame_selection = frame;
   return {};
 }
@@ -46,30 +61,39 @@ Status go_to_event(AppModel& model, const Arguments& a) {
   const auto number = a.size() == 1 ? parse_number(a[0]) : Result<double>(-1.0);
   if (!number || *number < 0 || *number >= static_cast<double>(model.run.journal->events().size()))
     return usage("event", "There is no such event.");
-  go_to(model, static_cast<std::uint32_t>(*number));
+  show_event(model, static_cast<std::uint32_t>(*number));
   return {};
 }
 
 Status next_event(AppModel& model, const Arguments& a, int direction) {
-  const Journal& journal = *model.run.journal;
-  EventFilter filter = a.empty() ? model.filter : EventFilter();
-  for (const std::string& word : a)
-    if (!filter.narrow(word)) return usage("next-event", "Nothing is called \"" + word + "\".");
-  // From the selected event where it belongs to the step, else from the operation that led there.
-  std::ptrdiff_t at = -1;
-  const Step step = model.transport.step();
-  if (step > 0 && step <= journal.steps()) at = journal.operations()[step - 1].event;
-  if (model.selection.event && *model.selection.event < journal.events().size()) {
-    const Event& e = journal.events()[*model.selection.event];
-    if (e.step + (e.operation ? 1u : 0u) == step) at = *model.selection.event;
+  const Error none{ErrorCode::usage, "There is no such event in that direction.", ""};
+  const std::ptrdiff_t here = current_event(model);
+  if (a.empty()) {
+    FilteredEvents& listed = model.debug.listed;
+    listed.update(model.run.journal, {model.debug.filter, model.filter, model.debug.range});
+    const auto& rows = listed.rows();
+    const auto at = direction > 0 ? std::upper_bound(rows.begin(), rows.end(), here)
+                                  : std::lower_bound(rows.begin(), rows.end(), here);
+    if (direction > 0 ? at == rows.end() : at == rows.begin()) return none;
+    show_event(model, direction > 0 ? *at : *std::prev(at));
+    return {};
   }
-  const auto end = static_cast<std::ptrdiff_t>(journal.events().size());
-  for (at += direction; at >= 0 && at < end; at += direction)
-    if (filter.passes(journal.events()[static_cast<std::size_t>(at)])) {
-      go_to(model, static_cast<std::uint32_t>(at));
-      return {};
-    }
-  return Error{ErrorCode::usage, "There is no such event in that direction.", ""};
+  const auto expression = condition_of(a);
+  if (!expression) return expression.error();
+  const Direction way = direction > 0 ? Direction::forward : Direction::backward;
+  // Where the journal has to be followed, the worker looks.
+  if ((*expression)->needs().any()) {
+    search_events(model, {*expression}, way, false);
+    return {};
+  }
+  QuerySearch search;
+  search.expressions = {*expression};
+  search.from = here;
+  search.direction = way;
+  const auto match = find(model.run.journal, search, RunControl());
+  if (!match) return none;
+  show_event(model, match->event);
+  return {};
 }
 
 Status go_to_stage(AppModel& model, const Arguments& a) {
@@ -92,11 +116,15 @@ Status go_to_stage(AppModel& model, const Arguments& a) {
 }
 
 Status filter_events(AppModel& model, const Arguments& a) {
-  EventFilter filter;
-  for (const std::string& word : a)
-    if (!filter.narrow(word))
-      return usage("filter", "No stage, kind, condition or reason is called \"" + word + "\".");
-  model.filter = filter;
+  std::shared_ptr<const Expression> expression;
+  if (!a.empty()) {
+    const auto read = condition_of(a);
+    if (!read) return read.error();
+    expression = *read;
+  }
+  model.filter = {};
+  model.debug.filter = expression;
+  model.debug.filter_text = expression ? expression->text() : std::string();
   return {};
 }
 
@@ -126,4 +154,5 @@ Status toggle_blink(AppModel& model, const Arguments&) {
   return {};
 }
 
-} // namespace isoscope::actions
+} // namespace actions
+} // namespace isoscope

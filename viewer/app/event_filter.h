@@ -4,7 +4,6 @@
 #include "journal/event.h"
 
 #include <bitset>
-#include <string>
 
 namespace isoscope {
 
@@ -17,10 +16,6 @@ struct EventFilter {
 
   bool passes(const Event& event) const;
   bool everything() const { return stages.all() && kinds.all() && conditions.all() && reasons.all(); }
-  /// Lets pass only what carries the name: a stage ("zero-set"), a kind ("rejection"), a condition ("height")
-  /// or a reason ("kernel-empty"); "all" lets everything pass. Names of different sorts add up, so that
-  /// "rejection" after "zero-set" asks for both. False on a name that there is not.
-  bool narrow(const std::string& name);
   friend bool operator==(const EventFilter&, const EventFilter&) = default;
 };
 

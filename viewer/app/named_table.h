@@ -15,5 +15,7 @@ std::string text_of(double value);
 void add_readings(NamedTable& table);
 /// The same of what is asked of an edge.
 void add_edge_readings(NamedTable& table);
+/// The same of the debugger.
+void add_debug_readings(NamedTable& table);
 
 } // namespace isoscope

@@ -253,6 +253,7 @@ Table make_table() {
   add_view(t);
   add_readings(t);
   add_edge_readings(t);
+  add_debug_readings(t);
   return t;
 }
 

@@ -11,7 +11,7 @@ namespace isoscope {
 namespace {
 
 using nlohmann::json;
-constexpr std::size_t recent_limit = 10;
+constexpr std::size_t recent_limit = 10, filter_limit = 8;
 
 float number(const json& object, const char* key, float fallback, float low, float high) {
   const auto found = object.find(key);
@@ -52,7 +52,7 @@ Settings load_settings(const std::filesystem::path& file) {
   s.panes.show_left = flag(object, "show_left", true);
   s.panes.show_right = flag(object, "show_right", true);
   s.panes.show_bottom = flag(object, "show_bottom", true);
-  s.panes.tab = static_cast<int>(number(object, "tab", 0, 0, 2));
+  s.panes.tab = static_cast<int>(number(object, "tab", 0, 0, 3));
   s.theme = static_cast<ThemeKind>(static_cast<int>(number(object, "theme", 0, 0, 2)));
   s.ui_scale = number(object, "ui_scale", 1, 0.5f, 4);
   if (const auto last = object.find("last_folder"); last != object.end() && last->is_string())
@@ -60,6 +60,9 @@ Settings load_settings(const std::filesystem::path& file) {
   if (const auto recent = object.find("recent"); recent != object.end() && recent->is_array())
     for (const json& entry : *recent)
       if (entry.is_string() && s.recent.size() < recent_limit) s.recent.push_back(entry.get<std::string>());
+  if (const auto filters = object.find("filters"); filters != object.end() && filters->is_array())
+    for (const json& entry : *filters)
+      if (entry.is_string() && s.filters.size() < filter_limit) s.filters.push_back(entry.get<std::string>());
   return s;
 }
 
@@ -77,6 +80,7 @@ void save_settings(const std::filesystem::path& file, const Settings& s) {
                        {"theme", static_cast<int>(s.theme)},
                        {"ui_scale", s.ui_scale},
                        {"last_folder", s.last_folder},
+                       {"filters", s.filters},
                        {"recent", s.recent}};
   std::ofstream out(file);
   out << object.dump(2) << '\n';

@@ -23,6 +23,7 @@ struct Settings {
   float ui_scale = 1;              ///< on top of the monitor's content scale, in [0.5, 4]
   std::vector<std::string> recent; ///< newest first, at most ten
   std::string last_folder;
+  std::vector<std::string> filters; ///< of events, each a lane of the timeline; at most eight
 
   void add_recent(const std::string& input);
 };

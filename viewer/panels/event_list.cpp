@@ -7,19 +7,9 @@
 #include "scene/reason_style.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace isoscope {
 namespace {
-
-constexpr std::size_t scan_budget = 3000; ///< events described a frame while a text filters them
-
-bool contains_folded(const std::string& text, const std::string& part) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
-}
 
 /// The sentence without the step in front, which has a column of its own.
 std::string sentence(const Journal& journal, const Event& event) {
@@ -109,30 +99,36 @@ bool filter_menu(const Ui& ui, const char* label, std::bitset<n>& set, const std
 
 } // namespace
 
-bool EventList::passes(const Journal& journal, const Event& event) const {
-  return filter_.passes(event) && (applied_.empty() || contains_folded(describe(journal, event), applied_));
-}
-
-void EventList::gather(const AppModel& model) {
-  const Journal* journal = model.run.journal.get();
-  if (journal != journal_ || applied_ != text_.data() || filter_ != model.filter) {
-    journal_ = journal;
-    applied_ = text_.data();
-    filter_ = model.filter;
-    scanned_ = 0;
-    rows_.clear();
+void EventList::filter_field(Ui& ui) {
+  Debugger& d = ui.model.debug;
+  if (applied_ != d.filter_text) {
+    // Somebody else has set it.
+    applied_ = d.filter_text;
+    const std::size_t length = std::min(applied_.size(), text_.size() - 1);
+    std::copy_n(applied_.begin(), length, text_.begin());
+    text_[length] = 0;
+    error_.reset();
   }
-  if (journal_ == nullptr) return;
-  const std::size_t budget = applied_.empty() ? 50 * scan_budget : scan_budget;
-  const std::size_t end = std::min(journal_->events().size(), scanned_ + budget);
-  for (; scanned_ < end; ++scanned_)
-    if (passes(*journal_, journal_->events()[scanned_]))
-      rows_.push_back(static_cast<std::uint32_t>(scanned_));
+  ImGui::SetNextItemWidth(ui.px(300));
+  if (!ImGui::InputTextWithHint(
+          "##filter", (std::string(icon::search) + "  +reject +(kernel normals), value > limit …").c_str(),
+          text_.data(), text_.size()))
+    return;
+  ParsedQuery parsed = parse_query(text_.data());
+  error_.reset();
+  if (const auto* error = std::get_if<QueryError>(&parsed)) {
+    error_ = *error;
+    return;
+  }
+  applied_ = text_.data();
+  d.filter_text = applied_;
+  d.filter = applied_.empty() ? nullptr : std::get<std::shared_ptr<const Expression>>(parsed);
 }
 
 void EventList::row(Ui& ui, std::uint32_t index, float high) {
   AppModel& m = ui.model;
-  const Event& event = journal_->events()[index];
+  const Journal& journal = *m.run.journal;
+  const Event& event = journal.events()[index];
   const Step target = event.step + (event.operation ? 1u : 0u);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -157,15 +153,14 @@ void EventList::row(Ui& ui, std::uint32_t index, float high) {
   widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y},
                      to_u32(ui.colors.text, event.kind == EventKind::rejection ? 0.8f : 1.0f),
-                     widgets::fitted(sentence(*journal_, event), width - ui.px(100)));
+                     widgets::fitted(sentence(journal, event), width - ui.px(100)));
 }
 
 void EventList::draw(Ui& ui) {
   AppModel& m = ui.model;
   ImGui::PushFont(ui.fonts.small);
-  ImGui::SetNextItemWidth(ui.px(220));
-  ImGui::InputTextWithHint("##filter", (std::string(icon::search) + "  filter by words").c_str(),
-                           text_.data(), text_.size());
+  const float left = ImGui::GetCursorScreenPos().x;
+  filter_field(ui);
   EventFilter& f = m.filter;
   ImGui::SameLine(0, ui.px(10));
   filter_menu(ui, "stage", f.stages, std::bitset<stage_count>().set(),
@@ -183,35 +178,44 @@ void EventList::draw(Ui& ui) {
   filter_menu(ui, "reason", f.reasons, rejections,
               [](std::size_t i) { return reason_style(static_cast<Reason>(i)).title; });
   ImGui::SameLine(0, ui.px(10));
-  if (!f.everything() && widgets::plain_button(ui, "show all", true, 0, ui.px(24)))
-    ui.commands.post("filter");
-  gather(m);
+  if (!m.debug.filter_text.empty() || !f.everything()) {
+    if (widgets::plain_button(ui, "show all", true, 0, ui.px(24))) ui.commands.post("filter");
+    ImGui::SameLine(0, ui.px(5));
+  }
+  if (m.debug.filter && widgets::plain_button(ui, "save as lane", true, 0, ui.px(24)))
+    ui.commands.post("save-filter");
   ImGui::SameLine(0, ui.px(14));
-  widgets::quiet_text(ui, grouped(rows_.size()) + " events");
+  const std::vector<std::uint32_t>& rows = m.debug.listed.rows();
+  std::string found = grouped(rows.size()) + " events";
+  if (m.debug.range)
+    found += " of steps " + grouped(m.debug.range->begin) + "–" + grouped(m.debug.range->end);
+  widgets::quiet_text(ui, found);
+  if (error_) query_error(ui, *error_, text_.data(), left);
+  const Journal* journal = m.run.journal.get();
 
-  if (ImGui::BeginChild("rows", {0, 0}) && journal_ != nullptr) {
+  if (ImGui::BeginChild("rows", {0, 0}) && journal != nullptr && m.debug.listed.journal() == m.run.journal) {
     const float high = ui.px(22);
     // The row of the play head or of the chosen event comes into sight when it moved.
     const Step step = m.transport.step();
     const auto current = m.selection.event
-                             ? std::lower_bound(rows_.begin(), rows_.end(), *m.selection.event)
-                             : std::partition_point(rows_.begin(), rows_.end(), [&](std::uint32_t row) {
-                                 const Event& e = journal_->events()[row];
+                             ? std::lower_bound(rows.begin(), rows.end(), *m.selection.event)
+                             : std::partition_point(rows.begin(), rows.end(), [&](std::uint32_t row) {
+                                 const Event& e = journal->events()[row];
                                  return e.step + (e.operation ? 1u : 0u) < step;
                                });
     const std::uint32_t place = m.selection.event.value_or(step);
     if (place != scrolled_to_) {
       scrolled_to_ = place;
-      const float y = static_cast<float>(current - rows_.begin()) * high;
+      const float y = static_cast<float>(current - rows.begin()) * high;
       const float scroll = ImGui::GetScrollY(), visible = ImGui::GetWindowHeight();
       if (y < scroll || y + high > scroll + visible) ImGui::SetScrollY(std::max(0.0f, y - visible / 2));
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows_.size()), high);
+    clipper.Begin(static_cast<int>(rows.size()), high);
     while (clipper.Step())
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        row(ui, rows_[static_cast<std::size_t>(i)], high);
+        row(ui, rows[static_cast<std::size_t>(i)], high);
     ImGui::PopStyleVar();
   }
   ImGui::EndChild();

@@ -2,9 +2,11 @@
 #include "panels/timeline_lanes.h"
 
 #include "app/words.h"
+#include "panels/timeline_panel.h"
 #include "scene/reason_style.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace isoscope {
 namespace {
@@ -24,29 +26,60 @@ constexpr std::array<KindLane, 3> kinds{
 
 } // namespace
 
-std::vector<TimelineLane> timeline_lanes(const JournalIndex& index, ThemeKind theme, std::size_t most) {
+std::vector<TimelineLane> timeline_lanes(const AppModel& model, ThemeKind theme, std::size_t most) {
+  const JournalIndex& index = model.index;
+  const auto& range = model.debug.range;
+  const Step begin = range ? range->begin : 0;
+  // Rejections after the last operation have a step of their own.
+  const Step end = range ? std::min(range->end, index.steps()) + 1 : index.steps() + 1;
+  const Step operations_end = std::max(begin, std::min(end, index.steps()));
+  std::vector<TimelineLane> filters;
+  for (std::size_t i = 0; i < model.debug.lanes.size(); ++i) {
+    const FilteredEvents& lane = model.debug.lanes[i];
+    filters.push_back({model.settings.filters[i], "A saved filter of the events.", lane_color(i),
+                       MarkerShape::square, true, lane.count(begin, end),
+                       [&lane](Step a, Step b) { return lane.count(a, b); }, lane_letter(i)});
+  }
   std::vector<TimelineLane> lanes;
-  const auto conditions = index.counts(0, index.steps());
+  const auto conditions = index.counts(std::min(begin, index.steps()), operations_end);
   for (std::size_t c = 1; c < conditions.size(); ++c)
-    lanes.push_back({condition_title(static_cast<Condition>(c)), "Points inserted for this condition. §2.3",
-                     condition_color(theme, static_cast<int>(c)), MarkerShape::square, false, conditions[c],
-                     [&index, c](Step a, Step b) { return index.counts(a, b)[c]; }});
+    lanes.push_back({std::string(condition_title(static_cast<Condition>(c))),
+                     "Points inserted for this condition. §2.3",
+                     condition_color(theme, static_cast<int>(c)),
+                     MarkerShape::square,
+                     false,
+                     conditions[c],
+                     [&index, c](Step a, Step b) { return index.counts(a, b)[c]; },
+                     {}});
   for (const KindLane& k : kinds)
-    lanes.push_back({k.title, k.help, k.color, k.shape, false, index.count(k.kind, 0, index.steps()),
-                     [&index, kind = k.kind](Step a, Step b) { return index.count(kind, a, b); }});
+    lanes.push_back({std::string(k.title),
+                     k.help,
+                     k.color,
+                     k.shape,
+                     false,
+                     index.count(k.kind, begin, operations_end),
+                     [&index, kind = k.kind](Step a, Step b) { return index.count(kind, a, b); },
+                     {}});
   for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
     const auto reason = static_cast<Reason>(r);
     const ReasonStyle& style = reason_style(reason);
-    lanes.push_back({style.title, style.help, style.color, style.shape, true,
-                     index.rejections(reason, 0, index.steps() + 1),
-                     [&index, reason](Step a, Step b) { return index.rejections(reason, a, b); }});
+    lanes.push_back({std::string(style.title),
+                     style.help,
+                     style.color,
+                     style.shape,
+                     true,
+                     index.rejections(reason, begin, end),
+                     [&index, reason](Step a, Step b) { return index.rejections(reason, a, b); },
+                     {}});
   }
   std::erase_if(lanes, [](const TimelineLane& lane) { return lane.total == 0; });
+  most -= std::min(most, filters.size());
   while (lanes.size() > most && !lanes.empty())
     lanes.erase(
         std::min_element(lanes.begin(), lanes.end(),
                          [](const TimelineLane& a, const TimelineLane& b) { return a.total < b.total; }));
-  return lanes;
+  filters.insert(filters.end(), std::make_move_iterator(lanes.begin()), std::make_move_iterator(lanes.end()));
+  return filters;
 }
 
 } // namespace isoscope

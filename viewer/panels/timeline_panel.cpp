@@ -40,9 +40,9 @@ float TimelinePane::to_x(double step, ImVec2 low, ImVec2 size) const {
 }
 
 void TimelinePane::tabs(Ui& ui) {
-  constexpr std::array<const char*, 3> names{"Timeline", "Plots", "Events"};
-  constexpr std::array<const char*, 3> glyphs{icon::clock, icon::chart, icon::list};
-  constexpr std::array<const char*, 3> words{"timeline", "plots", "events"};
+  constexpr std::array<const char*, 4> names{"Timeline", "Plots", "Events", "Breakpoints"};
+  constexpr std::array<const char*, 4> glyphs{icon::clock, icon::chart, icon::list, icon::dot};
+  constexpr std::array<const char*, 4> words{"timeline", "plots", "events", "breakpoints"};
   const int tab = ui.model.settings.panes.tab;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float left = 0;
@@ -67,7 +67,7 @@ void TimelinePane::tabs(Ui& ui) {
   }
   // What the colours mean, where no lanes say it.
   ImGui::NewLine();
-  if (tab == 0) return;
+  if (tab == 0 || tab == 3) return breadcrumb_line(ui, left, y);
   if (tab == 1) return axis_switch(ui, left, y);
   const JournalIndex& index = ui.model.index;
   const auto counts = index.counts(0, index.steps());
@@ -105,6 +105,7 @@ bool TimelinePane::scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size) {
     range_.pan(-static_cast<double>(io.MouseDelta.x / size.x) * (range_.end - range_.begin), live);
     return false;
   }
+  if (choose_range(ui, step)) return false;
   // Dragging past the end takes hold of the live end again.
   if (step >= static_cast<double>(live) && range_.fits)
     m.transport.follow();
@@ -148,7 +149,7 @@ void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) 
   const AppModel& m = ui.model;
   const float gap = ui.px(1), least = ui.px(12);
   const auto most = static_cast<std::size_t>(std::max(1.0f, (size.y + gap) / (least + gap)));
-  const std::vector<TimelineLane> lanes = timeline_lanes(m.index, ui.theme, most);
+  const std::vector<TimelineLane> lanes = timeline_lanes(m, ui.theme, most);
   if (lanes.empty()) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto used = static_cast<float>(lanes.size());
@@ -162,9 +163,14 @@ void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) 
     const float text_y = y + (lane - ui.fonts.small->FontSize) / 2;
     const std::string count = grouped(row.total);
     const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
-    widgets::glyph(ui, {low.x - gutter + ui.px(5), y + lane / 2}, 4.5f, row.color, row.shape);
+    if (row.letter.empty())
+      widgets::glyph(ui, {low.x - gutter + ui.px(5), y + lane / 2}, 4.5f, row.color, row.shape);
+    else
+      widgets::draw_text(list, ui.fonts.bold, {low.x - gutter, y + (lane - ui.fonts.bold->FontSize) / 2},
+                         to_u32(row.color), row.letter);
     widgets::draw_text(list, ui.fonts.small, {low.x - gutter + ui.px(15), text_y},
-                       to_u32(ui.colors.text, 0.85f), row.title);
+                       to_u32(ui.colors.text, 0.85f),
+                       widgets::fitted(row.title, gutter - extent - ui.px(32)));
     widgets::draw_text(list, ui.fonts.mono, {low.x - extent - ui.px(10), text_y}, to_u32(ui.colors.quiet),
                        count);
     list.AddRectFilled({low.x, y}, {low.x + size.x, y + lane}, to_u32(ui.colors.ground, 0.6f), ui.px(3));
@@ -250,6 +256,7 @@ void TimelinePane::timeline(Ui& ui) {
   const float live_x = to_x(m.live_step(), low, size);
   if (m.running())
     list.AddRectFilled({live_x - ui.px(2), low.y}, {live_x, bottom}, to_u32(ui.colors.good_text));
+  shade_range(ui, {low.x, low.y}, {size.x, bottom - low.y});
   playhead(ui, low, {size.x, bottom - low.y});
   list.PopClipRect();
   if (!hovered || ImGui::IsAnyMouseDown()) return;
@@ -274,11 +281,21 @@ void TimelinePane::draw(Ui& ui) {
   if (range_.fits) range_.fit(ui.model.live_step());
   tabs(ui);
   switch (ui.model.settings.panes.tab) {
-  case 1:
+  case 1: {
+    // A chosen range is what the plots show.
+    const StepRange shown = range_;
+    const auto& chosen = ui.model.debug.range;
+    if (chosen)
+      range_ = {static_cast<double>(chosen->begin), std::max(chosen->end, chosen->begin + 1) * 1.0, false};
     plots(ui);
+    if (chosen) range_ = shown;
     break;
+  }
   case 2:
     events_.draw(ui);
+    break;
+  case 3:
+    breakpoints_.draw(ui);
     break;
   default:
     timeline(ui);

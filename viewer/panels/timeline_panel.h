@@ -3,7 +3,10 @@
 
 #include "panels/ui.h"
 
+#include "query/expression.h"
+
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,23 +21,34 @@ struct StepRange {
   void pan(double by, Step steps);
 };
 
-/// Events that pass the filter, gathered a little every frame, so that a hundred thousand cost nothing.
+/// Events that pass the filter, with a field for it.
 class EventList {
  public:
   void draw(Ui& ui);
 
  private:
-  bool passes(const Journal& journal, const Event& event) const;
-  void gather(const AppModel& model);
+  void filter_field(Ui& ui);
   void row(Ui& ui, std::uint32_t index, float high);
-  std::array<char, 128> text_{};
-  std::string applied_;
-  EventFilter filter_; ///< what the rows passed
-  const Journal* journal_ = nullptr;
-  std::size_t scanned_ = 0;
-  std::vector<std::uint32_t> rows_;
+  std::array<char, 256> text_{};
+  std::string applied_; ///< the model's text that the field shows
+  std::optional<QueryError> error_;
   Step scrolled_to_ = 0;
 };
+
+/// The breakpoints with their counts, and a field for another one.
+class BreakpointList {
+ public:
+  void draw(Ui& ui);
+
+ private:
+  std::array<char, 256> text_{};
+};
+
+/// What is wrong with a condition, below the field it was typed into: a caret below its place and two lines.
+void query_error(Ui& ui, const QueryError& error, const std::string& text, float left);
+/// The colour of a saved filter's lane; it also has a letter.
+Rgb lane_color(std::size_t filter);
+std::string lane_letter(std::size_t filter);
 
 class TimelinePane {
  public:
@@ -60,11 +74,18 @@ class TimelinePane {
   double from_part(double part) const;
   /// Wheel and drag over an area of the steps; true while scrubbing.
   bool scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size);
+  /// Chooses a range of steps by a drag with Shift or Ctrl; true while it is drawn.
+  bool choose_range(Ui& ui, double step);
+  /// What lies outside of the chosen range steps back.
+  void shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const;
+  void breadcrumb_line(const Ui& ui, float left, float y) const;
   void playhead(const Ui& ui, ImVec2 low, ImVec2 size) const;
   float to_x(double step, ImVec2 low, ImVec2 size) const;
   StepRange range_;
+  std::optional<double> range_from_;            ///< where a drag for a range began
   const std::vector<float>* seconds_ = nullptr; ///< set while plots are drawn over seconds
   EventList events_;
+  BreakpointList breakpoints_;
 };
 
 } // namespace isoscope

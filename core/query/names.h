@@ -1,0 +1,34 @@
+// The names of the language: of events by sort, of quantities, and the nearest one to a misspelt word.
+#pragma once
+
+#include "query/expression.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isoscope {
+
+/// What the word stands for in one sort: the value of that very name, else all that begin with it where it
+/// has three letters or more; 0 none. `none` is a name only when asked for.
+std::uint64_t names_of(NameSort sort, std::string_view word, bool with_none);
+/// The same in every sort; an exact name in any sort wins over beginnings. A stage's name wins over the kind
+/// of the same name, since the stage holds both.
+NameMasks names_of(std::string_view word);
+bool any(const NameMasks& masks);
+
+std::optional<NameSort> sort_named(std::string_view word);
+/// With hyphens or underscores.
+std::optional<Quantity> quantity_named(std::string_view word);
+std::optional<SampleClass> sample_class_named(std::string_view word);
+
+/// Whether a name with hyphens is spelt so.
+bool is_hyphenated_name(std::string_view word);
+
+std::vector<std::string> all_names(NameSort sort);
+std::vector<std::string> quantity_names();
+/// "Did you mean kernel-empty?" where one of them is near; else the first few of them as a list.
+std::string suggestion(std::string_view word, const std::vector<std::string>& valid);
+
+} // namespace isoscope

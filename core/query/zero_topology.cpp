@@ -1,0 +1,138 @@
+// Counting what a delta takes from Z and adds to it.
+#include "query/zero_topology.h"
+
+#include "base/sort_unique.h"
+#include "mesh/zero_set.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace isoscope {
+namespace {
+
+std::uint64_t key(VertexId a, VertexId b) {
+  return std::uint64_t{std::min(a.value, b.value)} << 32 | std::max(a.value, b.value);
+}
+
+/// Whether the whole of Z has to be counted anew after it.
+bool changes_everything(const Delta& delta) {
+  return delta.form || !delta.values.empty() || !delta.sides.empty();
+}
+
+} // namespace
+
+std::vector<ZeroTopology::Polygon> ZeroTopology::patch(const Complex& complex,
+                                                       const std::vector<TetRecord>& tets,
+                                                       const std::vector<FacetRecord>& facets) {
+  std::vector<Polygon> found;
+  const auto add_facet = [&](const std::array<VertexId, 3>& v) {
+    Polygon p;
+    p.count = 3;
+    for (std::size_t i = 0; i < 3; ++i) p.corner[i] = key(v[i], v[i]);
+    std::sort(p.corner.begin(), p.corner.begin() + 3);
+    found.push_back(p);
+  };
+  switch (complex.form) {
+  case ZeroForm::free:
+    for (const FacetRecord& f : facets) add_facet(f.v);
+    break;
+  case ZeroForm::embedded:
+    for (const TetRecord& t : tets)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const TetId n = complex.tet(t.id).neighbor[i];
+        if (n.valid() && complex.tet(n).side != complex.tet(t.id).side) add_facet(complex.tet(t.id).facet(i));
+      }
+    sort_unique(found); // a facet between two of them came from both
+    break;
+  case ZeroForm::interpolated:
+    for (const TetRecord& t : tets) {
+      const ZeroPolygon polygon = zero_polygon(complex.positions(t.id), complex.values(t.id));
+      if (polygon.count == 0) continue;
+      Polygon p;
+      p.count = static_cast<std::size_t>(polygon.count);
+      const auto& v = complex.tet(t.id).v;
+      for (std::size_t i = 0; i < p.count; ++i)
+        p.corner[i] = key(v[polygon.edge[i][0]], v[polygon.edge[i][1]]);
+      found.push_back(p);
+    }
+    break;
+  }
+  return found;
+}
+
+std::size_t ZeroTopology::pieces(const std::vector<Polygon>& polygons) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> corners;
+  for (std::uint32_t i = 0; i < polygons.size(); ++i)
+    for (std::size_t k = 0; k < polygons[i].count; ++k) corners.emplace_back(polygons[i].corner[k], i);
+  std::sort(corners.begin(), corners.end());
+  std::vector<std::uint32_t> parent(polygons.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto find = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  std::size_t pieces = polygons.size();
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    if (corners[i].first != corners[i - 1].first) continue;
+    const std::uint32_t a = find(corners[i].second), b = find(corners[i - 1].second);
+    if (a == b) continue;
+    parent[a] = b;
+    --pieces;
+  }
+  return pieces;
+}
+
+void ZeroTopology::change(const std::vector<Polygon>& polygons, int by) {
+  const auto count = [by](auto& map, const auto& at, long& total) {
+    if (by > 0) {
+      if (++map[at] == 1) ++total;
+    } else if (const auto found = map.find(at); found != map.end() && --found->second == 0) {
+      map.erase(found);
+      --total;
+    }
+  };
+  for (const Polygon& p : polygons) {
+    polygons_ += by;
+    for (std::size_t i = 0; i < p.count; ++i) {
+      const std::uint64_t a = p.corner[i], b = p.corner[(i + 1) % p.count];
+      count(at_corner_, a, corners_);
+      count(at_edge_, EdgeKey{std::min(a, b), std::max(a, b)}, edges_);
+    }
+  }
+}
+
+void ZeroTopology::count_components(const Complex& complex) {
+  ++recounts_;
+  components_ = extract_zero_set(complex).components.size();
+}
+
+void ZeroTopology::count(const Complex& complex) {
+  at_corner_.clear();
+  at_edge_.clear();
+  corners_ = edges_ = polygons_ = 0;
+  std::vector<TetRecord> tets;
+  std::vector<FacetRecord> facets;
+  for (std::size_t i = 0; i < complex.tets.size(); ++i)
+    if (const Tet& t = complex.tets[i]; t.alive()) tets.push_back({TetId(i), t.v, t.side});
+  for (std::size_t i = 0; i < complex.facets.size(); ++i)
+    if (const ZeroFacet& f = complex.facets[i]; f.alive()) facets.push_back({FacetId(i), f.v});
+  change(patch(complex, tets, facets), 1);
+  count_components(complex);
+}
+
+void ZeroTopology::before(const Complex& complex, const Delta& delta) {
+  if (changes_everything(delta)) return;
+  const std::vector<Polygon> gone = patch(complex, delta.removed, delta.removed_facets);
+  pieces_before_ = pieces(gone);
+  change(gone, -1);
+}
+
+void ZeroTopology::after(const Complex& complex, const Delta& delta) {
+  if (changes_everything(delta)) return count(complex);
+  const std::vector<Polygon> come = patch(complex, delta.added, delta.added_facets);
+  const std::size_t pieces_after = pieces(come);
+  change(come, 1);
+  if (pieces_before_ > 1 || pieces_after > 1 || pieces_before_ != pieces_after) count_components(complex);
+}
+
+} // namespace isoscope

@@ -1,0 +1,58 @@
+// χ and components of Z, followed from delta to delta in time proportional to what an operation changes.
+#pragma once
+
+#include "mesh/complex.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace isoscope {
+
+/// χ is kept by counting the polygons at each corner and edge of Z. Components are counted anew only where
+/// what an operation took away or put there is not one connected piece; otherwise they stay what they were.
+class ZeroTopology {
+ public:
+  /// Counts Z of the whole state.
+  void count(const Complex& complex);
+  /// Between before() and after() the delta is applied to the complex.
+  void before(const Complex& complex, const Delta& delta);
+  void after(const Complex& complex, const Delta& delta);
+  long euler_characteristic() const { return corners_ - edges_ + polygons_; }
+  std::size_t components() const { return components_; }
+  /// How often components had to be counted anew.
+  std::size_t recounts() const { return recounts_; }
+
+ private:
+  /// A polygon of Z by its corners: a pair of vertices of T each, or a vertex twice. 0 in the fourth where
+  /// there are three.
+  struct Polygon {
+    std::array<std::uint64_t, 4> corner{};
+    std::size_t count = 0;
+    friend auto operator<=>(const Polygon&, const Polygon&) = default;
+  };
+  struct EdgeKey {
+    std::uint64_t a = 0, b = 0;
+    friend bool operator==(const EdgeKey&, const EdgeKey&) = default;
+  };
+  struct EdgeHash {
+    std::size_t operator()(const EdgeKey& e) const {
+      return static_cast<std::size_t>((e.a * 0x9e3779b97f4a7c15u) ^
+                                      (e.b + 0x7f4a7c15u) * 0xc2b2ae3d27d4eb4fu);
+    }
+  };
+  static std::vector<Polygon> patch(const Complex& complex, const std::vector<TetRecord>& tets,
+                                    const std::vector<FacetRecord>& facets);
+  static std::size_t pieces(const std::vector<Polygon>& polygons);
+  void change(const std::vector<Polygon>& polygons, int by);
+  void count_components(const Complex& complex);
+
+  std::unordered_map<std::uint64_t, std::uint32_t> at_corner_; ///< looked up only, never iterated
+  std::unordered_map<EdgeKey, std::uint32_t, EdgeHash> at_edge_;
+  long corners_ = 0, edges_ = 0, polygons_ = 0;
+  std::size_t components_ = 0, recounts_ = 0;
+  std::size_t pieces_before_ = 0;
+};
+
+} // namespace isoscope

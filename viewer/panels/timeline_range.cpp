@@ -1,0 +1,52 @@
+// The chosen range of steps on the timeline, and the line that tells where one is.
+#include "app/debug_actions.h"
+#include "app/icons.h"
+#include "app/words.h"
+#include "panels/timeline_panel.h"
+#include "panels/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+
+bool TimelinePane::choose_range(Ui& ui, double step) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool begins = ImGui::IsMouseClicked(0);
+  if (begins && (io.KeyShift || io.KeyCtrl)) range_from_ = step;
+  if (begins && !io.KeyShift && !io.KeyCtrl) range_from_.reset();
+  if (!range_from_) return false;
+  const auto live = static_cast<double>(ui.model.live_step());
+  const auto place = [&](double at) { return static_cast<Step>(std::clamp(std::round(at), 0.0, live)); };
+  ui.model.debug.range = StepSpan{place(std::min(*range_from_, step)), place(std::max(*range_from_, step))};
+  return true;
+}
+
+void TimelinePane::shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const {
+  const auto& range = ui.model.debug.range;
+  if (!range) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float right = low.x + size.x;
+  const float x0 = std::clamp(to_x(range->begin, low, size), low.x, right),
+              x1 = std::clamp(to_x(range->end, low, size), low.x, right);
+  const ImU32 shade = to_u32(ui.colors.ground, 0.72f), edge = to_u32(ui.colors.accent_text, 0.8f);
+  list.AddRectFilled(low, {x0, low.y + size.y}, shade);
+  list.AddRectFilled({x1, low.y}, {right, low.y + size.y}, shade);
+  list.AddLine({x0, low.y}, {x0, low.y + size.y}, edge, ui.px(1));
+  list.AddLine({x1, low.y}, {x1, low.y + size.y}, edge, ui.px(1));
+}
+
+void TimelinePane::breadcrumb_line(const Ui& ui, float left, float y) const {
+  const AppModel& m = ui.model;
+  if (!m.run.journal || m.live_step() == 0) return;
+  std::string text = breadcrumb(m);
+  if (m.debug.range)
+    text += "     steps " + grouped(m.debug.range->begin) + "–" + grouped(m.debug.range->end) +
+            " only, Esc for all";
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+                     {left, y + (ui.px(28) - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet),
+                     widgets::fitted(text, right - left - ui.px(8)));
+}
+
+} // namespace isoscope
