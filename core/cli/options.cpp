@@ -89,19 +89,20 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
                  "switch a condition of the refinement off: 1, 2, 3 or 4; repeatable");
   app.add_flag("--no-normals", r.no_normals, "the same as --no-condition 3");
   app.add_option("--time-limit", r.time_limit, "seconds after which the run stops with what it has; 0: none");
-  for (const auto& [option, target] :
-       {std::pair{"--record", &r.record}, std::pair{"--break", &r.breakpoint}}) {
-    app.add_option(option, *target)->group("");
-  }
+  app.add_option("--record", r.record,
+                 "keep the run, event by event, in a file RUN.isorun; it can be opened while it grows");
+  app.add_option("--break", r.breakpoint)->group("");
 }
 
 RunOptions::~RunOptions() = default;
 
+const std::string& RunOptions::recording() const {
+  return raw_->record;
+}
+
 Result<RunParameters> RunOptions::finish() const {
   const Raw& r = *raw_;
-  if (!r.record.empty()) return later("--record");
   if (!r.breakpoint.empty()) return later("--break");
-  if (r.input == "replay") return later("replay");
 
   RunParameters p;
   p.input = r.input;

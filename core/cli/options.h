@@ -22,6 +22,8 @@ class RunOptions {
   RunOptions(CLI::App& app, bool input_required);
   ~RunOptions();
   Result<RunParameters> finish() const;
+  /// The file of --record, empty without it.
+  const std::string& recording() const;
 
  private:
   struct Raw;

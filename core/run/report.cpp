@@ -56,7 +56,9 @@ Json normals_json(const NormalDeviation& n) {
           {"above_90", n.above_90}};
 }
 
-std::string_view end_name(RunResult::End end) {
+} // namespace
+
+std::string_view name(RunResult::End end) {
   switch (end) {
   case RunResult::End::finished:
     return "finished";
@@ -67,8 +69,6 @@ std::string_view end_name(RunResult::End end) {
   }
   return "unknown";
 }
-
-} // namespace
 
 std::string_view version() {
   return ISOSCOPE_VERSION;
@@ -150,7 +150,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"separates", c.separates},
         {"topology_as_expected", c.topology_as_expected},
         {"failures", c.failures}}},
-      {"end", end_name(result.end)},
+      {"end", name(result.end)},
       {"seconds", result.seconds},
       {"peak_memory_bytes", result.peak_memory_bytes},
   };

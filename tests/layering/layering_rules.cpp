@@ -16,7 +16,7 @@ constexpr int longest_file = 600;
 // The folders that a folder's files may include, besides their own. Architecture, section 3.
 const std::map<std::string, Names, std::less<>>& allowed_folders() {
   static const Names core = {"base",    "input",  "tolerance", "mesh", "criteria",
-                             "journal", "refine", "simplify",  "run"};
+                             "journal", "recording", "refine", "simplify", "run"};
   static const auto with_core = [](Names more) {
     more.insert(core.begin(), core.end());
     return more;
@@ -30,7 +30,9 @@ const std::map<std::string, Names, std::less<>>& allowed_folders() {
       {"core/journal", {"base", "input", "tolerance", "mesh"}},
       {"core/refine", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
       {"core/simplify", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
-      {"core/run", {"base", "input", "tolerance", "mesh", "criteria", "journal", "refine", "simplify"}},
+      {"core/recording", {"base", "input", "tolerance", "mesh", "journal"}},
+      {"core/run",
+       {"base", "input", "tolerance", "mesh", "criteria", "journal", "recording", "refine", "simplify"}},
       {"core/cli", core},
       {"viewer/gl", {"base"}},
       {"viewer/platform", {"base"}},
@@ -62,6 +64,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"glm/", {"viewer/", "tests/"}, false},
       {"stb_", {"viewer/platform/", "tests/"}, false},
       {"CLI/", {"core/cli/", "core/run/", "viewer/app/", "tests/"}, true},
+      {"sqlite3", {"core/recording/"}, true},
       {"viewer/", {}, false},
       {"core/", {}, false},
   };
