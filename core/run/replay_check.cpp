@@ -13,6 +13,9 @@ namespace isoscope {
 
 namespace {
 
+/// States of up to so many tetrahedra and vertices are compared after every operation.
+constexpr std::size_t small_state = 5000;
+
 std::uint64_t digest_of(const Delta& delta) {
   Digest d;
   d.add(delta);
@@ -136,7 +139,8 @@ void walk_states(const Journal& journal, std::size_t operations, ReplayVerdict& 
     const Delta& delta = *journal.operations()[k].delta;
     complex.apply(delta);
     touched += 8 * (1 + delta.removed.size() + delta.added.size() + delta.moves.size());
-    if (touched < complex.tets.size() + complex.vertices.size() && k + 1 < operations) continue;
+    const std::size_t size = complex.tets.size() + complex.vertices.size();
+    if (size > small_state && touched < size && k + 1 < operations) continue;
     touched = 0;
     seen.push_back({k + 1, digest(complex)});
   }
