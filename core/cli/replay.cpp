@@ -67,8 +67,7 @@ Result<Recorded> read(const std::string& file) {
 }
 
 std::string end_words(const Recorded& r) {
-  if (r.end)
-    return r.end->state + (r.end->certified ? ", certified" : ", not certified");
+  if (r.end) return r.end->state + (r.end->certified ? ", certified" : ", not certified");
   return "ended without finishing: " + counted(r.journal->events().size(), "event") +
          " up to the last commit";
 }
@@ -90,9 +89,9 @@ std::string summary(const ReplayOptions& options, const Recorded& r, const Trian
                             digest_text(r.reader->input_digest()) + "; tolerance " +
                             r.parameters.tolerance.text());
   text += line("Run", end_words(r));
-  text += line("Journal", counted(j.events().size(), "event") + ", " +
-                              counted(j.operations().size(), "operation") + ", digest " +
-                              digest_text(digest(j)));
+  text +=
+      line("Journal", counted(j.events().size(), "event") + ", " +
+                          counted(j.operations().size(), "operation") + ", digest " + digest_text(digest(j)));
   text += line("Z", counted(mesh.points.size(), "point") + ", " + counted(mesh.triangles.size(), "triangle"));
   return text + "\n" + compare_table(gather_statistics(j));
 }
@@ -110,12 +109,12 @@ int check_it(const ReplayOptions& options, const Recorded& r) {
     return 1;
   }
   if (options.quiet) return 0;
-  const std::string ended = r.end ? verdict->to_the_end ? "; the final Z is the same" : ""
-                                  : "; it ends there without finishing";
-  const Status printed =
-      print("Replays: " + counted(verdict->events, "event") + " and " +
-            counted(verdict->operations, "operation") + " are the same, " + counted(verdict->states, "state") +
-            (verdict->states == 1 ? " comes" : " come") + " back when undone" + ended + ".\n");
+  const std::string ended =
+      r.end ? verdict->to_the_end ? "; the final Z is the same" : "" : "; it ends there without finishing";
+  const Status printed = print(
+      "Replays: " + counted(verdict->events, "event") + " and " + counted(verdict->operations, "operation") +
+      " are the same, " + counted(verdict->states, "state") + (verdict->states == 1 ? " comes" : " come") +
+      " back when undone" + ended + ".\n");
   return printed.ok() ? 0 : fail(printed.error(), 1);
 }
 
@@ -123,7 +122,8 @@ int check_it(const ReplayOptions& options, const Recorded& r) {
 
 int replay(int argc, char** argv) {
   ReplayOptions options;
-  CLI::App app{"Reads a recording: what it holds, its last Z, and whether it replays.", "isoscope-run replay"};
+  CLI::App app{"Reads a recording: what it holds, its last Z, and whether it replays.",
+               "isoscope-run replay"};
   app.add_option("RUN", options.file, "a recording, RUN.isorun, also of a killed run")->required();
   app.add_flag("--check", options.check,
                "run it again from the input it holds and compare every event, operation and state");
@@ -141,7 +141,9 @@ int replay(int argc, char** argv) {
     if (Status writable = check_writable_mesh(options.mesh); !writable) return fail(writable.error(), 2);
   const ThreadLimit threads(options.threads);
   const auto recorded = read(options.file);
-  if (!recorded) return fail(recorded.error(), recorded.error().code == ErrorCode::io ? 3 : exit_status(recorded.error().code));
+  if (!recorded)
+    return fail(recorded.error(),
+                recorded.error().code == ErrorCode::io ? 3 : exit_status(recorded.error().code));
   const TriangleMesh mesh = triangulate(extract_zero_set(final_state(*recorded->journal)));
   if (!options.mesh.empty())
     if (Status written = write_mesh(options.mesh, mesh); !written) return fail(written.error(), 1);

@@ -6,7 +6,10 @@ namespace isoscope {
 namespace {
 
 /// The parts of a delta, as bits of its first number.
-constexpr std::uint64_t part_vertices = 1, part_killed = 2, part_values = 4, part_moves = 8, part_removed = 16, part_added = 32, part_slots = 64, part_sides = 128, part_removed_facets = 256, part_added_facets = 512, part_facet_slots = 1024, part_sample_set = 2048, part_form = 4096;
+constexpr std::uint64_t part_vertices = 1, part_killed = 2, part_values = 4, part_moves = 8,
+                        part_removed = 16, part_added = 32, part_slots = 64, part_sides = 128,
+                        part_removed_facets = 256, part_added_facets = 512, part_facet_slots = 1024,
+                        part_sample_set = 2048, part_form = 4096;
 
 /// No slot of a real run lies beyond; bytes that say so are damaged.
 constexpr std::uint32_t largest_slot = 1u << 28;
@@ -72,7 +75,8 @@ double read_value(ByteReader& in, std::uint64_t tag) {
   return tag == 0 ? 1 : tag == 1 ? -1 : tag == 2 ? 0 : in.real();
 }
 
-template <std::size_t N> void write_corners(ByteWriter& out, const std::array<VertexId, N>& v, VertexId& last) {
+template <std::size_t N>
+void write_corners(ByteWriter& out, const std::array<VertexId, N>& v, VertexId& last) {
   std::uint32_t before = last.value;
   for (const VertexId corner : v) {
     out.signed_number(std::int64_t{corner.value} - std::int64_t{before});
@@ -215,8 +219,8 @@ void write_removed(ByteWriter& out, const std::vector<TetRecord>& removed, const
   IdWriter ids(out);
   VertexId last(0u);
   for (const TetRecord& t : removed) {
-    const bool known = t.id.index() < mirror.cells.size() &&
-                       mirror.cells[t.id.index()] == DeltaMirror::Cell{t.v, t.side};
+    const bool known =
+        t.id.index() < mirror.cells.size() && mirror.cells[t.id.index()] == DeltaMirror::Cell{t.v, t.side};
     ids.put(t.id.value, 1, known ? 1 : 0);
     if (known) continue;
     write_corners(out, t.v, last);

@@ -100,8 +100,9 @@ struct RecordingReader::Impl {
 
   Status prepare() {
     const std::pair<Query*, std::string_view> all[] = {
-        {&commits, "SELECT id,events,operations,texts,repairs,sample_sets,criteria,marks,checksum FROM commits "
-                   "WHERE id>? ORDER BY id LIMIT 1"},
+        {&commits,
+         "SELECT id,events,operations,texts,repairs,sample_sets,criteria,marks,checksum FROM commits "
+         "WHERE id>? ORDER BY id LIMIT 1"},
         {&events, "SELECT kind,stage,condition,reason,operation,tet,sample,vertex,other,x,y,z,witness_x,"
                   "witness_y,witness_z,value,limit_value,count,text,detail,step FROM event_rows "
                   "WHERE id>=? AND id<? ORDER BY id"},
@@ -259,8 +260,8 @@ struct RecordingReader::Impl {
                         });
         !s)
       return s;
-    if (Status s = rows(criteria, read.criteria, to.criteria, "parameters",
-                        [&] { return take_criteria(batch); });
+    if (Status s =
+            rows(criteria, read.criteria, to.criteria, "parameters", [&] { return take_criteria(batch); });
         !s)
       return s;
     if (Status s = rows(texts, read.texts, to.texts, "texts",
@@ -271,12 +272,12 @@ struct RecordingReader::Impl {
         !s)
       return s;
     if (Status s = read_repairs(batch, to.repairs); !s) return s;
-    if (Status s = rows(marks, read.marks, to.marks, "stages",
-                        [&] {
-                          batch.marks.push_back(
-                              {static_cast<std::uint32_t>(marks.integer(0)), marks.real(1)});
-                          return true;
-                        });
+    if (Status s =
+            rows(marks, read.marks, to.marks, "stages",
+                 [&] {
+                   batch.marks.push_back({static_cast<std::uint32_t>(marks.integer(0)), marks.real(1)});
+                   return true;
+                 });
         !s)
       return s;
     if (Status s = rows(events, read.events, to.events, "events", [&] { return take_event(batch); }); !s)

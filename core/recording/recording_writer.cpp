@@ -123,6 +123,9 @@ struct RecordingWriter::Impl {
                                "; PRAGMA user_version=" + std::to_string(recording_version) +
                                "; COMMIT; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL")
                                   .c_str());
+    // The first look in that mode takes the lock that tells others that the file is in use.
+    if (made)
+      if (const auto looked = database.number("SELECT count(*) FROM run"); !looked) return looked.error();
     return made;
   }
 
@@ -148,8 +151,7 @@ struct RecordingWriter::Impl {
   RecordingCounts available() const {
     const Journal& j = *journal;
     RecordingCounts counts = written;
-    const std::size_t events =
-        std::min(j.events().size(), written.events + options.events_per_commit);
+    const std::size_t events = std::min(j.events().size(), written.events + options.events_per_commit);
     const std::size_t operations = j.operations().size();
     for (; counts.events < events; ++counts.events) {
       if (!j.events()[counts.events].operation) continue;
@@ -160,7 +162,8 @@ struct RecordingWriter::Impl {
     counts.texts = j.texts().size();
     counts.repairs = j.repairs().size();
     counts.sample_sets = j.sample_sets().size();
-    while (counts.criteria < j.parameters().size() && j.parameters()[counts.criteria].step <= counts.operations)
+    while (counts.criteria < j.parameters().size() &&
+           j.parameters()[counts.criteria].step <= counts.operations)
       ++counts.criteria;
     while (counts.marks < j.stage_marks().size() && j.stage_marks()[counts.marks].event < counts.events)
       ++counts.marks;
@@ -182,11 +185,11 @@ struct RecordingWriter::Impl {
   Status write_event(std::size_t i) {
     const Event& e = journal->events()[i];
     checksum.add(e);
-    return statements.event.run(
-        i, e.step, static_cast<int>(e.kind), static_cast<int>(e.stage), static_cast<int>(e.condition),
-        static_cast<int>(e.reason), e.operation, number_of(e.tet.value), number_of(e.sample.value),
-        number_of(e.vertex.value), number_of(e.other.value), e.point.x, e.point.y, e.point.z, e.witness.x,
-        e.witness.y, e.witness.z, e.value, e.limit, e.count, e.text, e.detail);
+    return statements.event.run(i, e.step, static_cast<int>(e.kind), static_cast<int>(e.stage),
+                                static_cast<int>(e.condition), static_cast<int>(e.reason), e.operation,
+                                number_of(e.tet.value), number_of(e.sample.value), number_of(e.vertex.value),
+                                number_of(e.other.value), e.point.x, e.point.y, e.point.z, e.witness.x,
+                                e.witness.y, e.witness.z, e.value, e.limit, e.count, e.text, e.detail);
   }
 
   Status write_operation(std::size_t step) {
@@ -222,8 +225,8 @@ struct RecordingWriter::Impl {
     for (std::size_t k = 0; k < sweeps.size(); ++k) {
       const RepairSweep& w = sweeps[k];
       checksum.add(w);
-      if (Status s = statements.sweep.run(i, k, w.largest_distance, w.energy, w.moved, w.flipped,
-                                          w.points_added);
+      if (Status s =
+              statements.sweep.run(i, k, w.largest_distance, w.energy, w.moved, w.flipped, w.points_added);
           !s)
         return s;
     }
@@ -295,6 +298,7 @@ struct RecordingWriter::Impl {
   Status work() {
     if (Status s = prepare_statements(); !s) return s;
     if (Status s = transaction([this] { return write_header(); }); !s) return s;
+    if (Status s = catch_up(); !s) return s;
     for (;;) {
       std::function<RecordingEnd()> describe;
       std::size_t events = 0;

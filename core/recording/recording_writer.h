@@ -17,8 +17,8 @@ namespace isoscope {
 /// How far a recording is.
 struct RecordingProgress {
   std::filesystem::path file;
-  std::uint64_t bytes = 0; ///< on the disk
-  std::size_t events = 0;  ///< committed
+  std::uint64_t bytes = 0;    ///< on the disk
+  std::size_t events = 0;     ///< committed
   std::optional<Error> error; ///< nothing is written after it; what was committed is safe
 };
 

@@ -78,7 +78,8 @@ Result<RunParameters> parse_parameters(std::string_view text) {
                  "The file is damaged; record the run again."};
   }
   if (Status valid = check(parameters); !valid)
-    return Error{ErrorCode::bad_input, "The parameters of the recording make no sense. " + valid.error().message,
+    return Error{ErrorCode::bad_input,
+                 "The parameters of the recording make no sense. " + valid.error().message,
                  "The file is damaged; record the run again."};
   return parameters;
 }

@@ -82,8 +82,9 @@ class ComparingGate : public Gate {
     verdict_->same = false;
     verdict_->step = recorded_->events()[i].step;
     verdict_->difference = "Event " + std::to_string(i) + " at step " + std::to_string(verdict_->step) +
-                           " differs in " + what + ": recorded \"" + describe(*recorded_, recorded_->events()[i]) +
-                           "\", now \"" + describe(journal, journal.events()[i]) + "\".";
+                           " differs in " + what + ": recorded \"" +
+                           describe(*recorded_, recorded_->events()[i]) + "\", now \"" +
+                           describe(journal, journal.events()[i]) + "\".";
   }
 
   void compare_next(const Journal& journal) {

@@ -155,9 +155,8 @@ struct Session::Impl : public Gate {
     if (!writer || !shown.scene) return;
     if (!writer->started()) writer->start(recording_header(started, shown.scene->input), shown.journal);
     if (shown.phase == SessionPhase::finished && shown.result)
-      writer->end([parameters = started, scene = shown.scene, result = shown.result, journal = shown.journal] {
-        return recording_end(parameters, *scene, *result, *journal);
-      });
+      writer->end([parameters = started, scene = shown.scene, result = shown.result,
+                   journal = shown.journal] { return recording_end(parameters, *scene, *result, *journal); });
   }
 
   /// The whole life of the run's thread; nothing may escape from it.
@@ -457,8 +456,8 @@ SessionSnapshot Session::snapshot() const {
   SessionSnapshot snapshot = impl_->shown;
   if (impl_->writer) {
     const RecordingProgress progress = impl_->writer->progress();
-    snapshot.recording = RecordingState{progress.file, progress.bytes, progress.events, false, false,
-                                        progress.error};
+    snapshot.recording =
+        RecordingState{progress.file, progress.bytes, progress.events, false, false, progress.error};
   }
   return snapshot;
 }

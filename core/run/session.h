@@ -18,10 +18,10 @@ enum class SessionPhase : std::uint8_t {
   idle,      ///< nothing was started
   preparing, ///< input, Ω, S
   running,
-  paused,   ///< at a pause point, between two operations
+  paused,    ///< at a pause point, between two operations
   following, ///< a recording is read that another program is still writing
-  finished, ///< the goal was reached or the run was stopped; still there to go on with other parameters
-  failed    ///< see error
+  finished,  ///< the goal was reached or the run was stopped; still there to go on with other parameters
+  failed     ///< see error
 };
 
 /// The file that a run is recorded to or read from.

@@ -15,8 +15,8 @@ constexpr int longest_file = 600;
 
 // The folders that a folder's files may include, besides their own. Architecture, section 3.
 const std::map<std::string, Names, std::less<>>& allowed_folders() {
-  static const Names core = {"base",    "input",  "tolerance", "mesh", "criteria",
-                             "journal", "recording", "refine", "simplify", "run"};
+  static const Names core = {"base",    "input",     "tolerance", "mesh",     "criteria",
+                             "journal", "recording", "refine",    "simplify", "run"};
   static const auto with_core = [](Names more) {
     more.insert(core.begin(), core.end());
     return more;

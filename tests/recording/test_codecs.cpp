@@ -75,7 +75,8 @@ TEST_CASE("What the state does not hold, and odd numbers, come back too") {
   delta.values = {{VertexId(1u), 7.5, -0.0}, {VertexId(1u), -0.0, 1}};
   delta.moves = {{VertexId(0u), {1, 2, 3}, {4, 5, 6}}, {VertexId(0u), {4, 5, 6}, {-0.0, 0, 0}}};
   delta.removed = {{TetId(5u), {VertexId(0u), VertexId(9u), VertexId(), VertexId(3u)}, -1}};
-  delta.added = {{TetId(7u), {VertexId(4u), VertexId(1u), VertexId(2u), VertexId(3u)}, 1}, {TetId(2u), {}, 0}};
+  delta.added = {{TetId(7u), {VertexId(4u), VertexId(1u), VertexId(2u), VertexId(3u)}, 1},
+                 {TetId(2u), {}, 0}};
   delta.slots_before = 3;
   delta.sides = {};
   delta.removed_facets = {{FacetId(3u), {VertexId(2u), VertexId(1u), VertexId(0u)}}};

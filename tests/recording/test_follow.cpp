@@ -144,9 +144,7 @@ TEST_CASE("A session records its run from the first event, before, during and af
   CHECK(other.snapshot().result != nullptr);
   // Recorded again after it has finished.
   REQUIRE(session.record(folder / "late.isorun").ok());
-  const auto complete = [&] {
-    return session.snapshot().recording->events == run.journal->events().size();
-  };
+  const auto complete = [&] { return session.snapshot().recording->events == run.journal->events().size(); };
   CHECK(eventually(complete));
   session.start(run.parameters, nullptr, true);
   REQUIRE(session.wait_until_settled(60));

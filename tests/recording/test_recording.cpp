@@ -92,7 +92,8 @@ TEST_CASE("Sample sets that are replaced, parameters and sparse events come back
   odd.limit = std::numeric_limits<double>::quiet_NaN();
   odd.point = {std::numeric_limits<double>::infinity(), -1e-300, -0.0};
   odd.text = journal->add_text("Ω \"quoted\" text\nof two lines");
-  odd.detail = journal->add_repair({{1, 2, 3, 4, 5}, {-0.0, std::numeric_limits<double>::infinity(), 0, 0, 1}});
+  odd.detail =
+      journal->add_repair({{1, 2, 3, 4, 5}, {-0.0, std::numeric_limits<double>::infinity(), 0, 0, 1}});
   journal->add_event(odd);
   odd.detail = journal->add_repair({});
   journal->add_event(odd);

