@@ -64,7 +64,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"glm/", {"viewer/", "tests/"}, false},
       {"stb_", {"viewer/platform/", "tests/"}, false},
       {"CLI/", {"core/cli/", "core/run/", "viewer/app/", "tests/"}, true},
-      {"sqlite3", {"core/recording/"}, true},
+      {"sqlite3", {"core/recording/", "tests/recording/"}, true},
       {"viewer/", {}, false},
       {"core/", {}, false},
   };
