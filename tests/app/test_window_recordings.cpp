@@ -37,9 +37,9 @@ TEST_CASE("a run recorded from the window opens in another one and is stepped th
   CHECK(run_script("opened",
                    "wait settled\nexpect recording == opened\nexpect phase == finished\n"
                    "expect model == gallery:sphere\nexpect certified == on\nexpect recording.events > 100\n"
-                   "seek 20\nwait settled\nexpect state_step == 20\nexpect stage == zero-set\n"
-                   "back 5\nwait settled\nexpect state_step == 15\nstage improve\nwait settled\n"
-                   "expect form == free\nend\nwait settled\nscreenshot " +
+                   "seek 3\nwait settled\nexpect state_step == 3\nexpect stage == refinement\n"
+                   "back 2\nwait settled\nexpect state_step == 1\nstage improve\nwait settled\n"
+                   "expect form == embedded\nend\nwait settled\nexpect form == free\nscreenshot " +
                        (results / "recording.png").string() + "\nquit\n",
                    file) == 0);
   // It is opened by command too, and its input runs anew.
