@@ -1,13 +1,17 @@
 // The batch program: the whole run without a display, a mesh and a report at its end.
 #include "base/parallel.h"
 #include "cli/compare_table.h"
+#include "cli/exit_status.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
 #include "cli/progress_line.h"
+#include "cli/replay.h"
 #include "cli/summary.h"
 #include "input/mesh_io.h"
 #include "journal/describe.h"
+#include "recording/recording_writer.h"
 #include "run/pipeline.h"
+#include "run/recorded_run.h"
 #include "run/report.h"
 
 #include <CLI/CLI.hpp>
@@ -16,6 +20,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
@@ -68,35 +73,34 @@ class BatchGate : public Gate {
   CriteriaParameters criteria_;
 };
 
-int exit_status(ErrorCode code) {
-  switch (code) {
-  case ErrorCode::usage:
-    return 2;
-  case ErrorCode::bad_input:
-    return 3;
-  case ErrorCode::unsupported:
-    return 3;
-  case ErrorCode::cancelled:
-    return 4;
-  default:
-    return 1;
-  }
-}
-
-int fail(const Error& error, int status) {
-  std::fprintf(stderr, "isoscope-run: %s\n", error.line().c_str());
-  return status;
-}
-
 void note(const std::string& text) {
   std::fprintf(stderr, "isoscope-run: note: %s\n", text.c_str());
 }
 
-/// Writes to standard output and makes sure that it arrived.
-Status print(const std::string& text) {
-  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return {};
-  return Error{ErrorCode::io, "Cannot write to standard output.", "Is the disk full, or the reader gone?"};
-}
+/// Follows the run into its recording; without --record it does nothing. Destroyed, it closes the file.
+class Recording {
+ public:
+  /// Makes the file, so that a wrong name is told before the work starts.
+  Status create(const std::string& file) {
+    if (file.empty()) return {};
+    auto created = RecordingWriter::create(file);
+    if (!created) return created.error();
+    writer_ = std::move(*created);
+    return {};
+  }
+  void start(const RunParameters& parameters, const Scene& scene, std::shared_ptr<const Journal> journal) {
+    if (writer_) writer_->start(recording_header(parameters, scene.input), std::move(journal));
+  }
+  Status finish(const RunParameters& parameters, const Scene& scene, const RunResult& result,
+                const Journal& journal) {
+    if (!writer_) return {};
+    writer_->end([&] { return recording_end(parameters, scene, result, journal); });
+    return writer_->finish();
+  }
+
+ private:
+  std::unique_ptr<RecordingWriter> writer_;
+};
 
 int run(int argc, char** argv) {
   CLI::App app{
@@ -112,12 +116,12 @@ int run(int argc, char** argv) {
   app.add_flag("--quiet", quiet, "print nothing but errors");
   app.add_flag("--list-gallery", list_gallery, "list the bundled models");
   app.set_version_flag("--version", std::string("isoscope-run ") + std::string(version()));
-  app.footer("Exit status: 0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 "
+  app.footer("isoscope-run replay RUN.isorun reads a recording; replay --help tells more.\n\n"
+             "Exit status: 0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 "
              "stopped by a limit "
              "or by the user; 5 stopped at a breakpoint.");
   if (argc > 1 && std::string_view(argv[1]) == "replay") {
-    return fail({ErrorCode::usage, "replay belongs to a later stage, which this version does not have.", ""},
-                2);
+    return replay(argc - 1, argv + 1);
   }
   try {
     app.parse(argc, argv);
@@ -137,6 +141,7 @@ int run(int argc, char** argv) {
     return fail(
         {ErrorCode::usage, "INPUT is missing.", "Give a mesh file or gallery:NAME; --help tells more."}, 2);
   }
+  outputs.recording = options.recording();
   const bool report_to_stdout = outputs.report == "-";
   if (compare && report_to_stdout) {
     return fail({ErrorCode::usage, "--compare and --report - both print to standard output.",
@@ -145,6 +150,8 @@ int run(int argc, char** argv) {
   }
   if (Status writable = check_outputs(outputs, parameters->input); !writable)
     return fail(writable.error(), 2);
+  Recording recording;
+  if (Status made = recording.create(outputs.recording); !made) return fail(made.error(), 2);
 
   const ThreadLimit threads(parameters->threads);
   RunControl control;
@@ -168,6 +175,7 @@ int run(int argc, char** argv) {
     for (const ParameterWarning& w : (*scene)->warnings) note(w.message);
     if (!(*scene)->thickening_note.empty()) note((*scene)->thickening_note);
   }
+  recording.start(*parameters, **scene, journal);
   const auto result = pipeline.run();
   progress.finish();
   if (!result) return fail(result.error(), exit_status(result.error().code));
@@ -177,6 +185,9 @@ int run(int argc, char** argv) {
   if (gate.hit()) {
     std::fprintf(stderr, "isoscope-run: %s: %s\n", gate.hit()->note().c_str(),
                  describe(*journal, journal->events()[gate.hit()->event]).c_str());
+  }
+  if (Status recorded = recording.finish(*parameters, **scene, *result, *journal); !recorded) {
+    status = fail(recorded.error(), 1);
   }
   if (!outputs.mesh.empty()) {
     if (Status written = write_mesh(outputs.mesh, result->mesh); !written) status = fail(written.error(), 1);

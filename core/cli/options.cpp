@@ -28,10 +28,6 @@ struct RunOptions::Raw {
 
 namespace {
 
-Error later(const std::string& option) {
-  return {ErrorCode::unsupported, option + " belongs to a later version.", "Leave it out."};
-}
-
 Error unknown(const std::string& option, const std::string& value, const std::string& choices) {
   return {ErrorCode::usage, option + " is '" + value + "', which is not one of " + choices + ".", ""};
 }
@@ -92,7 +88,8 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
                  "switch a condition of the refinement off: 1, 2, 3 or 4; repeatable");
   app.add_flag("--no-normals", r.no_normals, "the same as --no-condition 3");
   app.add_option("--time-limit", r.time_limit, "seconds after which the run stops with what it has; 0: none");
-  app.add_option("--record", r.record)->group("");
+  app.add_option("--record", r.record,
+                 "keep the run, event by event, in a file RUN.isorun; it can be opened while it grows");
   app.add_option("--break", r.breakpoints,
                  "stop at the first event for which a condition holds, such as "
                  "'reject && reason == kernel_empty'; repeatable, each stops");
@@ -100,10 +97,12 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
 
 RunOptions::~RunOptions() = default;
 
+const std::string& RunOptions::recording() const {
+  return raw_->record;
+}
+
 Result<RunParameters> RunOptions::finish() const {
   const Raw& r = *raw_;
-  if (!r.record.empty()) return later("--record");
-  if (r.input == "replay") return later("replay");
 
   RunParameters p;
   p.input = r.input;

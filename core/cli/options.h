@@ -25,6 +25,8 @@ class RunOptions {
   Result<RunParameters> finish() const;
   /// The texts of --break.
   const std::vector<std::string>& breakpoints() const;
+  /// The file of --record, empty without it.
+  const std::string& recording() const;
 
  private:
   struct Raw;

@@ -42,6 +42,13 @@ Status check_writable(const std::string& file) {
 } // namespace
 
 Status check_outputs(const Outputs& outputs, const std::string& input) {
+  if (!outputs.recording.empty()) {
+    if (same_file(outputs.recording, input)) return clash("--record", outputs.recording, "the input itself");
+    if (same_file(outputs.recording, outputs.mesh))
+      return clash("--record", outputs.recording, "the mesh of -o too");
+    if (same_file(outputs.recording, outputs.report))
+      return clash("--record", outputs.recording, "the report too");
+  }
   if (!outputs.mesh.empty()) {
     if (same_file(outputs.mesh, input)) return clash("-o", outputs.mesh, "the input itself");
     if (Status s = check_writable_mesh(outputs.mesh); !s) return s;

@@ -11,10 +11,11 @@ namespace isoscope {
 struct Outputs {
   std::string mesh;
   std::string report;
+  std::string recording;
 };
 
-/// Whether both could be written now: known extension, folders that exist and let us write, no clash with the
-/// input or with each other. Fails with io or usage.
+/// Whether they could be written now: known extension, folders that exist and let us write, no clash with the
+/// input or with each other. The recording is made, and so tried, by its writer. Fails with io or usage.
 Status check_outputs(const Outputs& outputs, const std::string& input);
 
 } // namespace isoscope

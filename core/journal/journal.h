@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace isoscope {
@@ -83,8 +84,8 @@ class Journal {
   std::uint32_t add_repair(RepairDetail sweeps);
   std::uint16_t add_sample_set(std::shared_ptr<const BoundarySamples> samples);
   void add_parameters(const CriteriaParameters& criteria);
-  /// Sets event.step; returns the event's index.
-  std::uint32_t add_event(Event event);
+  /// Sets event.step; returns the event's index. `seconds`: when it happened, for journals read from a file.
+  std::uint32_t add_event(Event event, std::optional<double> seconds = std::nullopt);
   void add_operation(Event event, Delta delta, const StepFigures& figures);
 
  private:
@@ -96,6 +97,7 @@ class Journal {
   AppendOnly<std::string> texts_;
   AppendOnly<RepairDetail> repairs_;
   std::atomic<std::size_t> bytes_{0};
+  double age() const; ///< seconds
   std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
 };
 

@@ -56,7 +56,9 @@ Json normals_json(const NormalDeviation& n) {
           {"above_90", n.above_90}};
 }
 
-std::string_view end_name(RunResult::End end) {
+} // namespace
+
+std::string_view name(RunResult::End end) {
   switch (end) {
   case RunResult::End::finished:
     return "finished";
@@ -67,8 +69,6 @@ std::string_view end_name(RunResult::End end) {
   }
   return "unknown";
 }
-
-} // namespace
 
 std::string_view version() {
   return ISOSCOPE_VERSION;
@@ -152,7 +152,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"topology_note", c.topology_note},
         {"failures", c.failures}}},
       {"branch", result.branch.empty() ? Json(nullptr) : Json(result.branch)},
-      {"end", end_name(result.end)},
+      {"end", name(result.end)},
       {"seconds", result.seconds},
       {"peak_memory_bytes", result.peak_memory_bytes},
   };

@@ -16,6 +16,8 @@ std::string report_json(const RunParameters& parameters, const Scene& scene, con
 /// disk.
 Status write_text_file(const std::filesystem::path& file, const std::string& text);
 
+/// "finished", "stopped" or "time limit".
+std::string_view name(RunResult::End end);
 /// "0.1.0"
 std::string_view version();
 

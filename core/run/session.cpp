@@ -2,6 +2,10 @@
 #include "run/session.h"
 
 #include "base/parallel.h"
+#include "recording/recording_reader.h"
+#include "recording/recording_writer.h"
+#include "run/parameters_json.h"
+#include "run/recorded_run.h"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +23,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::uint32_t unlimited = 0xffffffffu;
+/// Between two looks at a recording that grows.
+constexpr std::chrono::milliseconds follow_interval{250};
 
 std::shared_ptr<const Breakpoint> shared(Breakpoint breakpoint) {
   return breakpoint ? std::make_shared<const Breakpoint>(std::move(breakpoint)) : nullptr;
@@ -36,6 +42,8 @@ struct Session::Impl : public Gate {
 
   // Under the mutex.
   SessionSnapshot shown;
+  RunParameters started; ///< what the run began with: what its recording must say
+  std::shared_ptr<RecordingWriter> writer;
   CriteriaParameters wanted;
   bool parameters_pending = false;
   bool stop_pending = false;
@@ -143,11 +151,19 @@ struct Session::Impl : public Gate {
     });
   }
 
+  /// Starts the writer once the run is prepared, and tells it the end once there is one. Under the mutex.
+  void serve_writer() {
+    if (!writer || !shown.scene) return;
+    if (!writer->started()) writer->start(recording_header(started, shown.scene->input), shown.journal);
+    if (shown.phase == SessionPhase::finished && shown.result)
+      writer->end([parameters = started, scene = shown.scene, result = shown.result,
+                   journal = shown.journal] { return recording_end(parameters, *scene, *result, *journal); });
+  }
+
   /// The whole life of the run's thread; nothing may escape from it.
-  void work(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> soup,
-            std::shared_ptr<Journal> journal, const std::optional<BranchPoint>& branch) {
+  void work(const std::function<void()>& life) {
     try {
-      run_pipeline(parameters, std::move(soup), std::move(journal), branch);
+      life();
     } catch (const std::bad_alloc&) {
       fail({ErrorCode::internal, "Memory is exhausted.", "Take a larger tolerance or a larger σ."});
     } catch (const std::exception& e) {
@@ -167,6 +183,7 @@ struct Session::Impl : public Gate {
       s.scene = scene;
       s.phase = SessionPhase::running;
       wanted = s.parameters.criteria(scene->delta, scene->default_sigma);
+      serve_writer();
     });
     if (branch) {
       if (Status begun = pipeline.branch(*branch, journal); !begun) return fail(begun.error());
@@ -180,6 +197,7 @@ struct Session::Impl : public Gate {
       shown.phase = SessionPhase::finished;
       shown.part.clear();
       shown.fraction = -1;
+      serve_writer();
       pause_pending = stop_pending = false;
       steps_left = unlimited;
       until.reset();
@@ -195,8 +213,124 @@ struct Session::Impl : public Gate {
     }
   }
 
-  void launch(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup, bool paused,
-              std::shared_ptr<Journal> journal, std::optional<BranchPoint> branch, std::uint64_t after);
+  void show_read(const RecordingReader& reader, const Journal& journal) {
+    publish([&](SessionSnapshot& s) {
+      s.recording->bytes = reader.file_bytes();
+      s.recording->events = journal.events().size();
+    });
+  }
+
+  /// Reads what there is; false when something is damaged, which the snapshot then says.
+  bool read_on(RecordingReader& reader, Journal& journal) {
+    while (!control.cancelled()) {
+      const auto more = reader.read_commit(journal);
+      if (!more) {
+        publish([&](SessionSnapshot& s) {
+          s.recording->error = more.error();
+          s.recording->cut_short = true;
+        });
+        return false;
+      }
+      if (!*more) break;
+      show_read(reader, journal);
+    }
+    return true;
+  }
+
+  /// How the recorded run ended, waiting for it while another program writes it.
+  std::optional<RecordingEnd> follow(RecordingReader& reader, Journal& journal) {
+    while (read_on(reader, journal)) {
+      const auto end = reader.end();
+      if (end.ok() && *end) return *end;
+      const std::size_t before = journal.events().size();
+      const bool growing = reader.growing();
+      if (!read_on(reader, journal)) break;
+      if (journal.events().size() != before) continue;
+      if (const auto last = reader.end(); last.ok() && *last) return *last;
+      std::unique_lock lock(mutex);
+      if (!growing || quit || stop_pending) {
+        shown.recording->cut_short = true;
+        break;
+      }
+      shown.phase = SessionPhase::following;
+      changed.notify_all();
+      changed.wait_for(lock, follow_interval, [this] { return quit || stop_pending; });
+    }
+    return std::nullopt;
+  }
+
+  void read_recording(const std::filesystem::path& file, std::shared_ptr<Journal> journal) {
+    auto opened = RecordingReader::open(file);
+    if (!opened) return fail(opened.error());
+    const auto reader = std::move(*opened);
+    auto parameters = parse_parameters(reader->header().parameters);
+    if (!parameters) return fail(parameters.error());
+    publish([&](SessionSnapshot& s) { s.parameters = *parameters; });
+    control.report("the recording", -1);
+    const bool sound = read_on(*reader, *journal);
+    const auto scene = rebuild_scene(*parameters, reader->header().input, *journal, control);
+    if (!scene) return fail(scene.error());
+    publish([&](SessionSnapshot& s) {
+      s.scene = *scene;
+      s.part.clear();
+      s.fraction = -1;
+    });
+    std::shared_ptr<const RunResult> result;
+    if (const auto end = sound ? follow(*reader, *journal) : std::nullopt) {
+      auto read = recorded_result(*end, *journal);
+      if (read)
+        result = std::make_shared<const RunResult>(std::move(*read));
+      else
+        publish([&](SessionSnapshot& s) { s.recording->error = read.error(); });
+    }
+    // A reader that is the last to use the file takes its log into it.
+    [[maybe_unused]] const bool growing = reader->growing();
+    show_read(*reader, *journal);
+    publish([&](SessionSnapshot& s) {
+      s.result = result;
+      s.phase = SessionPhase::finished;
+    });
+  }
+
+  /// Ends the present run and begins anew; `recorded`: what is shown is read from a file; the generation is
+  /// one more than `after` at least.
+  std::shared_ptr<Journal> begin(const RunParameters& parameters, bool recorded, std::uint64_t after = 0) {
+    join();
+    control.reset();
+    control.on_progress([this](std::string_view part, double fraction) {
+      const std::lock_guard lock(mutex);
+      shown.part = part;
+      shown.fraction = fraction;
+    });
+    auto journal = std::make_shared<Journal>();
+    const std::lock_guard lock(mutex);
+    const std::uint64_t generation = std::max(shown.generation, after) + 1;
+    shown = {};
+    shown.generation = generation;
+    shown.phase = SessionPhase::preparing;
+    shown.parameters = parameters;
+    shown.journal = journal;
+    if (recorded) shown.recording.emplace().opened = true;
+    started = parameters;
+    wanted = {};
+    quit = stop_pending = parameters_pending = pause_pending = false;
+    steps_left = unlimited;
+    until.reset();
+    return journal;
+  }
+
+  void launch(std::function<void()> life) {
+    {
+      const std::lock_guard lock(mutex);
+      update_attention();
+    }
+    changed.notify_all();
+    // An earlier recording may have much left to write: nobody but the new thread waits for it.
+    thread = std::thread([this, life = std::move(life), last = std::exchange(writer, nullptr)]() mutable {
+      last.reset();
+      work(life);
+    });
+  }
 
   void join() {
     {
@@ -225,47 +359,55 @@ Session& Session::operator=(Session&& other) noexcept {
   return *this;
 }
 
-void Session::Impl::launch(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup, bool paused,
-                           std::shared_ptr<Journal> journal, std::optional<BranchPoint> branch,
-                           std::uint64_t after) {
-  join();
-  control.reset();
-  control.on_progress([this](std::string_view part, double fraction) {
-    const std::lock_guard lock(mutex);
-    shown.part = part;
-    shown.fraction = fraction;
-  });
-  {
-    const std::lock_guard lock(mutex);
-    const std::uint64_t generation = std::max(shown.generation, after) + 1;
-    shown = {};
-    shown.generation = generation;
-    shown.phase = SessionPhase::preparing;
-    shown.parameters = parameters;
-    shown.journal = journal;
-    wanted = {};
-    quit = stop_pending = parameters_pending = false;
-    pause_pending = false;
-    steps_left = paused ? 1 : unlimited; // the first operation puts the box there
-    until.reset();
-    update_attention();
-  }
-  changed.notify_all();
-  thread = std::thread([this, parameters = std::move(parameters), soup = std::move(soup),
-                        journal = std::move(journal), branch = std::move(branch)]() mutable {
-    work(parameters, std::move(soup), std::move(journal), branch);
-  });
-}
-
 void Session::start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup, bool paused) {
-  impl_->launch(std::move(parameters), std::move(soup), paused, std::make_shared<Journal>(), std::nullopt, 0);
+  Impl& m = *impl_;
+  auto journal = m.begin(parameters, false);
+  if (paused) {
+    const std::lock_guard lock(m.mutex);
+    m.steps_left = 1; // the first operation puts the box there
+  }
+  m.launch([&m, parameters = std::move(parameters), soup = std::move(soup), journal = std::move(journal)] {
+    m.run_pipeline(parameters, soup, journal, std::nullopt);
+  });
 }
 
 void Session::start_branch(const BranchPoint& branch, RunParameters parameters, const Scene& scene,
                            std::uint64_t after) {
-  auto journal = std::make_shared<Journal>();
+  Impl& m = *impl_;
+  auto journal = m.begin(parameters, false, after);
   journal->take_prefix(*branch.from, branch.step);
-  impl_->launch(std::move(parameters), scene.input, false, std::move(journal), branch, after);
+  m.launch([&m, branch, parameters = std::move(parameters), soup = scene.input,
+            journal = std::move(journal)] { m.run_pipeline(parameters, soup, journal, branch); });
+}
+
+void Session::open_recording(const std::filesystem::path& file) {
+  Impl& m = *impl_;
+  auto journal = m.begin({}, true);
+  {
+    const std::lock_guard lock(m.mutex);
+    m.shown.recording->file = file;
+  }
+  m.launch([&m, file, journal = std::move(journal)] { m.read_recording(file, journal); });
+}
+
+Status Session::record(const std::filesystem::path& file) {
+  Impl& m = *impl_;
+  std::shared_ptr<RecordingWriter> last;
+  {
+    const std::lock_guard lock(m.mutex);
+    if (m.shown.recording && m.shown.recording->opened)
+      return Error{ErrorCode::usage, "What is shown is a recording itself.", "Copy its file."};
+    if (m.shown.phase == SessionPhase::idle || m.shown.phase == SessionPhase::failed)
+      return Error{ErrorCode::usage, "There is no run to record.", "Open a model first."};
+  }
+  auto created = RecordingWriter::create(file);
+  if (!created) return created.error();
+  {
+    const std::lock_guard lock(m.mutex);
+    last = std::exchange(m.writer, std::shared_ptr<RecordingWriter>(std::move(*created)));
+    m.serve_writer();
+  }
+  return {};
 }
 
 void Session::pause() {
@@ -315,6 +457,7 @@ void Session::stop() {
 void Session::apply(const RunParameters& parameters) {
   {
     const std::lock_guard lock(impl_->mutex);
+    if (impl_->shown.recording && impl_->shown.recording->opened) return;
     impl_->shown.parameters = parameters;
     if (const auto& scene = impl_->shown.scene)
       impl_->wanted = parameters.criteria(scene->delta, scene->default_sigma);
@@ -333,7 +476,13 @@ void Session::set_breakpoint(Breakpoint breakpoint) {
 
 SessionSnapshot Session::snapshot() const {
   const std::lock_guard lock(impl_->mutex);
-  return impl_->shown;
+  SessionSnapshot snapshot = impl_->shown;
+  if (impl_->writer) {
+    const RecordingProgress progress = impl_->writer->progress();
+    snapshot.recording =
+        RecordingState{progress.file, progress.bytes, progress.events, false, false, progress.error};
+  }
+  return snapshot;
 }
 
 bool Session::wait_until_settled(double seconds) const {

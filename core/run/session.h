@@ -5,6 +5,7 @@
 #include "run/pipeline.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,9 +18,20 @@ enum class SessionPhase : std::uint8_t {
   idle,      ///< nothing was started
   preparing, ///< input, Ω, S
   running,
-  paused,   ///< at a pause point, between two operations
-  finished, ///< the goal was reached or the run was stopped; still there to go on with other parameters
-  failed    ///< see error
+  paused,    ///< at a pause point, between two operations
+  following, ///< a recording is read that another program is still writing
+  finished,  ///< the goal was reached or the run was stopped; still there to go on with other parameters
+  failed     ///< see error
+};
+
+/// The file that a run is recorded to or read from.
+struct RecordingState {
+  std::filesystem::path file;
+  std::uint64_t bytes = 0;    ///< on the disk
+  std::size_t events = 0;     ///< written, or read
+  bool opened = false;        ///< read from the file: nothing computes, parameters cannot be changed
+  bool cut_short = false;     ///< read to its end, which is not the run's
+  std::optional<Error> error; ///< why it is written or read no further
 };
 
 /// A consistent picture of a session; cheap to take at every frame. All pointers are to immutable things,
@@ -35,6 +47,7 @@ struct SessionSnapshot {
   std::string part;       ///< what is being prepared or certified: "sampling"
   double fraction = -1;   ///< of that part, negative unknown
   std::string pause_note; ///< why it paused: "step", a breakpoint's text
+  std::optional<RecordingState> recording;
 };
 
 /// Decides after an event whether to pause; returns the note to show, empty to go on. Called on the run's
@@ -71,6 +84,13 @@ class Session {
   void apply(const RunParameters& parameters);
   /// Stands for every run of this session, checked after each event; empty removes it.
   void set_breakpoint(Breakpoint breakpoint);
+
+  /// Shows a recording instead of a run; follows it while another program writes it. Pausing and new
+  /// parameters have no effect on it.
+  void open_recording(const std::filesystem::path& file);
+  /// Records the present run from its first event on, or once it is prepared; an earlier recording of it is
+  /// closed. Fails with io or usage when the file cannot be made, and with usage on a recording.
+  Status record(const std::filesystem::path& file);
 
   SessionSnapshot snapshot() const;
   /// Blocks until the run is paused, finished or failed, or the seconds are over; true when it is. For tests

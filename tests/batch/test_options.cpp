@@ -68,22 +68,6 @@ TEST_CASE("Wrong usage is named on one line with status 2") {
   }
 }
 
-TEST_CASE("Options of later versions are refused by name") {
-  const std::vector<std::vector<std::string>> cases = {{"--record", "x.isorun"}};
-  for (const auto& option : cases) {
-    std::vector<std::string> arguments{"gallery:sphere"};
-    arguments.insert(arguments.end(), option.begin(), option.end());
-    const Ended ended = run_batch(arguments);
-    CAPTURE(option[1]);
-    CHECK(ended.status == 2);
-    CHECK(ended.error.find(option[0]) != std::string::npos);
-    CHECK(ended.error.find("later") != std::string::npos);
-  }
-  const Ended replay = run_batch({"replay", "x.isorun"});
-  CHECK(replay.status == 2);
-  CHECK(replay.error.find("replay") != std::string::npos);
-}
-
 TEST_CASE("Input that is no closed surface is named with status 3") {
   const TemporaryFolder folder;
   const Ended missing = run_batch({(folder / "missing.off").string()});

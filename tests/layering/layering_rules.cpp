@@ -15,8 +15,8 @@ constexpr int longest_file = 600;
 
 // The folders that a folder's files may include, besides their own. Architecture, section 3.
 const std::map<std::string, Names, std::less<>>& allowed_folders() {
-  static const Names core = {"base",    "input",  "tolerance", "mesh", "criteria",
-                             "journal", "query",  "refine",    "simplify", "run"};
+  static const Names core = {"base",  "input",     "tolerance", "mesh",     "criteria", "journal",
+                             "query", "recording", "refine",    "simplify", "run"};
   static const auto with_core = [](Names more) {
     more.insert(core.begin(), core.end());
     return more;
@@ -31,7 +31,9 @@ const std::map<std::string, Names, std::less<>>& allowed_folders() {
       {"core/query", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
       {"core/refine", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
       {"core/simplify", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
-      {"core/run", {"base", "input", "tolerance", "mesh", "criteria", "journal", "refine", "simplify"}},
+      {"core/recording", {"base", "input", "tolerance", "mesh", "journal"}},
+      {"core/run",
+       {"base", "input", "tolerance", "mesh", "criteria", "journal", "recording", "refine", "simplify"}},
       {"core/cli", core},
       {"viewer/gl", {"base"}},
       {"viewer/platform", {"base"}},
@@ -63,6 +65,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"glm/", {"viewer/", "tests/"}, false},
       {"stb_", {"viewer/platform/", "tests/"}, false},
       {"CLI/", {"core/cli/", "core/run/", "viewer/app/", "tests/"}, true},
+      {"sqlite3", {"core/recording/", "tests/recording/"}, true},
       {"viewer/", {}, false},
       {"core/", {}, false},
   };

@@ -4,6 +4,7 @@
 #include "input/gallery.h"
 #include "panels/panels.h"
 #include "platform/image_file.h"
+#include "recording/recording_reader.h"
 
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>
@@ -88,10 +89,13 @@ Status App::setup(const ProgramOptions& options) {
   const std::string input =
       options.run.input.empty() ? "gallery:" + std::string(gallery().front().name) : options.run.input;
   m.open(input, options.paused);
-  if (options.tolerance_given && m.draft.tolerance.text() != options.run.tolerance.text()) {
+  if (options.tolerance_given && !is_recording_name(input) &&
+      m.draft.tolerance.text() != options.run.tolerance.text()) {
     m.draft.tolerance = options.run.tolerance;
     m.session.start(m.draft, nullptr, options.paused);
   }
+  if (!options.recording.empty())
+    if (Status recorded = m.session.record(options.recording); !recorded) return recorded.error();
   return {};
 }
 

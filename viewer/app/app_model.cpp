@@ -3,6 +3,7 @@
 
 #include "app/debug_actions.h"
 #include "input/gallery.h"
+#include "recording/recording_reader.h"
 #include "scene/section_view.h"
 
 #include <algorithm>
@@ -47,13 +48,18 @@ void AppModel::open(const std::string& input, bool paused) {
   }
   overlay = Overlay::none;
   transport.restart();
-  session.start(draft, nullptr, paused);
+  if (is_recording_name(input))
+    session.open_recording(input);
+  else
+    session.start(draft, nullptr, paused);
 }
 
 void AppModel::restart() {
   if (draft.input.empty()) return;
   transport.restart();
-  session.start(draft);
+  // The input of a recording may be on another machine: the recording holds it.
+  const bool stored = shows_recording() && run.scene && draft.input == run.parameters.input;
+  session.start(draft, stored ? run.scene->input : nullptr);
 }
 
 void AppModel::apply() {
@@ -127,6 +133,17 @@ void AppModel::take_run() {
     error_seen_ = run.error->message;
     report(*run.error);
   }
+  take_recording();
+}
+
+void AppModel::take_recording() {
+  if (shows_recording() && draft_generation_ != run.generation && !run.parameters.input.empty()) {
+    draft_generation_ = run.generation;
+    draft = run.parameters;
+  }
+  const std::string error = run.recording && run.recording->error ? run.recording->error->message : "";
+  if (!error.empty() && error != recording_error_seen_) report(*run.recording->error);
+  recording_error_seen_ = error;
 }
 
 // The clip goes to the middle of a loaded model unless somebody had set it.

@@ -122,7 +122,8 @@ class AppModel {
   bool scripted = false;             ///< no easing, nothing remembered, following is immediate
   std::string failed_expectation;
 
-  /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ.
+  /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ, a
+  /// recording (.isorun) all its parameters.
   void open(const std::string& input, bool paused = false);
   /// Runs again from the beginning with the draft's parameters.
   void restart();
@@ -159,7 +160,13 @@ class AppModel {
   /// The event that the selection speaks of at the step shown, if any.
   std::optional<std::uint32_t> selected_event() const;
   Step live_step() const { return run.journal ? run.journal->steps() : 0; }
-  bool running() const { return run.phase == SessionPhase::preparing || run.phase == SessionPhase::running; }
+  /// Something is being computed, or a recording grows.
+  bool running() const {
+    return run.phase == SessionPhase::preparing || run.phase == SessionPhase::running ||
+           run.phase == SessionPhase::following;
+  }
+  /// What is shown was read from a file.
+  bool shows_recording() const { return run.recording && run.recording->opened; }
   /// The play head moves, or will as soon as the run makes a step.
   bool playing() const { return transport.moving() && (running() || !transport.at_live_end(live_step())); }
   /// The state shown is the one the play head asks for and nothing is under way that would change it.
@@ -176,6 +183,7 @@ class AppModel {
 
  private:
   void take_run();
+  void take_recording();
   void request_state();
   void request_xray();
   void blink();
@@ -188,7 +196,8 @@ class AppModel {
   std::optional<CriteriaParameters> preview_asked_;
   std::shared_ptr<const StateSnapshot> preview_state_;
   std::shared_ptr<const Scene> scene_seen_;
-  std::string error_seen_;
+  std::string error_seen_, recording_error_seen_;
+  std::uint64_t draft_generation_ = 0; ///< the recording whose parameters the draft has taken
 };
 
 } // namespace isoscope

@@ -215,6 +215,9 @@ Status hold_or_resume(AppModel& model, const Arguments&) {
 }
 
 Status apply_parameters(AppModel& model, const Arguments&) {
+  if (model.shows_recording())
+    return Error{ErrorCode::usage, "A recording cannot go on with other parameters.",
+                 "Restart (Ctrl+R) runs its input anew with those of the panel."};
   if (model.draft_needs_restart())
     return Error{ErrorCode::usage, "These parameters belong to the whole run: they need a new one.",
                  "Use Restart (Ctrl+R)."};

@@ -14,6 +14,7 @@ constexpr const char* eye = "\uf06e";
 constexpr const char* eye_off = "\uf070";
 constexpr const char* folder = "\uf07b";
 constexpr const char* folder_open = "\uf07c";
+constexpr const char* record = "\uf111";
 constexpr const char* file = "\uf15b";
 constexpr const char* camera = "\uf030";
 constexpr const char* search = "\uf002";

@@ -11,6 +11,8 @@ using NamedTable = std::vector<NamedValue>;
 
 /// A number with all digits that tell it apart.
 std::string text_of(double value);
+/// Of the recording that is written or shown.
+void add_recording_readings(NamedTable& table);
 /// What can only be read: the run, the state, the selection.
 void add_readings(NamedTable& table);
 /// The same of what is asked of an edge.

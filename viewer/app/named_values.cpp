@@ -254,6 +254,7 @@ Table make_table() {
   add_readings(t);
   add_edge_readings(t);
   add_debug_readings(t);
+  add_recording_readings(t);
   return t;
 }
 

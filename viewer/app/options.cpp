@@ -57,6 +57,7 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   const auto run = run_options.finish();
   if (!run) return run.error();
   o.run = *run;
+  o.recording = run_options.recording();
   o.tolerance_given = app.get_option("--tolerance")->count() > 0;
   if (!size.empty()) {
     const auto s = parse_size(size);

@@ -14,9 +14,9 @@ namespace isoscope {
 struct ProgramOptions {
   RunParameters run;
   bool tolerance_given = false;
-  bool paused = false;            ///< hold the run before its first operation
-  std::string script, screenshot; ///< empty: none
-  float ui_scale = 0;             ///< 0: as remembered
+  bool paused = false;                       ///< hold the run before its first operation
+  std::string script, screenshot, recording; ///< empty: none
+  float ui_scale = 0;                        ///< 0: as remembered
   PixelSize size{1280, 800};
   std::optional<ThemeKind> theme;
 };

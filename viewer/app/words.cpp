@@ -39,8 +39,8 @@ constexpr std::array<LayerName, 11> layers{{
 } // namespace
 
 std::string_view phase_word(SessionPhase phase) {
-  constexpr std::array<std::string_view, 6> words{"idle",   "preparing", "running",
-                                                  "paused", "finished",  "failed"};
+  constexpr std::array<std::string_view, 7> words{"idle",      "preparing", "running", "paused",
+                                                  "following", "finished",  "failed"};
   return words.at(static_cast<std::size_t>(phase));
 }
 std::string_view transport_word(Transport::Mode mode) {

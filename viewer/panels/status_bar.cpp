@@ -20,7 +20,10 @@ std::string phase_text(const AppModel& m) {
     return m.run.part.empty() ? "running" : "running: " + m.run.part;
   case SessionPhase::paused:
     return m.run.pause_note.empty() ? "held" : "held: " + m.run.pause_note;
+  case SessionPhase::following:
+    return "following";
   case SessionPhase::finished:
+    if (m.run.recording && m.run.recording->cut_short) return "ended without finishing";
     return !m.run.result                       ? "finished"
            : m.run.result->certificate.holds() ? "finished, certified"
                                                : "finished, not certified";
@@ -48,6 +51,12 @@ std::string operation_words(const Event& e) {
   default:
     return std::string(name(e.kind));
   }
+}
+
+/// "records torus.isorun 1.2 MB"
+std::string recording_text(const RecordingState& r) {
+  const char* verb = r.error ? "stopped " : r.opened ? "reads " : "records ";
+  return std::string(icon::record) + " " + verb + r.file.filename().string() + " " + bytes_text(r.bytes);
 }
 
 /// Operations a second over the last tenth of the run.
@@ -104,6 +113,9 @@ void status_bar(Ui& ui) {
   }
   put(rate_text(m), ui.colors.quiet);
   if (m.run.journal) put("history " + bytes_text(m.run.journal->memory_bytes()), ui.colors.quiet);
+  if (m.run.recording)
+    put(recording_text(*m.run.recording),
+        m.run.recording->error || m.run.recording->cut_short ? ui.colors.warning_text : ui.colors.quiet);
   if (m.run.scene && !m.run.scene->warnings.empty())
     put(std::string(icon::warning) + " " + grouped(m.run.scene->warnings.size()) +
             (m.run.scene->warnings.size() == 1 ? " warning" : " warnings"),

@@ -1,0 +1,37 @@
+// One line an error.
+#include "cli/exit_status.h"
+
+#include <cstdio>
+
+namespace isoscope {
+
+int exit_status(ErrorCode code) {
+  switch (code) {
+  case ErrorCode::usage:
+    return 2;
+  case ErrorCode::bad_input:
+    return 3;
+  case ErrorCode::unsupported:
+    return 3;
+  case ErrorCode::cancelled:
+    return 4;
+  default:
+    return 1;
+  }
+}
+
+int fail(const Error& error, int status) {
+  std::fprintf(stderr, "isoscope-run: %s\n", error.line().c_str());
+  return status;
+}
+
+int fail(const Error& error) {
+  return fail(error, exit_status(error.code));
+}
+
+Status print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return {};
+  return Error{ErrorCode::io, "Cannot write to standard output.", "Is the disk full, or the reader gone?"};
+}
+
+} // namespace isoscope

@@ -1,0 +1,156 @@
+// Reads the whole recording, prints a summary, and runs it again when asked to.
+#include "cli/replay.h"
+
+#include "base/parallel.h"
+#include "cli/compare_table.h"
+#include "cli/exit_status.h"
+#include "cli/progress_line.h"
+#include "input/mesh_io.h"
+#include "journal/digest.h"
+#include "mesh/zero_set.h"
+#include "recording/recording_reader.h"
+#include "run/parameters_json.h"
+#include "run/recorded_run.h"
+#include "run/replay_check.h"
+#include "run/statistics.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <string>
+
+namespace isoscope {
+
+namespace {
+
+struct ReplayOptions {
+  std::string file, mesh;
+  bool check = false, quiet = false;
+  unsigned threads = 0;
+};
+
+/// A recording in memory.
+struct Recorded {
+  std::unique_ptr<RecordingReader> reader;
+  RunParameters parameters;
+  std::shared_ptr<Journal> journal = std::make_shared<Journal>();
+  std::optional<RecordingEnd> end;
+};
+
+std::string line(std::string_view label, const std::string& text) {
+  std::string padded(label);
+  padded.resize(13, ' ');
+  return padded + text + "\n";
+}
+
+std::string counted(std::size_t n, const std::string& noun) {
+  return grouped(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+Result<Recorded> read(const std::string& file) {
+  auto opened = RecordingReader::open(file);
+  if (!opened) return opened.error();
+  Recorded r;
+  r.reader = std::move(*opened);
+  auto parameters = parse_parameters(r.reader->header().parameters);
+  if (!parameters) return parameters.error();
+  r.parameters = std::move(*parameters);
+  for (;;) {
+    const auto more = r.reader->read_commit(*r.journal);
+    if (!more) return more.error();
+    if (!*more) break;
+  }
+  auto end = r.reader->end();
+  if (!end) return end.error();
+  r.end = std::move(*end);
+  return r;
+}
+
+std::string end_words(const Recorded& r) {
+  if (r.end) return r.end->state + (r.end->certified ? ", certified" : ", not certified");
+  return "ended without finishing: " + counted(r.journal->events().size(), "event") +
+         " up to the last commit";
+}
+
+int recorded_status(const Recorded& r) {
+  if (!r.end || r.end->state != "finished") return 4;
+  return r.end->certified ? 0 : 1;
+}
+
+std::string summary(const ReplayOptions& options, const Recorded& r, const TriangleMesh& mesh) {
+  const RecordingHeader& header = r.reader->header();
+  const Journal& j = *r.journal;
+  char size[40];
+  std::snprintf(size, sizeof size, "%.1f MB", static_cast<double>(r.reader->file_bytes()) / 1e6);
+  std::string text;
+  text += line("Recording", options.file + ": " + size + ", written by " + header.program);
+  text += line("Input", r.parameters.input + ": " + counted(header.input->points.size(), "point") + ", " +
+                            counted(header.input->triangles.size(), "triangle") + ", digest " +
+                            digest_text(r.reader->input_digest()) + "; tolerance " +
+                            r.parameters.tolerance.text());
+  text += line("Run", end_words(r));
+  text +=
+      line("Journal", counted(j.events().size(), "event") + ", " +
+                          counted(j.operations().size(), "operation") + ", digest " + digest_text(digest(j)));
+  text += line("Z", counted(mesh.points.size(), "point") + ", " + counted(mesh.triangles.size(), "triangle"));
+  return text + "\n" + compare_table(gather_statistics(j));
+}
+
+int check_it(const ReplayOptions& options, const Recorded& r) {
+  RunControl control;
+  ProgressLine progress(!options.quiet);
+  control.on_progress([&](std::string_view part, double fraction) { progress.part(part, fraction); });
+  const auto verdict =
+      check_replay(r.parameters, r.reader->header().input, *r.journal, r.end.has_value(), control);
+  progress.finish();
+  if (!verdict) return fail(verdict.error());
+  if (!verdict->same) {
+    std::fprintf(stderr, "isoscope-run: It does not replay. %s\n", verdict->difference.c_str());
+    return 1;
+  }
+  if (options.quiet) return 0;
+  const std::string ended =
+      r.end ? verdict->to_the_end ? "; the final Z is the same" : "" : "; it ends there without finishing";
+  const Status printed = print(
+      "Replays: " + counted(verdict->events, "event") + " and " + counted(verdict->operations, "operation") +
+      " are the same, " + counted(verdict->states, "state") + (verdict->states == 1 ? " comes" : " come") +
+      " back when undone" + ended + ".\n");
+  return printed.ok() ? 0 : fail(printed.error(), 1);
+}
+
+} // namespace
+
+int replay(int argc, char** argv) {
+  ReplayOptions options;
+  CLI::App app{"Reads a recording: what it holds, its last Z, and whether it replays.",
+               "isoscope-run replay"};
+  app.add_option("RUN", options.file, "a recording, RUN.isorun, also of a killed run")->required();
+  app.add_flag("--check", options.check,
+               "run it again from the input it holds and compare every event, operation and state");
+  app.add_option("-o,--output", options.mesh, "write Z as it is after the last operation");
+  app.add_option("--threads", options.threads, "number of threads, 0 for all cores");
+  app.add_flag("--quiet", options.quiet, "print nothing but errors");
+  app.footer("Exit status: that of the recorded run, 4 when it ended without finishing; with --check 0 when "
+             "it replays and 1 when it does not; 2 usage; 3 a file that cannot be read.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  if (!options.mesh.empty())
+    if (Status writable = check_writable_mesh(options.mesh); !writable) return fail(writable.error(), 2);
+  const ThreadLimit threads(options.threads);
+  const auto recorded = read(options.file);
+  if (!recorded)
+    return fail(recorded.error(),
+                recorded.error().code == ErrorCode::io ? 3 : exit_status(recorded.error().code));
+  const TriangleMesh mesh = triangulate(extract_zero_set(final_state(*recorded->journal)));
+  if (!options.mesh.empty())
+    if (Status written = write_mesh(options.mesh, mesh); !written) return fail(written.error(), 1);
+  if (options.check) return check_it(options, *recorded);
+  if (!options.quiet)
+    if (Status printed = print(summary(options, *recorded, mesh)); !printed) return fail(printed.error(), 1);
+  return recorded_status(*recorded);
+}
+
+} // namespace isoscope

@@ -1,0 +1,464 @@
+// Commit by commit: rows, their checksum, and only then the journal.
+#include "recording/recording_reader.h"
+
+#include "recording/database.h"
+#include "recording/delta_codec.h"
+#include "recording/geometry_codec.h"
+
+#include <fstream>
+#include <vector>
+
+namespace isoscope {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Access = Database::Access;
+
+/// What a commit brings, before its checksum is known to be right.
+struct Batch {
+  std::vector<std::string> sample_sets, texts, deltas;
+  std::vector<Journal::ParameterRecord> criteria;
+  std::vector<RepairDetail> repairs;
+  std::vector<Journal::StageMark> marks;
+  std::vector<Event> events;
+  std::vector<StepFigures> figures; ///< of the operations, as deltas
+};
+
+Error not_a_recording(const fs::path& file, const std::string& why) {
+  return {ErrorCode::bad_input, file.string() + " is not a recording: " + why + ".",
+          "Give a file that --record has written."};
+}
+
+Error damaged(const fs::path& file, const std::string& what) {
+  return {ErrorCode::bad_input, file.string() + " is damaged: " + what + ".",
+          "Take another copy, or record the run again."};
+}
+
+/// What can be told without SQLite.
+Status check_head(const fs::path& file) {
+  std::error_code failure;
+  const auto status = fs::status(file, failure);
+  if (!fs::exists(status))
+    return Error{ErrorCode::bad_input, file.string() + " does not exist.", "Check the name."};
+  if (!fs::is_regular_file(status)) return not_a_recording(file, "it is no plain file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return Error{ErrorCode::io, "Cannot read " + file.string() + ".", "Check its permissions."};
+  constexpr std::string_view magic("SQLite format 3\0", 16);
+  std::string head(magic.size(), '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (in.gcount() == 0)
+    return not_a_recording(file, "it is empty; perhaps the program was killed before the run began");
+  if (head != magic) return not_a_recording(file, "it begins with other bytes");
+  return {};
+}
+
+Status check_version(Database& database, const fs::path& file) {
+  const auto application = database.number("PRAGMA application_id");
+  if (!application) return application.error();
+  if (*application != recording_application_id)
+    return not_a_recording(file, "it is a database of another program");
+  const auto version = database.number("PRAGMA user_version");
+  if (!version) return version.error();
+  if (*version > recording_version)
+    return Error{ErrorCode::unsupported,
+                 file.string() + " was written by a newer version (format " + std::to_string(*version) +
+                     "; this one reads up to " + std::to_string(recording_version) + ").",
+                 "Open it with a newer Isoscope."};
+  if (*version < 1) return damaged(file, "it has no version");
+  return {};
+}
+
+std::uint32_t id_of(std::int64_t number) {
+  return number < 0 ? 0xffffffffu : static_cast<std::uint32_t>(number);
+}
+
+template <class Enum> bool read_enum(std::int64_t number, int count, Enum& value) {
+  if (number < 0 || number >= count) return false;
+  value = static_cast<Enum>(number);
+  return true;
+}
+
+} // namespace
+
+struct RecordingReader::Impl {
+  fs::path file;
+  Access access = Access::grow;
+  Database database;
+  RecordingHeader header;
+  std::uint64_t input_digest = 0;
+  Query commits, events, operations, sample_sets, criteria, texts, repairs, sweeps, marks;
+  DeltaDecoder deltas;
+  Digest checksum;
+  RecordingCounts read;
+  std::int64_t last_commit = 0;
+  std::size_t next_criteria = 0; ///< of `waiting`
+  std::vector<Journal::ParameterRecord> waiting;
+  std::optional<Error> broken; ///< nothing can be read after it
+
+  explicit Impl(Database d) : database(std::move(d)) {}
+
+  Status prepare() {
+    const std::pair<Query*, std::string_view> all[] = {
+        {&commits,
+         "SELECT id,events,operations,texts,repairs,sample_sets,criteria,marks,checksum FROM commits "
+         "WHERE id>? ORDER BY id LIMIT 1"},
+        {&events, "SELECT kind,stage,condition,reason,operation,tet,sample,vertex,other,x,y,z,witness_x,"
+                  "witness_y,witness_z,value,limit_value,count,text,detail,step FROM event_rows "
+                  "WHERE id>=? AND id<? ORDER BY id"},
+        {&operations, "SELECT bad_samples,zero_set_vertices,tets,largest_error,smallest_height,seconds,delta "
+                      "FROM operations WHERE step>=? AND step<? ORDER BY step"},
+        {&sample_sets, "SELECT data FROM sample_sets WHERE id>=? AND id<? ORDER BY id"},
+        {&criteria, "SELECT step,delta,sigma,alpha,shrink,certified,condition_1,condition_2,condition_3,"
+                    "condition_4 FROM criteria WHERE id>=? AND id<? ORDER BY id"},
+        {&texts, "SELECT text FROM texts WHERE id>=? AND id<? ORDER BY id"},
+        {&repairs, "SELECT id,sweeps FROM repairs WHERE id>=? AND id<? ORDER BY id"},
+        {&sweeps, "SELECT largest_distance,energy,moved,flipped,points_added FROM sweeps WHERE repair=? "
+                  "ORDER BY sweep"},
+        {&marks, "SELECT event,seconds FROM stage_marks WHERE id>=? AND id<? ORDER BY id"}};
+    for (const auto& [query, statement] : all) {
+      auto prepared = database.prepare(statement);
+      if (!prepared) return prepared.error();
+      *query = std::move(*prepared);
+    }
+    return {};
+  }
+
+  Status read_header() {
+    auto run = database.prepare("SELECT key,value FROM run");
+    if (!run) return run.error();
+    run->start();
+    for (;;) {
+      const auto row = run->next();
+      if (!row) return row.error();
+      if (!*row) break;
+      if (run->text(0) == "program") header.program = run->text(1);
+      if (run->text(0) == "parameters") header.parameters = run->text(1);
+    }
+    auto input = database.prepare("SELECT name,digest,data FROM input");
+    if (!input) return input.error();
+    input->start();
+    const auto row = input->next();
+    if (!row) return row.error();
+    if (!*row)
+      return Error{ErrorCode::bad_input, file.string() + " holds no run: it ended before the run began.",
+                   "If the run is still being prepared, open it again in a moment."};
+    auto soup = decode_soup(input->bytes(2));
+    if (!soup || digest_text(digest(*soup)) != input->text(1))
+      return damaged(file, "its input does not match the checksum");
+    soup->name = input->text(0);
+    input_digest = digest(*soup);
+    header.input = std::make_shared<const TriangleSoup>(std::move(*soup));
+    return {};
+  }
+
+  /// Calls `take` for each row of a query over a range of ids; the number of rows must be that of the range.
+  template <class Take>
+  Status rows(Query& query, std::size_t from, std::size_t to, const char* what, Take take) {
+    query.start(from, to);
+    std::size_t count = 0;
+    for (;;) {
+      const auto row = query.next();
+      if (!row) return row.error();
+      if (!*row) break;
+      if (!take()) return damaged(file, std::string("a row of its ") + what + " makes no sense");
+      ++count;
+    }
+    if (count != to - from) return damaged(file, std::string("rows of its ") + what + " are missing");
+    return {};
+  }
+
+  bool take_event(Batch& batch) {
+    Event e;
+    if (!read_enum(events.integer(0), event_kind_count, e.kind) ||
+        !read_enum(events.integer(1), stage_count, e.stage) ||
+        !read_enum(events.integer(2), condition_count, e.condition) ||
+        !read_enum(events.integer(3), reason_count, e.reason))
+      return false;
+    e.operation = events.integer(4) != 0;
+    e.tet = TetId(id_of(events.integer(5)));
+    e.sample = SampleId(id_of(events.integer(6)));
+    e.vertex = VertexId(id_of(events.integer(7)));
+    e.other = VertexId(id_of(events.integer(8)));
+    for (int a = 0; a < 3; ++a) {
+      e.point[a] = events.real(9 + a);
+      e.witness[a] = events.real(12 + a);
+    }
+    e.value = events.real(15);
+    e.limit = events.real(16);
+    e.count = static_cast<std::uint32_t>(events.integer(17));
+    e.text = static_cast<std::uint32_t>(events.integer(18));
+    e.detail = static_cast<std::uint32_t>(events.integer(19));
+    e.step = static_cast<Step>(events.integer(20));
+    batch.events.push_back(e);
+    return true;
+  }
+
+  bool take_operation(Batch& batch) {
+    StepFigures f;
+    f.bad_samples = static_cast<std::uint32_t>(operations.integer(0));
+    f.zero_set_vertices = static_cast<std::uint32_t>(operations.integer(1));
+    f.tets = static_cast<std::uint32_t>(operations.integer(2));
+    f.largest_error = static_cast<float>(operations.real(3));
+    f.smallest_height = static_cast<float>(operations.real(4));
+    f.seconds = static_cast<float>(operations.real(5));
+    batch.figures.push_back(f);
+    batch.deltas.emplace_back(operations.bytes(6));
+    return true;
+  }
+
+  bool take_criteria(Batch& batch) {
+    Journal::ParameterRecord r;
+    r.step = static_cast<Step>(criteria.integer(0));
+    r.criteria.delta = criteria.real(1);
+    r.criteria.sigma = criteria.real(2);
+    r.criteria.alpha = criteria.real(3);
+    r.criteria.shrink = criteria.real(4);
+    r.criteria.certified = criteria.integer(5) != 0;
+    r.criteria.condition_1 = criteria.integer(6) != 0;
+    r.criteria.condition_2 = criteria.integer(7) != 0;
+    r.criteria.condition_3 = criteria.integer(8) != 0;
+    r.criteria.condition_4 = criteria.integer(9) != 0;
+    batch.criteria.push_back(r);
+    return true;
+  }
+
+  Status read_repairs(Batch& batch, std::size_t to) {
+    std::vector<std::size_t> counts;
+    if (Status s = rows(repairs, read.repairs, to, "repairs",
+                        [&] {
+                          counts.push_back(static_cast<std::size_t>(repairs.integer(1)));
+                          return true;
+                        });
+        !s)
+      return s;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      RepairDetail& detail = batch.repairs.emplace_back();
+      sweeps.start(read.repairs + i);
+      for (;;) {
+        const auto row = sweeps.next();
+        if (!row) return row.error();
+        if (!*row) break;
+        RepairSweep w;
+        w.largest_distance = sweeps.real(0);
+        w.energy = sweeps.real(1);
+        w.moved = static_cast<std::uint32_t>(sweeps.integer(2));
+        w.flipped = static_cast<std::uint32_t>(sweeps.integer(3));
+        w.points_added = static_cast<std::uint32_t>(sweeps.integer(4));
+        detail.push_back(w);
+      }
+      if (detail.size() != counts[i]) return damaged(file, "sweeps of its repairs are missing");
+    }
+    return {};
+  }
+
+  Status read_rows(const RecordingCounts& to, Batch& batch) {
+    if (Status s = rows(sample_sets, read.sample_sets, to.sample_sets, "sample sets",
+                        [&] {
+                          batch.sample_sets.emplace_back(sample_sets.bytes(0));
+                          return true;
+                        });
+        !s)
+      return s;
+    if (Status s =
+            rows(criteria, read.criteria, to.criteria, "parameters", [&] { return take_criteria(batch); });
+        !s)
+      return s;
+    if (Status s = rows(texts, read.texts, to.texts, "texts",
+                        [&] {
+                          batch.texts.push_back(texts.text(0));
+                          return true;
+                        });
+        !s)
+      return s;
+    if (Status s = read_repairs(batch, to.repairs); !s) return s;
+    if (Status s =
+            rows(marks, read.marks, to.marks, "stages",
+                 [&] {
+                   batch.marks.push_back({static_cast<std::uint32_t>(marks.integer(0)), marks.real(1)});
+                   return true;
+                 });
+        !s)
+      return s;
+    if (Status s = rows(events, read.events, to.events, "events", [&] { return take_event(batch); }); !s)
+      return s;
+    return rows(operations, read.operations, to.operations, "operations",
+                [&] { return take_operation(batch); });
+  }
+
+  /// The checksum after the batch, in the writer's order.
+  bool add_to_checksum(const Batch& batch) {
+    for (const std::string& bytes : batch.sample_sets) checksum.add(std::string_view(bytes));
+    for (const auto& record : batch.criteria) add_to(checksum, record);
+    for (const std::string& text : batch.texts) checksum.add(std::string_view(text));
+    for (const RepairDetail& detail : batch.repairs) {
+      checksum.add(detail.size());
+      for (const RepairSweep& w : detail) checksum.add(w);
+    }
+    for (const auto& mark : batch.marks) add_to(checksum, mark);
+    std::size_t step = 0;
+    for (const Event& e : batch.events) {
+      checksum.add(e);
+      if (!e.operation) continue;
+      if (step >= batch.deltas.size()) return false;
+      checksum.add(std::string_view(batch.deltas[step]));
+      add_to(checksum, batch.figures[step]);
+      ++step;
+    }
+    return step == batch.deltas.size();
+  }
+
+  void add_criteria(Journal& journal) {
+    while (next_criteria < waiting.size() && waiting[next_criteria].step <= journal.steps())
+      journal.add_parameters(waiting[next_criteria++].criteria);
+  }
+
+  Status append(Batch& batch, Journal& journal) {
+    for (const std::string& bytes : batch.sample_sets) {
+      auto samples = decode_samples(bytes);
+      if (!samples) return damaged(file, "a sample set cannot be read");
+      journal.add_sample_set(std::make_shared<const BoundarySamples>(std::move(*samples)));
+    }
+    // The first text and the first repair are there in every journal.
+    for (std::size_t i = 0; i < batch.texts.size(); ++i)
+      if (read.texts + i >= journal.texts().size()) journal.add_text(std::move(batch.texts[i]));
+    for (std::size_t i = 0; i < batch.repairs.size(); ++i)
+      if (read.repairs + i >= journal.repairs().size()) journal.add_repair(std::move(batch.repairs[i]));
+    waiting.insert(waiting.end(), batch.criteria.begin(), batch.criteria.end());
+    std::size_t mark = 0, step = 0;
+    for (std::size_t i = 0; i < batch.events.size(); ++i) {
+      const Event& e = batch.events[i];
+      add_criteria(journal);
+      if (e.step != journal.steps()) return damaged(file, "its steps are out of order");
+      if (e.operation) {
+        Delta delta;
+        if (!deltas.decode(batch.deltas[step], delta)) return damaged(file, "an operation cannot be read");
+        journal.add_operation(e, std::move(delta), batch.figures[step]);
+        ++step;
+        continue;
+      }
+      std::optional<double> seconds;
+      if (mark < batch.marks.size() && batch.marks[mark].event == journal.events().size())
+        seconds = batch.marks[mark++].seconds;
+      journal.add_event(e, seconds);
+    }
+    add_criteria(journal);
+    return {};
+  }
+
+  Result<bool> read_commit(Journal& journal) {
+    if (broken) return *broken;
+    commits.start(last_commit);
+    const auto row = commits.next();
+    if (!row) return fail(row.error(), journal);
+    if (!*row) return false;
+    const std::int64_t id = commits.integer(0);
+    RecordingCounts to;
+    std::size_t* const counts[] = {&to.events,      &to.operations, &to.texts, &to.repairs,
+                                   &to.sample_sets, &to.criteria,   &to.marks};
+    for (int i = 0; i < 7; ++i) *counts[i] = static_cast<std::size_t>(commits.integer(i + 1));
+    const std::string expected = commits.text(8);
+    Batch batch;
+    const Status read_all = read_rows(to, batch);
+    commits.start(last_commit); // lets go of the row: no lock is held between two commits
+    if (!read_all) return fail(read_all.error(), journal);
+    if (!add_to_checksum(batch) || digest_text(checksum.value()) != expected)
+      return fail(damaged(file, "what it holds does not match its checksum"), journal);
+    if (Status appended = append(batch, journal); !appended) return fail(appended.error(), journal);
+    read = to;
+    last_commit = id;
+    return true;
+  }
+
+  /// Nothing is read after an error; it tells how much is sound.
+  Error fail(Error error, const Journal& journal) {
+    if (error.code == ErrorCode::bad_input)
+      error.remedy = "The " + std::to_string(journal.events().size()) +
+                     " events before the damage are sound. " + error.remedy;
+    broken = error;
+    return error;
+  }
+
+  Result<std::optional<RecordingEnd>> end() {
+    auto query = database.prepare("SELECT events,state,certified,report FROM ending");
+    if (!query) return query.error();
+    query->start();
+    const auto row = query->next();
+    if (!row) return row.error();
+    if (!*row || static_cast<std::size_t>(query->integer(0)) != read.events)
+      return std::optional<RecordingEnd>();
+    return std::optional<RecordingEnd>({query->text(1), query->integer(2) != 0, query->text(3)});
+  }
+
+  /// Leaves the write-ahead log, which only the last user of the file can.
+  bool alone() {
+    if (access != Access::grow) return access == Access::frozen;
+    const auto mode = database.word("PRAGMA journal_mode=DELETE");
+    return mode.ok() && *mode == "delete";
+  }
+};
+
+RecordingReader::RecordingReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+RecordingReader::~RecordingReader() = default;
+
+Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const fs::path& file) {
+  if (Status head = check_head(file); !head) return head.error();
+  std::optional<Error> first;
+  for (const Access access : {Access::grow, Access::read, Access::frozen}) {
+    if (access == Access::frozen && fs::exists(file.string() + "-wal")) break;
+    auto database = Database::open(file, access);
+    if (!database) {
+      if (!first) first = database.error();
+      continue;
+    }
+    auto impl = std::make_unique<Impl>(std::move(*database));
+    impl->file = file;
+    impl->access = access;
+    Status ready = impl->database.execute("PRAGMA busy_timeout=2000");
+    if (ready) ready = check_version(impl->database, file);
+    if (ready) ready = impl->read_header();
+    if (ready) ready = impl->prepare();
+    if (ready) return std::unique_ptr<RecordingReader>(new RecordingReader(std::move(impl)));
+    // Where locks or the log cannot be written, reading alone may still do.
+    if (ready.error().code != ErrorCode::io) return ready.error();
+    if (!first) first = ready.error();
+  }
+  return Error{ErrorCode::io, "Cannot read " + file.string() + ": " + first->message,
+               "Copy it with the file " + file.filename().string() +
+                   "-wal beside it, if there is one, to a folder where you may write."};
+}
+
+const RecordingHeader& RecordingReader::header() const {
+  return impl_->header;
+}
+
+std::uint64_t RecordingReader::input_digest() const {
+  return impl_->input_digest;
+}
+
+std::uint64_t RecordingReader::file_bytes() const {
+  std::error_code none;
+  const std::uint64_t bytes = fs::file_size(impl_->file, none);
+  if (none) return 0;
+  const std::uint64_t log = fs::file_size(impl_->file.string() + "-wal", none);
+  return bytes + (none ? 0 : log);
+}
+
+Result<bool> RecordingReader::read_commit(Journal& journal) {
+  return impl_->read_commit(journal);
+}
+
+Result<std::optional<RecordingEnd>> RecordingReader::end() {
+  return impl_->end();
+}
+
+bool RecordingReader::growing() {
+  return !impl_->alone();
+}
+
+bool is_recording_name(const fs::path& file) {
+  return file.extension() == ".isorun";
+}
+
+} // namespace isoscope

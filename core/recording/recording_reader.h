@@ -1,0 +1,46 @@
+// Reads a recording, whole, cut short by a kill, or still growing, into a journal.
+#pragma once
+
+#include "base/status.h"
+#include "journal/journal.h"
+#include "recording/layout.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace isoscope {
+
+/// An open recording; used by one thread at a time. Everything is checked against the checksums of the
+/// commits: a damaged file gives what is sound before the damage, then an error.
+class RecordingReader {
+ public:
+  /// Fails with bad_input on a file that is missing, foreign, damaged or holds no input yet, with unsupported
+  /// on one of a newer version, with io when it cannot be read.
+  static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
+  ~RecordingReader();
+
+  const RecordingHeader& header() const;
+  std::uint64_t input_digest() const;
+  std::uint64_t file_bytes() const;
+
+  /// Appends the next commit to the journal, which must have been filled by this reader alone; false when
+  /// there is none yet. Fails with bad_input where the file is damaged.
+  Result<bool> read_commit(Journal& journal);
+  /// How the run ended; nothing while it has not, or when it was cut short.
+  Result<std::optional<RecordingEnd>> end();
+  /// Whether a program is still writing it (or another one follows it). When nobody is, the write-ahead log
+  /// that a killed writer left is taken into the file.
+  bool growing();
+
+ private:
+  struct Impl;
+  explicit RecordingReader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Whether the name ends in .isorun.
+bool is_recording_name(const std::filesystem::path& file);
+
+} // namespace isoscope

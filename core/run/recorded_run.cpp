@@ -1,0 +1,116 @@
+// The report carries the certificate; the journal carries Z.
+#include "run/recorded_run.h"
+
+#include "mesh/zero_set.h"
+#include "run/parameters_json.h"
+#include "run/report.h"
+#include "run/statistics.h"
+
+#include <nlohmann/json.hpp>
+
+namespace isoscope {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Preparing needs a gate, but passes none.
+class NoGate : public Gate {
+ public:
+  Verdict pass(const Journal&, const Event&) override { return Verdict::go_on; }
+  CriteriaParameters wanted_parameters() const override { return {}; }
+};
+
+void read_certificate(const Json& json, Certificate& c) {
+  c.closed_manifold = json.at("closed_manifold").get<bool>();
+  c.oriented = json.at("oriented").get<bool>();
+  c.intersection_free = json.at("intersection_free").get<bool>();
+  c.within_tolerance = json.at("within_tolerance").get<bool>();
+  c.max_distance = json.at("max_distance").get<double>();
+  // JSON has no infinity: no bound is null.
+  const Json& distance = json.at("input_distance");
+  if (distance.at("lower").is_number()) c.input_distance.lower = distance.at("lower").get<double>();
+  if (distance.at("upper").is_number()) c.input_distance.upper = distance.at("upper").get<double>();
+  c.separates = json.at("separates").get<bool>();
+  c.topology_as_expected = json.at("topology_as_expected").get<bool>();
+  c.failures = json.at("failures").get<std::vector<std::string>>();
+}
+
+void read_normals(const Json& json, NormalDeviation& n) {
+  n.oriented = json.at("oriented").get<bool>();
+  n.points = json.at("points").get<std::size_t>();
+  n.histogram = json.at("histogram").get<std::array<double, NormalDeviation::bin_count>>();
+  n.mean = json.at("mean").get<double>();
+  n.percentile_90 = json.at("percentile_90").get<double>();
+  n.percentile_99 = json.at("percentile_99").get<double>();
+  n.above_30 = json.at("above_30").get<double>();
+  n.above_90 = json.at("above_90").get<double>();
+}
+
+void read_report(const Json& json, RunResult& result) {
+  read_certificate(json.at("certificate"), result.certificate);
+  result.certificate.components = json.at("output").at("components").get<std::size_t>();
+  result.certificate.euler_characteristic = json.at("output").at("euler_characteristic").get<long>();
+  read_normals(json.at("normals"), result.normals);
+  result.refinement.unmet_height = json.at("unmet").at("height").get<std::size_t>();
+  result.refinement.unmet_orientation = json.at("unmet").at("orientation").get<std::size_t>();
+  result.refinement.uncertified = json.at("unmet").at("containment").get<std::size_t>();
+  result.seconds = json.at("seconds").get<double>();
+  result.peak_memory_bytes = json.at("peak_memory_bytes").get<std::size_t>();
+}
+
+} // namespace
+
+RecordingHeader recording_header(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> input) {
+  return {"isoscope " + std::string(version()), parameters_json(parameters), std::move(input)};
+}
+
+RecordingEnd recording_end(const RunParameters& parameters, const Scene& scene, const RunResult& result,
+                           const Journal& journal) {
+  RecordingEnd end;
+  end.state = name(result.end);
+  end.certified = result.certificate.holds();
+  end.report = report_json(parameters, scene, result, gather_statistics(journal));
+  return end;
+}
+
+Result<std::shared_ptr<const Scene>> rebuild_scene(const RunParameters& parameters,
+                                                   std::shared_ptr<const TriangleSoup> input,
+                                                   const Journal& journal, RunControl& control) {
+  RunParameters unlimited = parameters;
+  unlimited.time_limit = 0;
+  NoGate gate;
+  Pipeline pipeline(unlimited, std::make_shared<Journal>(), gate, control);
+  auto prepared = pipeline.prepare(std::move(input));
+  if (!prepared) return prepared.error();
+  auto scene = std::make_shared<Scene>(**prepared);
+  if (!journal.sample_sets().empty()) scene->samples = journal.sample_sets()[0];
+  return std::shared_ptr<const Scene>(std::move(scene));
+}
+
+Complex final_state(const Journal& journal) {
+  Complex complex;
+  for (std::size_t k = 0, n = journal.operations().size(); k < n; ++k)
+    complex.apply(*journal.operations()[k].delta);
+  return complex;
+}
+
+Result<RunResult> recorded_result(const RecordingEnd& end, const Journal& journal) {
+  RunResult result;
+  try {
+    read_report(Json::parse(end.report), result);
+  } catch (const Json::exception&) {
+    return Error{ErrorCode::bad_input, "The report in the recording cannot be read.",
+                 "The events are sound; the certificate is lost."};
+  }
+  for (const RunResult::End e : {RunResult::End::finished, RunResult::End::stopped, RunResult::End::limit})
+    if (name(e) == end.state) result.end = e;
+  for (std::size_t i = 0, n = journal.events().size(); i < n; ++i)
+    if (journal.events()[i].kind == EventKind::stage_begin) result.last_stage = journal.events()[i].stage;
+  const Complex complex = final_state(journal);
+  result.form = complex.form;
+  result.mesh = triangulate(extract_zero_set(complex));
+  return result;
+}
+
+} // namespace isoscope

@@ -1,0 +1,221 @@
+// A gate that compares while the new run goes on, then a walk over the recorded states and back.
+#include "run/replay_check.h"
+
+#include "journal/describe.h"
+#include "journal/digest.h"
+#include "mesh/zero_set.h"
+#include "run/recorded_run.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace isoscope {
+
+namespace {
+
+/// States of up to so many tetrahedra and vertices are compared after every operation.
+constexpr std::size_t small_state = 5000;
+
+std::uint64_t digest_of(const Delta& delta) {
+  Digest d;
+  d.add(delta);
+  d.add(delta.slots_before);
+  d.add(delta.facet_slots_before);
+  return d.value();
+}
+
+std::uint64_t digest_of(const Event& event) {
+  Digest d;
+  d.add(event);
+  return d.value();
+}
+
+bool same_figures(const StepFigures& a, const StepFigures& b) {
+  Digest x, y;
+  for (const auto& [digest, f] : {std::pair{&x, &a}, std::pair{&y, &b}}) {
+    digest->add(f->bad_samples);
+    digest->add(f->zero_set_vertices);
+    digest->add(f->tets);
+    digest->add(static_cast<double>(f->largest_error));
+    digest->add(static_cast<double>(f->smallest_height));
+  }
+  return x.value() == y.value();
+}
+
+bool same_samples(const BoundarySamples& a, const BoundarySamples& b) {
+  return a.positions == b.positions && a.labels == b.labels;
+}
+
+/// Compares each event as the new run makes it, and steers the run as the recorded one was steered.
+class ComparingGate : public Gate {
+ public:
+  ComparingGate(const Journal& recorded, RunControl& control, ReplayVerdict& verdict)
+      : recorded_(&recorded), control_(&control), verdict_(&verdict) {
+    if (!recorded.parameters().empty()) wanted_ = recorded.parameters()[0].criteria;
+  }
+
+  Verdict pass(const Journal& journal, const Event&) override {
+    while (verdict_->same && verdict_->events < journal.events().size() &&
+           verdict_->events < recorded_->events().size())
+      compare_next(journal);
+    const bool all = verdict_->events >= recorded_->events().size();
+    if (!verdict_->same || (all && !ended_)) {
+      control_->abandon(); // nobody wants what the new run would end with
+      return Verdict::stop;
+    }
+    return all ? Verdict::go_on : what_was_asked();
+  }
+  CriteriaParameters wanted_parameters() const override { return wanted_; }
+  /// The recorded run came to its end: the new one is let to its own.
+  void set_ended(bool ended) { ended_ = ended; }
+
+ private:
+  const Journal* recorded_;
+  RunControl* control_;
+  ReplayVerdict* verdict_;
+  CriteriaParameters wanted_;
+  std::size_t changes_ = 0; ///< of parameters so far
+  bool ended_ = false;
+
+  void differ(const Journal& journal, const std::string& what) {
+    const std::size_t i = verdict_->events;
+    verdict_->same = false;
+    verdict_->step = recorded_->events()[i].step;
+    verdict_->difference = "Event " + std::to_string(i) + " at step " + std::to_string(verdict_->step) +
+                           " differs in " + what + ": recorded \"" +
+                           describe(*recorded_, recorded_->events()[i]) + "\", now \"" +
+                           describe(journal, journal.events()[i]) + "\".";
+  }
+
+  void compare_next(const Journal& journal) {
+    const std::size_t i = verdict_->events;
+    const Event &was = recorded_->events()[i], &is = journal.events()[i];
+    if (digest_of(was) != digest_of(is)) return differ(journal, "its numbers");
+    if (recorded_->texts()[was.text] != journal.texts()[is.text]) return differ(journal, "its text");
+    if (recorded_->repairs()[was.detail] != journal.repairs()[is.detail])
+      return differ(journal, "the sweeps of its repair");
+    if (was.kind == EventKind::parameter_change) ++changes_;
+    if (was.operation) {
+      const Operation &a = recorded_->operations()[was.step], &b = journal.operations()[is.step];
+      if (digest_of(*a.delta) != digest_of(*b.delta)) return differ(journal, "what it changed");
+      if (!same_figures(a.figures, b.figures)) return differ(journal, "the figures after it");
+      if (const auto& set = a.delta->sample_set;
+          set && !same_samples(*recorded_->sample_sets()[set->after], *journal.sample_sets()[set->after]))
+        return differ(journal, "its samples");
+      ++verdict_->operations;
+    }
+    ++verdict_->events;
+  }
+
+  /// The recorded run was stopped or given parameters here when the next events say so.
+  Verdict what_was_asked() {
+    std::size_t changes = 0;
+    const std::size_t next = verdict_->events;
+    for (std::size_t i = next; i < recorded_->events().size(); ++i) {
+      const EventKind kind = recorded_->events()[i].kind;
+      if (kind == EventKind::parameter_change)
+        ++changes;
+      else if (kind != EventKind::stopped && kind != EventKind::stage_begin)
+        break;
+    }
+    const std::size_t record = changes_ + changes;
+    if (changes > 0 && record < recorded_->parameters().size()) {
+      wanted_ = recorded_->parameters()[record].criteria;
+      return Verdict::parameters_changed;
+    }
+    return recorded_->events()[next].kind == EventKind::stopped ? Verdict::stop : Verdict::go_on;
+  }
+};
+
+/// Every state on the way to the end and back again: undoing an operation gives the state before it.
+void walk_states(const Journal& journal, std::size_t operations, ReplayVerdict& verdict) {
+  struct Seen {
+    std::size_t step;
+    std::uint64_t digest;
+  };
+  Complex complex;
+  std::vector<Seen> seen{{0, digest(complex)}};
+  std::size_t touched = 0;
+  for (std::size_t k = 0; k < operations; ++k) {
+    const Delta& delta = *journal.operations()[k].delta;
+    complex.apply(delta);
+    touched += 8 * (1 + delta.removed.size() + delta.added.size() + delta.moves.size());
+    const std::size_t size = complex.tets.size() + complex.vertices.size();
+    if (size > small_state && touched < size && k + 1 < operations) continue;
+    touched = 0;
+    seen.push_back({k + 1, digest(complex)});
+  }
+  for (std::size_t k = operations + 1; k-- > 0;) {
+    if (seen.back().step == k) {
+      if (digest(complex) != seen.back().digest) {
+        verdict.same = false;
+        verdict.step = static_cast<Step>(k);
+        verdict.difference =
+            "Undoing the operations does not give the state of step " + std::to_string(k) + " back.";
+        return;
+      }
+      seen.pop_back();
+      ++verdict.states;
+      if (seen.empty()) break;
+    }
+    if (k > 0) complex.undo(*journal.operations()[k - 1].delta);
+  }
+}
+
+void compare_end(const RunResult& result, const Journal& recorded, ReplayVerdict& verdict) {
+  const TriangleMesh mesh = triangulate(extract_zero_set(final_state(recorded)));
+  verdict.to_the_end = mesh.points == result.mesh.points && mesh.triangles == result.mesh.triangles;
+  if (verdict.to_the_end) return;
+  verdict.same = false;
+  verdict.step = recorded.steps();
+  verdict.difference = "The final Z of the new run is not the recorded one.";
+}
+
+} // namespace
+
+Result<ReplayVerdict> check_replay(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> input,
+                                   const Journal& recorded, bool ended, RunControl& control) {
+  ReplayVerdict verdict;
+  RunParameters unlimited = parameters;
+  unlimited.time_limit = 0;
+  auto journal = std::make_shared<Journal>();
+  ComparingGate gate(recorded, control, verdict);
+  gate.set_ended(ended);
+  Pipeline pipeline(unlimited, journal, gate, control);
+  const auto scene = pipeline.prepare(std::move(input));
+  if (!scene) return scene.error();
+  if (!recorded.sample_sets().empty() && !same_samples(*recorded.sample_sets()[0], *(*scene)->samples)) {
+    verdict.same = false;
+    verdict.difference = "The samples of the boundary differ before the first operation.";
+    return verdict;
+  }
+  std::optional<RunResult> result;
+  for (std::size_t before = 0;;) {
+    if (verdict.events >= recorded.events().size() && result) break;
+    auto run = pipeline.run();
+    if (!run) return run.error();
+    result = std::move(*run);
+    // A run that ended and was given other parameters goes on; one that was cancelled does not.
+    if (control.cancelled() || !verdict.same || verdict.events == before) break;
+    before = verdict.events;
+  }
+  if (control.cancelled() && !control.abandoned())
+    return Error{ErrorCode::cancelled, "The check was stopped.", ""};
+  if (verdict.same && verdict.events < recorded.events().size()) {
+    verdict.same = false;
+    verdict.step = recorded.events()[verdict.events].step;
+    verdict.difference = "The new run ends before event " + std::to_string(verdict.events) + ", \"" +
+                         describe(recorded, recorded.events()[verdict.events]) + "\".";
+  }
+  if (verdict.same && ended && journal->events().size() != recorded.events().size()) {
+    verdict.same = false;
+    verdict.step = recorded.steps();
+    verdict.difference = "The new run has " + std::to_string(journal->events().size()) + " events, not " +
+                         std::to_string(recorded.events().size()) + ".";
+  }
+  if (verdict.same) walk_states(recorded, recorded.operations().size(), verdict);
+  if (verdict.same && ended && result) compare_end(*result, recorded, verdict);
+  return verdict;
+}
+
+} // namespace isoscope

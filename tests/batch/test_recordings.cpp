@@ -1,0 +1,75 @@
+// --record and replay as people type them: statuses, messages, files.
+#include "batch/child_process.h"
+#include "input/mesh_io.h"
+#include "input/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+TEST_CASE("A recorded run replays, and its last Z is the mesh that was written") {
+  const TemporaryFolder folder;
+  const std::string run = (folder / "run.isorun").string();
+  const std::string mesh = (folder / "mesh.off").string(), again = (folder / "again.off").string();
+  REQUIRE(run_batch({"gallery:sphere", "--quiet", "--record", run, "-o", mesh}).status == 0);
+  const Ended summary = run_batch({"replay", run, "-o", again});
+  CHECK(summary.status == 0);
+  CHECK(summary.says("gallery:sphere"));
+  CHECK(summary.says("finished, certified"));
+  CHECK(bytes_of(mesh) == bytes_of(again));
+  const Ended check = run_batch({"replay", run, "--check", "--threads", "3"});
+  CHECK(check.status == 0);
+  CHECK(check.says("the final Z is the same"));
+  const Ended quiet = run_batch({"replay", run, "--check", "--quiet"});
+  CHECK(quiet.status == 0);
+  CHECK(quiet.out.empty());
+}
+
+TEST_CASE("A run that a limit stopped says so when it is replayed") {
+  const TemporaryFolder folder;
+  const std::string run = (folder / "run.isorun").string();
+  REQUIRE(run_batch({"gallery:torus", "--quiet", "--record", run, "--until", "gamma"}).status <= 1);
+  const Ended summary = run_batch({"replay", run});
+  CHECK(summary.status <= 1);
+  CHECK(summary.says("finished"));
+}
+
+TEST_CASE("Wrong files are told before the work starts") {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.file("mesh.off", "OFF\n0 0 0\n").string();
+  const Ended foreign = run_batch({"gallery:sphere", "--record", mesh});
+  CHECK(foreign.status == 2);
+  CHECK(foreign.says("is not a recording"));
+  CHECK(bytes_of(mesh) == "OFF\n0 0 0\n");
+  CHECK(run_batch({"gallery:sphere", "--record", (folder / "none" / "a.isorun").string()}).status == 2);
+  const Ended clash = run_batch({mesh, "--record", mesh});
+  CHECK(clash.status == 2);
+  CHECK(clash.says("the input itself"));
+  // A run that does not begin leaves no file.
+  const std::string run = (folder / "run.isorun").string();
+  CHECK(run_batch({(folder / "missing.off").string(), "--record", run}).status == 3);
+  CHECK(!std::filesystem::exists(run));
+  CHECK(run_batch({"replay"}).status == 2);
+  CHECK(run_batch({"replay", run}).status == 3);
+  CHECK(run_batch({"replay", mesh}).status == 3);
+}
+
+TEST_CASE("A file that cannot grow further does not stop the run, and holds what was committed") {
+  const TemporaryFolder folder;
+  const std::string run = (folder / "run.isorun").string(), mesh = (folder / "mesh.off").string();
+  const std::string program = ISOSCOPE_RUN_PROGRAM;
+  const std::string error = (folder / "error").string();
+  const std::string command = "ulimit -f 512; exec " + program + " gallery:torus --quiet --record " + run +
+                              " -o " + mesh + " 2> " + error;
+  const int status = std::system(command.c_str());
+  CHECK(WEXITSTATUS(status) == 1);
+  CHECK(bytes_of(error).find("run.isorun") != std::string::npos);
+  CHECK(read_mesh(mesh).ok());
+  const Ended replayed = run_batch({"replay", run});
+  CHECK(replayed.status == 4);
+  CHECK(replayed.says("ended without finishing"));
+}

@@ -1,0 +1,149 @@
+// Deltas, soups and samples come back bit for bit; bytes that were not written so are refused.
+#include "input/gallery.h"
+#include "journal/digest.h"
+#include "journal/synthetic.h"
+#include "recording/bytes.h"
+#include "recording/delta_codec.h"
+#include "recording/geometry_codec.h"
+#include "recording/recorded.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <random>
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+std::uint64_t digest_of(const Delta& delta) {
+  Digest d;
+  d.add(delta);
+  return d.value();
+}
+
+} // namespace
+
+TEST_CASE("Numbers of every length come back") {
+  ByteWriter out;
+  const std::vector<std::int64_t> numbers{0,
+                                          -1,
+                                          1,
+                                          63,
+                                          -64,
+                                          64,
+                                          1LL << 40,
+                                          std::numeric_limits<std::int64_t>::max(),
+                                          std::numeric_limits<std::int64_t>::min()};
+  for (const std::int64_t n : numbers) out.signed_number(n);
+  ByteReader in(out.bytes());
+  for (const std::int64_t n : numbers) CHECK(in.signed_number() == n);
+  CHECK(in.exhausted());
+  CHECK(in.number() == 0);
+  CHECK(in.failed());
+}
+
+TEST_CASE("The deltas of a whole run come back") {
+  const Journal& journal = *whole_run().journal;
+  DeltaEncoder encoder;
+  DeltaDecoder decoder;
+  std::size_t bytes = 0, memory = 0;
+  for (std::size_t i = 0; i < journal.operations().size(); ++i) {
+    const Delta& delta = *journal.operations()[i].delta;
+    const std::string_view encoded = encoder.encode(delta);
+    bytes += encoded.size();
+    memory += delta.memory_bytes();
+    Delta back;
+    REQUIRE(decoder.decode(encoded, back));
+    CHECK(digest_of(back) == digest_of(delta));
+    CHECK(back.slots_before == delta.slots_before);
+  }
+  CHECK(bytes < memory / 3);
+}
+
+TEST_CASE("What the state does not hold, and odd numbers, come back too") {
+  Delta delta;
+  Vertex odd;
+  odd.position = {-0.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+  odd.value = 0.25;
+  odd.kind = VertexKind::zero;
+  odd.alive = false;
+  odd.sample_set = 65535;
+  delta.added_vertices = {odd, Vertex{}};
+  delta.killed_vertices = {VertexId(1u), VertexId(0u)};
+  delta.values = {{VertexId(1u), 7.5, -0.0}, {VertexId(1u), -0.0, 1}};
+  delta.moves = {{VertexId(0u), {1, 2, 3}, {4, 5, 6}}, {VertexId(0u), {4, 5, 6}, {-0.0, 0, 0}}};
+  delta.removed = {{TetId(5u), {VertexId(0u), VertexId(9u), VertexId(), VertexId(3u)}, -1}};
+  delta.added = {{TetId(7u), {VertexId(4u), VertexId(1u), VertexId(2u), VertexId(3u)}, 1},
+                 {TetId(2u), {}, 0}};
+  delta.slots_before = 3;
+  delta.sides = {};
+  delta.removed_facets = {{FacetId(3u), {VertexId(2u), VertexId(1u), VertexId(0u)}}};
+  delta.added_facets = {{FacetId(0u), {VertexId(2u), VertexId(1u), VertexId(0u)}}};
+  delta.facet_slots_before = 8;
+  delta.sample_set = Delta::SampleSetChange{3, 4};
+  delta.form = Delta::FormChange{ZeroForm::embedded, ZeroForm::free};
+  DeltaEncoder encoder;
+  DeltaDecoder decoder;
+  const std::string bytes(encoder.encode(delta));
+  Delta back;
+  REQUIRE(decoder.decode(bytes, back));
+  CHECK(digest_of(back) == digest_of(delta));
+  CHECK(back.added_vertices[0].alive == false);
+  CHECK(back.facet_slots_before == 8);
+
+  // A side that the state holds and one that it does not.
+  Delta second;
+  second.sides = {{TetId(7u), 1, -1}, {TetId(2u), 1, 0}};
+  const std::string more(encoder.encode(second));
+  REQUIRE(decoder.decode(more, back));
+  CHECK(digest_of(back) == digest_of(second));
+
+  // Every shorter text is refused, and a longer one.
+  for (std::size_t n = 0; n < bytes.size(); ++n) {
+    DeltaDecoder fresh;
+    CHECK(!fresh.decode(std::string_view(bytes).substr(0, n), back));
+  }
+  DeltaDecoder fresh;
+  CHECK(!fresh.decode(bytes + '\0', back));
+}
+
+TEST_CASE("Random bytes are no delta, or a harmless one") {
+  std::mt19937_64 random(7);
+  for (int round = 0; round < 2000; ++round) {
+    std::string bytes(random() % 60, '\0');
+    for (char& c : bytes) c = static_cast<char>(random() & 0x7f);
+    DeltaDecoder decoder;
+    Delta delta;
+    if (decoder.decode(bytes, delta)) CHECK(delta.added.size() <= bytes.size());
+  }
+}
+
+TEST_CASE("Soups and samples come back") {
+  const auto soup = make_gallery_model("bracket");
+  REQUIRE(soup.ok());
+  const auto back = decode_soup(encode(*soup));
+  REQUIRE(back.has_value());
+  CHECK(back->points == soup->points);
+  CHECK(back->triangles == soup->triangles);
+  CHECK(!decode_soup(encode(*soup) + "x"));
+
+  BoundarySamples samples = *whole_run().scene->samples;
+  const std::string snapped = encode(samples);
+  CHECK(snapped.size() < samples.size() * 24);
+  const auto same = decode_samples(snapped);
+  REQUIRE(same.has_value());
+  CHECK(same->positions == samples.positions);
+  CHECK(same->labels == samples.labels);
+  CHECK(same->components == samples.components);
+  CHECK(same->covering_radius == samples.covering_radius);
+  CHECK(same->snap_unit == samples.snap_unit);
+
+  samples.positions[0].x += 1e-17;
+  samples.positions[1].y = -0.0;
+  const auto exact = decode_samples(encode(samples));
+  REQUIRE(exact.has_value());
+  CHECK(exact->positions == samples.positions);
+  CHECK(same_bits(exact->positions[1].y, -0.0));
+}
