@@ -26,7 +26,8 @@ CameraPose first_pose() {
 
 } // namespace
 
-AppModel::AppModel(std::function<void()> notify) : playhead(notify), probe(notify), grid(notify) {
+AppModel::AppModel(std::function<void()> notify)
+    : playhead(notify), probe(notify), grid(notify), investigation(notify) {
   camera.set(first_pose());
 }
 
@@ -238,12 +239,14 @@ bool AppModel::update(double seconds) {
   blink();
   changed |= moment != view.moment || !probe.idle();
   request_xray();
+  changed |= investigation.update(*this);
   changed |= camera.update(scripted ? 1.0 : seconds);
   return changed;
 }
 
 bool AppModel::state_is_current() const {
-  if (!playhead.idle() || !probe.idle() || !index.complete() || grid.working()) return false;
+  if (!playhead.idle() || !probe.idle() || !investigation.idle() || !index.complete() || grid.working())
+    return false;
   if (!run.journal) return true;
   return result_ && asked_ && result_->request == *asked_ && asked_->step == transport.step() &&
          (!transport.moving() || transport.step() >= live_step());

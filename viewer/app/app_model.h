@@ -4,6 +4,7 @@
 
 #include "app/event_filter.h"
 #include "app/grid_loader.h"
+#include "app/investigation.h"
 #include "app/journal_index.h"
 #include "app/playhead.h"
 #include "app/probe.h"
@@ -85,6 +86,7 @@ class AppModel {
   Probe probe;
   GridLoader grid;
   JournalIndex index;
+  Investigation investigation;
   Transport transport;
   RunParameters draft;   ///< what the parameter panel shows: asked for when applied
   double wait_until = 0; ///< scripts: seconds on the clock until which `wait SECONDS` holds
@@ -139,7 +141,9 @@ class AppModel {
   /// The state shown is the one the play head asks for and nothing is under way that would change it.
   bool state_is_current() const;
   /// Every worker has answered, and the answers are the ones shown.
-  bool answers_taken() const { return playhead.idle() && probe.idle() && playhead.result() == result_; }
+  bool answers_taken() const {
+    return playhead.idle() && probe.idle() && investigation.idle() && playhead.result() == result_;
+  }
   /// The live preview for the draft, absent while it is computed.
   std::optional<ViolationPreview> draft_preview() const;
   /// The draft as criteria, in the units of the present scene.

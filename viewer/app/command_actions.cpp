@@ -353,7 +353,7 @@ Status toggle_panes(AppModel& model, const Arguments&) {
 }
 
 Status choose_tab(AppModel& model, const Arguments& a) {
-  constexpr std::array<std::string_view, 3> names{"timeline", "plots", "events"};
+  constexpr std::array<std::string_view, 5> names{"timeline", "plots", "events", "history", "work"};
   const auto found = a.empty() ? names.end() : std::find(names.begin(), names.end(), a[0]);
   if (found == names.end()) return usage("tab", "Which tab?");
   model.settings.panes.tab = static_cast<int>(found - names.begin());

@@ -10,6 +10,7 @@ namespace isoscope {
 std::vector<Command> file_commands();
 std::vector<Command> run_commands();
 std::vector<Command> select_commands();
+std::vector<Command> question_commands();
 std::vector<Command> view_commands();
 std::vector<Command> window_commands();
 std::vector<Command> script_commands();

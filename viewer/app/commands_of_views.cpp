@@ -282,7 +282,7 @@ std::vector<Command> window_commands() {
        toggle_panes},
       {"tab",
        "Bottom tab",
-       "timeline | plots | events",
+       "timeline | plots | events | history | work",
        "Chooses what the bottom pane shows.",
        "",
        nullptr,

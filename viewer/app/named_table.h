@@ -13,5 +13,7 @@ using NamedTable = std::vector<NamedValue>;
 std::string text_of(double value);
 /// What can only be read: the run, the state, the selection.
 void add_readings(NamedTable& table);
+/// What the questions about elements, work, topology and validity answer, and their settings.
+void add_questions(NamedTable& table);
 
 } // namespace isoscope

@@ -30,6 +30,8 @@ void SceneView::draw(Ui& ui) {
   renderer_->set_state(m.state());
   xray_ = m.xray();
   renderer_->set_xray(xray_);
+  annotation_ = m.investigation.annotation();
+  renderer_->set_annotation(annotation_);
   frame_requests(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
@@ -64,6 +66,7 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   key.width = static_cast<int>(area.size.x * density.x);
   key.pixel_height = static_cast<int>(area.size.y * density.y);
   key.xray = xray_.get();
+  key.annotation = annotation_.get();
   key.mark = m.selection.mark;
   key.selection = m.selection.picked;
   key.hover = m.selection.hovered;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "panels/ui.h"
+#include "scene/annotation.h"
 #include "scene/renderer.h"
 
 #include <memory>
@@ -31,7 +32,7 @@ class SceneView {
     double u = 0, v = 0, height = 0;
     const void *state = nullptr, *grid = nullptr, *scene = nullptr;
     int width = 0, pixel_height = 0;
-    const void* xray = nullptr;
+    const void *xray = nullptr, *annotation = nullptr;
     Pick selection, hover;
     std::optional<Vec3> mark;
     float scale = 1;
@@ -58,6 +59,7 @@ class SceneView {
 
   Renderer* renderer_;
   Picture scene_, section_;
+  std::shared_ptr<const Annotation> annotation_;
   std::shared_ptr<const EdgeXray> xray_; ///< of the last frame: its address tells pictures apart
   Vec3 pivot_;
   float framed_aspect_ = 0; ///< what the camera was framed for, while nobody has moved it
