@@ -165,9 +165,15 @@ std::optional<std::uint32_t> AppModel::selected_event() const {
 
 ViewSettings AppModel::shown_view() const {
   ViewSettings shown = view;
-  if (!view.focus || selection.picked.kind != Pick::Kind::edge) return shown;
+  const bool heat = settings.panes.tab == work_tab && settings.panes.show_bottom;
+  const bool element = selection.picked.kind == Pick::Kind::edge || selection.picked.kind == Pick::Kind::tet;
+  if (!view.focus || !(element || heat)) return shown;
   constexpr float step_back = 0.35f;
   shown.samples.visible = false;
+  if (selection.picked.kind == Pick::Kind::tet) {
+    shown.highlight.visible = shown.tets.violate_3 = false;
+    shown.zero_set.opacity *= step_back;
+  }
   shown.outer.opacity *= step_back;
   shown.inner.opacity *= step_back;
   shown.tets.changed = false;

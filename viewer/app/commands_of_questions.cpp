@@ -65,7 +65,7 @@ Status last_change(M& m, const A&) {
 Status toggle_topology(M& m, const A&) {
   bool& shown = m.investigation.topology_shown;
   shown = !shown;
-  if (shown) m.settings.panes.show_right = true;
+  if (shown) m.settings.panes.show_right = m.investigation.reveal_topology = true;
   return {};
 }
 

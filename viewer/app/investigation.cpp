@@ -240,6 +240,7 @@ void Investigation::update_advice(const AppModel& model) {
 void Investigation::ask_check(const AppModel& model, bool search) {
   if (!model.state() || !model.run.journal) return;
   check_journal_ = model.run.journal;
+  reveal_check = true;
   check_.ask({model.run.journal, model.state(), model.run.scene, search});
 }
 

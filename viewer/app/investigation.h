@@ -85,6 +85,7 @@ class Investigation {
   double cell_deltas = 1;              ///< size of the heat map's cells in δ
   bool edge_advice = false; ///< also ask the evaluator of edges over values: it takes a while
   bool topology_shown = false;         ///< follow the state shown
+  bool reveal_check = false, reveal_topology = false; ///< bring the answer into sight once it is there
   std::pair<double, double> range{0, 0}; ///< steps that the timeline shows; empty: all
 
   /// Once a frame: asks what is shown and stale. True while something is under way.

@@ -47,7 +47,7 @@ void tet_questions(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   if (!x) return;
   widgets::quiet_text(ui, "factor of the copy drawn");
   auto factor = static_cast<float>(x->shrink);
-  if (widgets::slider(ui, "shrink", factor, 0.02f, 1.0f, "%.2f"))
+  if (widgets::slider(ui, "##shrink", factor, 0.02f, 1.0f, "%.2f"))
     m.investigation.shrink = static_cast<double>(factor);
   widgets::tip(ui, "Shrunk copy",
                "Condition 3 asks the samples nearest to the vertices of this copy: lines end in a disc where f "

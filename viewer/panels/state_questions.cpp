@@ -5,6 +5,8 @@
 #include "panels/widgets.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace isoscope::panels {
 namespace {
@@ -75,6 +77,7 @@ void topology(Ui& ui, const StateSnapshot& s) {
   }
   const auto report = m.investigation.topology();
   if (!report) return widgets::quiet_text(ui, "being judged …");
+  if (std::exchange(m.investigation.reveal_topology, false)) ImGui::SetScrollHereY(0.1f);
   widgets::quiet_text(ui, report->words, true);
   const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
   constexpr std::size_t most = 8;
@@ -122,13 +125,13 @@ void invariant_row(Ui& ui, std::size_t i, const InvariantVerdict& v) {
 }
 
 void validity(Ui& ui, const StateSnapshot& s) {
-  const Investigation& i = ui.model.investigation;
+  Investigation& i = ui.model.investigation;
   title(ui, "Is everything valid?");
   if (i.checking()) {
     const double done = i.check_fraction();
     widgets::quiet_text(ui, done >= 0 ? "checking … " + std::to_string(static_cast<int>(100 * done)) + " %"
                                       : "checking …");
-    if (widgets::plain_button(ui, "Stop", true, 0, ui.px(24))) ui.model.investigation.stop_check();
+    if (widgets::plain_button(ui, "Stop", true, 0, ui.px(24))) i.stop_check();
     return;
   }
   if (widgets::plain_button(ui, "Check everything", true, 0, ui.px(26))) ui.commands.post("check");
@@ -139,6 +142,7 @@ void validity(Ui& ui, const StateSnapshot& s) {
                "Where the step shown is not valid: bisection over the journal. Key Shift+K.");
   const auto answer = i.check();
   if (!answer) return;
+  if (std::exchange(i.reveal_check, false)) ImGui::SetScrollHereY(0.1f);
   if (answer->report.step != s.step) widgets::quiet_text(ui, "step " + grouped(answer->report.step) + ":");
   for (std::size_t k = 0; k < invariant_count; ++k) invariant_row(ui, k, answer->report.verdicts[k]);
   if (!answer->first) return;

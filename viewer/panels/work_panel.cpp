@@ -5,6 +5,7 @@
 #include "scene/reason_style.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace isoscope::panels {
 namespace {
@@ -49,14 +50,14 @@ void time_column(Ui& ui, const WorkAnswer& w) {
   double all = 0;
   for (const WorkTime& t : w.times) all += t.seconds;
   widgets::quiet_text(ui, short_number(all) + " s; between two operations shared evenly");
-  Stage stage = Stage::setup;
+  std::optional<Stage> stage;
   for (std::size_t i = 0; i < w.times.size(); ++i) {
     const WorkTime& t = w.times[i];
     if (t.stage != stage) {
       stage = t.stage;
       double sum = 0;
-      for (const WorkTime& other : w.times) sum += other.stage == stage ? other.seconds : 0;
-      widgets::value_row(ui, stage_title(stage), short_number(sum) + " s", ui.colors.accent_text);
+      for (const WorkTime& other : w.times) sum += other.stage == t.stage ? other.seconds : 0;
+      widgets::value_row(ui, stage_title(t.stage), short_number(sum) + " s", ui.colors.accent_text);
     }
     widgets::value_row(ui, "   " + std::string(name(t.kind)) + ", " + reason_text(t.reason),
                        grouped(t.count) + " ×   " + short_number(t.seconds) + " s");
