@@ -120,8 +120,7 @@ void read_edge(const Journal& journal, ElementHistory& h, const RunControl& cont
         if (!((e.vertex == a && e.other == b) || (e.vertex == b && e.other == a))) return;
         ++h.attempts;
         h.rejections += !collapsed;
-        h.rows.push_back(
-            row(collapsed ? HistoryRow::Kind::collapsed : HistoryRow::Kind::rejected, e, index));
+        h.rows.push_back(row(collapsed ? HistoryRow::Kind::collapsed : HistoryRow::Kind::rejected, e, index));
         h.rows.back().before = e.value;
         h.rows.back().after = e.limit;
       },

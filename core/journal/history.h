@@ -32,8 +32,9 @@ struct HistoryRow {
     rejected,  ///< an attempt to collapse the edge failed: `reason`
     collapsed, ///< the edge was collapsed: `reason` tells how its target was found
     asked,     ///< a condition named the tetrahedron: an insertion because of it, or it was exhausted
-    became_bad, became_good, ///< a sample changed class; before and after are ε
-    other_set                ///< another sample set came into force; the sample's number is of one of them
+    became_bad,
+    became_good, ///< a sample changed class; before and after are ε
+    other_set    ///< another sample set came into force; the sample's number is of one of them
   };
   Kind kind = Kind::born;
   Step step = 0;           ///< the step that shows it: after the operation, or at which the event came

@@ -70,8 +70,8 @@ class Surface {
     return v[0] == vertex ? v[1] : v[0];
   }
   bool has_handles() const {
-    const auto euler = static_cast<long>(names.size()) - static_cast<long>(edges.size()) +
-                       static_cast<long>(at_face.size());
+    const auto euler =
+        static_cast<long>(names.size()) - static_cast<long>(edges.size()) + static_cast<long>(at_face.size());
     return closed && !edges.empty() && euler < 2;
   }
 

@@ -17,9 +17,9 @@ struct SurfaceLoop {
 };
 
 /// The shortest loop of its kind through each of at most `most_bases` vertices, taken evenly, and of these
-/// the shortest: with every vertex a base, the shortest of the component's graph (Erickson and Har-Peled 2004:
-/// tree of shortest paths, and the dual graph without it). Nothing on a component of genus 0, on one that is
-/// no closed 2-manifold, and when cancelled.
+/// the shortest: with every vertex a base, the shortest of the component's graph (Erickson and Har-Peled
+/// 2004: tree of shortest paths, and the dual graph without it). Nothing on a component of genus 0, on one
+/// that is no closed 2-manifold, and when cancelled.
 std::optional<SurfaceLoop> shortest_handle_loop(const ZeroSet& zero_set, std::uint32_t component,
                                                 std::size_t most_bases, const RunControl& control);
 

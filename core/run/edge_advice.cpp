@@ -38,8 +38,7 @@ std::vector<ParameterAdvice> advise_edge(const StateSnapshot& state, const EdgeQ
     }
     out.push_back(advice);
   };
-  if (!now->criteria.certified)
-    ask(Parameter::alpha, Condition::classification, &CriteriaParameters::alpha);
+  if (!now->criteria.certified) ask(Parameter::alpha, Condition::classification, &CriteriaParameters::alpha);
   if (now->criteria.condition_3) ask(Parameter::shrink, Condition::orientation, &CriteriaParameters::shrink);
   return out;
 }

@@ -19,8 +19,8 @@ struct TetInspection {
   double shrink = 0;       ///< factor of the copy
   std::array<Vec3, 4> shrunk;
   std::optional<OrientationVerdict> orientation; ///< absent without samples
-  SampleId candidate;                            ///< the sample nearest to the circumcentre, if inside the ball
-  bool candidate_is_vertex = false;              ///< it is in T already: nothing is left to insert
+  SampleId candidate;               ///< the sample nearest to the circumcentre, if inside the ball
+  bool candidate_is_vertex = false; ///< it is in T already: nothing is left to insert
 };
 /// `shrink` in (0, 1]. Nothing where t is dead or does not carry Z, or Z is embedded.
 std::optional<TetInspection> inspect_tet(const StateSnapshot& state, TetId t, double shrink,

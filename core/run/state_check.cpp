@@ -114,8 +114,8 @@ std::string_view name(Invariant invariant) {
 }
 
 std::size_t StateReport::broken() const {
-  return static_cast<std::size_t>(std::count_if(
-      verdicts.begin(), verdicts.end(), [](const auto& v) { return v.state == State::broken; }));
+  return static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(),
+                                                [](const auto& v) { return v.state == State::broken; }));
 }
 
 StateReport check_state(const Journal& journal, const StateSnapshot& s, const Scene* scene,

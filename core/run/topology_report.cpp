@@ -63,8 +63,8 @@ std::string words_of(const TopologyReport& r) {
   if (r.verdict.as_expected) {
     words = "Components and χ of Z are those" + source + ".";
   } else {
-    words = "Z has " + std::to_string(r.verdict.components) + " components and χ = " +
-            std::to_string(r.verdict.euler_characteristic);
+    words = "Z has " + std::to_string(r.verdict.components) +
+            " components and χ = " + std::to_string(r.verdict.euler_characteristic);
     if (r.expected.components && r.expected.euler_characteristic)
       words += "; expected are " + std::to_string(*r.expected.components) + " and " +
                std::to_string(*r.expected.euler_characteristic) + ", those" + source;
@@ -105,8 +105,7 @@ TopologyReport report_topology(const StateSnapshot& state, const Scene& scene, s
     component.expected_genus = agreed_genus(component.sides);
     report.wrong_components += !component.as_expected();
     if (component.counts.euler_characteristic() < 2 && !control.cancelled())
-      component.loop =
-          shortest_handle_loop(state.zero_set, static_cast<std::uint32_t>(c), bases, control);
+      component.loop = shortest_handle_loop(state.zero_set, static_cast<std::uint32_t>(c), bases, control);
   }
   report.words = words_of(report);
   return report;

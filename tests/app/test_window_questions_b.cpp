@@ -18,8 +18,7 @@ int run_script(const std::string& name, const std::string& script, const std::st
   fs::create_directories(results);
   const fs::path file = results / (name + ".txt");
   std::ofstream(file) << script;
-  const std::string command =
-      std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
+  const std::string command = std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }

@@ -63,7 +63,8 @@ TEST_CASE("nothing on a sphere, on an open surface and on another component") {
   for (const Vec3 p : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
     tetrahedron.vertices.push_back({p, {}, {}});
   using Corners = std::array<std::uint32_t, 4>;
-  for (const Corners v : {Corners{0, 2, 1, 0}, Corners{0, 1, 3, 0}, Corners{1, 2, 3, 0}, Corners{0, 3, 2, 0}}) {
+  for (const Corners v :
+       {Corners{0, 2, 1, 0}, Corners{0, 1, 3, 0}, Corners{1, 2, 3, 0}, Corners{0, 3, 2, 0}}) {
     ZeroSet::Polygon p;
     p.v = v;
     tetrahedron.polygons.push_back(p);

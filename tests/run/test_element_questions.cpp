@@ -91,12 +91,12 @@ TEST_CASE("the smallest change of alpha and sigma that satisfies condition 2 is 
   CHECK(alpha->at_least);
   CHECK(*sigma->works == doctest::Approx(0.2)); // αh/2
   const StateSnapshot high = one_tet(3, {}, {});
-  CHECK(find(advise_tet(high, TetId(0), nullptr), ParameterAdvice::Parameter::alpha, Condition::height)
-            ->holds);
+  CHECK(
+      find(advise_tet(high, TetId(0), nullptr), ParameterAdvice::Parameter::alpha, Condition::height)->holds);
   // Below 2σ no α < 1 is enough.
   const StateSnapshot low = one_tet(0.4, {}, {});
-  CHECK(!find(advise_tet(low, TetId(0), nullptr), ParameterAdvice::Parameter::alpha, Condition::height)
-             ->works);
+  CHECK(
+      !find(advise_tet(low, TetId(0), nullptr), ParameterAdvice::Parameter::alpha, Condition::height)->works);
 }
 
 TEST_CASE("the factor below which a tetrahedron is oriented well separates good from bad") {

@@ -72,8 +72,7 @@ void heat(const WorkMap& map, Annotation& a) {
   if (map.cells.empty()) return;
   const auto most = static_cast<float>(map.cells.front().count);
   for (std::size_t i = 0; i < std::min(most_cells, map.cells.size()); ++i)
-    a.cells.push_back(
-        {map.cells[i].center, map.cell_size, static_cast<float>(map.cells[i].count) / most});
+    a.cells.push_back({map.cells[i].center, map.cell_size, static_cast<float>(map.cells[i].count) / most});
 }
 
 void loops(const TopologyReport& report, const StateSnapshot& s, Annotation& a) {
@@ -83,8 +82,8 @@ void loops(const TopologyReport& report, const StateSnapshot& s, Annotation& a) 
     const bool good = c.as_expected() && report.verdict.as_expected;
     for (std::size_t i = 0; i < v.size(); ++i)
       a.lines.push_back({s.zero_set.vertices[v[i]].position,
-                         s.zero_set.vertices[v[(i + 1) % v.size()]].position,
-                         good ? Tone::accent : Tone::bad, 3.6f, !good});
+                         s.zero_set.vertices[v[(i + 1) % v.size()]].position, good ? Tone::accent : Tone::bad,
+                         3.6f, !good});
   }
 }
 

@@ -34,8 +34,8 @@ Status next_violation(M& m, const A& a, int direction) {
   const auto tets = violating_tets(*state, m.investigation.violations);
   if (tets.empty()) return usage("No tetrahedron violates this condition at this step.");
   const Pick& picked = m.selection.picked;
-  const auto at = picked.kind == Pick::Kind::tet ? std::find(tets.begin(), tets.end(), TetId(picked.id))
-                                                 : tets.end();
+  const auto at =
+      picked.kind == Pick::Kind::tet ? std::find(tets.begin(), tets.end(), TetId(picked.id)) : tets.end();
   const auto count = static_cast<std::ptrdiff_t>(tets.size());
   std::ptrdiff_t to = direction > 0 ? 0 : count - 1;
   if (at != tets.end()) to = (at - tets.begin() + direction + count) % count;
@@ -117,7 +117,8 @@ std::vector<Command> question_commands() {
       {"history",
        "History of the selection",
        "",
-       "Lists what happened to the selected element over all steps and draws a vertex' way through collapses.",
+       "Lists what happened to the selected element over all steps and draws a vertex' way through "
+       "collapses.",
        "Ask",
        icon::history,
        {{'H'}},

@@ -86,8 +86,7 @@ bool same_advice(const AdviceQuestion& a, const AdviceQuestion& b) {
 
 Investigation::Investigation(const std::function<void()>& notify)
     : history_worker_(read_history, notify), work_worker_(measure_work, notify),
-      topology_worker_(judge_topology, notify), advice_worker_(advise, notify),
-      check_(judge_state, notify) {}
+      topology_worker_(judge_topology, notify), advice_worker_(advise, notify), check_(judge_state, notify) {}
 
 std::optional<ElementRef> selected_element(const AppModel& model) {
   const Pick& p = model.selection.picked;
@@ -228,8 +227,8 @@ void Investigation::update_advice(const AppModel& model) {
       (element->kind == ElementRef::Kind::edge && !edge_advice) || !state || !model.run.scene ||
       !model.run.journal || model.transport.moving())
     return;
-  AdviceQuestion q{
-      state, model.run.journal, model.run.scene, model.sample_index(), model.run.parameters, *element};
+  AdviceQuestion q{state,   model.run.journal, model.run.scene, model.sample_index(), model.run.parameters,
+                   *element};
   if (!advice_asked_ || !same_advice(*advice_asked_, q)) {
     advice_asked_ = q;
     advice_worker_.ask(std::move(q));
@@ -266,8 +265,9 @@ struct Investigation::AnnotationKey {
 Investigation::~Investigation() = default;
 
 void Investigation::annotate(const AppModel& model) {
-  AnnotationKey key{model.state(),          model.sample_index(), history_, work_, topology_, check(),
-                    model.selection.picked, shrink,               model.settings.panes.tab};
+  AnnotationKey key{
+      model.state(), model.sample_index(),    history_, work_, topology_, check(), model.selection.picked,
+      shrink,        model.settings.panes.tab};
   if (annotated_ && *annotated_ == key) return;
   annotated_ = std::make_unique<AnnotationKey>(std::move(key));
   Annotation made = make_annotation(model);

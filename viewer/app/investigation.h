@@ -82,11 +82,11 @@ class Investigation {
   std::optional<double> shrink; ///< of the copy that is drawn; absent: condition 3's
   WorkKind work_kind = WorkKind::attempts;
   std::size_t stall_attempts = 500;
-  double cell_deltas = 1;              ///< size of the heat map's cells in δ
-  bool edge_advice = false; ///< also ask the evaluator of edges over values: it takes a while
-  bool topology_shown = false;         ///< follow the state shown
+  double cell_deltas = 1;      ///< size of the heat map's cells in δ
+  bool edge_advice = false;    ///< also ask the evaluator of edges over values: it takes a while
+  bool topology_shown = false; ///< follow the state shown
   bool reveal_check = false, reveal_topology = false; ///< bring the answer into sight once it is there
-  std::pair<double, double> range{0, 0}; ///< steps that the timeline shows; empty: all
+  std::pair<double, double> range{0, 0};              ///< steps that the timeline shows; empty: all
 
   /// Once a frame: asks what is shown and stale. True while something is under way.
   bool update(AppModel& model);

@@ -58,14 +58,15 @@ void add_tet_questions(NamedTable& t) {
                  m.investigation.shrink = *n > 0 ? std::optional<double>(*n) : std::nullopt;
                  return {};
                }});
-  reading(t, "violations.misoriented", "tetrahedra that violate condition 3", [](const AppModel& m) {
-    return m.state() ? count(misoriented_tets(*m.state()).size()) : none;
-  });
+  reading(t, "violations.misoriented", "tetrahedra that violate condition 3",
+          [](const AppModel& m) { return m.state() ? count(misoriented_tets(*m.state()).size()) : none; });
   reading(t, "violations.flat", "tetrahedra that carry Z below 2σ/α", [](const AppModel& m) {
     return m.state() ? count(violating_tets(*m.state(), ViolationKind::flat).size()) : none;
   });
   of(t, "tet.misoriented", "the selected tetrahedron violates condition 3 at inspect.shrink", tet_shown,
-     [](const TetInspection& x) { return !x.orientation ? "none" : x.orientation->misoriented ? "on" : "off"; });
+     [](const TetInspection& x) {
+       return !x.orientation ? "none" : x.orientation->misoriented ? "on" : "off";
+     });
   of(t, "tet.tests", "its samples of condition 3 that are asked", tet_shown, [](const TetInspection& x) {
     return !x.orientation ? none
                           : count(static_cast<std::size_t>(
@@ -219,8 +220,7 @@ void add_state_questions(NamedTable& t) {
   using C = CheckAnswer;
   of(t, "check.step", "the step that was checked last", checked,
      [](const C& c) { return count(c.report.step); });
-  of(t, "check.broken", "what is broken there", checked,
-     [](const C& c) { return count(c.report.broken()); });
+  of(t, "check.broken", "what is broken there", checked, [](const C& c) { return count(c.report.broken()); });
   for (std::size_t i = 0; i < invariant_count; ++i) {
     const auto invariant = static_cast<Invariant>(i);
     of(t, "check." + std::string(name(invariant)), "holds, broken, not-due or absent", checked,
@@ -241,9 +241,9 @@ void add_state_questions(NamedTable& t) {
     const char* name;
     ParameterAdvice::Parameter parameter;
   };
-  for (const Name& n : {Name{"alpha", ParameterAdvice::Parameter::alpha},
-                        Name{"sigma", ParameterAdvice::Parameter::sigma},
-                        Name{"shrink", ParameterAdvice::Parameter::shrink}})
+  for (const Name& n :
+       {Name{"alpha", ParameterAdvice::Parameter::alpha}, Name{"sigma", ParameterAdvice::Parameter::sigma},
+        Name{"shrink", ParameterAdvice::Parameter::shrink}})
     reading(t, std::string("advice.") + n.name,
             "where the verdict on the selection changes: a value, holds, or none", [n](const AppModel& m) {
               const auto advice = m.investigation.advice();

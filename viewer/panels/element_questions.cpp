@@ -49,9 +49,10 @@ void tet_questions(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   auto factor = static_cast<float>(x->shrink);
   if (widgets::slider(ui, "##shrink", factor, 0.02f, 1.0f, "%.2f"))
     m.investigation.shrink = static_cast<double>(factor);
-  widgets::tip(ui, "Shrunk copy",
-               "Condition 3 asks the samples nearest to the vertices of this copy: lines end in a disc where f "
-               "has their side's sign, in a cross where not. Its own factor is a parameter of the run.");
+  widgets::tip(
+      ui, "Shrunk copy",
+      "Condition 3 asks the samples nearest to the vertices of this copy: lines end in a disc where f "
+      "has their side's sign, in a cross where not. Its own factor is a parameter of the run.");
   if (m.investigation.shrink && x->orientation) {
     widgets::value_row(ui, "with this factor", x->orientation->misoriented ? "misoriented" : "holds",
                        x->orientation->misoriented ? ui.colors.bad_text : ui.colors.good_text);
@@ -62,7 +63,8 @@ void tet_questions(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
                           "sample " + grouped(x->candidate.value),
                           "Conditions 2 and 3 insert it. Selects it."))
       pick_sample(ui, x->candidate);
-    if (x->candidate_is_vertex) widgets::quiet_text(ui, "It is a vertex already: nothing is left to insert.", true);
+    if (x->candidate_is_vertex)
+      widgets::quiet_text(ui, "It is a vertex already: nothing is left to insert.", true);
   } else if (x->orientation) {
     widgets::quiet_text(ui, "No sample lies in its circumscribed ball: nothing is left to insert.", true);
   }
@@ -87,7 +89,8 @@ void sample_questions(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
     words = "It goes in itself, after the worst samples of " + grouped(x->tets_before) + " tetrahedra.";
     break;
   case Remedy::worse_in_tet:
-    words = grouped(x->worse_in_tet) + " samples of its tetrahedron are worse: the worst goes in for it, after " +
+    words = grouped(x->worse_in_tet) +
+            " samples of its tetrahedron are worse: the worst goes in for it, after " +
             grouped(x->tets_before) + " other tetrahedra.";
     break;
   case Remedy::vertex_already:

@@ -43,7 +43,8 @@ std::string summary(const ElementHistory& h) {
   switch (h.element.kind) {
   case ElementRef::Kind::vertex: {
     std::string text = "Vertex " + id + ": " + grouped(h.absorbed) + " vertices ended in it";
-    if (h.heir.valid() && h.heir.value != h.element.id) text += "; vertex " + grouped(h.heir.value) + " stands for it";
+    if (h.heir.valid() && h.heir.value != h.element.id)
+      text += "; vertex " + grouped(h.heir.value) + " stands for it";
     return text;
   }
   case ElementRef::Kind::edge:
@@ -67,7 +68,8 @@ void draw_row(Ui& ui, const ElementHistory& h, std::size_t index, float high) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool here = row.step == ui.model.transport.step();
   if (ImGui::IsItemHovered() || here)
-    list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover, here ? 0.7f : 1.0f), ui.px(4));
+    list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover, here ? 0.7f : 1.0f),
+                       ui.px(4));
   const Journal& journal = *ui.model.run.journal;
   if (pressed) {
     if (h.element.kind == ElementRef::Kind::edge && !row.changes())
@@ -92,7 +94,8 @@ void draw_row(Ui& ui, const ElementHistory& h, std::size_t index, float high) {
 
 void history_tab(Ui& ui) {
   if (!selected_element(ui.model))
-    return widgets::quiet_text(ui, "Select a vertex, an edge, a tetrahedron or a sample, then press H.", true);
+    return widgets::quiet_text(ui, "Select a vertex, an edge, a tetrahedron or a sample, then press H.",
+                               true);
   const auto h = ui.model.investigation.history();
   if (!h || !ui.model.run.journal) return widgets::quiet_text(ui, "The journal is being read …");
   ImGui::PushFont(ui.fonts.small);

@@ -25,7 +25,8 @@ void violations(Ui& ui, const StateSnapshot& s) {
   const std::size_t flat = flat_tets(s, s.criteria.height_limit()).size();
   if (!s.orientation_judged)
     widgets::quiet_text(ui, "Condition 3 is judged when the play head rests.", true);
-  else if (widgets::link_row(ui, "misoriented", "misoriented (condition 3)", grouped(misoriented_tets(s).size()),
+  else if (widgets::link_row(ui, "misoriented", "misoriented (condition 3)",
+                             grouped(misoriented_tets(s).size()),
                              "Selects the next one. Key N, Shift+N for the one before."))
     ui.commands.post("next-violation", {"misoriented"});
   if (widgets::link_row(ui, "flat", "below 2σ/α (condition 2)", grouped(flat),
@@ -100,7 +101,8 @@ constexpr std::array<InvariantText, invariant_count> invariant_texts{
      {"Z is oriented", "Neighbours agree on which side is outside."},
      {"Z is free of self-intersections", "By exact predicates."},
      {"Z is inside Ω", "Every facet is proven nearer than δ. Due once the refinement is over."},
-     {"Z separates the sides", "The winding number is right in every region. Due once the refinement is over."},
+     {"Z separates the sides",
+      "The winding number is right in every region. Due once the refinement is over."},
      {"topology as expected", "Components and χ. Due once the refinement is over."}}};
 
 void invariant_row(Ui& ui, std::size_t i, const InvariantVerdict& v) {

@@ -42,7 +42,8 @@ float TimelinePane::to_x(double step, ImVec2 low, ImVec2 size) const {
 
 void TimelinePane::tabs(Ui& ui) {
   constexpr std::array<const char*, 5> names{"Timeline", "Plots", "Events", "History", "Work"};
-  constexpr std::array<const char*, 5> glyphs{icon::clock, icon::chart, icon::list, icon::history, icon::bolt};
+  constexpr std::array<const char*, 5> glyphs{icon::clock, icon::chart, icon::list, icon::history,
+                                              icon::bolt};
   constexpr std::array<const char*, 5> words{"timeline", "plots", "events", "history", "work"};
   const int tab = ui.model.settings.panes.tab;
   ImDrawList& list = *ImGui::GetWindowDrawList();

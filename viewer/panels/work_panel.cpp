@@ -106,7 +106,8 @@ void stall_column(Ui& ui, const WorkAnswer& w) {
     widgets::glyph(ui, {at.x + ui.px(7), at.y + ui.px(10)}, 4.5f, r == 0 ? ui.colors.good : style.color,
                    r == 0 ? MarkerShape::disc : style.shape);
     ImGui::SetCursorScreenPos({at.x + ui.px(20), at.y});
-    widgets::value_row(ui, r == 0 ? "accepted" : reason_text(static_cast<Reason>(r)), grouped(s.by_reason[r]));
+    widgets::value_row(ui, r == 0 ? "accepted" : reason_text(static_cast<Reason>(r)),
+                       grouped(s.by_reason[r]));
   }
   if (s.places.cells.empty()) return;
   ImGui::Dummy({0, ui.px(4)});
@@ -119,8 +120,8 @@ void stall_column(Ui& ui, const WorkAnswer& w) {
 void work_tab(Ui& ui) {
   const auto work = ui.model.investigation.work();
   if (!work)
-    return widgets::quiet_text(
-        ui, ui.model.running() ? "Measured when the run rests." : "The journal is being read …");
+    return widgets::quiet_text(ui, ui.model.running() ? "Measured when the run rests."
+                                                      : "The journal is being read …");
   const float gap = ui.px(24), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   const auto column = [&](const char* id, void (*draw)(Ui&, const WorkAnswer&)) {
     if (ImGui::BeginChild(id, {width, 0})) draw(ui, *work);
