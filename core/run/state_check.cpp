@@ -143,10 +143,14 @@ StateReport check_state(const Journal& journal, const StateSnapshot& s, const Sc
 FirstInvalid find_first_invalid(std::shared_ptr<const Journal> journal, Step last, const Scene* scene,
                                 const RunControl& control) {
   FirstInvalid out;
-  Playback playback(journal);
+  std::optional<Playback> playback;
   const auto judge = [&](Step step) {
     ++out.probes;
-    return check_state(*journal, *make_snapshot(playback, step, {}, nullptr), scene, control);
+    if (!playback) playback.emplace(journal);
+    StateReport found = check_state(*journal, *make_snapshot(*playback, step, {}, nullptr), scene, control);
+    // What a playback carries on from a broken T, the places of samples, may be wrong ever after.
+    if (!found.valid()) playback.reset();
+    return found;
   };
   const auto report_progress = [&](double width, double all) {
     control.report("bisection", all > 1 ? 1 - std::log2(std::max(width, 1.0)) / std::log2(all) : 1);

@@ -99,6 +99,12 @@ TEST_CASE("bisection finds the first step at which something broke") {
     const auto journal = broken_journal(at, 60);
     const FirstInvalid found = find_first_invalid(journal, journal->steps(), nullptr, RunControl());
     REQUIRE(found.end == FirstInvalid::End::found);
+    for (std::size_t i = 0; i < invariant_count; ++i) {
+      CAPTURE(name(static_cast<Invariant>(i)));
+      CAPTURE(found.report.verdicts[i].words);
+      if (static_cast<Invariant>(i) != Invariant::tetrahedra)
+        CHECK(found.report.verdicts[i].state != State::broken);
+    }
     CHECK(found.report.step == at);
     CHECK(found.report[Invariant::tetrahedra].state == State::broken);
     CHECK(found.probes <= 8);

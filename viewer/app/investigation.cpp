@@ -182,7 +182,7 @@ void Investigation::update_work(const AppModel& model) {
   work_.reset();
   if (model.settings.panes.tab != work_tab || !model.run.journal || !model.run.scene) return;
   // A live run is measured again at rests only: the answer would never catch up.
-  const bool moving = model.running() || model.transport.moving();
+  const bool moving = model.running() || model.playing();
   if (!moving || !work_asked_ || work_asked_->journal != model.run.journal) {
     WorkQuestion q;
     q.journal = model.run.journal;
@@ -209,7 +209,7 @@ void Investigation::update_topology(const AppModel& model) {
   const auto state = model.state();
   topology_.reset();
   if (!topology_shown || !state || !model.run.scene) return;
-  if (!model.transport.moving() || !topology_asked_) {
+  if (!model.playing() || !topology_asked_) {
     TopologyQuestion q{state, model.run.scene};
     if (!topology_asked_ || !same_topology(*topology_asked_, q)) {
       topology_asked_ = q;
@@ -225,7 +225,7 @@ void Investigation::update_advice(const AppModel& model) {
   advice_.reset();
   if (!element || element->kind == ElementRef::Kind::vertex ||
       (element->kind == ElementRef::Kind::edge && !edge_advice) || !state || !model.run.scene ||
-      !model.run.journal || model.transport.moving())
+      !model.run.journal || model.playing())
     return;
   AdviceQuestion q{state,   model.run.journal, model.run.scene, model.sample_index(), model.run.parameters,
                    *element};
