@@ -7,6 +7,7 @@
 #include "run/reverse_distance.h"
 #include "tolerance/tolerance_volume.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,11 @@ struct Certificate {
   }
 };
 
+/// The distance of the input to the mesh takes longest and judges nothing.
+enum class InputDistance : std::uint8_t { measure, leave_out };
+
 /// What is there is judged in full even when the control is cancelled, but not when it is abandoned.
 Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
-                    const RunControl& control);
+                    const RunControl& control, InputDistance input_distance = InputDistance::measure);
 
 } // namespace isoscope

@@ -159,7 +159,8 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   auto [a, b] = oriented_edge(complex, question.a, question.b);
   if (event != nullptr && event->vertex.valid()) a = event->vertex, b = event->other;
   out.star = gather_edge_star(complex, incidence, a, b, context.parameters.cost_ring);
-  out.criteria = context.journal.parameters_at(out.before ? state.step - 1 : state.step);
+  out.criteria = context.criteria ? *context.criteria
+                                  : context.journal.parameters_at(out.before ? state.step - 1 : state.step);
   if (!out.criteria.certified && state.samples) add_star_samples(out.star, *state.samples);
   const EdgeKind kind = out.star.kind();
   const bool by_samples = kind == EdgeKind::gamma && !out.criteria.certified && state.samples;

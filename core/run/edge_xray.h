@@ -32,7 +32,8 @@ struct XrayContext {
   const Scene& scene;
   const Journal& journal;
   const RunParameters& parameters;
-  const NearestSample* nearest = nullptr; ///< of the state's samples; null: condition 3 is not judged
+  const NearestSample* nearest = nullptr;       ///< of the state's samples; null: condition 3 is not judged
+  std::optional<CriteriaParameters> criteria{}; ///< instead of those in force at the step
 };
 
 /// The answer.

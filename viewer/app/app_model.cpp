@@ -29,7 +29,7 @@ CameraPose first_pose() {
 } // namespace
 
 AppModel::AppModel(std::function<void()> notify)
-    : playhead(notify), probe(notify), unlocks(notify), grid(notify), debug(notify) {
+    : playhead(notify), probe(notify), unlocks(notify), grid(notify), investigation(notify), debug(notify) {
   debug.breakpoints->set_expected([this] {
     const auto scene = session.snapshot().scene;
     return scene ? expected_genus(*scene) : std::nullopt;
@@ -188,9 +188,15 @@ std::optional<std::uint32_t> AppModel::selected_event() const {
 
 ViewSettings AppModel::shown_view() const {
   ViewSettings shown = view;
-  if (!view.focus || selection.picked.kind != Pick::Kind::edge) return shown;
+  const bool heat = settings.panes.tab == work_tab && settings.panes.show_bottom;
+  const bool element = selection.picked.kind == Pick::Kind::edge || selection.picked.kind == Pick::Kind::tet;
+  if (!view.focus || !(element || heat)) return shown;
   constexpr float step_back = 0.35f;
   shown.samples.visible = false;
+  if (selection.picked.kind == Pick::Kind::tet) {
+    shown.highlight.visible = shown.tets.violate_3 = false;
+    shown.zero_set.opacity *= step_back;
+  }
   shown.outer.opacity *= step_back;
   shown.inner.opacity *= step_back;
   shown.tets.changed = false;
@@ -267,12 +273,14 @@ bool AppModel::update(double seconds) {
   blink();
   changed |= moment != view.moment || !probe.idle() || !unlocks.idle();
   request_xray();
+  changed |= investigation.update(*this);
   changed |= camera.update(scripted ? 1.0 : seconds);
   return changed;
 }
 
 bool AppModel::state_is_current() const {
-  if (!playhead.idle() || !probe.idle() || !unlocks.idle() || !index.complete() || grid.working())
+  if (!playhead.idle() || !probe.idle() || !unlocks.idle() || !investigation.idle() || !index.complete() ||
+      grid.working())
     return false;
   if (!debugger_is_current(*this)) return false;
   if (!run.journal) return true;

@@ -5,6 +5,7 @@
 #include "app/debugger.h"
 #include "app/event_filter.h"
 #include "app/grid_loader.h"
+#include "app/investigation.h"
 #include "app/journal_index.h"
 #include "app/playhead.h"
 #include "app/probe.h"
@@ -99,6 +100,7 @@ class AppModel {
   std::optional<Session> other_run; ///< the run that a branch left, or the branch
   GridLoader grid;
   JournalIndex index;
+  Investigation investigation;
   Transport transport;
   Debugger debug;
   RunParameters draft;   ///< what the parameter panel shows: asked for when applied
@@ -173,7 +175,8 @@ class AppModel {
   bool state_is_current() const;
   /// Every worker has answered, and the answers are the ones shown.
   bool answers_taken() const {
-    return playhead.idle() && probe.idle() && unlocks.idle() && playhead.result() == result_;
+    return playhead.idle() && probe.idle() && unlocks.idle() && investigation.idle() &&
+           playhead.result() == result_;
   }
   /// The live preview for the draft, absent while it is computed.
   std::optional<ViolationPreview> draft_preview() const;

@@ -358,7 +358,8 @@ Status toggle_panes(AppModel& model, const Arguments&) {
 }
 
 Status choose_tab(AppModel& model, const Arguments& a) {
-  constexpr std::array<std::string_view, 4> names{"timeline", "plots", "events", "breakpoints"};
+  constexpr std::array<std::string_view, 6> names{"timeline",    "plots",   "events",
+                                                  "breakpoints", "history", "work"};
   const auto found = a.empty() ? names.end() : std::find(names.begin(), names.end(), a[0]);
   if (found == names.end()) return usage("tab", "Which tab?");
   model.settings.panes.tab = static_cast<int>(found - names.begin());

@@ -13,6 +13,7 @@ std::vector<Command> run_commands();
 std::vector<Command> debug_commands();
 std::vector<Command> select_commands();
 std::vector<Command> edge_commands();
+std::vector<Command> question_commands();
 std::vector<Command> view_commands();
 std::vector<Command> window_commands();
 std::vector<Command> script_commands();

@@ -282,7 +282,7 @@ std::vector<Command> window_commands() {
        toggle_panes},
       {"tab",
        "Bottom tab",
-       "timeline | plots | events | breakpoints",
+       "timeline | plots | events | breakpoints | history | work",
        "Chooses what the bottom pane shows.",
        "",
        nullptr,

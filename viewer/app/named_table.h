@@ -19,5 +19,7 @@ void add_readings(NamedTable& table);
 void add_edge_readings(NamedTable& table);
 /// The same of the debugger.
 void add_debug_readings(NamedTable& table);
+/// What the questions about elements, work, topology and validity answer, and their settings.
+void add_questions(NamedTable& table);
 
 } // namespace isoscope

@@ -255,6 +255,7 @@ Table make_table() {
   add_edge_readings(t);
   add_debug_readings(t);
   add_recording_readings(t);
+  add_questions(t);
   return t;
 }
 

@@ -14,7 +14,7 @@ namespace isoscope {
 struct PaneLayout {
   float left = 300, right = 340, bottom = 232;
   bool show_left = true, show_right = true, show_bottom = true;
-  int tab = 0; ///< of the bottom pane: timeline, plots, events
+  int tab = 0; ///< of the bottom pane: timeline, plots, events, history, work
 };
 
 struct Settings {

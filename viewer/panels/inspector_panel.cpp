@@ -5,6 +5,7 @@
 #include "criteria/orientation.h"
 #include "journal/describe.h"
 #include "panels/panels.h"
+#include "panels/questions.h"
 #include "panels/widgets.h"
 
 #include <algorithm>
@@ -108,6 +109,7 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
     pick(ui, "tet", s.sample_tets[id].value);
   const std::uint16_t component = s.samples->components[id];
   if (component != 0xffff) widgets::value_row(ui, "component of ∂Ω", std::to_string(component));
+  sample_questions(ui, s, id);
 }
 
 void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
@@ -204,6 +206,7 @@ void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   if (!carries || s.complex.form != ZeroForm::interpolated) return;
   height_details(ui, s, p, f, tet);
   orientation_details(ui, p, f, s.criteria);
+  tet_questions(ui, s, id);
 }
 
 void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
@@ -351,12 +354,15 @@ void inspector(Ui& ui) {
     break;
   }
   if (picked.kind != Pick::Kind::none) {
+    advice(ui);
     ImGui::Dummy({0, ui.px(6)});
+    history_buttons(ui);
     ImGui::Separator();
     ImGui::Dummy({0, ui.px(4)});
   }
   run_summary(ui, *state);
   certificate(ui);
+  state_questions(ui, *state);
   if (picked.kind == Pick::Kind::none)
     widgets::quiet_text(ui, "Click an element in the view to inspect it; 1 to 4 restrict what a click hits.",
                         true);

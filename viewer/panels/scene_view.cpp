@@ -33,6 +33,8 @@ void SceneView::draw(Ui& ui) {
   // Until the next answer is there, the last one stays: a drag would flicker otherwise.
   if (const auto newest = m.study(); newest || !m.selection.what_if || !xray_) study_ = newest;
   renderer_->set_study(study_);
+  annotation_ = m.investigation.annotation();
+  renderer_->set_annotation(annotation_);
   frame_requests(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
@@ -68,6 +70,7 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   key.pixel_height = static_cast<int>(area.size.y * density.y);
   key.xray = xray_.get();
   key.study = study_.get();
+  key.annotation = annotation_.get();
   key.mark = m.selection.mark;
   key.selection = m.selection.picked;
   key.hover = m.selection.hovered;

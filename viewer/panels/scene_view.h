@@ -3,6 +3,7 @@
 
 #include "panels/target_handle.h"
 #include "panels/ui.h"
+#include "scene/annotation.h"
 #include "scene/renderer.h"
 
 #include <memory>
@@ -32,7 +33,7 @@ class SceneView {
     double u = 0, v = 0, height = 0;
     const void *state = nullptr, *grid = nullptr, *scene = nullptr;
     int width = 0, pixel_height = 0;
-    const void *xray = nullptr, *study = nullptr;
+    const void *xray = nullptr, *study = nullptr, *annotation = nullptr;
     Pick selection, hover;
     std::optional<Vec3> mark;
     float scale = 1;
@@ -62,6 +63,7 @@ class SceneView {
   /// Of the last frame: their addresses tell pictures apart.
   std::shared_ptr<const EdgeXray> xray_;
   std::shared_ptr<const TargetStudy> study_;
+  std::shared_ptr<const Annotation> annotation_;
   TargetHandle handle_;
   Vec3 pivot_;
   float framed_aspect_ = 0; ///< what the camera was framed for, while nobody has moved it

@@ -4,6 +4,7 @@
 #include "app/icons.h"
 #include "app/words.h"
 #include "journal/describe.h"
+#include "panels/questions.h"
 #include "panels/timeline_lanes.h"
 #include "panels/widgets.h"
 #include "scene/reason_style.h"
@@ -40,9 +41,10 @@ float TimelinePane::to_x(double step, ImVec2 low, ImVec2 size) const {
 }
 
 void TimelinePane::tabs(Ui& ui) {
-  constexpr std::array<const char*, 4> names{"Timeline", "Plots", "Events", "Breakpoints"};
-  constexpr std::array<const char*, 4> glyphs{icon::clock, icon::chart, icon::list, icon::dot};
-  constexpr std::array<const char*, 4> words{"timeline", "plots", "events", "breakpoints"};
+  constexpr std::array<const char*, 6> names{"Timeline", "Plots", "Events", "Breakpoints", "History", "Work"};
+  constexpr std::array<const char*, 6> glyphs{icon::clock, icon::chart,   icon::list,
+                                              icon::dot,   icon::history, icon::bolt};
+  constexpr std::array<const char*, 6> words{"timeline", "plots", "events", "breakpoints", "history", "work"};
   const int tab = ui.model.settings.panes.tab;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float left = 0;
@@ -67,7 +69,7 @@ void TimelinePane::tabs(Ui& ui) {
   }
   // What the colours mean, where no lanes say it.
   ImGui::NewLine();
-  if (tab == 0 || tab == 3) return breadcrumb_line(ui, left, y);
+  if (tab == 0 || tab > 2) return breadcrumb_line(ui, left, y);
   if (tab == 1) return axis_switch(ui, left, y);
   const JournalIndex& index = ui.model.index;
   const auto counts = index.counts(0, index.steps());
@@ -279,6 +281,7 @@ void TimelinePane::timeline(Ui& ui) {
 
 void TimelinePane::draw(Ui& ui) {
   if (range_.fits) range_.fit(ui.model.live_step());
+  ui.model.investigation.range = {range_.begin, range_.end};
   tabs(ui);
   switch (ui.model.settings.panes.tab) {
   case 1: {
@@ -296,6 +299,12 @@ void TimelinePane::draw(Ui& ui) {
     break;
   case 3:
     breakpoints_.draw(ui);
+    break;
+  case history_tab:
+    panels::history_tab(ui);
+    break;
+  case work_tab:
+    panels::work_tab(ui);
     break;
   default:
     timeline(ui);

@@ -6,6 +6,7 @@
 #include "gl/shader_source.h"
 #include "scene/clip.h"
 #include "scene/frame_targets.h"
+#include "scene/layer_annotation.h"
 #include "scene/layer_attempt.h"
 #include "scene/layer_gamma.h"
 #include "scene/layer_highlight.h"
@@ -77,6 +78,7 @@ struct Renderer::Impl {
   std::shared_ptr<const StateSnapshot> state;
   std::shared_ptr<const EdgeXray> xray;
   std::shared_ptr<const TargetStudy> study;
+  std::shared_ptr<const Annotation> annotation;
   SceneSpace space;
 
   ZeroSetLayer zero_set;
@@ -87,6 +89,7 @@ struct Renderer::Impl {
   ToleranceLayer tolerance;
   HighlightLayer highlight;
   AttemptLayer attempt;
+  AnnotationLayer annotations;
   SectionLayer section;
   Built zero_built, gamma_built, input_built, tets_built, samples_built;
   double seconds = 0;
@@ -225,6 +228,7 @@ void Renderer::Impl::update_layers(const ViewFrame& frame) {
   }
   highlight.update(state.get(), frame);
   attempt.update(view.xray.shown() ? xray.get() : nullptr, study.get(), frame);
+  annotations.update(annotation.get(), frame);
 }
 
 void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request,
@@ -380,6 +384,10 @@ void Renderer::set_study(std::shared_ptr<const TargetStudy> study) {
   impl_->study = std::move(study);
 }
 
+void Renderer::set_annotation(std::shared_ptr<const Annotation> annotation) {
+  impl_->annotation = std::move(annotation);
+}
+
 Box3 Renderer::bounds() const {
   return impl_->bounds();
 }
@@ -424,6 +432,7 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   r.highlight.draw(r.programs, frame);
   r.attempt.draw(r.programs, frame);
+  r.annotations.draw(r.programs, frame);
   return r.finish(r.targets, start, request.quality);
 }
 

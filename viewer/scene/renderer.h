@@ -15,6 +15,7 @@
 
 namespace isoscope {
 
+struct Annotation;
 struct EdgeXray;
 struct TargetStudy;
 
@@ -45,6 +46,7 @@ class Renderer {
   void set_state(std::shared_ptr<const StateSnapshot> state);
   void set_xray(std::shared_ptr<const EdgeXray> xray);
   void set_study(std::shared_ptr<const TargetStudy> study);
+  void set_annotation(std::shared_ptr<const Annotation> annotation);
   Box3 bounds() const;
 
   /// Renders the 3D view; returns the colour texture's name, valid until the next call. Resolution may be

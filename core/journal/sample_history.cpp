@@ -1,0 +1,125 @@
+// A sample's class step by step, backwards and forwards from a known state.
+#include "journal/sample_history.h"
+
+#include "mesh/sample_sets.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace isoscope {
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+/// One sample and the tetrahedron that holds it, brought along by deltas.
+class Follower {
+ public:
+  Follower(const Complex& state, Vec3 place, double label)
+      : complex_(state), place_{place}, label_(label), set_(place_) {
+    set_.assign_all(complex_);
+    judge();
+  }
+  Follower(const Follower&) = delete;
+  Follower& operator=(const Follower&) = delete;
+
+  /// NaN where no tetrahedron holds the sample.
+  double error() const { return error_; }
+  void move(const Delta& delta, bool forward) {
+    const TetId tet = set_.tet_of(SampleId(0));
+    const auto& from = forward ? delta.removed : delta.added;
+    const auto& to = forward ? delta.added : delta.removed;
+    const auto holds = [&](const TetRecord& t) { return t.id == tet; };
+    const bool leaves = std::any_of(from.begin(), from.end(), holds);
+    const bool relabeled = !delta.values.empty() || delta.form ||
+                           std::any_of(delta.sides.begin(), delta.sides.end(),
+                                       [&](const Delta::SideChange& s) { return s.tet == tet; });
+    if (forward)
+      complex_.apply(delta);
+    else
+      complex_.undo(delta);
+    if (leaves)
+      set_.redistribute(complex_, from, to);
+    else if (!tet.valid() && !to.empty())
+      set_.assign_all(complex_);
+    if (leaves || relabeled || !tet.valid()) judge();
+  }
+
+ private:
+  Complex complex_;
+  std::vector<Vec3> place_;
+  double label_;
+  SampleSets set_;
+  double error_ = nowhere;
+
+  void judge() {
+    const TetId t = set_.tet_of(SampleId(0));
+    if (!t.valid() || complex_.form == ZeroForm::free) {
+      error_ = nowhere;
+      return;
+    }
+    const double f = interpolate(complex_.positions(t), complex_.values(t))(place_[0]);
+    const int side = complex_.tet(t).side;
+    error_ = side == 0 ? sample_error(f, label_) : embedded_sample_error(f, label_, side);
+  }
+};
+
+bool changes_class(double before, double after) {
+  return !std::isnan(before) && !std::isnan(after) && is_bad(before) != is_bad(after);
+}
+
+HistoryRow change(HistoryRow::Kind kind, const Journal& journal, Step step, double before, double after) {
+  HistoryRow r;
+  r.kind = kind;
+  r.step = step;
+  r.event = journal.operations()[step - 1].event;
+  r.reason = journal.events()[r.event].reason;
+  r.before = before;
+  r.after = after;
+  return r;
+}
+
+} // namespace
+
+std::vector<HistoryRow> sample_class_changes(const Journal& journal, SampleId sample, const Complex& state,
+                                             Step at, const RunControl& control) {
+  std::vector<HistoryRow> rows;
+  // The set in force: what the last change up to `at` brought.
+  std::uint16_t set = 0;
+  for (Step k = at; k-- > 0;)
+    if (const auto& change = journal.operations()[k].delta->sample_set) {
+      set = change->after;
+      break;
+    }
+  if (set >= journal.sample_sets().size()) return rows;
+  const BoundarySamples& samples = *journal.sample_sets()[set];
+  if (sample.index() >= samples.size()) return rows;
+  const Vec3 place = samples.positions[sample.index()];
+  const double label = samples.labels[sample.index()];
+
+  const auto follow = [&](bool forward) {
+    Follower follower(state, place, label);
+    const Step end = journal.steps();
+    for (Step k = at; forward ? k < end : k > 0;) {
+      const Step operation = forward ? k : k - 1;
+      const Delta& delta = *journal.operations()[operation].delta;
+      if (delta.sample_set) {
+        rows.push_back(change(HistoryRow::Kind::other_set, journal, operation + 1, 0, 0));
+        return;
+      }
+      const double now = follower.error();
+      follower.move(delta, forward);
+      const double before = forward ? now : follower.error(), after = forward ? follower.error() : now;
+      if (changes_class(before, after))
+        rows.push_back(change(is_bad(after) ? HistoryRow::Kind::became_bad : HistoryRow::Kind::became_good,
+                              journal, operation + 1, before, after));
+      k = forward ? k + 1 : k - 1;
+      if (k % 256 == 0 && control.cancelled()) return;
+    }
+  };
+  follow(false);
+  std::reverse(rows.begin(), rows.end());
+  follow(true);
+  return rows;
+}
+
+} // namespace isoscope

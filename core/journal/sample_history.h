@@ -1,0 +1,14 @@
+// When a sample changed class: its tetrahedron is followed through the deltas, none of which is judged unless
+// it touches that tetrahedron.
+#pragma once
+
+#include "journal/history.h"
+
+namespace isoscope {
+
+/// The rows of one sample of the set in force at step `at`, whose T is `state`; both ways, to where another
+/// set is in force.
+std::vector<HistoryRow> sample_class_changes(const Journal& journal, SampleId sample, const Complex& state,
+                                             Step at, const RunControl& control);
+
+} // namespace isoscope

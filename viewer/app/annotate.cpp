@@ -1,0 +1,115 @@
+// What the answers draw: the tetrahedron's copy and height, a sample's remedy, a vertex' way, heat, handle
+// loops, places where something is broken.
+#include "app/app_model.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t most_cells = 500;
+
+void tet(const AppModel& m, const StateSnapshot& s, TetId t, Annotation& a) {
+  const auto index = m.sample_index();
+  const auto x = inspect_tet(s, t, m.investigation.shrink.value_or(s.criteria.shrink),
+                             index && index->set == s.samples ? &index->nearest : nullptr);
+  if (!x) return;
+  const auto& q = x->shrunk;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) a.lines.push_back({q[i], q[j], Tone::accent, 1.8f, false});
+  if (x->orientation)
+    for (const OrientationTest& test : x->orientation->tests) {
+      if (!test.asked()) continue;
+      const Vec3 sample = s.samples->positions[test.sample.index()];
+      const Tone tone = test.good() ? Tone::good : Tone::bad;
+      a.lines.push_back({test.shrunk, sample, tone, 1.6f, !test.good()});
+      a.marks.push_back({sample, tone, test.good() ? MarkerShape::disc : MarkerShape::cross, 11});
+    }
+  if (x->height.split == Height::Split::none) return;
+  const auto p = s.complex.positions(t);
+  const auto& o = x->height.order;
+  const Tone tone = x->height.value < s.criteria.height_limit() ? Tone::warning : Tone::quiet;
+  a.lines.push_back({x->gap[0], x->gap[1], tone, 3.2f, false});
+  for (const Vec3& end : x->gap) a.marks.push_back({end, tone, MarkerShape::square, 7});
+  const auto thick = [&](std::size_t i, std::size_t j) {
+    a.lines.push_back({p[o[i]], p[o[j]], tone, 2.6f, false});
+  };
+  if (x->height.split == Height::Split::two_two) {
+    thick(0, 1);
+    thick(2, 3);
+    // The lines reach the ends of the height also where those lie outside the tetrahedron.
+    a.lines.push_back({p[o[0]], x->gap[0], tone, 1.2f, true});
+    a.lines.push_back({p[o[2]], x->gap[1], tone, 1.2f, true});
+  } else {
+    thick(1, 2);
+    thick(2, 3);
+    thick(3, 1);
+    a.faces.push_back({{p[o[1]], p[o[2]], p[o[3]]}, tone, 0.25f});
+    a.lines.push_back({p[o[1]], x->gap[1], tone, 1.2f, true});
+  }
+}
+
+void sample(const StateSnapshot& s, SampleId id, Annotation& a) {
+  const auto x = inspect_sample(s, id);
+  if (!x || !x->fixer.valid() || x->fixer == id) return;
+  const Vec3 from = s.samples->positions[id.index()], to = s.samples->positions[x->fixer.index()];
+  a.lines.push_back({from, to, Tone::accent, 1.6f, true});
+  a.marks.push_back({to, Tone::accent, MarkerShape::diamond, 13});
+}
+
+void way(const ElementHistory& h, Annotation& a) {
+  for (std::size_t i = 1; i < h.path.size(); ++i)
+    a.lines.push_back({h.path[i - 1], h.path[i], Tone::accent, 2.6f, false});
+  for (const auto& in : h.inflows) {
+    a.lines.push_back({in.from, in.to, Tone::quiet, 1.4f, true});
+    a.marks.push_back({in.from, Tone::quiet, MarkerShape::hollow_square, 8});
+  }
+  for (const Vec3& p : h.path) a.marks.push_back({p, Tone::accent, MarkerShape::disc, 6});
+  if (!h.path.empty()) a.marks.push_back({h.path.front(), Tone::accent, MarkerShape::hollow_diamond, 14});
+}
+
+void heat(const WorkMap& map, Annotation& a) {
+  if (map.cells.empty()) return;
+  const auto most = static_cast<float>(map.cells.front().count);
+  for (std::size_t i = 0; i < std::min(most_cells, map.cells.size()); ++i)
+    a.cells.push_back({map.cells[i].center, map.cell_size, static_cast<float>(map.cells[i].count) / most});
+}
+
+void loops(const TopologyReport& report, const StateSnapshot& s, Annotation& a) {
+  for (const ComponentReport& c : report.components) {
+    if (!c.loop) continue;
+    const auto& v = c.loop->vertices;
+    const bool good = c.as_expected() && report.verdict.as_expected;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      a.lines.push_back({s.zero_set.vertices[v[i]].position,
+                         s.zero_set.vertices[v[(i + 1) % v.size()]].position, good ? Tone::accent : Tone::bad,
+                         3.6f, !good});
+  }
+}
+
+void broken_places(const StateReport& report, Annotation& a) {
+  for (const InvariantVerdict& v : report.verdicts)
+    if (v.state == InvariantVerdict::State::broken && v.place) {
+      a.marks.push_back({*v.place, Tone::bad, MarkerShape::cross, 16});
+      a.marks.push_back({*v.place, Tone::bad, MarkerShape::ring, 26});
+    }
+}
+
+} // namespace
+
+Annotation make_annotation(const AppModel& m) {
+  Annotation a;
+  const auto state = m.state();
+  if (!state) return a;
+  const Investigation& i = m.investigation;
+  const Pick& picked = m.selection.picked;
+  if (picked.kind == Pick::Kind::tet) tet(m, *state, TetId(picked.id), a);
+  if (picked.kind == Pick::Kind::sample) sample(*state, SampleId(picked.id), a);
+  if (const auto h = i.history(); h && m.settings.panes.tab == history_tab) way(*h, a);
+  if (const auto w = i.work()) heat(w->map, a);
+  if (const auto t = i.topology()) loops(*t, *state, a);
+  if (const auto c = i.check(); c && c->report.step == state->step) broken_places(c->report, a);
+  return a;
+}
+
+} // namespace isoscope
