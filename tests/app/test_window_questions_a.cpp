@@ -25,7 +25,7 @@ expect candidate.value == what-if.containment.value and what-if.verdict == outsi
 expect what-if.containment.before < what-if.containment.value and what-if.facets_outside >= 1
 next-candidate
 previous-candidate
-key N
+key I
 what-if off
 expect what-if.verdict == none
 quit

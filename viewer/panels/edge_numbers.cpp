@@ -118,7 +118,7 @@ void candidates(Ui& ui, const EdgeXray& x) {
     ImGui::PopID();
     widgets::tip(ui, std::string(style.title), style.help);
   }
-  widgets::quiet_text(ui, "One by one, keys N and Shift+N; hover for the ghost.");
+  widgets::quiet_text(ui, "One by one, keys I and Shift+I; hover for the ghost.");
   constexpr std::size_t rows = 7;
   const float high = ui.px(20) * static_cast<float>(std::min(all, rows)) + ui.px(4);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
