@@ -81,6 +81,7 @@ Status App::setup(const ProgramOptions& options) {
   else
     settings_path_ = settings_file();
   if (!settings_path_.empty()) m.settings = load_settings(settings_path_);
+  m.bookmarks_home = settings_path_;
   m.view.theme = options.theme.value_or(m.settings.theme);
   if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
   scene_view_ = std::make_unique<SceneView>(*renderer_);
@@ -170,6 +171,21 @@ void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright
   }
 }
 
+void App::draw_talk(Ui& ui, ImVec2 size) {
+  const float bar = ui.px(44);
+  {
+    Pane pane("##view", {0, 0}, {size.x, size.y - bar}, false, {0, 0}, ui.colors.ground);
+    scene_view_->draw(ui);
+  }
+  {
+    Pane pane("##talk", {0, size.y - bar}, {size.x, bar}, false, {0, 0}, ui.colors.panel);
+    panels::presenter_bar(ui);
+  }
+  if (model_->overlay == Overlay::none) panels::slide_title(ui, {0, 0}, size.x);
+  panels::messages(ui, {ui.px(12), ui.px(64)}, std::min(size.x - ui.px(24), ui.px(560)));
+  overlays_.draw(ui, size);
+}
+
 void App::draw_window(Ui& ui) {
   AppModel& m = *model_;
   PaneLayout& p = m.settings.panes;
@@ -182,6 +198,10 @@ void App::draw_window(Ui& ui) {
   const float middle_y = top + grip, bottom_y = size.y - status - bottom;
   const float middle_high = bottom_y - middle_y - (bottom > 0 ? grip : 0);
   const ImVec2 padding{ui.px(14), ui.px(10)};
+  if (m.presenter.on) {
+    draw_talk(ui, size);
+    return;
+  }
 
   {
     Pane pane("##top", {0, 0}, {size.x, top}, false, {0, 0}, ui.colors.panel);
@@ -229,7 +249,9 @@ void App::draw_window(Ui& ui) {
 
 void App::frame() {
   AppModel& m = *model_;
-  const float scale = std::clamp(window_->content_scale() * m.settings.ui_scale, 0.5f, 8.0f);
+  // Presenting, everything grows together: text to 26 px, lines and discs with it.
+  const float talk = m.presenter.on ? 26.0f / 15.0f : 1.0f;
+  const float scale = std::clamp(window_->content_scale() * m.settings.ui_scale * talk, 0.5f, 8.0f);
   if (Status s = imgui_->prepare(scale, m.view.theme); !s) {
     std::fprintf(stderr, "isoscope: %s\n", s.error().line().c_str());
     exit_status_ = 2;
@@ -254,6 +276,7 @@ void App::frame() {
   else
     window_->take_keys();
   draw_window(ui);
+  m.dragging = ImGui::IsAnyMouseDown();
 
   const PixelSize size = window_->framebuffer_size();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

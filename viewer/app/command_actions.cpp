@@ -277,6 +277,8 @@ Status pick_worst(AppModel& model, const Arguments&) {
 Status clear_selection(AppModel& model, const Arguments&) {
   if (model.overlay != Overlay::none)
     model.overlay = Overlay::none;
+  else if (model.presenter.on)
+    model.presenter.on = false;
   else
     model.selection.pick({});
   return {};

@@ -11,6 +11,7 @@ std::vector<Command> file_commands();
 std::vector<Command> run_commands();
 std::vector<Command> select_commands();
 std::vector<Command> view_commands();
+std::vector<Command> slide_commands();
 std::vector<Command> window_commands();
 std::vector<Command> script_commands();
 

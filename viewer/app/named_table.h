@@ -13,5 +13,7 @@ using NamedTable = std::vector<NamedValue>;
 std::string text_of(double value);
 /// What can only be read: the run, the state, the selection.
 void add_readings(NamedTable& table);
+/// Bookmarks, undo and the presenter mode.
+void add_slide_values(NamedTable& table);
 
 } // namespace isoscope

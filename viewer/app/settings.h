@@ -15,6 +15,7 @@ struct PaneLayout {
   float left = 300, right = 340, bottom = 232;
   bool show_left = true, show_right = true, show_bottom = true;
   int tab = 0; ///< of the bottom pane: timeline, plots, events
+  friend bool operator==(const PaneLayout&, const PaneLayout&) = default;
 };
 
 struct Settings {
