@@ -166,8 +166,8 @@ std::string plain_words(const Journal& journal, const Event& e) {
     text = "Z leaves the triangulation and moves freely inside the tolerance";
     break;
   case EventKind::relaxation:
-    text = counted(e.count, "vertex moves", "vertices move") + " to better places, farthest d = " +
-           lengths(e.value, criteria.delta);
+    text = counted(e.count, "vertex moves", "vertices move") +
+           " to better places, farthest d = " + lengths(e.value, criteria.delta);
     break;
   case EventKind::repair:
     text = "an edge collapses and its neighbours are moved back into the tolerance";

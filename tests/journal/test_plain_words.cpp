@@ -78,8 +78,7 @@ TEST_CASE("every other kind has its words") {
   e.count = 1;
   e.value = -2;
   e.limit = 0;
-  CHECK(plain_words(l.journal, e) ==
-        "refinement: Z has 1 component and χ = −2, but χ = 0 is expected");
+  CHECK(plain_words(l.journal, e) == "refinement: Z has 1 component and χ = −2, but χ = 0 is expected");
   e.limit = -2;
   CHECK(plain_words(l.journal, e) == "refinement: Z has 1 component and χ = −2, as it should");
   e.limit = std::numeric_limits<double>::quiet_NaN();

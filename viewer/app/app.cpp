@@ -9,6 +9,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace isoscope {
@@ -113,8 +114,9 @@ void App::keys(CommandSink& commands) {
     // While text is typed, only what cannot be text is a command.
     const bool function_key = press.key >= GLFW_KEY_F1 && press.key <= GLFW_KEY_F25;
     const bool text_key = !press.control && press.key != GLFW_KEY_ESCAPE && !function_key;
-    const bool clipboard = press.control && (press.key == 'C' || press.key == 'V' || press.key == 'A');
-    if (ImGui::GetIO().WantTextInput && (text_key || clipboard)) continue;
+    constexpr std::array<int, 6> edits{'A', 'C', 'V', 'X', 'Y', 'Z'};
+    const bool editing = press.control && std::find(edits.begin(), edits.end(), press.key) != edits.end();
+    if (ImGui::GetIO().WantTextInput && (text_key || editing)) continue;
     if (command->enabled != nullptr && !command->enabled(*model_)) continue;
     commands.post(std::string(command->name));
   }

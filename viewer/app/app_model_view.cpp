@@ -31,7 +31,8 @@ void AppModel::take(const ViewMemento& m) {
   settings.panes = m.panes;
 }
 
-// Until somebody moves it, the camera is the program's own, and so are the clip and the section of a new model.
+// Until somebody moves it, the camera is the program's own, and so are the clip and the section of a new
+// model.
 void AppModel::watch_view() {
   history.set_window(scripted ? 0 : 0.5);
   unsigned unasked = 0;

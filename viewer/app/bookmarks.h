@@ -1,5 +1,5 @@
-// Bookmarks of a run: a step with its view, selection and a note; in order they are the slides of a talk. Kept
-// as a JSON sidecar.
+// Bookmarks of a run: a step with its view, selection and a note; in order they are the slides of a talk.
+// Kept as a JSON sidecar.
 #pragma once
 
 #include "app/view_state.h"
@@ -37,7 +37,7 @@ class Bookmarks {
   bool set_note(std::size_t at, std::string note);
   /// Makes a bookmark current; null where there is none.
   const Bookmark* go(std::size_t at);
-  /// The slide `direction` (1 or -1) from the current one; the first or last when none is; nullopt at the end.
+  /// The slide `direction` (1 or -1) of the current one, first or last without one; nullopt at the end.
   std::optional<std::size_t> neighbour(int direction) const;
   void forget_current() { current_.reset(); }
 

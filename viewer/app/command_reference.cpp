@@ -29,8 +29,9 @@ void table(std::string& page, std::string_view title, const std::vector<const Co
 } // namespace
 
 std::string command_reference() {
-  std::string page = "# Commands and keys\n\nMade from the program's table of commands, as are its menus, the "
-                     "palette (Ctrl+P) and the help (F1). Scripts use the names on the left.\n";
+  std::string page =
+      "# Commands and keys\n\nMade from the program's table of commands, as are its menus, the "
+      "palette (Ctrl+P) and the help (F1). Scripts use the names on the left.\n";
   std::vector<std::string_view> menus;
   for (const Command& c : command_table())
     if (!c.menu.empty() && std::find(menus.begin(), menus.end(), c.menu) == menus.end())
@@ -41,8 +42,7 @@ std::string command_reference() {
       if (wanted(c)) chosen.push_back(&c);
     table(page, title, chosen);
   };
-  for (const std::string_view menu : menus)
-    take(menu, [&](const Command& c) { return c.menu == menu; });
+  for (const std::string_view menu : menus) take(menu, [&](const Command& c) { return c.menu == menu; });
   take("In no menu", [](const Command& c) { return c.menu.empty() && !c.for_scripts; });
   take("For scripts", [](const Command& c) { return c.for_scripts; });
   return page;

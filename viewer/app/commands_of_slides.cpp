@@ -76,7 +76,8 @@ std::vector<Command> slide_commands() {
       {"slow-down",
        "Slow down at moments",
        "",
-       "Presenting, playing dwells where a stage begins, the topology of Z changes or a collapse comes through "
+       "Presenting, playing dwells where a stage begins, the topology of Z changes or a collapse comes "
+       "through "
        "at last.",
        "Talk",
        nullptr,

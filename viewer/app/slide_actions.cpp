@@ -35,7 +35,8 @@ Status show(AppModel& model, std::size_t at) {
   if (b == nullptr) return Error{ErrorCode::usage, "There is no such bookmark.", ""};
   if (b->step > model.live_step())
     return Error{ErrorCode::usage,
-                 "Step " + grouped(b->step) + " of bookmark " + std::to_string(at + 1) + " is not reached yet.",
+                 "Step " + grouped(b->step) + " of bookmark " + std::to_string(at + 1) +
+                     " is not reached yet.",
                  "Let the run go on, then come back."};
   model.transport.jump(b->step);
   const ThemeKind theme = model.view.theme;
@@ -64,7 +65,8 @@ Status add_bookmark(AppModel& model, const Arguments& a) {
   model.bookmarks.add(std::move(b));
   model.keep_bookmarks();
   if (!model.scripted)
-    model.tell("Bookmark " + std::to_string(model.bookmarks.size()) + " holds this step, view and selection.");
+    model.tell("Bookmark " + std::to_string(model.bookmarks.size()) +
+               " holds this step, view and selection.");
   return {};
 }
 

@@ -30,7 +30,8 @@ void BookmarkList::row(Ui& ui, std::size_t at) {
   ImGui::TableNextRow(0, ui.px(40));
   if (current) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, to_u32(ui.colors.accent, 0.14f));
   ImGui::TableNextColumn();
-  if (widgets::icon_button(ui, "go", current ? icon::star : icon::right)) ui.commands.post("bookmark-go", {number});
+  if (widgets::icon_button(ui, "go", current ? icon::star : icon::right))
+    ui.commands.post("bookmark-go", {number});
   widgets::tip(ui, "Show bookmark " + number, at < 10 ? "Ctrl+" + std::to_string((at + 1) % 10) : "");
   ImGui::SameLine(0, ui.px(6));
   ImGui::AlignTextToFramePadding();

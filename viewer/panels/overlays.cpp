@@ -209,8 +209,9 @@ void Overlays::palette(Ui& ui) {
     ImGui::PopFont();
     if (!command.keys.empty() || !enabled) {
       // Not by paleness alone: what cannot be done now says so where its key stands.
-      const std::string key = enabled ? text(command.keys.front())
-                                      : (command.keys.empty() ? "" : text(command.keys.front()) + "  ") + "not now";
+      const std::string key =
+          enabled ? text(command.keys.front())
+                  : (command.keys.empty() ? "" : text(command.keys.front()) + "  ") + "not now";
       const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, key.c_str()).x;
       widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(12), at.y + ui.px(14)},
                          to_u32(ui.colors.accent_text, strength), key);
@@ -242,9 +243,10 @@ void Overlays::about(Ui& ui) {
 }
 
 void Overlays::bookmarks(Ui& ui) {
-  heading(ui, "Bookmarks",
-          "Steps with their view and selection: the slides of a talk, in this order. PageDown and PageUp turn "
-          "them.");
+  heading(
+      ui, "Bookmarks",
+      "Steps with their view and selection: the slides of a talk, in this order. PageDown and PageUp turn "
+      "them.");
   bookmarks_.draw(ui);
 }
 

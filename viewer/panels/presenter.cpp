@@ -1,4 +1,5 @@
-// The presenter mode's own parts: the sentence below the scene, where one is in the run, and the slide's note.
+// The presenter mode's own parts: the sentence below the scene, where one is in the run, and the slide's
+// note.
 #include "app/caption.h"
 #include "app/icons.h"
 #include "app/words.h"
@@ -20,15 +21,14 @@ void progress_line(const Ui& ui, ImVec2 low, ImVec2 size) {
   const AppModel& m = ui.model;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float steps = static_cast<float>(std::max<Step>(m.live_step(), 1));
-  const auto x = [&](Step step) {
-    return low.x + size.x * std::min(static_cast<float>(step) / steps, 1.0f);
-  };
+  const auto x = [&](Step step) { return low.x + size.x * std::min(static_cast<float>(step) / steps, 1.0f); };
   const float head = x(m.transport.step());
   for (const JournalIndex::StageSpan& span : m.index.stages()) {
     const float begin = x(span.begin), end = x(span.open ? m.live_step() : span.end);
     const Rgb color = stage_color(ui.theme, span.stage);
     list.AddRectFilled({begin, low.y}, {end, low.y + size.y}, to_u32(color, 0.25f));
-    if (head > begin) list.AddRectFilled({begin, low.y}, {std::min(head, end), low.y + size.y}, to_u32(color));
+    if (head > begin)
+      list.AddRectFilled({begin, low.y}, {std::min(head, end), low.y + size.y}, to_u32(color));
   }
   for (const Bookmark& b : m.bookmarks.all()) {
     const float at = x(b.step), r = ui.px(4);
@@ -62,7 +62,7 @@ void presenter_bar(Ui& ui) {
 
   const auto shown = m.state();
   const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
-  const Event* event = chosen                 ? &m.run.journal->events()[*chosen]
+  const Event* event = chosen                  ? &m.run.journal->events()[*chosen]
                        : shown && shown->event ? &*shown->event
                                                : nullptr;
   const bool rejected = event != nullptr && event->kind == EventKind::rejection;
@@ -87,8 +87,7 @@ void slide_title(const Ui& ui, ImVec2 low, float width) {
   const Bookmark& b = ui.model.bookmarks.all()[*current];
   if (b.step != ui.model.transport.step()) return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  const std::string number =
-      std::to_string(*current + 1) + " / " + std::to_string(ui.model.bookmarks.size());
+  const std::string number = std::to_string(*current + 1) + " / " + std::to_string(ui.model.bookmarks.size());
   widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(16), low.y + ui.px(12)}, to_u32(ui.colors.quiet),
                      number);
   if (b.note.empty()) return;
