@@ -19,8 +19,8 @@ bool word_begins(std::string_view text, std::size_t at) {
 } // namespace
 
 std::optional<int> fuzzy_score(std::string_view typed, std::string_view text) {
-  constexpr int letter = 1, in_a_row = 4, word = 6;
-  int best = -1;
+  constexpr int letter = 1, in_a_row = 4, word = 6, largest_gap = 3;
+  std::optional<int> best;
   // Every place of the first letter is tried: the first one may spoil a run that comes later.
   for (std::size_t begin = 0; begin < text.size(); ++begin) {
     int score = 0;
@@ -34,14 +34,16 @@ std::optional<int> fuzzy_score(std::string_view typed, std::string_view text) {
         if (matched == 0) break;
         continue;
       }
-      score += letter + (matched > 0 && at == last + 1 ? in_a_row : 0) + (word_begins(text, at) ? word : 0);
+      const int gap = matched > 0 ? static_cast<int>(at - last) - 1 : 0;
+      score += letter + (matched > 0 && gap == 0 ? in_a_row : 0) + (word_begins(text, at) ? word : 0) -
+               std::min(gap, largest_gap);
       last = at;
       ++matched;
     }
-    if (matched == typed.size() && score > 0)
-      best = std::max(best, score * 8 - static_cast<int>(std::min<std::size_t>(begin, 7)));
+    if (matched == typed.size() && matched > 0)
+      best = std::max(best.value_or(-1000), score * 8 - static_cast<int>(std::min<std::size_t>(begin, 7)));
   }
-  return best >= 0 ? std::optional(best) : std::nullopt;
+  return best;
 }
 
 std::vector<const Command*> search_commands(std::string_view typed) {
@@ -51,18 +53,17 @@ std::vector<const Command*> search_commands(std::string_view typed) {
   std::vector<std::pair<int, const Command*>> scored;
   for (const Command& command : command_table()) {
     if (command.for_scripts) continue;
-    int score = typed.empty() ? 1 : 0;
+    std::optional<int> score = typed.empty() ? std::optional(0) : std::nullopt;
     if (!typed.empty()) {
-      score = 2 * std::max(fuzzy_score(typed, command.title).value_or(0),
-                           fuzzy_score(typed, command.name).value_or(0));
+      score = std::max(fuzzy_score(typed, command.title), fuzzy_score(typed, command.name));
       // In sentences any letters are found in order: there the text itself must stand.
       const auto same = [](char a, char b) { return folded(a) == folded(b); };
-      if (std::search(command.help.begin(), command.help.end(), typed.begin(), typed.end(), same) !=
-          command.help.end())
-        score = std::max(score, 1);
-      if (command.name == name) score += 100000;
+      const bool told = std::search(command.help.begin(), command.help.end(), typed.begin(), typed.end(),
+                                    same) != command.help.end();
+      if (!score && told) score = -1000;
+      if (command.name == name) score = 100000;
     }
-    if (score > 0) scored.emplace_back(score, &command);
+    if (score) scored.emplace_back(*score, &command);
   }
   std::stable_sort(scored.begin(), scored.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
