@@ -174,7 +174,7 @@ void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright
 }
 
 void App::draw_talk(Ui& ui, ImVec2 size) {
-  const float bar = ui.px(44);
+  const float bar = ui.px(48);
   {
     Pane pane("##view", {0, 0}, {size.x, size.y - bar}, false, {0, 0}, ui.colors.ground);
     scene_view_->draw(ui);

@@ -29,7 +29,9 @@ void BookmarkList::row(Ui& ui, std::size_t at) {
   ImGui::PushID(static_cast<int>(at));
   ImGui::TableNextRow(0, ui.px(40));
   if (current) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, to_u32(ui.colors.accent, 0.14f));
+  const auto icons = [&] { ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ui.px(2)); };
   ImGui::TableNextColumn();
+  icons();
   if (widgets::icon_button(ui, "go", current ? icon::star : icon::right))
     ui.commands.post("bookmark-go", {number});
   widgets::tip(ui, "Show bookmark " + number, at < 10 ? "Ctrl+" + std::to_string((at + 1) % 10) : "");
@@ -66,6 +68,7 @@ void BookmarkList::row(Ui& ui, std::size_t at) {
   }
 
   ImGui::TableNextColumn();
+  icons();
   if (widgets::icon_button(ui, "up", icon::up, false, at > 0))
     ui.commands.post("bookmark-move", {number, std::to_string(at)});
   ImGui::SameLine(0, ui.px(2));

@@ -33,7 +33,7 @@ void progress_line(const Ui& ui, ImVec2 low, ImVec2 size) {
   for (const Bookmark& b : m.bookmarks.all()) {
     const float at = x(b.step), r = ui.px(4);
     list.AddTriangleFilled({at - r, low.y - r}, {at + r, low.y - r}, {at, low.y + size.y},
-                           to_u32(ui.colors.selection));
+                           to_u32(ui.colors.accent));
   }
   list.AddRectFilled({head - ui.px(1), low.y - ui.px(2)}, {head + ui.px(1), low.y + size.y + ui.px(2)},
                      to_u32(ui.colors.text));
@@ -45,8 +45,8 @@ void presenter_bar(Ui& ui) {
   const AppModel& m = ui.model;
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  progress_line(ui, low, {size.x, ui.px(4)});
-  const float middle = low.y + ui.px(4) + (size.y - ui.px(4)) / 2;
+  progress_line(ui, {low.x, low.y + ui.px(5)}, {size.x, ui.px(4)});
+  const float middle = low.y + ui.px(9) + (size.y - ui.px(9)) / 2;
 
   std::string place = grouped(m.transport.step()) + " / " + grouped(m.live_step());
   if (m.playing()) {
@@ -88,14 +88,18 @@ void slide_title(const Ui& ui, ImVec2 low, float width) {
   if (b.step != ui.model.transport.step()) return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const std::string number = std::to_string(*current + 1) + " / " + std::to_string(ui.model.bookmarks.size());
-  widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(16), low.y + ui.px(12)}, to_u32(ui.colors.quiet),
-                     number);
-  if (b.note.empty()) return;
   ImGui::PushFont(ui.fonts.title);
-  const std::string note = widgets::fitted(b.note, width - ui.px(32));
+  const std::string note = widgets::fitted(b.note, width - ui.px(44));
   ImGui::PopFont();
-  widgets::draw_text(list, ui.fonts.title, {low.x + ui.px(16), low.y + ui.px(30)}, to_u32(ui.colors.text),
-                     note);
+  // A ground of its own: the scene behind may be as bright as the text.
+  const float wide = std::max(width_of(ui.fonts.small, number), width_of(ui.fonts.title, note));
+  list.AddRectFilled({low.x + ui.px(10), low.y + ui.px(10)},
+                     {low.x + ui.px(34) + wide, low.y + ui.px(note.empty() ? 36 : 62)},
+                     to_u32(ui.colors.ground, 0.78f), ui.px(8));
+  const float x = low.x + ui.px(22);
+  widgets::draw_text(list, ui.fonts.small, {x, low.y + ui.px(15)}, to_u32(ui.colors.quiet), number);
+  if (!note.empty())
+    widgets::draw_text(list, ui.fonts.title, {x, low.y + ui.px(32)}, to_u32(ui.colors.text), note);
 }
 
 } // namespace isoscope::panels

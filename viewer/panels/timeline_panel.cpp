@@ -209,10 +209,13 @@ void TimelinePane::marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const {
     const float x = to_x(bookmarks[i].step, low, size), r = ui.px(4);
     if (x < low.x || x > low.x + size.x) continue;
     const bool current = ui.model.bookmarks.current() == i;
-    list.AddLine({x, low.y}, {x, y}, to_u32(ui.colors.selection, current ? 0.9f : 0.45f));
-    list.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, to_u32(ui.colors.selection));
-    widgets::draw_text(list, ui.fonts.small, {x + ui.px(4), y - ui.px(14)}, to_u32(ui.colors.text),
-                       std::to_string(i + 1));
+    const std::string number = std::to_string(i + 1);
+    const float extent = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, number.c_str()).x;
+    const bool fits = x + ui.px(4) + extent < low.x + size.x;
+    list.AddLine({x, low.y}, {x, y}, to_u32(ui.colors.accent, current ? 0.9f : 0.45f));
+    list.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, to_u32(ui.colors.accent));
+    widgets::draw_text(list, ui.fonts.small, {fits ? x + ui.px(4) : x - ui.px(4) - extent, y - ui.px(14)},
+                       to_u32(ui.colors.text), number);
   }
 }
 
