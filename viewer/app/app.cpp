@@ -10,6 +10,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace isoscope {
@@ -82,6 +83,7 @@ Status App::setup(const ProgramOptions& options) {
   else
     settings_path_ = settings_file();
   if (!settings_path_.empty()) m.settings = load_settings(settings_path_);
+  m.bookmarks_home = settings_path_;
   m.view.theme = options.theme.value_or(m.settings.theme);
   if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
   scene_view_ = std::make_unique<SceneView>(*renderer_);
@@ -116,8 +118,9 @@ void App::keys(CommandSink& commands) {
     // While text is typed, only what cannot be text is a command.
     const bool function_key = press.key >= GLFW_KEY_F1 && press.key <= GLFW_KEY_F25;
     const bool text_key = !press.control && press.key != GLFW_KEY_ESCAPE && !function_key;
-    const bool clipboard = press.control && (press.key == 'C' || press.key == 'V' || press.key == 'A');
-    if (ImGui::GetIO().WantTextInput && (text_key || clipboard)) continue;
+    constexpr std::array<int, 6> edits{'A', 'C', 'V', 'X', 'Y', 'Z'};
+    const bool editing = press.control && std::find(edits.begin(), edits.end(), press.key) != edits.end();
+    if (ImGui::GetIO().WantTextInput && (text_key || editing)) continue;
     if (command->enabled != nullptr && !command->enabled(*model_)) continue;
     commands.post(std::string(command->name));
   }
@@ -174,6 +177,21 @@ void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright
   }
 }
 
+void App::draw_talk(Ui& ui, ImVec2 size) {
+  const float bar = ui.px(48);
+  {
+    Pane pane("##view", {0, 0}, {size.x, size.y - bar}, false, {0, 0}, ui.colors.ground);
+    scene_view_->draw(ui);
+  }
+  {
+    Pane pane("##talk", {0, size.y - bar}, {size.x, bar}, false, {0, 0}, ui.colors.panel);
+    panels::presenter_bar(ui);
+  }
+  if (model_->overlay == Overlay::none) panels::slide_title(ui, {0, 0}, size.x);
+  panels::messages(ui, {ui.px(12), ui.px(64)}, std::min(size.x - ui.px(24), ui.px(560)));
+  overlays_.draw(ui, size);
+}
+
 void App::draw_window(Ui& ui) {
   AppModel& m = *model_;
   PaneLayout& p = m.settings.panes;
@@ -186,6 +204,10 @@ void App::draw_window(Ui& ui) {
   const float middle_y = top + grip, bottom_y = size.y - status - bottom;
   const float middle_high = bottom_y - middle_y - (bottom > 0 ? grip : 0);
   const ImVec2 padding{ui.px(14), ui.px(10)};
+  if (m.presenter.on) {
+    draw_talk(ui, size);
+    return;
+  }
 
   {
     Pane pane("##top", {0, 0}, {size.x, top}, false, {0, 0}, ui.colors.panel);
@@ -233,7 +255,9 @@ void App::draw_window(Ui& ui) {
 
 void App::frame() {
   AppModel& m = *model_;
-  const float scale = std::clamp(window_->content_scale() * m.settings.ui_scale, 0.5f, 8.0f);
+  // Presenting, everything grows together: text to 26 px, lines and discs with it.
+  const float talk = m.presenter.on ? 26.0f / 15.0f : 1.0f;
+  const float scale = std::clamp(window_->content_scale() * m.settings.ui_scale * talk, 0.5f, 8.0f);
   if (Status s = imgui_->prepare(scale, m.view.theme); !s) {
     std::fprintf(stderr, "isoscope: %s\n", s.error().line().c_str());
     exit_status_ = 2;
@@ -258,6 +282,7 @@ void App::frame() {
   else
     window_->take_keys();
   draw_window(ui);
+  m.dragging = ImGui::IsAnyMouseDown();
 
   const PixelSize size = window_->framebuffer_size();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

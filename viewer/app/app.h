@@ -27,6 +27,8 @@ class App {
   Status setup(const ProgramOptions& options);
   void frame();
   void draw_window(Ui& ui);
+  /// The window in presenter mode.
+  void draw_talk(Ui& ui, ImVec2 size);
   void splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign,
                 float least, float most);
   void keys(CommandSink& commands);

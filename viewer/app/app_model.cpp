@@ -122,9 +122,14 @@ void AppModel::take_run() {
     selection.hovered = {};
     xray_asked_.reset();
     index.reset(nullptr);
+    history.reset();
+    fetch_bookmarks();
     error_seen_.clear();
   }
-  if (run.journal && index.journal() != run.journal) index.reset(run.journal);
+  if (run.journal && index.journal() != run.journal) {
+    index.reset(run.journal);
+    moments.reset(run.journal);
+  }
   if (run.scene != scene_seen_) {
     scene_seen_ = run.scene;
     grid.want(run.scene);
@@ -247,6 +252,8 @@ bool AppModel::update(double seconds) {
   changed |= index.update();
   changed |= update_debugger(*this);
   transport.set_immediate(scripted);
+  moments.update();
+  transport.dwell_at(presenter.on && presenter.slow_down ? moments.steps() : std::span<const Step>());
   const bool growing = running() || !index.complete();
   transport.update(std::min(seconds, 0.1), live_step(), growing);
   changed |= transport.step() != step_before;
@@ -275,6 +282,7 @@ bool AppModel::update(double seconds) {
   request_xray();
   changed |= investigation.update(*this);
   changed |= camera.update(scripted ? 1.0 : seconds);
+  watch_view();
   return changed;
 }
 

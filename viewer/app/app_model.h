@@ -2,16 +2,19 @@
 // a frame.
 #pragma once
 
+#include "app/bookmarks.h"
 #include "app/debugger.h"
 #include "app/event_filter.h"
 #include "app/grid_loader.h"
 #include "app/investigation.h"
 #include "app/journal_index.h"
+#include "app/moments.h"
 #include "app/playhead.h"
 #include "app/probe.h"
 #include "app/settings.h"
 #include "app/transport.h"
 #include "app/unlock_worker.h"
+#include "app/view_history.h"
 #include "run/session.h"
 #include "scene/camera.h"
 #include "scene/renderer.h"
@@ -27,7 +30,7 @@
 namespace isoscope {
 
 /// What lies over the window.
-enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about };
+enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, bookmarks };
 
 /// A line that tells the user something, with what to do about it.
 struct Message {
@@ -86,6 +89,12 @@ struct Selection {
   }
 };
 
+/// The window before an audience: one scene, one sentence.
+struct Presenter {
+  bool on = false;
+  bool slow_down = true; ///< playing dwells at moments
+};
+
 class AppModel {
  public:
   /// `notify` is called from workers when something new is ready.
@@ -115,6 +124,12 @@ class AppModel {
   EventFilter filter;     ///< of the event list
   bool plot_time = false; ///< plots over seconds instead of steps
   bool blinking = false;  ///< before and after of the operation in turn
+  ViewHistory history;    ///< undo of view, filter, selection and layout
+  bool dragging = false;  ///< a mouse button is held: what it changes is one entry of the history
+  Bookmarks bookmarks;
+  std::filesystem::path bookmarks_home; ///< the settings file beside which bookmarks are kept; empty: nowhere
+  Moments moments;
+  Presenter presenter;
   Settings settings;
   Overlay overlay = Overlay::none;
   std::deque<Message> messages;
@@ -137,6 +152,12 @@ class AppModel {
 
   void report(const Error& error);
   void tell(std::string text);
+
+  /// What undo would bring back of the present window, and bringing it back.
+  ViewMemento memento() const;
+  void take(const ViewMemento& memento);
+  /// Writes the bookmarks where they are kept by default, if anywhere; reports what fails.
+  void keep_bookmarks();
 
   /// Once a frame: takes what the workers have, moves the play head, asks for what is missing. True when
   /// something changed.
@@ -191,6 +212,9 @@ class AppModel {
   void request_xray();
   void blink();
   void place_view();
+  void watch_view();
+  void fetch_bookmarks();
+  std::filesystem::path bookmarks_file_; ///< of the run that is open
   std::shared_ptr<const PlayheadResult> result_;
   std::uint64_t generation_ = 0;
   std::uint64_t framed_generation_ = 0;

@@ -282,6 +282,8 @@ Status clear_selection(AppModel& model, const Arguments&) {
     model.overlay = Overlay::none;
   else if (model.debug.range)
     model.debug.range.reset();
+  else if (model.presenter.on)
+    model.presenter.on = false;
   else
     model.selection.pick({});
   return {};

@@ -47,6 +47,16 @@ Status choose_tab(AppModel& model, const Arguments& arguments);
 Status choose_theme(AppModel& model, const Arguments& arguments);
 Status change_scale(AppModel& model, int direction);
 
+Status add_bookmark(AppModel& model, const Arguments& arguments);
+Status go_to_bookmark(AppModel& model, const Arguments& arguments);
+Status turn_slide(AppModel& model, int direction);
+Status list_bookmarks(AppModel& model, const Arguments& arguments);
+Status note_bookmark(AppModel& model, const Arguments& arguments);
+Status move_bookmark(AppModel& model, const Arguments& arguments);
+Status delete_bookmark(AppModel& model, const Arguments& arguments);
+Status undo_view(AppModel& model, const Arguments& arguments);
+Status redo_view(AppModel& model, const Arguments& arguments);
+
 Status set_value(AppModel& model, const Arguments& arguments);
 Status expect_value(AppModel& model, const Arguments& arguments);
 Status wait_for(AppModel& model, const Arguments& arguments);

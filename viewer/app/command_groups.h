@@ -15,6 +15,7 @@ std::vector<Command> select_commands();
 std::vector<Command> edge_commands();
 std::vector<Command> question_commands();
 std::vector<Command> view_commands();
+std::vector<Command> slide_commands();
 std::vector<Command> window_commands();
 std::vector<Command> script_commands();
 

@@ -293,7 +293,7 @@ std::vector<Command> select_commands() {
       {"clear",
        "Clear the selection",
        "",
-       "Selects nothing; closes what lies over the window.",
+       "Selects nothing; before that it closes what lies over the window and ends the presenter mode.",
        "Select",
        nullptr,
        {{GLFW_KEY_ESCAPE}},

@@ -21,7 +21,7 @@ std::vector<Command> view_commands() {
        "Shows the scene in space.",
        "View",
        icon::cube,
-       {{'3', true}},
+       {{'6'}},
        [](M& m, const A&) {
          m.view.mode = ViewMode::scene;
          return Status();
@@ -34,7 +34,7 @@ std::vector<Command> view_commands() {
        "Shows the section by the clip's plane, drawn like the paper's figures.",
        "View",
        icon::square,
-       {{'2', true}},
+       {{'7'}},
        [](M& m, const A&) {
          m.view.mode = ViewMode::section;
          return Status();
@@ -47,7 +47,7 @@ std::vector<Command> view_commands() {
        "Shows both beside each other.",
        "View",
        icon::split,
-       {{'4', true}},
+       {{'8'}},
        [](M& m, const A&) {
          m.view.mode = ViewMode::split;
          return Status();
@@ -278,7 +278,7 @@ std::vector<Command> window_commands() {
        "Hides all panes, or shows them again.",
        "Window",
        nullptr,
-       {{'P'}},
+       {{'P', false, true}},
        toggle_panes},
       {"tab",
        "Bottom tab",
@@ -318,7 +318,7 @@ std::vector<Command> window_commands() {
        "Text and controls in the monitor's own scale.",
        "Window",
        nullptr,
-       {{'0', true}},
+       {{'0', true, true}},
        [](M& m, const A&) { return change_scale(m, 0); }},
       {"palette",
        "Command palette",

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace isoscope {
@@ -256,6 +257,7 @@ Table make_table() {
   add_debug_readings(t);
   add_recording_readings(t);
   add_questions(t);
+  add_slide_values(t);
   return t;
 }
 
@@ -316,7 +318,7 @@ Status expect(const AppModel& model, const std::string& expression) {
   std::istringstream words(expression);
   std::string name, op, wanted, joint;
   while (true) {
-    if (!(words >> name >> op >> wanted))
+    if (!(words >> name >> op >> std::quoted(wanted)))
       return Error{ErrorCode::usage, "Expected NAME OP VALUE in \"" + expression + "\".",
                    "For example: bad_samples == 0"};
     if (Status s = judge(model, name, op, wanted); !s) return s;

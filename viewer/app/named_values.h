@@ -28,8 +28,8 @@ Result<double> parse_number(const std::string& text);
 Result<bool> parse_switch(const std::string& text);
 
 /// Judges "bad_samples == 0 and phase == finished": comparisons (== != < <= > >=) of a named value with a
-/// number or word, joined by `and`. Success when all hold; otherwise a usage error for what cannot be read,
-/// or an internal error whose message says what was found.
+/// number, a word or "several words", joined by `and`. Success when all hold; otherwise a usage error for
+/// what cannot be read, or an internal error whose message says what was found.
 Status expect(const AppModel& model, const std::string& expression);
 
 } // namespace isoscope

@@ -4,6 +4,7 @@
 #include "base/ids.h"
 
 #include <span>
+#include <vector>
 
 namespace isoscope {
 
@@ -32,6 +33,10 @@ class Transport {
   /// Whether following jumps to the live end at once instead of playing up to it (scripts).
   void set_immediate(bool immediate) { immediate_ = immediate; }
 
+  /// Steps, ascending, that playing slows down for and dwells at; none: it never does.
+  void dwell_at(std::span<const Step> moments) { moments_.assign(moments.begin(), moments.end()); }
+  static constexpr double dwell_seconds = 1.5; ///< at each of them
+
   /// Moves by `seconds` of real time towards `live`, the last step there is; `growing`: more may come.
   void update(double seconds, Step live, bool growing);
   /// Whether the head is where new steps appear.
@@ -44,6 +49,9 @@ class Transport {
   double speed_ = automatic;
   double elapsed_ = 0; ///< seconds of automatic play, for its gentle start
   bool immediate_ = false;
+  double advance(double from, double to, double seconds);
+  std::vector<Step> moments_;
+  double dwell_ = 0; ///< seconds still to be spent at the present moment
 };
 
 } // namespace isoscope

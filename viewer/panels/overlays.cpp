@@ -1,6 +1,7 @@
 // Gallery, help, palette and about.
 #include "panels/overlays.h"
 
+#include "app/command_search.h"
 #include "app/icons.h"
 #include "app/named_values.h"
 #include "app/words.h"
@@ -175,15 +176,7 @@ void Overlays::palette(Ui& ui) {
   if (ImGui::InputTextWithHint("##palette", (std::string(icon::search) + "  type a command").c_str(),
                                query_.data(), query_.size()))
     chosen_ = 0;
-  std::vector<const Command*> found;
-  const std::string typed_name = parse_call(query_.data()).name;
-  for (const Command& command : command_table()) {
-    const std::string all = std::string(command.title) + " " + std::string(command.name) + " " +
-                            std::string(command.usage) + " " + std::string(command.help);
-    const bool named =
-        !command.for_scripts && (contains_folded(all, query_.data()) || command.name == typed_name);
-    if (named) found.push_back(&command);
-  }
+  const std::vector<const Command*> found = search_commands(query_.data());
   const int count = static_cast<int>(found.size());
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) chosen_ = std::min(chosen_ + 1, count - 1);
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) chosen_ = std::max(chosen_ - 1, 0);
@@ -214,8 +207,11 @@ void Overlays::palette(Ui& ui) {
     widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(40), at.y + ui.px(23)},
                        to_u32(ui.colors.quiet, strength), widgets::fitted(command.help, width - ui.px(170)));
     ImGui::PopFont();
-    if (!command.keys.empty()) {
-      const std::string key = text(command.keys.front());
+    if (!command.keys.empty() || !enabled) {
+      // Not by paleness alone: what cannot be done now says so where its key stands.
+      const std::string key =
+          enabled ? text(command.keys.front())
+                  : (command.keys.empty() ? "" : text(command.keys.front()) + "  ") + "not now";
       const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, key.c_str()).x;
       widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(12), at.y + ui.px(14)},
                          to_u32(ui.colors.accent_text, strength), key);
@@ -246,6 +242,14 @@ void Overlays::about(Ui& ui) {
             "JetBrains Mono (SIL Open Font License), Font Awesome (SIL Open Font License).");
 }
 
+void Overlays::bookmarks(Ui& ui) {
+  heading(
+      ui, "Bookmarks",
+      "Steps with their view and selection: the slides of a talk, in this order. PageDown and PageUp turn "
+      "them.");
+  bookmarks_.draw(ui);
+}
+
 void Overlays::draw(Ui& ui, ImVec2 size) {
   AppModel& m = ui.model;
   const Overlay now = m.overlay;
@@ -261,7 +265,7 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   if (now == Overlay::palette)
     extent = {std::min(size.x - ui.px(60), ui.px(620)), std::min(size.y - ui.px(120), ui.px(460))};
   if (now == Overlay::about) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(300)};
-  if (now == Overlay::files)
+  if (now == Overlay::files || now == Overlay::bookmarks)
     extent = {std::min(size.x - ui.px(60), ui.px(860)), std::min(size.y - ui.px(60), ui.px(560))};
   const float y = now == Overlay::palette ? ui.px(64) : (size.y - extent.y) / 2;
   const ImVec2 low{std::round((size.x - extent.x) / 2), std::round(y)};
@@ -299,6 +303,9 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
     break;
   case Overlay::about:
     about(ui);
+    break;
+  case Overlay::bookmarks:
+    bookmarks(ui);
     break;
   case Overlay::none:
     break;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,17 @@ class FileBrowser {
   bool fresh_ = true;
 };
 
+/// The bookmarks of the run, with notes to type.
+class BookmarkList {
+ public:
+  void draw(Ui& ui);
+
+ private:
+  void row(Ui& ui, std::size_t at);
+  std::optional<std::size_t> editing_; ///< the one whose note is typed
+  std::array<char, 512> text_{}, shown_{};
+};
+
 class Overlays {
  public:
   /// `size` is the window's.
@@ -44,7 +56,9 @@ class Overlays {
   void help(Ui& ui);
   void palette(Ui& ui);
   void about(Ui& ui);
+  void bookmarks(Ui& ui);
   FileBrowser files_;
+  BookmarkList bookmarks_;
   Thumbnails thumbnails_;
   std::array<char, 128> query_{};
   int chosen_ = 0;

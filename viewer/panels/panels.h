@@ -14,5 +14,9 @@ void edge_details(Ui& ui, const StateSnapshot& state);
 void top_bar(Ui& ui);
 void status_bar(Ui& ui);
 void messages(Ui& ui, ImVec2 low, float width);
+/// Presenting: the sentence of the step shown, and where in the run it is.
+void presenter_bar(Ui& ui);
+/// Number and note of the bookmark that is shown, over the view; `low` is the view's corner.
+void slide_title(const Ui& ui, ImVec2 low, float width);
 
 } // namespace isoscope::panels

@@ -51,8 +51,10 @@ void SceneView::draw(Ui& ui) {
   } else {
     draw_section(ui, {low, all});
   }
-  overlay::mode_switch(ui, {low.x + all.x, low.y});
-  overlay::caption(ui, low, all);
+  if (!m.presenter.on) {
+    overlay::mode_switch(ui, {low.x + all.x, low.y});
+    overlay::caption(ui, low, all);
+  }
   overlay::progress(ui, low, all);
   overlay::invitation(ui, low, all);
 }

@@ -212,6 +212,19 @@ void TimelinePane::marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const {
                                                                                          : ui.colors.text;
     list.AddCircleFilled({x, y}, ui.px(3), to_u32(color), 12);
   }
+  const auto& bookmarks = ui.model.bookmarks.all();
+  for (std::size_t i = 0; i < bookmarks.size(); ++i) {
+    const float x = to_x(bookmarks[i].step, low, size), r = ui.px(4);
+    if (x < low.x || x > low.x + size.x) continue;
+    const bool current = ui.model.bookmarks.current() == i;
+    const std::string number = std::to_string(i + 1);
+    const float extent = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, number.c_str()).x;
+    const bool fits = x + ui.px(4) + extent < low.x + size.x;
+    list.AddLine({x, low.y}, {x, y}, to_u32(ui.colors.accent, current ? 0.9f : 0.45f));
+    list.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, to_u32(ui.colors.accent));
+    widgets::draw_text(list, ui.fonts.small, {fits ? x + ui.px(4) : x - ui.px(4) - extent, y - ui.px(14)},
+                       to_u32(ui.colors.text), number);
+  }
 }
 
 void TimelinePane::ruler(const Ui& ui, ImVec2 low, ImVec2 size) const {

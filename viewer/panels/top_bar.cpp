@@ -10,7 +10,7 @@
 namespace isoscope::panels {
 namespace {
 
-constexpr std::array<const char*, 6> menu_names{"File", "Run", "Select", "View", "Window", "Help"};
+constexpr std::array<const char*, 7> menu_names{"File", "Run", "Select", "View", "Talk", "Window", "Help"};
 
 void menu_entry(Ui& ui, const Command& command) {
   const bool enabled = command.enabled == nullptr || command.enabled(ui.model);
@@ -151,14 +151,6 @@ void stage_chips(Ui& ui, float room) {
   ImGui::PopFont();
 }
 
-std::string speed_text(double speed) {
-  if (speed == Transport::automatic) return "auto";
-  if (speed >= Transport::unlimited) return "max";
-  if (speed == 0.25) return "¼×";
-  if (speed == 0.5) return "½×";
-  return grouped(static_cast<std::size_t>(speed)) + "×";
-}
-
 void speed_menu(Ui& ui) {
   const float width = ui.px(62), high = ui.px(28);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -170,13 +162,13 @@ void speed_menu(Ui& ui) {
   list.AddRectFilled({at.x, at.y + ui.px(1)}, {at.x + width, at.y + high - ui.px(1)},
                      to_u32(ImGui::IsItemHovered() ? ui.colors.hover : ui.colors.raised), ui.px(5));
   widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(8), at.y + (high - ui.fonts.mono->FontSize) / 2},
-                     to_u32(ui.colors.text), speed_text(ui.model.transport.speed()));
+                     to_u32(ui.colors.text), widgets::speed_text(ui.model.transport.speed()));
   widgets::draw_text(list, ui.fonts.ui, {at.x + width - ui.px(16), at.y + (high - ui.fonts.ui->FontSize) / 2},
                      to_u32(ui.colors.quiet), icon::down);
   ImGui::SetNextWindowPos({at.x, at.y + high + ui.px(4)});
   if (ImGui::BeginPopup("speeds")) {
     for (const double speed : Transport::speeds())
-      if (ImGui::MenuItem((speed_text(speed) + "##" + std::to_string(speed)).c_str(), nullptr,
+      if (ImGui::MenuItem((widgets::speed_text(speed) + "##" + std::to_string(speed)).c_str(), nullptr,
                           speed == ui.model.transport.speed()))
         ui.model.transport.set_speed(speed);
     ImGui::EndPopup();

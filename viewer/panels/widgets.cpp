@@ -35,6 +35,14 @@ double hover_seconds() {
 
 } // namespace
 
+std::string speed_text(double speed) {
+  if (speed == Transport::automatic) return "auto";
+  if (speed >= Transport::unlimited) return "max";
+  if (speed == 0.25) return "¼×";
+  if (speed == 0.5) return "½×";
+  return grouped(static_cast<std::size_t>(speed)) + "×";
+}
+
 ImVec2 text_size(std::string_view s) {
   return ImGui::CalcTextSize(s.data(), s.data() + s.size());
 }

@@ -54,6 +54,8 @@ void glyph(const Ui& ui, ImVec2 middle, float radius, Rgb color, MarkerShape sha
 void quiet_text(const Ui& ui, std::string_view text, bool wrapped = false);
 /// Text cut with an ellipsis to a width.
 std::string fitted(std::string_view text, float width);
+/// A speed of the play head: "¼×", "64×", "auto", "max".
+std::string speed_text(double steps_per_second);
 ImVec2 text_size(std::string_view text);
 void draw_text(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 color, std::string_view text);
 

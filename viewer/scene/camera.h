@@ -27,6 +27,8 @@ struct CameraPose {
 class Camera {
  public:
   const CameraPose& pose() const { return pose_; }
+  /// Where a transition leads; the pose itself at rest.
+  const CameraPose& goal() const { return transition_ < 1 ? to_ : pose_; }
   /// Jumps, or eases over 200 ms of update() time when `ease`.
   void set(const CameraPose& pose, bool ease = false);
   /// True once a person or a script has set the view: loading a model must not move it then.

@@ -1,0 +1,176 @@
+// Talks in the real window: bookmarks as slides, undo of the view, the presenter mode.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/wait.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path results = ISOSCOPE_RESULTS;
+
+/// Runs the window with a script; the exit status.
+int run_script(const std::string& name, const std::string& script, const std::string& arguments) {
+  fs::create_directories(results);
+  const fs::path file = results / (name + ".txt");
+  std::ofstream(file) << script;
+  const std::string command = std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+const std::string small = "gallery:sphere --tolerance 12% --until refinement";
+
+} // namespace
+
+TEST_CASE("bookmarks are made, turned as slides, ordered, written and read again") {
+  const std::string sidecar = (results / "talk.json").string();
+  fs::create_directories(results);
+  fs::remove(sidecar);
+  CHECK(run_script("slides", R"(
+wait settled
+expect bookmarks.count == 0 and bookmark == 0 and bookmark.step == nan
+seek 3
+look z
+set clip plane
+bookmark "where it starts"
+seek 12
+look x
+set clip none
+pick-worst
+bookmark the worst sample
+seek 20
+clear
+bookmark
+expect bookmarks.count == 3 and bookmark == 3 and bookmark.step == 20
+key Ctrl+1
+expect bookmark == 1 and state_step == 3 and clip == plane and heading == 0 and selection == none
+expect bookmark.note == "where it starts"
+key PageDown
+expect bookmark == 2 and state_step == 12 and clip == none and selection == sample and heading != 0
+expect bookmark.note == "the worst sample"
+key PageDown
+key PageDown
+expect bookmark == 3 and state_step == 20 and selection == none
+key PageUp
+expect bookmark == 2 and state_step == 12
+bookmark-move 2 1
+expect bookmark == 1 and bookmark.step == 12
+bookmark-note 3 the end
+bookmarks save )" + sidecar + R"(
+bookmark-delete 1
+expect bookmarks.count == 2 and bookmark == 0
+bookmarks load )" + sidecar + R"(
+expect bookmarks.count == 3 and bookmark == 0
+key Ctrl+3
+expect bookmark.step == 20 and bookmark.note == "the end" and state_step == 20
+restart
+wait settled
+expect bookmarks.count == 0
+quit
+)",
+                   small) == 0);
+  CHECK(fs::file_size(sidecar) > 500);
+  CHECK(run_script("slides-missing", "wait settled\nbookmark-go 1\n", small + " 2>/dev/null") == 1);
+  CHECK(run_script("slides-damaged", "wait settled\nbookmarks load /dev/null\n", small + " 2>/dev/null") ==
+        1);
+}
+
+TEST_CASE("view, filter, selection and layout are undone and redone; the run is not") {
+  CHECK(run_script("undo", R"(
+wait settled
+seek 5
+expect undo.depth == 0 and redo.depth == 0
+set clip plane
+expect undo.depth == 1
+look z
+filter rejection
+pick-worst
+key Ctrl+Shift+1
+expect undo.depth == 5 and selection == sample and heading == 0
+key Ctrl+Z
+key Ctrl+Z
+expect selection == none and undo.depth == 3 and redo.depth == 2 and step == 5
+undo
+undo
+expect heading != 0 and clip == plane
+undo
+expect clip == none and undo.depth == 0 and redo.depth == 5
+key Ctrl+Y
+key Ctrl+Shift+Z
+expect clip == plane and heading == 0 and redo.depth == 3
+drag 560 300 660 320
+expect heading != 0 and undo.depth == 3 and redo.depth == 0
+undo
+expect heading == 0 and undo.depth == 2 and step == 5
+seek 8
+expect undo.depth == 2 and redo.depth == 1
+quit
+)",
+                   small) == 0);
+}
+
+TEST_CASE("the presenter mode says what happens, at the speed asked for, and Esc ends it") {
+  CHECK(run_script("presenter", R"(
+wait settled
+expect presenter == off and slow_down == on and moments >= 1
+seek 1
+key P
+expect presenter == on
+expect caption != none
+speed 64
+expect speed == 64
+key ,
+expect speed == 32
+key .
+key .
+expect speed == 128
+speed 0.25
+key ,
+expect speed == 0
+speed 8
+play
+wait 2
+expect step > 3 and step < 20
+play
+seek 0
+expect caption == "a box around the samples, before the first point goes in"
+key PageDown
+key PageDown
+expect state_step > 0
+key PageUp
+slow-down
+expect slow_down == off
+key P
+expect presenter == off
+key P
+pick-worst
+key Esc
+expect presenter == off and selection == sample
+key Esc
+expect selection == none
+quit
+)",
+                   small) == 0);
+}
+
+TEST_CASE("a whole run has its moments, and rejections are told in plain words") {
+  CHECK(run_script("moments", R"(
+wait settled
+expect moments >= 6
+first
+next-slide
+expect state_step > 0
+stage zero-set
+next-event rejection outside-tolerance
+expect caption == "simplifying Z: an edge stays: Z would leave the tolerance"
+next-event link-condition
+expect caption == "simplifying Z: an edge stays: collapsing it would pinch the triangulation"
+quit
+)",
+                   "gallery:bracket") == 0);
+}
