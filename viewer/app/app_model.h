@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/event_filter.h"
+#include "app/exports.h"
 #include "app/grid_loader.h"
 #include "app/journal_index.h"
 #include "app/playhead.h"
@@ -23,7 +24,7 @@
 namespace isoscope {
 
 /// What lies over the window.
-enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about };
+enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, pictures };
 
 /// A line that tells the user something, with what to do about it.
 struct Message {
@@ -102,6 +103,7 @@ class AppModel {
   Overlay overlay = Overlay::none;
   std::deque<Message> messages;
   WindowRequests requests;
+  Exports exports;       ///< pictures, figures and films
   double clock = 0;      ///< seconds since the start
   bool scripted = false; ///< no easing, nothing remembered, following is immediate
   std::string failed_expectation;
@@ -132,6 +134,12 @@ class AppModel {
   std::shared_ptr<const EdgeXray> xray() const;
   /// The event that the selection speaks of at the step shown, if any.
   std::optional<std::uint32_t> selected_event() const;
+  /// Bytes of the journal and of the play head's keyframes, and what they may take together.
+  struct History {
+    std::size_t journal = 0, keyframes = 0, limit = 0;
+    std::size_t bytes() const { return journal + keyframes; }
+  };
+  History history() const;
   Step live_step() const { return run.journal ? run.journal->steps() : 0; }
   bool running() const { return run.phase == SessionPhase::preparing || run.phase == SessionPhase::running; }
   /// The play head moves, or will as soon as the run makes a step.
@@ -152,6 +160,7 @@ class AppModel {
   void request_xray();
   void blink();
   void place_view();
+  void watch_history();
   std::shared_ptr<const PlayheadResult> result_;
   std::uint64_t generation_ = 0;
   std::uint64_t framed_generation_ = 0;
@@ -161,6 +170,7 @@ class AppModel {
   std::shared_ptr<const StateSnapshot> preview_state_;
   std::shared_ptr<const Scene> scene_seen_;
   std::string error_seen_;
+  std::uint64_t history_warned_ = 0; ///< the run whose journal was found too large
 };
 
 } // namespace isoscope

@@ -8,6 +8,7 @@
 namespace isoscope {
 
 std::vector<Command> file_commands();
+std::vector<Command> picture_commands();
 std::vector<Command> run_commands();
 std::vector<Command> select_commands();
 std::vector<Command> view_commands();

@@ -1,14 +1,18 @@
 // The table itself.
 #include "app/command_groups.h"
 
+#include <algorithm>
+
 namespace isoscope {
 
 std::span<const Command> command_table() {
   static const std::vector<Command> table = [] {
     std::vector<Command> all;
-    for (auto group : {file_commands(), run_commands(), select_commands(), view_commands(), window_commands(),
+    for (auto group : {file_commands(), picture_commands(), run_commands(), select_commands(), view_commands(), window_commands(),
                        script_commands()})
       all.insert(all.end(), group.begin(), group.end());
+    // The menu of files ends with it.
+    std::stable_partition(all.begin(), all.end(), [](const Command& c) { return c.name != "quit"; });
     return all;
   }();
   return table;

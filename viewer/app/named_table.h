@@ -13,5 +13,7 @@ using NamedTable = std::vector<NamedValue>;
 std::string text_of(double value);
 /// What can only be read: the run, the state, the selection.
 void add_readings(NamedTable& table);
+/// Exports and the memory of the history.
+void add_export_values(NamedTable& table);
 
 } // namespace isoscope

@@ -243,6 +243,7 @@ Table make_table() {
   add_stages(t);
   add_view(t);
   add_readings(t);
+  add_export_values(t);
   return t;
 }
 

@@ -1,6 +1,7 @@
 // What lies over the whole window: gallery, files, help, command palette, about.
 #pragma once
 
+#include "panels/export_dialog.h"
 #include "panels/thumbnails.h"
 #include "panels/ui.h"
 
@@ -45,6 +46,7 @@ class Overlays {
   void palette(Ui& ui);
   void about(Ui& ui);
   FileBrowser files_;
+  ExportDialog pictures_;
   Thumbnails thumbnails_;
   std::array<char, 128> query_{};
   int chosen_ = 0;

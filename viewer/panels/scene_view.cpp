@@ -77,7 +77,7 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   FrameRequest request;
   request.width = key.width;
   request.height = key.pixel_height;
-  request.pixel_scale = ui.scale * density.x;
+  request.pixel_scale = pixel_scale_ = ui.scale * density.x;
   request.selection = key.selection;
   request.mark = key.mark;
   request.hover = key.hover;

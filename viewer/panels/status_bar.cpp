@@ -103,7 +103,13 @@ void status_bar(Ui& ui) {
     put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
   }
   put(rate_text(m), ui.colors.quiet);
-  if (m.run.journal) put("history " + bytes_text(m.run.journal->memory_bytes()), ui.colors.quiet);
+  if (m.run.journal) {
+    const AppModel::History h = m.history();
+    const bool over = h.journal > h.limit;
+    put((over ? std::string(icon::warning) + " " : "") + "history " + bytes_text(h.bytes()) + " of " +
+            bytes_text(h.limit),
+        over ? ui.colors.warning_text : ui.colors.quiet);
+  }
   if (m.run.scene && !m.run.scene->warnings.empty())
     put(std::string(icon::warning) + " " + grouped(m.run.scene->warnings.size()) +
             (m.run.scene->warnings.size() == 1 ? " warning" : " warnings"),
