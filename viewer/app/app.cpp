@@ -289,8 +289,13 @@ void App::frame() {
     }
   }
   const SceneView::Extent extent = scene_view_->extent();
-  if (complete || !m.scripted)
+  if (m.exports.pending() && (complete || !m.scripted)) {
+    // The section may never have been shown.
+    if (m.view.mode == ViewMode::scene && extent.height > 0)
+      scene_view_->place_untouched_section(m, static_cast<float>(extent.width) /
+                                                  static_cast<float>(extent.height));
     exporter_.advance(m, *renderer_, {extent.width, extent.height, extent.pixel_scale});
+  }
   window_->swap();
   run_commands(commands);
   take_requests();

@@ -56,7 +56,7 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   app.add_option("--script", o.script, "run the commands of a file, one a line, then quit");
   app.add_option("--screenshot", o.screenshot, "run to the end, write a picture, quit");
   app.add_flag("--plain", o.plain, "the screenshot shows the view without panels, at any --size");
-  app.add_flag("--alpha", o.alpha, "the same with a transparent ground");
+  app.add_flag("--transparent", o.alpha, "the same without ground");
   app.add_option("--step", o.step, "the screenshot shows this step: a number or end");
   app.add_option("--view", o.view, "the screenshot shows this view: a JSON file");
   app.add_option("--history-limit", o.history_limit, "of journal and keyframes together, MiB")
@@ -84,7 +84,7 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   o.tolerance_given = app.get_option("--tolerance")->count() > 0;
   o.plain = o.plain || o.alpha;
   if (o.screenshot.empty() && (o.plain || !o.step.empty() || !o.view.empty()))
-    return bad("--plain, --alpha, --step and --view say how --screenshot looks, which is missing.");
+    return bad("--plain, --transparent, --step and --view say how --screenshot looks, which is missing.");
   if (!o.step.empty() && o.step != "end" && o.step.find_first_not_of("0123456789") != std::string::npos)
     return bad("--step takes a number or end, not \"" + o.step + "\".");
   if (!size.empty()) {

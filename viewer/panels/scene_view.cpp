@@ -121,7 +121,7 @@ void SceneView::draw_section(Ui& ui, Area area) {
   ImGui::SetCursorScreenPos(area.low);
   ImGui::InvisibleButton("section", area.size, every_button);
   ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
-  place_untouched_section(ui, area.size.x / area.size.y);
+  place_untouched_section(ui.model, area.size.x / area.size.y);
   section_mouse(ui, area);
   render(ui, section_, area, true);
   overlay::section_caption(ui, area.low, area.size);
@@ -259,8 +259,7 @@ void SceneView::frame_untouched(Ui& ui, float aspect) {
 }
 
 // The same for the section: what the plane cuts of the input is centred.
-void SceneView::place_untouched_section(Ui& ui, float aspect) {
-  AppModel& m = ui.model;
+void SceneView::place_untouched_section(AppModel& m, float aspect) {
   ClipSettings plane;
   plane.point = m.view.clip.point;
   plane.normal = m.view.clip.normal;

@@ -29,6 +29,8 @@ class SceneView {
     const Key& key = scene_.shown ? scene_.key : section_.key;
     return {key.width, key.pixel_height, pixel_scale_};
   }
+  /// While nobody has moved the section, what the plane cuts of the input is centred.
+  void place_untouched_section(AppModel& model, float aspect);
   /// Moves camera or section to what was asked for.
   void frame_requests(Ui& ui);
 
@@ -62,7 +64,6 @@ class SceneView {
   void section_mouse(Ui& ui, Area area);
   void picked(Ui& ui, const Pick& pick);
   void frame_untouched(Ui& ui, float aspect);
-  void place_untouched_section(Ui& ui, float aspect);
   Pick hover_pick(Ui& ui, Area area, bool section);
 
   Renderer* renderer_;
