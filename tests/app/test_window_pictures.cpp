@@ -29,11 +29,12 @@ std::string at(const std::string& name) {
 
 /// Runs the window with a script on a coarse sphere; the exit status.
 int run_script(const std::string& name, const std::string& script, const std::string& before = "",
-               const std::string& until = " --until refinement") {
+               const std::string& tolerance = "12%") {
   fs::create_directories(results);
   const std::string file = at(name + ".txt");
   std::ofstream(file) << script;
-  return exit_of(before + ISOSCOPE_PROGRAM + " gallery:sphere --tolerance 12%" + until + " --script " + file);
+  return exit_of(before + ISOSCOPE_PROGRAM + " gallery:sphere --until refinement --tolerance " + tolerance +
+                 " --script " + file);
 }
 
 Image picture(const std::string& name) {
@@ -111,8 +112,8 @@ std::string with_ffmpeg(const std::string& name, const std::string& body) {
 
 TEST_CASE("pictures have the size asked for, no seams, and an alpha that composites to the opaque picture") {
   REQUIRE(run_script("pictures",
-                     "wait settled\ntheme paper\nset outer.opacity 0.4\nset tets.all on\n"
-                     "set tetrahedra.opacity 0.5\npicture " +
+                     "wait settled\ntheme paper\nset layer.outer.opacity 0.4\nset tets.all on\n"
+                     "set layer.tets.opacity 0.5\npicture " +
                          at("opaque.png") + " 1500x1100\npicture " + at("clear.png") +
                          " 1500x1100 alpha\npicture " + at("small.png") +
                          " 64x48\nexpect export.pictures == 3 and export.error == none\n"
@@ -159,8 +160,8 @@ TEST_CASE("a view file is drawn from without moving the window's camera") {
 }
 
 TEST_CASE("the section as SVG is well-formed, in millimetres, with every class in its shape") {
-  REQUIRE(run_script("figure", "wait settled\nset gamma on\nsvg " + at("good.svg") +
-                                   "\nseek 6\nexpect bad_samples > 0\nsvg " + at("bad.svg") +
+  REQUIRE(run_script("figure", "wait settled\nset layer.gamma on\nsvg " + at("good.svg") +
+                                   "\nseek 3\nexpect bad_samples > 0\nsvg " + at("bad.svg") +
                                    "\nexpect export.figures == 2 and export.error == none\nquit\n") == 0);
   const std::string good = read("good.svg"), bad = read("bad.svg");
   for (const std::string& text : {good, bad}) {
@@ -177,7 +178,7 @@ TEST_CASE("the section as SVG is well-formed, in millimetres, with every class i
   }
   CHECK(count(good, "class=\"bad\"") == 0);
   CHECK(count(bad, "class=\"bad\"") > 0);
-  CHECK(bad.find("step 6") != std::string::npos);
+  CHECK(bad.find("step 3") != std::string::npos);
 }
 
 TEST_CASE("turntables and steps become frames and, through ffmpeg, films") {
@@ -232,7 +233,7 @@ seek 5
 expect history.keyframes == 0 and messages == 1
 quit
 )",
-                   "", "") == 0);
+                   "", "2.5%") == 0);
 }
 
 TEST_CASE("the command line takes a plain screenshot of a step") {

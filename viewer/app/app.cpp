@@ -295,6 +295,8 @@ void App::frame() {
       scene_view_->place_untouched_section(m, static_cast<float>(extent.width) /
                                                   static_cast<float>(extent.height));
     exporter_.advance(m, *renderer_, {extent.width, extent.height, extent.pixel_scale});
+    // The step that was shown before comes back over the next frames.
+    if (!m.exports.pending()) frames_since_command_ = 0;
   }
   window_->swap();
   run_commands(commands);
@@ -304,7 +306,9 @@ void App::frame() {
 bool App::at_rest() const {
   const AppModel& m = *model_;
   if (glfwGetTime() < hands_until_) return false;
-  if (!m.requests.screenshots.empty() || !m.requests.mouse.empty() || m.exports.pending() ||
+  // What is under way can be cancelled; everything else waits for it.
+  const bool exporting = m.exports.pending() && !(script_ && script_->next_is("cancel-export"));
+  if (!m.requests.screenshots.empty() || !m.requests.mouse.empty() || exporting ||
       frames_since_command_ < frames_after_input)
     return false;
   if (m.wait_until > 0 && m.clock < m.wait_until) return false;
