@@ -8,10 +8,11 @@ uniform float delta;
 uniform vec4 outer_tint, inner_tint; // a: opacity
 uniform int with_volume;
 uniform vec3 top, bottom;
+uniform vec2 rows; // the frame in the picture: heights of its lower and upper rim
 uniform float opacity;
 out vec4 colour;
 void main() {
-  vec4 ground = vec4(mix(bottom, top, smoothstep(0.0, 1.0, uv.y)), 1.0) * opacity;
+  vec4 ground = vec4(mix(bottom, top, smoothstep(0.0, 1.0, mix(rows.x, rows.y, uv.y))), 1.0) * opacity;
   colour = ground;
   if (with_volume == 0) return;
   vec4 near_h = inverse_view_projection * vec4(uv * 2.0 - 1.0, -1.0, 1.0);

@@ -85,6 +85,15 @@ void Playback::keep_keyframe() {
   keyframe_bytes_ += keyframe.bytes;
   keyframes_.emplace(step_, std::move(keyframe));
   work_since_keyframe_ = 0;
+  thin_keyframes();
+}
+
+void Playback::set_keyframe_limit(std::size_t bytes) {
+  keyframe_limit_ = bytes;
+  thin_keyframes();
+}
+
+void Playback::thin_keyframes() {
   while (keyframe_bytes_ > keyframe_limit_) {
     bool drop = true;
     for (auto it = keyframes_.begin(); it != keyframes_.end(); drop = !drop) {

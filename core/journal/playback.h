@@ -35,6 +35,10 @@ class Playback {
   std::vector<TetId> changed_in_last(Step n) const;
   std::size_t memory_bytes() const;
 
+  /// Bytes that keyframes may take from now on; those beyond are thinned at once.
+  void set_keyframe_limit(std::size_t bytes);
+  std::size_t keyframe_bytes() const { return keyframe_bytes_; }
+
  private:
   struct Keyframe {
     Complex complex;
@@ -58,6 +62,7 @@ class Playback {
   void backward_one();
   void restore(const Keyframe& keyframe, Step at);
   void keep_keyframe();
+  void thin_keyframes();
 };
 
 } // namespace isoscope

@@ -97,6 +97,29 @@ TEST_CASE("Keyframes stay within their limit") {
   CHECK(many.memory_bytes() > state + some_bytes);
 }
 
+TEST_CASE("A lower limit thins the keyframes at once, and a long run stays inside it wherever one goes") {
+  const auto journal = recorded(16000, 10, 17);
+  constexpr std::size_t wide = std::size_t{256} << 20, narrow = std::size_t{12} << 20;
+  Playback playback(journal, wide), reference(journal, 0);
+  playback.seek(journal->steps());
+  REQUIRE(playback.keyframe_bytes() > narrow);
+  playback.set_keyframe_limit(narrow);
+  CHECK(playback.keyframe_bytes() <= narrow);
+  CHECK(playback.keyframe_bytes() > 0);
+  Random random(18);
+  for (int i = 0; i < 12; ++i) {
+    const auto step = static_cast<Step>(random.below(journal->steps() + 1));
+    playback.seek(step);
+    reference.seek(step);
+    CHECK(playback.keyframe_bytes() <= narrow);
+    REQUIRE(playback.complex() == reference.complex());
+  }
+  playback.set_keyframe_limit(0);
+  CHECK(playback.keyframe_bytes() == 0);
+  playback.seek(journal->steps());
+  CHECK(playback.keyframe_bytes() == 0);
+}
+
 TEST_CASE("Seeking beyond the end stops at the end") {
   const auto journal = recorded(20, 10, 14);
   Playback playback(journal);

@@ -62,10 +62,10 @@ Status App::setup(const ProgramOptions& options) {
   screenshot_only_ = !options.screenshot.empty();
   if (screenshot_only_) {
     lines.push_back({0, {"wait", {"settled"}}});
-    lines.push_back({0, {"screenshot", {options.screenshot}}});
+    for (const CommandCall& call : picture_calls(options)) lines.push_back({0, call});
     lines.push_back({0, {"quit", {}}});
   }
-  auto window = Window::open("Isoscope", options.size);
+  auto window = Window::open("Isoscope", options.window_size());
   if (!window) return window.error();
   window_ = std::move(*window);
   auto imgui = ImguiLayer::create(*window_);
@@ -87,6 +87,7 @@ Status App::setup(const ProgramOptions& options) {
   m.view.theme = options.theme.value_or(m.settings.theme);
   if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
   scene_view_ = std::make_unique<SceneView>(*renderer_);
+  if (options.history_limit > 0) m.settings.history_limit = options.history_limit;
   m.draft = options.run;
   const std::string input =
       options.run.input.empty() ? "gallery:" + std::string(gallery().front().name) : options.run.input;
@@ -248,6 +249,7 @@ void App::draw_window(Ui& ui) {
     Pane pane("##status", {0, size.y - status}, {size.x, status}, false, {0, 0}, ui.colors.ground);
     panels::status_bar(ui);
   }
+  panels::export_progress(ui, {view_x, bottom_y - (bottom > 0 ? grip : 0)}, view_end - view_x);
   panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(46)},
                    std::min(view_end - view_x - ui.px(24), ui.px(560)));
   overlays_.draw(ui, size);
@@ -315,6 +317,16 @@ void App::frame() {
       }
     }
   }
+  const SceneView::Extent extent = scene_view_->extent();
+  if (m.exports.pending() && (complete || !m.scripted)) {
+    // The section may never have been shown.
+    if (m.view.mode == ViewMode::scene && extent.height > 0)
+      scene_view_->place_untouched_section(m, static_cast<float>(extent.width) /
+                                                  static_cast<float>(extent.height));
+    exporter_.advance(m, *renderer_, {extent.width, extent.height, extent.pixel_scale});
+    // The step that was shown before comes back over the next frames.
+    if (!m.exports.pending()) frames_since_command_ = 0;
+  }
   window_->swap();
   run_commands(commands);
   take_requests();
@@ -323,7 +335,9 @@ void App::frame() {
 bool App::at_rest() const {
   const AppModel& m = *model_;
   if (glfwGetTime() < hands_until_) return false;
-  if (!m.requests.screenshots.empty() || !m.requests.mouse.empty() ||
+  // What is under way can be cancelled; everything else waits for it.
+  const bool exporting = m.exports.pending() && !(script_ && script_->next_is("cancel-export"));
+  if (!m.requests.screenshots.empty() || !m.requests.mouse.empty() || exporting ||
       frames_since_command_ < frames_after_input)
     return false;
   if (m.wait_until > 0 && m.clock < m.wait_until) return false;
@@ -348,7 +362,8 @@ bool App::advance_script() {
 
 bool App::needs_frame(bool changed) const {
   const AppModel& m = *model_;
-  const bool asked = frames_owed_ > 0 || !m.requests.mouse.empty() || !m.requests.screenshots.empty();
+  const bool asked =
+      frames_owed_ > 0 || !m.requests.mouse.empty() || !m.requests.screenshots.empty() || m.exports.pending();
   // A script that waits for a run has no eyes: drawing would only slow the run down.
   if (m.scripted && m.running() && glfwGetTime() > hands_until_)
     return m.wait_until >= 0 && (asked || frames_since_command_ < frames_after_input);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/app_model.h"
+#include "app/exporter.h"
 #include "app/imgui_layer.h"
 #include "app/options.h"
 #include "app/script.h"
@@ -46,6 +47,7 @@ class App {
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<AppModel> model_;
   std::unique_ptr<SceneView> scene_view_;
+  Exporter exporter_;
   TimelinePane timeline_;
   Overlays overlays_;
   std::optional<ScriptRunner> script_;

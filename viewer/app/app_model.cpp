@@ -2,6 +2,7 @@
 #include "app/app_model.h"
 
 #include "app/debug_actions.h"
+#include "app/words.h"
 #include "input/gallery.h"
 #include "recording/recording_reader.h"
 #include "scene/section_view.h"
@@ -164,12 +165,32 @@ void AppModel::place_view() {
   }
 }
 
+AppModel::HistoryMemory AppModel::history_memory() const {
+  HistoryMemory h;
+  h.journal = run.journal ? run.journal->memory_bytes() : 0;
+  h.keyframes = result_ ? result_->keyframe_bytes : 0;
+  h.limit = static_cast<std::size_t>(settings.history_limit * 1048576.0);
+  return h;
+}
+
+// Keyframes give way, the journal cannot: it is the run's memory of itself.
+void AppModel::watch_history() {
+  const HistoryMemory h = history_memory();
+  if (h.journal <= h.limit || history_warned_ == run.generation) return;
+  history_warned_ = run.generation;
+  report({ErrorCode::usage,
+          "The journal of this run takes " + bytes_text(h.journal) + ", more than the history's limit of " +
+              bytes_text(h.limit) + ". No keyframes are kept: far steps take longer to reach.",
+          "Raise the limit (set history.limit MB, --history-limit MB), or hold the run."});
+}
+
 void AppModel::request_state() {
   if (!run.journal) return;
   PlayheadRequest wanted;
   wanted.generation = run.generation;
   wanted.journal = run.journal;
   wanted.step = transport.step();
+  wanted.history_limit = history_memory().limit;
   wanted.options.recent = view.tets.recent;
   // Judging condition 3 costs more than all the rest: it waits until the head rests.
   wanted.options.orientation = !transport.moving() || (transport.at_live_end(live_step()) && !running());
@@ -248,6 +269,7 @@ bool AppModel::update(double seconds) {
   const auto step_before = transport.step();
   take_run();
   place_view();
+  watch_history();
   bool changed = phase != run.phase || running();
   changed |= index.update();
   changed |= update_debugger(*this);

@@ -5,6 +5,7 @@
 #include "app/bookmarks.h"
 #include "app/debugger.h"
 #include "app/event_filter.h"
+#include "app/exports.h"
 #include "app/grid_loader.h"
 #include "app/investigation.h"
 #include "app/journal_index.h"
@@ -30,7 +31,7 @@
 namespace isoscope {
 
 /// What lies over the window.
-enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, bookmarks };
+enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, bookmarks, pictures };
 
 /// A line that tells the user something, with what to do about it.
 struct Message {
@@ -134,6 +135,7 @@ class AppModel {
   Overlay overlay = Overlay::none;
   std::deque<Message> messages;
   WindowRequests requests;
+  Exports exports;                   ///< pictures, figures and films
   std::array<float, 4> scene_area{}; ///< where the 3D view lies in the window: low x, y, width, height
   double clock = 0;                  ///< seconds since the start
   bool scripted = false;             ///< no easing, nothing remembered, following is immediate
@@ -182,6 +184,12 @@ class AppModel {
   Status change_run();
   /// The event that the selection speaks of at the step shown, if any.
   std::optional<std::uint32_t> selected_event() const;
+  /// Bytes of the journal and of the play head's keyframes, and what they may take together.
+  struct HistoryMemory {
+    std::size_t journal = 0, keyframes = 0, limit = 0;
+    std::size_t bytes() const { return journal + keyframes; }
+  };
+  HistoryMemory history_memory() const;
   Step live_step() const { return run.journal ? run.journal->steps() : 0; }
   /// Something is being computed, or a recording grows.
   bool running() const {
@@ -215,6 +223,7 @@ class AppModel {
   void watch_view();
   void fetch_bookmarks();
   std::filesystem::path bookmarks_file_; ///< of the run that is open
+  void watch_history();
   std::shared_ptr<const PlayheadResult> result_;
   std::uint64_t generation_ = 0;
   std::uint64_t framed_generation_ = 0;
@@ -225,6 +234,7 @@ class AppModel {
   std::shared_ptr<const Scene> scene_seen_;
   std::string error_seen_, recording_error_seen_;
   std::uint64_t draft_generation_ = 0; ///< the recording whose parameters the draft has taken
+  std::uint64_t history_warned_ = 0;   ///< the run whose journal was found too large
 };
 
 } // namespace isoscope

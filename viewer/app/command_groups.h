@@ -9,6 +9,7 @@ namespace isoscope {
 
 std::vector<Command> file_commands();
 std::vector<Command> recording_commands();
+std::vector<Command> picture_commands();
 std::vector<Command> run_commands();
 std::vector<Command> debug_commands();
 std::vector<Command> select_commands();

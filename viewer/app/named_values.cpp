@@ -258,6 +258,7 @@ Table make_table() {
   add_recording_readings(t);
   add_questions(t);
   add_slide_values(t);
+  add_export_values(t);
   return t;
 }
 

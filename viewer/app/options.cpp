@@ -15,17 +15,35 @@ Error bad(const std::string& what) {
   return {ErrorCode::usage, what, "isoscope --help lists the options."};
 }
 
-Result<PixelSize> parse_size(const std::string& text) {
+Result<PixelSize> parse_size(const std::string& text, bool plain) {
+  const int least_width = plain ? picture_least : 640, least_height = plain ? picture_least : 400;
   PixelSize size;
   int used = 0;
   if (std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &used) != 2 ||
-      static_cast<std::size_t>(used) != text.size() || size.width < 640 || size.height < 400 ||
-      size.width > 16384 || size.height > 16384)
-    return bad("--size takes WIDTHxHEIGHT from 640x400 to 16384x16384, not \"" + text + "\".");
+      static_cast<std::size_t>(used) != text.size() || size.width < least_width ||
+      size.height < least_height || size.width > picture_most || size.height > picture_most)
+    return bad("--size takes WIDTHxHEIGHT from " + std::to_string(least_width) + "x" +
+               std::to_string(least_height) + " to 16384x16384, not \"" + text + "\".");
   return size;
 }
 
 } // namespace
+
+std::vector<CommandCall> picture_calls(const ProgramOptions& o) {
+  std::vector<CommandCall> calls;
+  if (!o.view.empty()) calls.push_back({"open", {o.view}});
+  if (!o.step.empty())
+    calls.push_back(o.step == "end" ? CommandCall{"end", {}} : CommandCall{"seek", {o.step}});
+  if (!o.plain) {
+    calls.push_back({"screenshot", {o.screenshot}});
+  } else {
+    Arguments words{o.screenshot, std::to_string(o.size.width) + "x" + std::to_string(o.size.height)};
+    if (o.alpha) words.push_back("alpha");
+    calls.push_back({"picture", words});
+    calls.push_back({"expect", {"export.error == none"}});
+  }
+  return calls;
+}
 
 Result<ParsedOptions> parse_options(int argc, char** argv) {
   ParsedOptions parsed;
@@ -37,9 +55,15 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   app.add_flag("--paused", o.paused, "hold the run before its first operation");
   app.add_option("--script", o.script, "run the commands of a file, one a line, then quit");
   app.add_option("--screenshot", o.screenshot, "run to the end, write a picture, quit");
+  app.add_flag("--plain", o.plain, "the screenshot shows the view without panels, at any --size");
+  app.add_flag("--transparent", o.alpha, "the same without ground");
+  app.add_option("--step", o.step, "the screenshot shows this step: a number or end");
+  app.add_option("--view", o.view, "the screenshot shows this view: a JSON file");
+  app.add_option("--history-limit", o.history_limit, "of journal and keyframes together, MiB")
+      ->check(CLI::Range(1.0, 1048576.0));
   app.add_option("--ui-scale", o.ui_scale, "size of text and controls, 0.5 to 4")
       ->check(CLI::Range(0.5, 4.0));
-  app.add_option("--size", size, "of the window: WIDTHxHEIGHT");
+  app.add_option("--size", size, "of the window, or of a plain screenshot: WIDTHxHEIGHT");
   app.add_option("--theme", theme)->check(CLI::IsMember({"dark", "light", "paper"}));
   app.add_flag("--version", show_version, "say the version");
   try {
@@ -59,8 +83,13 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   o.run = *run;
   o.recording = run_options.recording();
   o.tolerance_given = app.get_option("--tolerance")->count() > 0;
+  o.plain = o.plain || o.alpha;
+  if (o.screenshot.empty() && (o.plain || !o.step.empty() || !o.view.empty()))
+    return bad("--plain, --transparent, --step and --view say how --screenshot looks, which is missing.");
+  if (!o.step.empty() && o.step != "end" && o.step.find_first_not_of("0123456789") != std::string::npos)
+    return bad("--step takes a number or end, not \"" + o.step + "\".");
   if (!size.empty()) {
-    const auto s = parse_size(size);
+    const auto s = parse_size(size, o.plain);
     if (!s) return s.error();
     o.size = *s;
   }

@@ -41,6 +41,9 @@ std::shared_ptr<const PlayheadResult> Playhead::Impl::answer(const PlayheadReque
     index.reset();
     last.reset();
   }
+  const std::size_t journal_bytes = request.journal->memory_bytes();
+  playback->set_keyframe_limit(request.history_limit > journal_bytes ? request.history_limit - journal_bytes
+                                                                     : 0);
   const NearestSample* nearest = nullptr;
   if (request.options.orientation) {
     playback->seek(request.step);
@@ -52,6 +55,7 @@ std::shared_ptr<const PlayheadResult> Playhead::Impl::answer(const PlayheadReque
   made->request = request;
   made->state = make_snapshot(*playback, request.step, options, nearest, last.get());
   last = made->state;
+  made->keyframe_bytes = playback->keyframe_bytes();
   made->index = index;
   return made;
 }

@@ -26,10 +26,12 @@ struct PlayheadRequest {
   std::shared_ptr<const Journal> journal;
   Step step = 0;
   SnapshotOptions options;
+  /// What the journal and the keyframes may take together, bytes; keyframes give way first.
+  std::size_t history_limit = std::size_t{2048} << 20;
   friend bool operator==(const PlayheadRequest& a, const PlayheadRequest& b) {
     return a.generation == b.generation && a.journal == b.journal && a.step == b.step &&
-           a.options.orientation == b.options.orientation && a.options.recent == b.options.recent &&
-           a.options.criteria == b.options.criteria;
+           a.history_limit == b.history_limit && a.options.orientation == b.options.orientation &&
+           a.options.recent == b.options.recent && a.options.criteria == b.options.criteria;
   }
 };
 
@@ -37,6 +39,7 @@ struct PlayheadRequest {
 struct PlayheadResult {
   PlayheadRequest request;
   std::shared_ptr<const StateSnapshot> state;
+  std::size_t keyframe_bytes = 0;           ///< of the play head's keyframes
   std::shared_ptr<const SampleIndex> index; ///< null until a request asked for orientation
 };
 

@@ -26,6 +26,8 @@ class ScriptRunner {
  public:
   explicit ScriptRunner(std::vector<ScriptLine> lines) : lines_(std::move(lines)) {}
   bool done() const { return at_ >= lines_.size(); }
+  /// Whether the next line is that command.
+  bool next_is(std::string_view name) const { return !done() && lines_[at_].call.name == name; }
   /// Runs the next line; the error names its number.
   Status next(AppModel& model);
 

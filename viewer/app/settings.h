@@ -22,6 +22,7 @@ struct Settings {
   PaneLayout panes;
   ThemeKind theme = ThemeKind::dark;
   float ui_scale = 1;              ///< on top of the monitor's content scale, in [0.5, 4]
+  double history_limit = 2048;     ///< of journal and keyframes together, MiB, in [1, 1048576]
   std::vector<std::string> recent; ///< newest first, at most ten
   std::string last_folder;
   std::vector<std::string> filters; ///< of events, each a lane of the timeline; at most eight

@@ -265,6 +265,7 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   if (now == Overlay::palette)
     extent = {std::min(size.x - ui.px(60), ui.px(620)), std::min(size.y - ui.px(120), ui.px(460))};
   if (now == Overlay::about) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(300)};
+  if (now == Overlay::pictures) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(430)};
   if (now == Overlay::files || now == Overlay::bookmarks)
     extent = {std::min(size.x - ui.px(60), ui.px(860)), std::min(size.y - ui.px(60), ui.px(560))};
   const float y = now == Overlay::palette ? ui.px(64) : (size.y - extent.y) / 2;
@@ -306,6 +307,10 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
     break;
   case Overlay::bookmarks:
     bookmarks(ui);
+    break;
+  case Overlay::pictures:
+    heading(ui, "Pictures and films", "The view without panels, as it is drawn now; lines keep their look.");
+    pictures_.draw(ui);
     break;
   case Overlay::none:
     break;

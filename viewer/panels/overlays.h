@@ -1,6 +1,7 @@
 // What lies over the whole window: gallery, files, help, command palette, about.
 #pragma once
 
+#include "panels/export_dialog.h"
 #include "panels/thumbnails.h"
 #include "panels/ui.h"
 
@@ -59,6 +60,7 @@ class Overlays {
   void bookmarks(Ui& ui);
   FileBrowser files_;
   BookmarkList bookmarks_;
+  ExportDialog pictures_;
   Thumbnails thumbnails_;
   std::array<char, 128> query_{};
   int chosen_ = 0;

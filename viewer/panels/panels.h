@@ -13,6 +13,8 @@ void inspector(Ui& ui);
 void edge_details(Ui& ui, const StateSnapshot& state);
 void top_bar(Ui& ui);
 void status_bar(Ui& ui);
+/// A card with bar and Cancel while something is exported; `low` is the view's lower left corner.
+void export_progress(Ui& ui, ImVec2 low, float width);
 void messages(Ui& ui, ImVec2 low, float width);
 /// Presenting: the sentence of the step shown, and where in the run it is.
 void presenter_bar(Ui& ui);

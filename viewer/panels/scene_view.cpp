@@ -86,7 +86,7 @@ void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
   FrameRequest request;
   request.width = key.width;
   request.height = key.pixel_height;
-  request.pixel_scale = ui.scale * density.x;
+  request.pixel_scale = pixel_scale_ = ui.scale * density.x;
   request.selection = key.selection;
   request.mark = key.mark;
   request.hover = key.hover;
@@ -131,7 +131,7 @@ void SceneView::draw_section(Ui& ui, Area area) {
   ImGui::SetCursorScreenPos(area.low);
   ImGui::InvisibleButton("section", area.size, every_button);
   ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
-  place_untouched_section(ui, area.size.x / area.size.y);
+  place_untouched_section(ui.model, area.size.x / area.size.y);
   section_mouse(ui, area);
   render(ui, section_, area, true);
   overlay::section_caption(ui, area.low, area.size);
@@ -273,8 +273,7 @@ void SceneView::frame_untouched(Ui& ui, float aspect) {
 }
 
 // The same for the section: what the plane cuts of the input is centred.
-void SceneView::place_untouched_section(Ui& ui, float aspect) {
-  AppModel& m = ui.model;
+void SceneView::place_untouched_section(AppModel& m, float aspect) {
   ClipSettings plane;
   plane.point = m.view.clip.point;
   plane.normal = m.view.clip.normal;

@@ -22,6 +22,17 @@ class SceneView {
   bool unfinished() const { return scene_.unfinished || section_.unfinished; }
   /// The last picture of the main view.
   const Renderer::Frame& picture() const { return scene_.shown ? scene_.frame : section_.frame; }
+  /// Pixels of that picture on the screen and of a unit of the interface.
+  struct Extent {
+    int width = 0, height = 0;
+    float pixel_scale = 1;
+  };
+  Extent extent() const {
+    const Key& key = scene_.shown ? scene_.key : section_.key;
+    return {key.width, key.pixel_height, pixel_scale_};
+  }
+  /// While nobody has moved the section, what the plane cuts of the input is centred.
+  void place_untouched_section(AppModel& model, float aspect);
   /// Moves camera or section to what was asked for.
   void frame_requests(Ui& ui);
 
@@ -55,7 +66,6 @@ class SceneView {
   void section_mouse(Ui& ui, Area area);
   void picked(Ui& ui, const Pick& pick);
   void frame_untouched(Ui& ui, float aspect);
-  void place_untouched_section(Ui& ui, float aspect);
   Pick hover_pick(Ui& ui, Area area, bool section);
 
   Renderer* renderer_;
@@ -71,6 +81,7 @@ class SceneView {
   ClipSettings placed_clip_;
   const void* placed_scene_ = nullptr;
   float placed_aspect_ = 0;
+  float pixel_scale_ = 1;
   bool dragged_ = false;
   double hover_since_ = 0;
   ImVec2 hover_at_{-1, -1};

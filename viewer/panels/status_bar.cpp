@@ -112,7 +112,13 @@ void status_bar(Ui& ui) {
     put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
   }
   put(rate_text(m), ui.colors.quiet);
-  if (m.run.journal) put("history " + bytes_text(m.run.journal->memory_bytes()), ui.colors.quiet);
+  if (m.run.journal) {
+    const AppModel::HistoryMemory h = m.history_memory();
+    const bool over = h.journal > h.limit;
+    put((over ? std::string(icon::warning) + " " : "") + "history " + bytes_text(h.bytes()) + " of " +
+            bytes_text(h.limit),
+        over ? ui.colors.warning_text : ui.colors.quiet);
+  }
   if (m.run.recording)
     put(recording_text(*m.run.recording),
         m.run.recording->error || m.run.recording->cut_short ? ui.colors.warning_text : ui.colors.quiet);

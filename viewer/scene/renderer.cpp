@@ -69,7 +69,7 @@ struct Renderer::Impl {
   std::uint64_t revision = 0;
   gl::Device device;
   QualityControl control;
-  FrameTargets targets, section_targets;
+  FrameTargets targets, section_targets, tile_targets;
   FrameBlock block;
   GLuint empty_array = 0; ///< full-screen passes have no vertices
 
@@ -100,9 +100,11 @@ struct Renderer::Impl {
   void upload_grid();
   void reload_shaders();
   void update_layers(const ViewFrame& frame);
+  void upload_frame(const Camera& camera, const ClipSettings& clip, const FrameRequest& request,
+                    const ViewFrame& frame);
   void draw_opaque(const ViewFrame& frame, const FrameRequest& request, const FrameQuality& quality);
-  bool draw_cells(const ViewFrame& frame);
-  void composite(bool with_cells, bool with_volume);
+  bool draw_cells(const FrameTargets& drawn, const ViewFrame& frame);
+  void composite(const FrameTargets& drawn, bool with_cells, bool with_volume);
   ViewFrame view_frame(const Camera& camera, const ViewSettings& view, const FrameRequest& request, int width,
                        int height) const;
   Renderer::Frame finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
@@ -166,10 +168,27 @@ ViewFrame Renderer::Impl::view_frame(const Camera& camera, const ViewSettings& v
   frame.hover = request.hover;
   frame.pulse = request.pulse;
   frame.mark = request.mark;
-  frame.pixels_per_unit = pixels_per_unit(camera, height);
+  frame.pixels_per_unit = pixels_per_unit(camera, request.tile ? request.tile->full_height : height);
+  if (request.tile) {
+    const auto row = [&](int y) {
+      return 1 - static_cast<float>(y) / static_cast<float>(request.tile->full_height);
+    };
+    frame.rows = {row(request.tile->y + height), row(request.tile->y)};
+  }
   const Vec3 toward = normalized(camera.eye() - camera.pose().target);
   frame.toward = {static_cast<float>(toward.x), static_cast<float>(toward.y), static_cast<float>(toward.z)};
   return frame;
+}
+
+void Renderer::Impl::upload_frame(const Camera& camera, const ClipSettings& clip, const FrameRequest& request,
+                                  const ViewFrame& frame) {
+  if (!request.tile) {
+    block.upload(frame_uniforms(camera, space, clip, frame.width, frame.height, frame.pixel_scale));
+    return;
+  }
+  const FrameUniforms whole = frame_uniforms(camera, space, clip, request.tile->full_width,
+                                             request.tile->full_height, frame.pixel_scale);
+  block.upload(tile_uniforms(whole, *request.tile, frame.width, frame.height));
 }
 
 void Renderer::Impl::update_layers(const ViewFrame& frame) {
@@ -242,6 +261,7 @@ void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& req
   programs.background.use();
   programs.background.set("top", frame.colors.ground_top);
   programs.background.set("bottom", frame.colors.ground_bottom);
+  programs.background.set("rows", frame.rows);
   programs.background.set("opacity", request.transparent_background ? 0.0f : 1.0f);
   glBindVertexArray(empty_array);
   glDepthMask(GL_FALSE);
@@ -273,13 +293,13 @@ void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& req
   }
 }
 
-bool Renderer::Impl::draw_cells(const ViewFrame& frame) {
+bool Renderer::Impl::draw_cells(const FrameTargets& drawn, const ViewFrame& frame) {
   const ViewSettings& view = frame.view;
   const auto thin = [](const LayerSettings& layer) { return layer.shown() && layer.opacity < 1; };
   const bool any = thin(view.input) || thin(view.zero_set) ||
                    (view.tetrahedra.shown() && (tetrahedra.has_faint() || view.tetrahedra.opacity < 1));
   if (!any) return false;
-  targets.cells.bind(targets.width, targets.height);
+  drawn.cells.bind(drawn.width, drawn.height);
   constexpr std::array<float, 4> none{0, 0, 0, 0}, clear_part{1, 1, 1, 1};
   glClearBufferfv(GL_COLOR, 0, none.data());
   glClearBufferfv(GL_COLOR, 1, clear_part.data());
@@ -299,8 +319,8 @@ bool Renderer::Impl::draw_cells(const ViewFrame& frame) {
   return true;
 }
 
-void Renderer::Impl::composite(bool with_cells, bool with_volume) {
-  targets.output.bind(targets.width, targets.height);
+void Renderer::Impl::composite(const FrameTargets& drawn, bool with_cells, bool with_volume) {
+  drawn.output.bind(drawn.width, drawn.height);
   glDisable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   gl::Program& program = programs.composite;
@@ -308,11 +328,11 @@ void Renderer::Impl::composite(bool with_cells, bool with_volume) {
   const struct {
     const char* name;
     const gl::Texture& texture;
-  } inputs[] = {{"opaque_colour", targets.color},
-                {"cell_sum", targets.cell_sum},
-                {"cell_cover", targets.cell_cover},
-                {"volume_colour", targets.volume_color},
-                {"volume_depth", targets.volume_depth}};
+  } inputs[] = {{"opaque_colour", drawn.color},
+                {"cell_sum", drawn.cell_sum},
+                {"cell_cover", drawn.cell_cover},
+                {"volume_colour", drawn.volume_color},
+                {"volume_depth", drawn.volume_depth}};
   int unit = 0;
   for (const auto& input_texture : inputs) {
     input_texture.texture.bind(unit);
@@ -406,34 +426,35 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   const int width = scaled(request.width, quality.scale), height = scaled(request.height, quality.scale);
   const int volume_width = scaled(width, quality.volume_scale),
             volume_height = scaled(height, quality.volume_scale);
-  if (!r.targets.resize(width, height, quality.samples, volume_width, volume_height)) return {};
+  FrameTargets& targets = request.tile ? r.tile_targets : r.targets;
+  if (!targets.resize(width, height, quality.samples, volume_width, volume_height)) return {};
 
   const ViewFrame frame = r.view_frame(camera, view, request, width, height);
   r.update_layers(frame);
   Camera bounded = camera;
   bounded.set_scene_bounds(r.visible_bounds(view));
-  r.block.upload(frame_uniforms(bounded, r.space, view.clip, width, height, frame.pixel_scale));
+  r.upload_frame(bounded, view.clip, request, frame);
 
   const bool multisampled = quality.samples > 1;
-  (multisampled ? r.targets.multisampled : r.targets.opaque).bind(width, height);
+  (multisampled ? targets.multisampled : targets.opaque).bind(width, height);
   r.draw_opaque(frame, request, quality);
-  if (multisampled) r.targets.multisampled.resolve_into(r.targets.opaque, width, height, true);
+  if (multisampled) targets.multisampled.resolve_into(targets.opaque, width, height, true);
 
-  const bool with_cells = r.draw_cells(frame);
+  const bool with_cells = r.draw_cells(targets, frame);
   const bool with_volume = r.tolerance.shown(view);
   if (with_volume) {
-    r.targets.volume.bind(volume_width, volume_height);
+    targets.volume.bind(volume_width, volume_height);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(r.empty_array);
-    r.tolerance.march(r.programs.volume, frame, r.targets.depth, quality.coarseness);
+    r.tolerance.march(r.programs.volume, frame, targets.depth, quality.coarseness);
   }
-  r.composite(with_cells, with_volume);
+  r.composite(targets, with_cells, with_volume);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   r.highlight.draw(r.programs, frame);
   r.attempt.draw(r.programs, frame);
   r.annotations.draw(r.programs, frame);
-  return r.finish(r.targets, start, request.quality);
+  return r.finish(targets, start, request.quality);
 }
 
 Renderer::Frame Renderer::render_section(const SectionView& section, const ViewSettings& view,
@@ -442,17 +463,18 @@ Renderer::Frame Renderer::render_section(const SectionView& section, const ViewS
   if (request.width <= 0 || request.height <= 0) return {};
   r.reload_shaders();
   const auto start = std::chrono::steady_clock::now();
-  if (!r.section_targets.resize(request.width, request.height, 1, 1, 1)) return {};
+  FrameTargets& targets = request.tile ? r.tile_targets : r.section_targets;
+  if (!targets.resize(request.width, request.height, 1, 1, 1)) return {};
   const Camera camera = section_camera(section, view.clip);
   const ViewFrame frame = r.view_frame(camera, view, request, request.width, request.height);
   r.section.update(r.state.get(), frame);
   ClipSettings plane = view.clip;
   plane.shape = ClipSettings::Shape::none;
-  r.block.upload(frame_uniforms(camera, r.space, plane, request.width, request.height, frame.pixel_scale));
-  r.section_targets.output.bind(request.width, request.height);
+  r.upload_frame(camera, plane, request, frame);
+  targets.output.bind(request.width, request.height);
   glBindVertexArray(r.empty_array);
   r.section.draw(r.programs, frame, r.tolerance, request.transparent_background ? 0.0f : 1.0f);
-  return r.finish(r.section_targets, start, request.quality);
+  return r.finish(targets, start, request.quality);
 }
 
 Pick Renderer::pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height,

@@ -22,6 +22,12 @@ struct TargetStudy;
 /// How much work a frame may cost.
 enum class Quality : std::uint8_t { moving, rest };
 
+/// Which part of a larger picture a frame is; the frame may reach beyond the picture.
+struct PictureTile {
+  int x = 0, y = 0;                    ///< of the frame's top left corner in the picture, pixels
+  int full_width = 0, full_height = 0; ///< of the picture
+};
+
 /// One frame's request. Sizes in framebuffer pixels.
 struct FrameRequest {
   int width = 0, height = 0;
@@ -31,6 +37,8 @@ struct FrameRequest {
   std::optional<Vec3> mark; ///< a point to be seen: a witness
   float pulse = 0;          ///< in [0, 1): phase for the highlight of the current operation
   bool transparent_background = false;
+  /// Draws this part of a larger picture, into targets of its own: the frame of the window stays valid.
+  std::optional<PictureTile> tile;
 };
 
 /// Owns all GPU resources of the 3D view; needs a current OpenGL 4.1 core context during its whole life.
@@ -49,7 +57,8 @@ class Renderer {
   void set_annotation(std::shared_ptr<const Annotation> annotation);
   Box3 bounds() const;
 
-  /// Renders the 3D view; returns the colour texture's name, valid until the next call. Resolution may be
+  /// Renders the 3D view; returns the colour texture's name, valid until the next call
+  /// of its kind (view, section, tile). Resolution may be
   /// lower while moving; the texture is then to be stretched.
   struct Frame {
     std::uint32_t texture = 0;

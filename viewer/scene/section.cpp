@@ -118,6 +118,7 @@ void SectionLayer::draw(Programs& programs, const ViewFrame& frame, ToleranceLay
   programs.section.set("with_volume", volume ? 1 : 0);
   programs.section.set("top", frame.colors.ground_top);
   programs.section.set("bottom", frame.colors.ground_bottom);
+  programs.section.set("rows", frame.rows);
   programs.section.set("opacity", background_opacity);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glEnable(GL_BLEND);

@@ -32,6 +32,18 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneSpace& space, cons
   return u;
 }
 
+FrameUniforms tile_uniforms(FrameUniforms whole, const PictureTile& tile, int width, int height) {
+  const glm::dvec2 full(tile.full_width, tile.full_height), part(width, height);
+  const glm::dvec2 middle((2.0 * tile.x + width) / full.x - 1, 1 - (2.0 * tile.y + height) / full.y);
+  const glm::dmat4 crop =
+      glm::translate(glm::scale(glm::dmat4(1), glm::dvec3(full / part, 1)), glm::dvec3(-middle, 0));
+  whole.view_projection = glm::mat4(crop * glm::dmat4(whole.view_projection));
+  whole.inverse_view_projection = glm::mat4(glm::inverse(glm::dmat4(whole.view_projection)));
+  whole.viewport.x = static_cast<float>(width);
+  whole.viewport.y = static_cast<float>(height);
+  return whole;
+}
+
 void FrameBlock::upload(const FrameUniforms& uniforms) {
   buffer_.upload(std::span<const FrameUniforms>(&uniforms, 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer_.id());

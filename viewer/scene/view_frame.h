@@ -9,6 +9,7 @@
 #include "scene/view_settings.h"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -36,6 +37,9 @@ struct FrameUniforms {
 FrameUniforms frame_uniforms(const Camera& camera, const SceneSpace& space, const ClipSettings& clip,
                              int width, int height, float pixel_scale);
 
+/// The same for a part of the picture, `width` by `height` pixels large.
+FrameUniforms tile_uniforms(FrameUniforms whole, const PictureTile& tile, int width, int height);
+
 /// One frame's circumstances.
 struct ViewFrame {
   const ViewSettings& view;
@@ -48,6 +52,7 @@ struct ViewFrame {
   float pulse = 0;
   std::optional<Vec3> mark{}; ///< a point to be seen
   double pixels_per_unit = 1; ///< at the target
+  glm::vec2 rows{0, 1};       ///< heights of the frame's lower and upper rim in the picture
   glm::vec3 toward{0, 0, 1};  ///< unit, from the target to the eye
 };
 

@@ -1,0 +1,342 @@
+// The 2D section as a vector figure.
+#include "scene/section_svg.h"
+
+#include "journal/describe.h"
+#include "scene/level_loops.h"
+#include "scene/palette.h"
+#include "scene/section_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace isoscope {
+namespace {
+
+constexpr double margin = 3, line_height = 4.6, text_size = 3.2; // millimetres
+constexpr int lattice_most = 1200;                               ///< values along the longer side
+
+std::string number(double value, const char* format = "%.3f") {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  std::string s = text.data();
+  if (s.find('.') != std::string::npos && s.find('e') == std::string::npos) {
+    while (s.back() == '0') s.pop_back();
+    if (s.back() == '.') s.pop_back();
+  }
+  return s == "-0" ? "0" : s;
+}
+std::string short_number(double value) {
+  return number(value, "%.4g");
+}
+
+std::string hex(glm::vec3 color) {
+  std::array<char, 8> text{};
+  const auto byte = [](float c) { return static_cast<unsigned>(std::lround(255 * c)); };
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(color.r), byte(color.g), byte(color.b));
+  return text.data();
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (static_cast<unsigned char>(c) >= 0x20)
+      out += c;
+  }
+  return out;
+}
+
+/// d/δ with its side at a point, linear between voxel centres.
+double signed_distance(const DistanceGrid& grid, Vec3 p) {
+  const Vec3 extent = grid.box.extent();
+  std::array<int, 3> low{};
+  std::array<double, 3> part{};
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double at = (p[k] - grid.box.lo[k]) / extent[k] * grid.size[i] - 0.5;
+    low[i] = std::clamp(static_cast<int>(std::floor(at)), 0, std::max(grid.size[i] - 2, 0));
+    part[i] = std::clamp(at - low[i], 0.0, 1.0);
+  }
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    std::size_t index = 0;
+    double weight = 1;
+    for (std::size_t k = 3; k-- > 0;) {
+      const int up = (corner >> k) & 1;
+      const int at = std::min(low[k] + up, grid.size[k] - 1);
+      index = index * static_cast<std::size_t>(grid.size[k]) + static_cast<std::size_t>(at);
+      weight *= up ? part[k] : 1 - part[k];
+    }
+    const double side = grid.sides.empty() ? 1 : grid.sides[index];
+    sum += weight * side * static_cast<double>(grid.values[index]);
+  }
+  return sum;
+}
+
+/// 1, 2 or 5 times a power of ten, at most `most`.
+double round_length(double most) {
+  const double power = std::pow(10, std::floor(std::log10(most)));
+  for (const double step : {5.0, 2.0})
+    if (step * power <= most) return step * power;
+  return power;
+}
+
+class Drawing {
+ public:
+  Drawing(const StateSnapshot& state, const DistanceGrid* grid, const SectionFigure& figure)
+      : state_(state), grid_(grid), figure_(figure), colors_(scene_colors(ThemeKind::paper)),
+        plane_(section_plane(figure.view.clip)),
+        geometry_(section_geometry(state, plane_, {figure.view.tets.box, section_sample_distance(state)})),
+        height_(figure.width / figure.aspect), scale_(height_ / figure.section.height) {}
+
+  std::string text();
+
+ private:
+  std::string x(double u) const { return number(figure_.width / 2 + scale_ * (u - figure_.section.u)); }
+  std::string y(double v) const { return number(height_ / 2 - scale_ * (v - figure_.section.v)); }
+  std::string at(PlanePoint p) const { return x(p.u) + "," + y(p.v); }
+  bool inside(PlanePoint p, double reach) const {
+    return std::abs(p.u - figure_.section.u) * scale_ <= figure_.width / 2 + reach &&
+           std::abs(p.v - figure_.section.v) * scale_ <= height_ / 2 + reach;
+  }
+  void tolerance();
+  void segments(const char* name, const std::vector<SectionGeometry::Segment>& all, glm::vec3 color,
+                double width);
+  void samples();
+  void mark(const char* name, PlanePoint p, bool bad, bool outer, double size);
+  void next_point();
+  void scale_bar(double top);
+  void legend(double top);
+  void caption(double top);
+  void line(const std::string& content, double left, double top, const char* anchor = "start");
+
+  const StateSnapshot& state_;
+  const DistanceGrid* grid_;
+  const SectionFigure& figure_;
+  SceneColors colors_;
+  SectionPlane plane_;
+  SectionGeometry geometry_;
+  double height_, scale_; ///< of the drawing; millimetres a scene unit
+  std::string out_;
+};
+
+void Drawing::tolerance() {
+  const ViewSettings& view = figure_.view;
+  if (grid_ == nullptr || (!view.outer.shown() && !view.inner.shown())) return;
+  const Lattice lattice = section_lattice(*grid_, plane_);
+  if (lattice.values.empty()) return;
+  const auto band = [&](const char* name, float low, float high, glm::vec3 color) {
+    std::string d;
+    for (const float level : {low, high})
+      for (const auto& loop : level_loops(lattice, level)) {
+        for (std::size_t i = 0; i < loop.size(); ++i) d += (i == 0 ? "M" : "L") + at(loop[i]);
+        d += "Z";
+      }
+    if (d.empty()) return;
+    out_ += "<path id=\"" + std::string(name) + "\" fill=\"" + hex(color) +
+            "\" fill-opacity=\"0.28\" fill-rule=\"evenodd\" stroke=\"none\" d=\"" + d + "\"/>\n";
+  };
+  out_ += "<g id=\"tolerance\">\n";
+  if (view.outer.shown()) band("outer-half", 0, 1, colors_.outer);
+  if (view.inner.shown()) band("inner-half", -1, 0, colors_.inner);
+  out_ += "</g>\n";
+}
+
+void Drawing::segments(const char* name, const std::vector<SectionGeometry::Segment>& all, glm::vec3 color,
+                       double width) {
+  std::string d;
+  for (const auto& s : all) d += "M" + at(s.a) + "L" + at(s.b);
+  out_ += "<path id=\"" + std::string(name) + "\" fill=\"none\" stroke=\"" + hex(color) +
+          "\" stroke-width=\"" + number(width) + "\" stroke-linecap=\"round\" d=\"" + d + "\"/>\n";
+}
+
+void Drawing::mark(const char* name, PlanePoint p, bool bad, bool outer, double size) {
+  const double r = size / 2;
+  if (bad) {
+    const double cx = figure_.width / 2 + scale_ * (p.u - figure_.section.u),
+                 cy = height_ / 2 - scale_ * (p.v - figure_.section.v);
+    const auto point = [&](double dx, double dy) { return number(cx + dx) + "," + number(cy + dy); };
+    out_ += "<path class=\"" + std::string(name) + "\" d=\"M" + point(-r, -r) + "L" + point(r, r) + "M" +
+            point(-r, r) + "L" + point(r, -r) + "\"/>\n";
+  } else {
+    out_ += "<circle class=\"" + std::string(name) + "\" cx=\"" + x(p.u) + "\" cy=\"" + y(p.v) + "\" r=\"" +
+            number(outer ? r : 0.8 * r) + "\"/>\n";
+  }
+}
+
+void Drawing::samples() {
+  const ViewSettings& view = figure_.view;
+  if (!view.samples.shown()) return;
+  // Neighbours touch at most.
+  const double spacing = state_.samples ? state_.samples->sigma * scale_ : 2;
+  const double size = std::clamp(std::min(0.3 * static_cast<double>(view.sample_size), spacing), 0.25, 4.0);
+  const std::string good = hex(state_.complex.form != ZeroForm::free ? colors_.good : colors_.tetrahedron);
+  const std::string thin = number(std::max(0.2 * size, 0.1));
+  const struct {
+    const char* name;
+    bool bad, outer, shown;
+    std::string style;
+  } classes[] = {
+      {"good-outer", false, true, view.good_samples.shown(), "fill=\"" + good + "\" stroke=\"none\""},
+      {"good-inner", false, false, view.good_samples.shown(),
+       "fill=\"#ffffff\" stroke=\"" + good + "\" stroke-width=\"" + thin + "\""},
+      {"bad", true, true, view.bad_samples.shown(),
+       "fill=\"none\" stroke=\"" + hex(colors_.bad) + "\" stroke-width=\"" +
+           number(std::max(0.3 * size, 0.2)) + "\" stroke-linecap=\"round\""}};
+  for (const auto& c : classes) {
+    if (!c.shown) continue;
+    out_ += "<g id=\"samples-" + std::string(c.name) + "\" " + c.style + ">\n";
+    for (const auto& s : geometry_.samples)
+      if (s.bad == c.bad && (c.bad || s.outer == c.outer) && inside(s.at, size))
+        mark(c.name, s.at, c.bad, c.outer, c.bad ? 1.4 * size : size);
+    out_ += "</g>\n";
+  }
+}
+
+void Drawing::next_point() {
+  if (!figure_.view.highlight.shown() || state_.bad_samples == 0 || !state_.samples ||
+      !state_.worst_sample.valid() || state_.worst_sample.index() >= state_.samples->size())
+    return;
+  const Vec3 p = state_.samples->positions[state_.worst_sample.index()];
+  if (std::abs(plane_.height(p)) > 4 * state_.samples->sigma) return;
+  const PlanePoint q = plane_.project(p);
+  out_ += "<circle id=\"next\" fill=\"none\" stroke=\"" + hex(colors_.bad) + "\" stroke-width=\"0.4\" cx=\"" +
+          x(q.u) + "\" cy=\"" + y(q.v) + "\" r=\"2.2\"/>\n";
+}
+
+void Drawing::line(const std::string& content, double left, double top, const char* anchor) {
+  out_ += "<text x=\"" + number(left) + "\" y=\"" + number(top) + "\" text-anchor=\"" + anchor + "\">" +
+          escaped(content) + "</text>\n";
+}
+
+void Drawing::scale_bar(double top) {
+  const double unit = figure_.delta > 0 ? figure_.delta : 1;
+  const double length = round_length(figure_.width / 4 / (scale_ * unit));
+  const double extent = length * unit * scale_, right = figure_.width - margin, left = right - extent;
+  out_ += "<path id=\"scale-bar\" fill=\"none\" stroke=\"#000000\" stroke-width=\"0.4\" d=\"M" +
+          number(left) + "," + number(top - 1) + "v2M" + number(left) + "," + number(top) + "H" +
+          number(right) + "M" + number(right) + "," + number(top - 1) + "v2\"/>\n";
+  line(short_number(length) +
+           (figure_.delta > 0 ? " δ = " + short_number(length * unit) + " units" : " units"),
+       left - 1.5, top + 1.1, "end");
+}
+
+void Drawing::legend(double top) {
+  double left = margin;
+  const auto next = [&](const std::string& glyph, const std::string& text, double extent) {
+    out_ += glyph;
+    line(text, left + 6, top + 1.1);
+    left += extent;
+  };
+  const auto stroke = [&](glm::vec3 color, double width) {
+    return "<path fill=\"none\" stroke=\"" + hex(color) + "\" stroke-width=\"" + number(width) + "\" d=\"M" +
+           number(left) + "," + number(top) + "h4.5\"/>\n";
+  };
+  const auto circle = [&](const std::string& style) {
+    return "<circle " + style + " cx=\"" + number(left + 3) + "\" cy=\"" + number(top) + "\" r=\"0.9\"/>\n";
+  };
+  const ViewSettings& view = figure_.view;
+  if (view.zero_set.shown()) next(stroke(colors_.section_zero, 0.7), "Z", 11);
+  if (view.gamma.shown()) next(stroke(colors_.gamma, 0.5), "∂Γ", 13);
+  if (!view.samples.shown()) return;
+  if (view.good_samples.shown()) {
+    next(circle("fill=\"" + hex(colors_.good) + "\""), "outer", 17);
+    next(circle("fill=\"#ffffff\" stroke=\"" + hex(colors_.good) + "\" stroke-width=\"0.3\""), "inner", 17);
+  }
+  if (view.bad_samples.shown())
+    next("<path fill=\"none\" stroke=\"" + hex(colors_.bad) + "\" stroke-width=\"0.4\" d=\"M" +
+             number(left + 2) + "," + number(top - 1) + "l2,2m0,-2l-2,2\"/>\n",
+         "misclassified", 20);
+}
+
+void Drawing::caption(double top) {
+  const CriteriaParameters& c = state_.criteria;
+  std::string first = figure_.model + ", step " + std::to_string(state_.step);
+  if (state_.event) first += ", " + std::string(name(state_.event->stage));
+  first += ": T " + std::to_string(state_.complex.alive_tets()) + " tetrahedra, Z " +
+           std::to_string(state_.zero_set.vertices.size()) + " vertices";
+  if (state_.complex.form == ZeroForm::interpolated)
+    first += ", " + std::to_string(state_.bad_samples) + " samples misclassified";
+  line(first, margin, top);
+  line("δ = " + short_number(c.delta) + ", σ = " + short_number(c.sigma) + ", α = " + short_number(c.alpha) +
+           ", shrink " + short_number(c.shrink) + "; 1 mm = " + short_number(1 / scale_) + " units",
+       margin, top + line_height);
+}
+
+std::string Drawing::text() {
+  const double whole = height_ + 4.5 * line_height;
+  const std::string w = number(figure_.width), h = number(whole);
+  out_ =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" "
+      "width=\"" +
+      w + "mm\" height=\"" + h + "mm\" viewBox=\"0 0 " + w + " " + h + "\">\n";
+  out_ += "<title>" + escaped(figure_.model) + ", section at step " + std::to_string(state_.step) +
+          "</title>\n<desc>One millimetre is " + number(1 / scale_, "%.12g") + " scene units.</desc>\n";
+  out_ += "<defs><clipPath id=\"frame\"><rect x=\"0\" y=\"0\" width=\"" + w + "\" height=\"" +
+          number(height_) + "\"/></clipPath></defs>\n<rect width=\"" + w + "\" height=\"" + h +
+          "\" fill=\"#ffffff\"/>\n<g id=\"section\" clip-path=\"url(#frame)\">\n";
+  const ViewSettings& view = figure_.view;
+  tolerance();
+  if (view.tetrahedra.shown()) segments("triangulation", geometry_.tetrahedra, colors_.section_line, 0.15);
+  if (view.gamma.shown()) segments("gamma", geometry_.gamma, colors_.gamma, 0.5);
+  if (view.zero_set.shown()) segments("zero-set", geometry_.zero_set, colors_.section_zero, 0.7);
+  samples();
+  next_point();
+  out_ += "</g>\n<g id=\"caption\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"" +
+          number(text_size) + "\" fill=\"#000000\">\n";
+  legend(height_ + line_height);
+  scale_bar(height_ + line_height);
+  caption(height_ + 2.5 * line_height);
+  out_ += "</g>\n</svg>\n";
+  return std::move(out_);
+}
+
+} // namespace
+
+Lattice section_lattice(const DistanceGrid& grid, const SectionPlane& plane) {
+  Lattice lattice;
+  if (grid.box.empty() || grid.values.empty()) return lattice;
+  PlanePoint low{Box3::inf, Box3::inf}, high{-Box3::inf, -Box3::inf};
+  for (int corner = 0; corner < 8; ++corner) {
+    const PlanePoint p = plane.project({(corner & 1) ? grid.box.hi.x : grid.box.lo.x,
+                                        (corner & 2) ? grid.box.hi.y : grid.box.lo.y,
+                                        (corner & 4) ? grid.box.hi.z : grid.box.lo.z});
+    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+  }
+  const double longest = std::max(high.u - low.u, high.v - low.v);
+  const int finest = *std::max_element(grid.size.begin(), grid.size.end());
+  const double voxel = grid.box.longest_edge() / std::max(finest, 1);
+  lattice.spacing = std::max(voxel, longest / lattice_most);
+  lattice.origin = {low.u - lattice.spacing, low.v - lattice.spacing};
+  lattice.columns = static_cast<int>((high.u - low.u) / lattice.spacing) + 4;
+  lattice.rows = static_cast<int>((high.v - low.v) / lattice.spacing) + 4;
+  lattice.values.assign(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(lattice.rows),
+                        grid.clamp);
+  for (int y = 1; y + 1 < lattice.rows; ++y)
+    for (int x = 1; x + 1 < lattice.columns; ++x) {
+      const Vec3 p =
+          plane.lift({lattice.origin.u + x * lattice.spacing, lattice.origin.v + y * lattice.spacing});
+      bool within = true;
+      for (int k = 0; k < 3; ++k) within = within && p[k] >= grid.box.lo[k] && p[k] <= grid.box.hi[k];
+      if (within)
+        lattice.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(lattice.columns) +
+                       static_cast<std::size_t>(x)] = static_cast<float>(signed_distance(grid, p));
+    }
+  return lattice;
+}
+
+std::string section_svg(const StateSnapshot& state, const DistanceGrid* grid, const SectionFigure& figure) {
+  return Drawing(state, grid, figure).text();
+}
+
+} // namespace isoscope

@@ -1,0 +1,33 @@
+// The 2D section as a vector figure, drawn as the paper's figures are.
+#pragma once
+
+#include "run/snapshot.h"
+#include "scene/level_loops.h"
+#include "scene/renderer.h"
+#include "scene/section_geometry.h"
+#include "scene/view_settings.h"
+#include "tolerance/distance_grid.h"
+
+#include <string>
+
+namespace isoscope {
+
+struct SectionFigure {
+  Renderer::SectionView section; ///< what is visible of the plane
+  ViewSettings view;             ///< its layers, plane and size of samples
+  double aspect = 4.0 / 3;       ///< width to height of the drawing, without the lines below it
+  double width = 160;            ///< of the figure, millimetres
+  double delta = 0;              ///< δ, scene units; 0: not known, the scale bar is in scene units then
+  std::string model;             ///< named in the caption
+};
+
+/// An SVG 1.1 document: Ω filled, T thin, Z thick and black, ∂Γ blue, samples by class as disc, circle or
+/// cross, the next Steiner point ringed; a scale bar and a caption with step and parameters below.
+/// Coordinates are millimetres; the document says how many scene units one of them is. `grid` may be null.
+std::string section_svg(const StateSnapshot& state, const DistanceGrid* grid, const SectionFigure& figure);
+
+/// Signed distance over δ on a lattice over the section of the grid's box; every value on the rim is beyond
+/// Ω.
+Lattice section_lattice(const DistanceGrid& grid, const SectionPlane& plane);
+
+} // namespace isoscope
