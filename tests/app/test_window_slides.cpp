@@ -43,10 +43,10 @@ look x
 set clip none
 pick-worst
 bookmark the worst sample
-seek 20
+seek 14
 clear
 bookmark
-expect bookmarks.count == 3 and bookmark == 3 and bookmark.step == 20
+expect bookmarks.count == 3 and bookmark == 3 and bookmark.step == 14
 key Ctrl+1
 expect bookmark == 1 and state_step == 3 and clip == plane and heading == 0 and selection == none
 expect bookmark.note == "where it starts"
@@ -55,7 +55,7 @@ expect bookmark == 2 and state_step == 12 and clip == none and selection == samp
 expect bookmark.note == "the worst sample"
 key PageDown
 key PageDown
-expect bookmark == 3 and state_step == 20 and selection == none
+expect bookmark == 3 and state_step == 14 and selection == none
 key PageUp
 expect bookmark == 2 and state_step == 12
 bookmark-move 2 1
@@ -67,7 +67,7 @@ expect bookmarks.count == 2 and bookmark == 0
 bookmarks load )" + sidecar + R"(
 expect bookmarks.count == 3 and bookmark == 0
 key Ctrl+3
-expect bookmark.step == 20 and bookmark.note == "the end" and state_step == 20
+expect bookmark.step == 14 and bookmark.note == "the end" and state_step == 14
 restart
 wait settled
 expect bookmarks.count == 0
