@@ -38,28 +38,28 @@ seek 3
 look z
 set clip plane
 bookmark "where it starts"
-seek 12
+seek 7
 look x
 set clip none
 pick-worst
 bookmark the worst sample
-seek 14
+seek 11
 clear
 bookmark
-expect bookmarks.count == 3 and bookmark == 3 and bookmark.step == 14
+expect bookmarks.count == 3 and bookmark == 3 and bookmark.step == 11
 key Ctrl+1
 expect bookmark == 1 and state_step == 3 and clip == plane and heading == 0 and selection == none
 expect bookmark.note == "where it starts"
 key PageDown
-expect bookmark == 2 and state_step == 12 and clip == none and selection == sample and heading != 0
+expect bookmark == 2 and state_step == 7 and clip == none and selection == sample and heading != 0
 expect bookmark.note == "the worst sample"
 key PageDown
 key PageDown
-expect bookmark == 3 and state_step == 14 and selection == none
+expect bookmark == 3 and state_step == 11 and selection == none
 key PageUp
-expect bookmark == 2 and state_step == 12
+expect bookmark == 2 and state_step == 7
 bookmark-move 2 1
-expect bookmark == 1 and bookmark.step == 12
+expect bookmark == 1 and bookmark.step == 7
 bookmark-note 3 the end
 bookmarks save )" + sidecar + R"(
 bookmark-delete 1
@@ -67,7 +67,7 @@ expect bookmarks.count == 2 and bookmark == 0
 bookmarks load )" + sidecar + R"(
 expect bookmarks.count == 3 and bookmark == 0
 key Ctrl+3
-expect bookmark.step == 14 and bookmark.note == "the end" and state_step == 14
+expect bookmark.step == 11 and bookmark.note == "the end" and state_step == 11
 restart
 wait settled
 expect bookmarks.count == 0

@@ -162,6 +162,7 @@ void AppModel::place_view() {
   if (view.clip.shape == ClipSettings::Shape::none && !section_set) {
     view.clip.point = box.center();
     view.clip.radius = 0.15 * box.longest_edge();
+    clip_placed_ = true;
   }
 }
 

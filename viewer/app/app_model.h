@@ -222,6 +222,7 @@ class AppModel {
   void place_view();
   void watch_view();
   void fetch_bookmarks();
+  bool clip_placed_ = false;             ///< by the program, in this update
   std::filesystem::path bookmarks_file_; ///< of the run that is open
   void watch_history();
   std::shared_ptr<const PlayheadResult> result_;

@@ -1,6 +1,8 @@
 // The window's own memory: what undo brings back, and the bookmarks of the run that is open.
 #include "app/app_model.h"
 
+#include <utility>
+
 namespace isoscope {
 
 ViewMemento AppModel::memento() const {
@@ -38,6 +40,7 @@ void AppModel::watch_view() {
   unsigned unasked = 0;
   if (!camera.was_set()) unasked |= ViewHistory::camera;
   if (!section_set) unasked |= ViewHistory::section;
+  if (std::exchange(clip_placed_, false)) unasked |= ViewHistory::look;
   if (!state()) unasked = ~0u;
   history.observe(memento(), clock, dragging, unasked);
 }
