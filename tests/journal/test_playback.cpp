@@ -99,7 +99,7 @@ TEST_CASE("Keyframes stay within their limit") {
 
 TEST_CASE("A lower limit thins the keyframes at once, and a long run stays inside it wherever one goes") {
   const auto journal = recorded(16000, 10, 17);
-  constexpr std::size_t wide = std::size_t{256} << 20, narrow = std::size_t{12} << 20;
+  constexpr std::size_t wide = std::size_t{256} << 20, narrow = std::size_t{8} << 20;
   Playback playback(journal, wide), reference(journal, 0);
   playback.seek(journal->steps());
   REQUIRE(playback.keyframe_bytes() > narrow);
