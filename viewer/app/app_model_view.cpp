@@ -10,6 +10,7 @@ ViewMemento AppModel::memento() const {
   m.view = {camera.goal(), view, section};
   if (blinking) m.view.view.moment = Moment::both;
   m.filter = filter;
+  m.condition = debug.filter_text;
   m.picked = selection.picked;
   m.kinds = selection.kinds;
   m.event = selection.event;
@@ -27,6 +28,12 @@ void AppModel::take(const ViewMemento& m) {
   if (blinking) view.moment = moment;
   section = m.view.section;
   filter = m.filter;
+  if (m.condition != debug.filter_text) {
+    debug.filter_text = m.condition;
+    const ParsedQuery parsed = parse_query(m.condition);
+    const auto* expression = std::get_if<std::shared_ptr<const Expression>>(&parsed);
+    debug.filter = expression != nullptr && !m.condition.empty() ? *expression : nullptr;
+  }
   selection.pick(m.picked);
   selection.kinds = m.kinds;
   selection.event = m.event;

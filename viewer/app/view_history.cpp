@@ -13,7 +13,7 @@ unsigned difference(const ViewMemento& a, const ViewMemento& b) {
   differ(a.view.section.u == b.view.section.u && a.view.section.v == b.view.section.v &&
              a.view.section.height == b.view.section.height,
          ViewHistory::section);
-  differ(a.filter == b.filter, ViewHistory::filter);
+  differ(a.filter == b.filter && a.condition == b.condition, ViewHistory::filter);
   differ(a.picked == b.picked && a.kinds == b.kinds && a.event == b.event, ViewHistory::selection);
   differ(a.panes == b.panes, ViewHistory::layout);
   return parts;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace isoscope {
@@ -16,6 +17,7 @@ namespace isoscope {
 struct ViewMemento {
   ViewState view;
   EventFilter filter;
+  std::string condition; ///< of the filter, in the query language
   Pick picked;
   unsigned kinds = 15;                ///< as Selection::kinds
   std::optional<std::uint32_t> event; ///< as Selection::event
