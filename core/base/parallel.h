@@ -9,8 +9,10 @@
 namespace isoscope {
 
 /// Runs body(begin, end) over disjoint ranges that cover [0, n), each about `grain` long, in parallel.
-/// The body may write only to places owned by its own indices: then the result does not depend on the threads.
-void parallel_ranges(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
+/// The body may write only to places owned by its own indices: then the result does not depend on the
+/// threads.
+void parallel_ranges(std::size_t n, std::size_t grain,
+                     const std::function<void(std::size_t, std::size_t)>& body);
 
 /// Runs body(i) for every i in [0, n). Sequential below `grain` items.
 template <class Body> void parallel_for(std::size_t n, std::size_t grain, Body&& body) {
@@ -25,13 +27,13 @@ template <class Body> void parallel_for(std::size_t n, std::size_t grain, Body&&
 
 /// Limits the number of threads used by this process while it lives. 0 means all cores.
 class ThreadLimit {
-public:
+ public:
   explicit ThreadLimit(unsigned threads);
   ~ThreadLimit();
   ThreadLimit(const ThreadLimit&) = delete;
   ThreadLimit& operator=(const ThreadLimit&) = delete;
 
-private:
+ private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -8,7 +8,8 @@
 
 namespace isoscope {
 
-/// What kind of failure; the batch program's exit status follows from it (architecture: 2 usage, 3 bad input, 4 stopped).
+/// What kind of failure; the batch program's exit status follows from it (architecture: 2 usage, 3 bad input,
+/// 4 stopped).
 enum class ErrorCode {
   usage,       ///< an option or a command is wrong
   bad_input,   ///< a file cannot be read or does not describe a surface we can work on
@@ -31,7 +32,7 @@ struct Error {
 
 /// A value or the Error that prevented it.
 template <class T> class [[nodiscard]] Result {
-public:
+ public:
   Result(T value) : data_(std::move(value)) {}
   Result(Error error) : data_(std::move(error)) {}
   bool ok() const { return data_.index() == 0; }
@@ -45,20 +46,20 @@ public:
   const T& operator*() const& { return value(); }
   const Error& error() const { return std::get<1>(data_); }
 
-private:
+ private:
   std::variant<T, Error> data_;
 };
 
 /// Success, or the Error that prevented it.
 class [[nodiscard]] Status {
-public:
+ public:
   Status() = default;
   Status(Error error) : error_(std::move(error)) {}
   bool ok() const { return !error_.has_value(); }
   explicit operator bool() const { return ok(); }
   const Error& error() const { return *error_; }
 
-private:
+ private:
   std::optional<Error> error_;
 };
 

@@ -73,7 +73,7 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
   app.add_option(
       "--target", r.target,
       "how targets of collapses are found: optimum, constraints, sampling or octree (the paper's); default "
-      "sampling");
+      "constraints, sampled mode sampling");
   app.add_option("--cost-ring", r.cost_ring,
                  "facets whose planes make the error of a collapse: 1 or 2 rings; default 1");
   app.add_option("--effort", r.effort, "of the improver: 0 (least) to 3 (fewest vertices); default 2");

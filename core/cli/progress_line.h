@@ -1,6 +1,7 @@
 // One line per part of a run on a terminal, rewritten in place while the part goes on.
 #pragma once
 
+#include "base/grouped.h"
 #include "journal/journal.h"
 
 #include <chrono>
@@ -36,8 +37,5 @@ class ProgressLine {
   void begin(std::string_view name);
   void draw();
 };
-
-/// 1234567 as "1,234,567".
-std::string grouped(std::size_t n);
 
 } // namespace isoscope

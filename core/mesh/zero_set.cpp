@@ -1,10 +1,10 @@
 // Extracts Z and ∂Γ; numbering follows sorted edges of T, so that it depends on T alone.
 #include "mesh/zero_set.h"
 
+#include "base/disjoint_sets.h"
 #include "base/sort_unique.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace isoscope {
 
@@ -57,27 +57,9 @@ std::uint64_t pack(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t{a} << 32 | b;
 }
 
-/// Union by smallest member: the representative of a set is its smallest vertex.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Numbers the components in the order of the polygons and counts their parts.
 void find_components(ZeroSet& z) {
-  Sets sets(z.vertices.size());
+  DisjointSets sets(z.vertices.size());
   std::vector<std::uint64_t> edges;
   edges.reserve(4 * z.polygons.size());
   for (const auto& p : z.polygons) {

@@ -2,6 +2,7 @@
 // winding numbers.
 #include "run/certificate.h"
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/place.h"
 #include "tolerance/facet_certificate.h"
@@ -15,7 +16,6 @@
 #include <cstdio>
 #include <iterator>
 #include <numbers>
-#include <numeric>
 
 namespace isoscope {
 
@@ -38,11 +38,6 @@ struct DirectedEdge {
   std::uint32_t from, to, facet;
   friend auto operator<=>(const DirectedEdge&, const DirectedEdge&) = default;
 };
-
-std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
 
 /// Closedness, orientation, single fans, components and χ.
 void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
@@ -70,8 +65,7 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     c.failures.push_back("A facet at " + place(mesh.points[t[0]], place_digits) + " has a vertex twice.");
     break;
   }
-  std::vector<std::uint32_t> facet_parent(mesh.triangles.size());
-  std::iota(facet_parent.begin(), facet_parent.end(), 0u);
+  DisjointSets pieces(mesh.triangles.size());
   std::size_t undirected = 0;
   for (const DirectedEdge& e : edges) {
     const auto [same, same_end] = facets_of(e.from, e.to);
@@ -88,7 +82,7 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     }
     if (e.from < e.to || against == 0) ++undirected;
     for (auto it = twin; it != twin_end; ++it) {
-      facet_parent[find_root(facet_parent, it->facet)] = find_root(facet_parent, e.facet);
+      pieces.unite(it->facet, e.facet);
     }
   }
 
@@ -119,8 +113,8 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
       c.closed_manifold = false;
     }
   }
-  for (std::uint32_t f = 0; f < facet_parent.size(); ++f) {
-    if (find_root(facet_parent, f) == f) ++c.components;
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    if (pieces.find(f) == f) ++c.components;
   }
   c.euler_characteristic =
       static_cast<long>(used) - static_cast<long>(undirected) + static_cast<long>(mesh.triangles.size());

@@ -1,10 +1,10 @@
 // Orients the input's normals like a surface next to it.
 #include "simplify/input_surface.h"
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace isoscope {
@@ -24,14 +24,9 @@ auto key(const Vec3& p) {
   return std::tie(p.x, p.y, p.z);
 }
 
-std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 /// Union-find over the triangles: joined across edges of exactly two that run through it in opposite
 /// directions.
-std::vector<std::uint32_t> consistent_pieces(const ClosestPointIndex& index) {
+DisjointSets consistent_pieces(const ClosestPointIndex& index) {
   std::vector<SoupEdge> edges;
   edges.reserve(3 * index.size());
   for (std::uint32_t t = 0; t < index.size(); ++t) {
@@ -46,16 +41,15 @@ std::vector<std::uint32_t> consistent_pieces(const ClosestPointIndex& index) {
   std::sort(edges.begin(), edges.end(), [](const SoupEdge& a, const SoupEdge& b) {
     return std::tuple(key(a.low), key(a.high), a.triangle) < std::tuple(key(b.low), key(b.high), b.triangle);
   });
-  std::vector<std::uint32_t> parent(index.size());
-  std::iota(parent.begin(), parent.end(), 0u);
+  DisjointSets pieces(index.size());
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i + 1;
     while (end < edges.size() && same(edges[i], edges[end])) ++end;
     if (end - i == 2 && edges[i].forward != edges[i + 1].forward)
-      parent[find_root(parent, edges[i].triangle)] = find_root(parent, edges[i + 1].triangle);
+      pieces.unite(edges[i].triangle, edges[i + 1].triangle);
     i = end;
   }
-  return parent;
+  return pieces;
 }
 
 } // namespace
@@ -74,11 +68,11 @@ InputSurface::InputSurface(const ClosestPointIndex& index, double delta, const T
     const Triangle3& facet = near_surface.triangle(near.triangle);
     votes[t] = dot(area, normalized(cross(facet[1] - facet[0], facet[2] - facet[0])));
   });
-  std::vector<std::uint32_t> pieces = consistent_pieces(index);
+  DisjointSets pieces = consistent_pieces(index);
   std::vector<double> sums(index.size(), 0);
-  for (std::uint32_t t = 0; t < index.size(); ++t) sums[find_root(pieces, t)] += votes[t];
+  for (std::uint32_t t = 0; t < index.size(); ++t) sums[pieces.find(t)] += votes[t];
   for (std::uint32_t t = 0; t < index.size(); ++t)
-    if (sums[find_root(pieces, t)] < 0) normals_[t] = -normals_[t];
+    if (sums[pieces.find(t)] < 0) normals_[t] = -normals_[t];
 }
 
 } // namespace isoscope

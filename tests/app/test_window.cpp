@@ -1,5 +1,6 @@
 // Sessions of the real window: scripts with expectations, pictures against references, a real mouse and
 // keyboard.
+#include "app/window_script.h"
 #include "platform/image_file.h"
 
 #include <doctest/doctest.h>
@@ -8,32 +9,15 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <sys/wait.h>
 
 using namespace isoscope;
+using namespace isoscope::test;
 namespace fs = std::filesystem;
 
 namespace {
 
 const fs::path results = ISOSCOPE_RESULTS;
 const fs::path reference = ISOSCOPE_REFERENCE;
-
-int exit_of(const std::string& command) {
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-/// Runs the window with a script; the exit status.
-int run_script(const std::string& name, const std::string& script,
-               const std::string& arguments = "gallery:sphere --tolerance 12%",
-               const std::string& meanwhile = "") {
-  fs::create_directories(results);
-  const fs::path file = results / (name + ".txt");
-  std::ofstream(file) << script;
-  std::string command = std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
-  if (!meanwhile.empty()) command += " & program=$!; " + meanwhile + "; wait $program";
-  return exit_of(command);
-}
 
 std::string picture(const std::string& name) {
   return (results / (name + ".png")).string();
@@ -78,7 +62,7 @@ void compare(const std::string& name) {
 } // namespace
 
 TEST_CASE("a run is watched, stepped and judged") {
-  CHECK(run_script("steps", R"(
+  CHECK(run_window("steps", R"(
 wait settled
 expect phase == finished and bad_samples == 0 and certified == on
 expect step == state_step
@@ -105,7 +89,7 @@ quit
 }
 
 TEST_CASE("a held run is stepped at its live end") {
-  CHECK(run_script("held", R"(
+  CHECK(run_window("held", R"(
 open gallery:sphere paused
 wait settled
 expect phase == paused
@@ -120,7 +104,7 @@ quit
 }
 
 TEST_CASE("parameters are applied and a run is begun again") {
-  CHECK(run_script("parameters", R"(
+  CHECK(run_window("parameters", R"(
 wait settled
 set alpha 0.5
 apply
@@ -136,12 +120,12 @@ quit
 }
 
 TEST_CASE("a failed expectation ends the script with status 1") {
-  CHECK(run_script("failing", "wait settled\nexpect bad_samples == 17\nquit\n") == 1);
-  CHECK(run_script("unknown", "frobnicate\n") == 2);
+  CHECK(run_window("failing", "wait settled\nexpect bad_samples == 17\nquit\n") == 1);
+  CHECK(run_window("unknown", "frobnicate\n") == 2);
 }
 
 TEST_CASE("a scripted mouse turns, picks and zooms") {
-  CHECK(run_script("mouse", R"(
+  CHECK(run_window("mouse", R"(
 wait settled
 look z
 expect heading == 0
@@ -162,12 +146,12 @@ TEST_CASE("pictures look as they should") {
                              "\nscene\npick tet 30\ntab timeline\ntheme light\nscreenshot " +
                              picture("inspector") + "\ntheme dark\ngallery\nwait 3\nscreenshot " +
                              picture("gallery") + "\nquit\n";
-  REQUIRE(run_script("pictures", script) == 0);
+  REQUIRE(run_window("pictures", script) == 0);
   for (const char* name : {"scene", "split", "inspector", "gallery"}) compare(name);
 }
 
 TEST_CASE("a whole run is watched through its stages, and edges are asked why they stayed") {
-  CHECK(run_script("stages", R"(
+  CHECK(run_window("stages", R"(
 wait settled
 expect phase == finished and certified == on and form == free
 expect count.collapse > 100 and count.insertion > 100
@@ -223,7 +207,7 @@ quit
 }
 
 TEST_CASE("stages are left out and ended early as asked") {
-  CHECK(run_script("short", R"(
+  CHECK(run_window("short", R"(
 wait settled
 expect form == embedded and phase == finished and certified == on
 expect begin.gamma == nan and begin.all == nan
@@ -237,7 +221,7 @@ quit
 }
 
 TEST_CASE("a held run goes on until a stage begins") {
-  CHECK(run_script("until-stage", R"(
+  CHECK(run_window("until-stage", R"(
 open gallery:sphere paused
 wait settled
 stage zero-set
@@ -255,7 +239,7 @@ TEST_CASE("the X-ray and the plots look as they should") {
       "wait settled\nstage zero-set\nnext-event collapse zero-set\nscreenshot " + picture("xray") +
       "\nclear\nframe-all\nset clip plane\nset tets.all on\nsplit\ntab plots\nscreenshot " +
       picture("sides") + "\nquit\n";
-  REQUIRE(run_script("edge-pictures", script) == 0);
+  REQUIRE(run_window("edge-pictures", script) == 0);
   for (const char* name : {"xray", "sides"}) compare(name);
 }
 
@@ -279,7 +263,7 @@ quit
       "xdotool mousemove_relative 15 3; sleep 0.05; done; "
       "xdotool mouseup 1; xdotool key Right; sleep 0.2; xdotool key Right; sleep 0.2; "
       "xdotool mousemove 600 300 click 1";
-  CHECK(run_script("hands", script, "gallery:sphere --tolerance 12%", hands) == 0);
+  CHECK(run_window("hands", script, "gallery:sphere --tolerance 12%", hands) == 0);
 }
 
 TEST_CASE("without a display there is a clear word and status 2") {

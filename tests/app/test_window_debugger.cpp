@@ -1,34 +1,13 @@
 // Scripted sessions of the debugger: breakpoints, the language of the event list, lanes, ranges, steps on
 // three levels.
+#include "app/window_script.h"
+
 #include <doctest/doctest.h>
 
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
-
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Runs the window with a script; the exit status.
-int run_script(const std::string& name, const std::string& script,
-               const std::string& arguments = "gallery:sphere --tolerance 12%") {
-  const fs::path results = ISOSCOPE_RESULTS;
-  fs::create_directories(results);
-  const fs::path file = results / (name + ".txt");
-  std::ofstream(file) << script;
-  const std::string command = std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-} // namespace
+using isoscope::test::run_window;
 
 TEST_CASE("a run pauses at its breakpoints, and one goes on from hit to hit and back") {
-  CHECK(run_script("breakpoints", R"(
+  CHECK(run_window("breakpoints", R"(
 break stage_begin && stage == gamma
 break reject && stage == gamma
 break collapse
@@ -63,7 +42,7 @@ quit
 }
 
 TEST_CASE("over the journal of a finished run F5 and Shift+F5 find the same events") {
-  CHECK(run_script("journal", R"(
+  CHECK(run_window("journal", R"(
 wait settled
 expect phase == finished
 break stage_begin && (stage == gamma || stage == zero_set)
@@ -93,12 +72,12 @@ quit
 }
 
 TEST_CASE("a wrong condition is refused") {
-  CHECK(run_script("wrong", "break rejct\nquit\n") == 1);
-  CHECK(run_script("wrong-filter", "filter reason == kernl\nquit\n") == 1);
+  CHECK(run_window("wrong", "break rejct\nquit\n") == 1);
+  CHECK(run_window("wrong-filter", "filter reason == kernl\nquit\n") == 1);
 }
 
 TEST_CASE("the list takes conditions and words, saved ones are lanes, a range limits them") {
-  CHECK(run_script("filters", R"(
+  CHECK(run_window("filters", R"(
 wait settled
 filter reject && reason == outside_tolerance
 wait settled
@@ -131,7 +110,7 @@ quit
 }
 
 TEST_CASE("steps over, into and out of stages, operations and gates") {
-  CHECK(run_script("levels", R"(
+  CHECK(run_window("levels", R"(
 wait settled
 stage zero-set
 wait settled

@@ -1,4 +1,5 @@
 // Sessions of the real window that write pictures, figures and films, and what is in those files.
+#include "app/window_script.h"
 #include "platform/image_file.h"
 
 #include <doctest/doctest.h>
@@ -8,20 +9,15 @@
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <sys/wait.h>
 #include <vector>
 
 using namespace isoscope;
+using namespace isoscope::test;
 namespace fs = std::filesystem;
 
 namespace {
 
 const fs::path results = ISOSCOPE_RESULTS;
-
-int exit_of(const std::string& command) {
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 std::string at(const std::string& name) {
   return (results / name).string();
@@ -30,11 +26,7 @@ std::string at(const std::string& name) {
 /// Runs the window with a script on a coarse sphere; the exit status.
 int run_script(const std::string& name, const std::string& script, const std::string& before = "",
                const std::string& tolerance = "12%") {
-  fs::create_directories(results);
-  const std::string file = at(name + ".txt");
-  std::ofstream(file) << script;
-  return exit_of(before + ISOSCOPE_PROGRAM + " gallery:sphere --until refinement --tolerance " + tolerance +
-                 " --script " + file);
+  return run_window(name, script, "gallery:sphere --until refinement --tolerance " + tolerance, "", before);
 }
 
 Image picture(const std::string& name) {

@@ -1,32 +1,13 @@
 // Sessions of the window that answer questions 9 to 16, 19 and 20 by their numbers: elements, work, topology,
 // validity.
+#include "app/window_script.h"
+
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <sys/wait.h>
-
-namespace fs = std::filesystem;
-
-namespace {
-
-/// Runs the window with a script; the exit status.
-int run_script(const std::string& name, const std::string& script, const std::string& arguments) {
-  const fs::path results = ISOSCOPE_RESULTS;
-  fs::create_directories(results);
-  const fs::path file = results / (name + ".txt");
-  std::ofstream(file) << script;
-  const std::string command = std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-} // namespace
+using isoscope::test::run_window;
 
 TEST_CASE("elements tell why they violate, who mends them and which parameters would help") {
-  CHECK(run_script("elements", R"(
+  CHECK(run_window("elements", R"(
 wait settled
 seek 30
 expect violations.misoriented > 0
@@ -51,7 +32,7 @@ quit
 }
 
 TEST_CASE("histories list what happened and L goes to the last change") {
-  CHECK(run_script("histories", R"(
+  CHECK(run_window("histories", R"(
 wait settled
 seek 30
 pick-worst
@@ -78,7 +59,7 @@ quit
 }
 
 TEST_CASE("work is mapped, timed and explained, topology and validity are judged") {
-  CHECK(run_script("state", R"(
+  CHECK(run_window("state", R"(
 wait settled
 work
 expect work.total > 1000 and work.cells > 100 and work.hottest > 1
@@ -107,7 +88,7 @@ quit
 }
 
 TEST_CASE("an edge that stays for its normals is told which shrink would help") {
-  CHECK(run_script("edge-advice", R"(
+  CHECK(run_window("edge-advice", R"(
 wait settled
 next-event normals zero-set
 expect event.reason == normals and advice.shrink == none

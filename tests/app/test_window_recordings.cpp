@@ -1,40 +1,31 @@
 // Recordings in the real window: written from it, opened in it, without the input file.
+#include "app/window_script.h"
+
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include <sys/wait.h>
+using isoscope::test::run_window;
 
 namespace {
 
 namespace fs = std::filesystem;
 const fs::path results = ISOSCOPE_RESULTS;
 
-/// Runs the window with a script; the exit status.
-int run_script(const std::string& name, const std::string& script, const std::string& arguments) {
-  fs::create_directories(results);
-  const fs::path file = results / (name + ".txt");
-  std::ofstream(file) << script;
-  const std::string command = std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 } // namespace
 
 TEST_CASE("a run recorded from the window opens in another one and is stepped through") {
   const std::string file = (results / "window.isorun").string();
   fs::remove(file);
-  REQUIRE(run_script("record",
+  REQUIRE(run_window("record",
                      "expect recording == none\nwait settled\nrecord " + file +
                          "\nexpect recording == writing\nexpect certified == on\nwait 1\n"
                          "expect recording.events > 100\nquit\n",
                      "gallery:sphere --tolerance 12%") == 0);
   REQUIRE(fs::exists(file));
-  CHECK(run_script("opened",
+  CHECK(run_window("opened",
                    "wait settled\nexpect recording == opened\nexpect phase == finished\n"
                    "expect model == gallery:sphere\nexpect certified == on\nexpect recording.events > 100\n"
                    "seek 3\nwait settled\nexpect state_step == 3\nexpect stage == refinement\n"
@@ -43,7 +34,7 @@ TEST_CASE("a run recorded from the window opens in another one and is stepped th
                        (results / "recording.png").string() + "\nquit\n",
                    file) == 0);
   // It is opened by command too, and its input runs anew.
-  CHECK(run_script("reopened",
+  CHECK(run_window("reopened",
                    "open " + file +
                        "\nwait settled\nexpect recording == opened\nrestart\nwait settled\n"
                        "expect recording == none\nexpect certified == on\nquit\n",
@@ -54,7 +45,7 @@ TEST_CASE("a file that is no recording is told") {
   fs::create_directories(results);
   const fs::path file = results / "none.isorun";
   std::ofstream(file) << "OFF\n0 0 0\n";
-  CHECK(run_script("none",
+  CHECK(run_window("none",
                    "open " + file.string() + "\nwait 2\nexpect phase == failed\nexpect messages == 1\nquit\n",
                    "gallery:sphere --paused") == 0);
 }

@@ -1,27 +1,18 @@
 // Talks in the real window: bookmarks as slides, undo of the view, the presenter mode.
+#include "app/window_script.h"
+
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
-#include <sys/wait.h>
+
+using isoscope::test::run_window;
 
 namespace fs = std::filesystem;
 
 namespace {
 
 const fs::path results = ISOSCOPE_RESULTS;
-
-/// Runs the window with a script; the exit status.
-int run_script(const std::string& name, const std::string& script, const std::string& arguments) {
-  fs::create_directories(results);
-  const fs::path file = results / (name + ".txt");
-  std::ofstream(file) << script;
-  const std::string command = std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 const std::string small = "gallery:sphere --tolerance 12% --until refinement";
 
@@ -31,7 +22,7 @@ TEST_CASE("bookmarks are made, turned as slides, ordered, written and read again
   const std::string sidecar = (results / "talk.json").string();
   fs::create_directories(results);
   fs::remove(sidecar);
-  CHECK(run_script("slides", R"(
+  CHECK(run_window("slides", R"(
 wait settled
 expect bookmarks.count == 0 and bookmark == 0 and bookmark.step == nan
 seek 3
@@ -75,13 +66,13 @@ quit
 )",
                    small) == 0);
   CHECK(fs::file_size(sidecar) > 500);
-  CHECK(run_script("slides-missing", "wait settled\nbookmark-go 1\n", small + " 2>/dev/null") == 1);
-  CHECK(run_script("slides-damaged", "wait settled\nbookmarks load /dev/null\n", small + " 2>/dev/null") ==
+  CHECK(run_window("slides-missing", "wait settled\nbookmark-go 1\n", small + " 2>/dev/null") == 1);
+  CHECK(run_window("slides-damaged", "wait settled\nbookmarks load /dev/null\n", small + " 2>/dev/null") ==
         1);
 }
 
 TEST_CASE("view, filter, selection and layout are undone and redone; the run is not") {
-  CHECK(run_script("undo", R"(
+  CHECK(run_window("undo", R"(
 wait settled
 seek 5
 expect undo.depth == 0 and redo.depth == 0
@@ -115,7 +106,7 @@ quit
 }
 
 TEST_CASE("the presenter mode says what happens, at the speed asked for, and Esc ends it") {
-  CHECK(run_script("presenter", R"(
+  CHECK(run_window("presenter", R"(
 wait settled
 expect presenter == off and slow_down == on and moments >= 1
 seek 1
@@ -159,7 +150,7 @@ quit
 }
 
 TEST_CASE("a whole run has its moments, and rejections are told in plain words") {
-  CHECK(run_script("moments", R"(
+  CHECK(run_window("moments", R"(
 wait settled
 expect moments >= 6
 first

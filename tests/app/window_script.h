@@ -9,16 +9,25 @@
 
 namespace isoscope::test {
 
-/// The window's exit status; 0 where every expectation of the script held.
-inline int run_window(const std::string& name, const std::string& script, const std::string& arguments) {
+/// The exit status of a shell command; -1 where it ended otherwise.
+inline int exit_of(const std::string& command) {
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// The window's exit status; 0 where every expectation of the script held. `meanwhile`: a shell command that
+/// acts beside the window; `environment`: assignments before it.
+inline int run_window(const std::string& name, const std::string& script,
+                      const std::string& arguments = "gallery:sphere --tolerance 12%",
+                      const std::string& meanwhile = "", const std::string& environment = "") {
   namespace fs = std::filesystem;
   const fs::path results = ISOSCOPE_RESULTS;
   fs::create_directories(results);
   const fs::path file = results / (name + ".txt");
   std::ofstream(file) << script;
-  const std::string command = std::string(ISOSCOPE_PROGRAM) + " " + arguments + " --script " + file.string();
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  std::string command = environment + ISOSCOPE_PROGRAM + " " + arguments + " --script " + file.string();
+  if (!meanwhile.empty()) command += " & program=$!; " + meanwhile + "; wait $program";
+  return exit_of(command);
 }
 
 } // namespace isoscope::test

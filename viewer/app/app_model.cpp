@@ -30,7 +30,8 @@ CameraPose first_pose() {
 } // namespace
 
 AppModel::AppModel(std::function<void()> notify)
-    : playhead(notify), probe(notify), unlocks(notify), grid(notify), investigation(notify), debug(notify) {
+    : playhead(notify), probe(notify), unlocks(unlocks_of, notify), grid(notify), investigation(notify),
+      debug(notify) {
   debug.breakpoints->set_expected([this] {
     const auto scene = session.snapshot().scene;
     return scene ? expected_genus(*scene) : std::nullopt;

@@ -14,9 +14,10 @@
 #include "app/probe.h"
 #include "app/settings.h"
 #include "app/transport.h"
-#include "app/unlock_worker.h"
 #include "app/view_history.h"
+#include "app/worker.h"
 #include "run/session.h"
+#include "run/unlock_search.h"
 #include "scene/camera.h"
 #include "scene/renderer.h"
 #include "scene/view_settings.h"
@@ -96,6 +97,9 @@ struct Presenter {
   bool slow_down = true; ///< playing dwells at moments
 };
 
+/// Searches what would unlock the edge of a request; null when cancelled or where the state has no such edge.
+std::shared_ptr<const UnlockSearch> unlocks_of(const ProbeRequest& request, RunControl& control);
+
 class AppModel {
  public:
   /// `notify` is called from workers when something new is ready.
@@ -106,8 +110,8 @@ class AppModel {
   SessionSnapshot run; ///< taken once a frame
   Playhead playhead;
   Probe probe;
-  UnlockWorker unlocks;
-  std::optional<Session> other_run; ///< the run that a branch left, or the branch
+  Worker<ProbeRequest, UnlockSearch> unlocks; ///< what would make the picked collapse possible
+  std::optional<Session> other_run;           ///< the run that a branch left, or the branch
   GridLoader grid;
   JournalIndex index;
   Investigation investigation;

@@ -45,15 +45,16 @@ bool tell_pause(AppModel& m) {
 }
 
 bool take_answer(AppModel& m) {
-  const auto answer = m.debug.worker.take();
-  if (!answer || answer->request.number != m.debug.searches || answer->request.journal != m.run.journal)
-    return false;
-  const bool forward = answer->request.search.direction == Direction::forward;
-  if (answer->match) {
-    show_event(m, answer->match->event);
-    m.tell("Event " + std::to_string(answer->match->event) + " matches " +
-           answer->request.search.expressions[answer->match->expression]->text() + ".");
-  } else if (!forward || !answer->request.goes_on) {
+  const auto answer = m.debug.worker.answered();
+  if (!answer || answer->question.number == m.debug.told) return false;
+  m.debug.told = answer->question.number;
+  if (answer->question.number != m.debug.searches || answer->question.journal != m.run.journal) return false;
+  const bool forward = answer->question.search.direction == Direction::forward;
+  if (answer->answer) {
+    show_event(m, answer->answer->event);
+    m.tell("Event " + std::to_string(answer->answer->event) + " matches " +
+           answer->question.search.expressions[answer->answer->expression]->text() + ".");
+  } else if (!forward || !answer->question.goes_on) {
     m.tell(forward ? "No later event matches." : "No earlier event matches.");
   } else if (m.run.phase == SessionPhase::paused) {
     m.session.resume();
@@ -116,7 +117,9 @@ bool update_debugger(AppModel& m) {
 
 bool debugger_is_current(const AppModel& m) {
   const Debugger& d = m.debug;
-  return d.worker.idle() && (m.running() || d.listed.complete());
+  const auto answer = d.worker.answered();
+  const bool waits = answer && answer->question.number != d.told;
+  return d.worker.idle() && !waits && (m.running() || d.listed.complete());
 }
 
 std::ptrdiff_t current_event(const AppModel& m) {
@@ -167,7 +170,7 @@ void search_events(AppModel& m, std::vector<std::shared_ptr<const Expression>> e
   request.search.direction = direction;
   if (const auto scene = m.run.scene) request.search.expected = [scene] { return expected_genus(*scene); };
   m.transport.jump(m.transport.step());
-  m.debug.worker.request(std::move(request));
+  m.debug.worker.ask(std::move(request));
 }
 
 namespace actions {

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "app/filtered_events.h"
-#include "app/query_worker.h"
+#include "app/worker.h"
 #include "query/breakpoints.h"
+#include "query/search.h"
 
 #include <functional>
 #include <memory>
@@ -32,12 +33,27 @@ struct GateView {
 /// The pause note of a step on one of the levels.
 inline constexpr std::string_view stepping_note = "stepped";
 
+/// What is asked of a journal: the next or the previous event that matches.
+struct QueryRequest {
+  std::uint64_t number = 0; ///< of the search, see Debugger::searches
+  std::shared_ptr<const Journal> journal;
+  QuerySearch search;
+  bool goes_on = false; ///< where no later event matches, the run goes on
+};
+
 struct Debugger {
-  explicit Debugger(std::function<void()> notify) : worker(std::move(notify)) {}
+  explicit Debugger(std::function<void()> notify)
+      : worker([](const QueryRequest& r, RunControl& control) { return search_of(r, control); },
+               std::move(notify)) {}
+  /// The match, null where there is none.
+  static std::shared_ptr<const QueryMatch> search_of(const QueryRequest& request, const RunControl& control) {
+    const auto match = find(request.journal, request.search, control);
+    return match ? std::make_shared<const QueryMatch>(*match) : nullptr;
+  }
 
   /// Shared with the run's thread.
   std::shared_ptr<BreakpointSet> breakpoints = std::make_shared<BreakpointSet>();
-  QueryWorker worker;
+  Worker<QueryRequest, QueryMatch> worker;
   std::string filter_text; ///< of the event list
   std::shared_ptr<const Expression> filter;
   FilteredEvents listed;             ///< what the event list shows
@@ -51,6 +67,7 @@ struct Debugger {
   // Bookkeeping of update_debugger().
   bool armed = false;         ///< the session asks the breakpoints
   std::uint64_t searches = 0; ///< number of the search asked for last
+  std::uint64_t told = 0;     ///< number of the last one whose answer was told or dropped
   std::uint64_t held_generation = 0;
   std::size_t held_events = 0; ///< events there were at the pause that was told last
 };

@@ -3,6 +3,16 @@
 
 namespace isoscope {
 
+std::shared_ptr<const UnlockSearch> unlocks_of(const ProbeRequest& request, RunControl& control) {
+  const auto index = sample_index(request);
+  auto search =
+      search_unlocks(*request.state, request.question, xray_context(request, index.get()), [&](double done) {
+        control.report("unlock", done);
+        return !control.cancelled();
+      });
+  return search && search->complete ? std::make_shared<const UnlockSearch>(std::move(*search)) : nullptr;
+}
+
 std::shared_ptr<const TargetStudy> AppModel::study() const {
   const auto newest = probe.result();
   return newest && xray_asked_ && newest->request == *xray_asked_ && newest->request.state == state()
@@ -11,14 +21,14 @@ std::shared_ptr<const TargetStudy> AppModel::study() const {
 }
 
 std::shared_ptr<const UnlockSearch> AppModel::unlock_search() const {
-  const auto newest = unlocks.result();
-  return newest && xray_asked_ && newest->request.same_edge(*xray_asked_) ? newest->search : nullptr;
+  const auto newest = unlocks.answered();
+  return newest && xray_asked_ && newest->question.same_edge(*xray_asked_) ? newest->answer : nullptr;
 }
 
 Status AppModel::search_unlocks() {
   if (!xray() || !xray_asked_)
     return Error{ErrorCode::usage, "There is no X-ray.", "Select an edge of T first."};
-  unlocks.request(*xray_asked_);
+  unlocks.ask(*xray_asked_);
   return {};
 }
 

@@ -42,7 +42,8 @@ void add_export_values(NamedTable& t) {
                nullptr});
   count("history.bytes", "bytes of journal and keyframes",
         [](const AppModel& m) { return m.history_memory().bytes(); });
-  count("history.journal", "bytes of the journal", [](const AppModel& m) { return m.history_memory().journal; });
+  count("history.journal", "bytes of the journal",
+        [](const AppModel& m) { return m.history_memory().journal; });
   count("history.keyframes", "bytes of the keyframes",
         [](const AppModel& m) { return m.history_memory().keyframes; });
   t.push_back({"history.limit", "what journal and keyframes may take together, MiB, 1 to 1048576",

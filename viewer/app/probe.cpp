@@ -7,6 +7,19 @@
 
 namespace isoscope {
 
+std::shared_ptr<const SampleIndex> sample_index(const ProbeRequest& request,
+                                                std::shared_ptr<const SampleIndex> known) {
+  const auto samples = request.state->samples;
+  if (!samples) return nullptr;
+  if (request.index && request.index->set == samples) return request.index;
+  if (known && known->set == samples) return known;
+  return std::make_shared<const SampleIndex>(samples);
+}
+
+XrayContext xray_context(const ProbeRequest& request, const SampleIndex* index) {
+  return {*request.scene, *request.journal, request.parameters, index != nullptr ? &index->nearest : nullptr};
+}
+
 struct Probe::Impl {
   std::function<void()> notify;
   mutable std::mutex mutex;
@@ -25,11 +38,8 @@ struct Probe::Impl {
 };
 
 std::shared_ptr<const ProbeResult> Probe::Impl::answer(ProbeRequest request) {
-  const auto samples = request.state->samples;
-  if (request.index && request.index->set == samples) index = request.index;
-  if (samples && (!index || index->set != samples)) index = std::make_shared<const SampleIndex>(samples);
-  const XrayContext context{*request.scene, *request.journal, request.parameters,
-                            samples ? &index->nearest : nullptr};
+  if (auto own = sample_index(request, index)) index = std::move(own);
+  const XrayContext context = xray_context(request, request.state->samples ? index.get() : nullptr);
   auto made = std::make_shared<ProbeResult>();
   // A target that is dragged leaves the edge as it is.
   if (last && last->request.same_edge(request)) {

@@ -29,6 +29,12 @@ struct ProbeRequest {
   }
 };
 
+/// The index of the samples of a request's state: its own, the known one, or a new one; null without samples.
+std::shared_ptr<const SampleIndex> sample_index(const ProbeRequest& request,
+                                                std::shared_ptr<const SampleIndex> known = nullptr);
+/// What an answer depends on, for as long as request and index live.
+XrayContext xray_context(const ProbeRequest& request, const SampleIndex* index);
+
 /// The newest answer; `xray` is null where the state has no such edge.
 struct ProbeResult {
   ProbeRequest request;

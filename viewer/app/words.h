@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/transport.h"
+#include "base/grouped.h"
 #include "journal/event.h"
 #include "run/session.h"
 #include "scene/view_settings.h"
@@ -36,8 +37,6 @@ std::string_view check_help(CollapseCheck check);
 /// A condition in a few words: "1 classification".
 std::string_view condition_title(Condition condition);
 
-/// 12345 -> "12,345".
-std::string grouped(std::size_t number);
 /// Three significant digits, without needless exponents: "0.0123", "1.83", "12,300".
 std::string short_number(double value);
 /// The same with as many digits more as tell it apart from `limit`: "1.00023" beside 1.

@@ -134,10 +134,11 @@ void unlock(Ui& ui) {
     const float width = ImGui::GetContentRegionAvail().x, high = ui.px(8);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.line), high / 2);
-    list.AddRectFilled(at, {at.x + width * static_cast<float>(m.unlocks.fraction()), at.y + high},
+    list.AddRectFilled(at,
+                       {at.x + width * static_cast<float>(std::max(m.unlocks.fraction(), 0.0)), at.y + high},
                        to_u32(ui.colors.accent), high / 2);
     ImGui::Dummy({width, high});
-    if (widgets::plain_button(ui, "Cancel", true, width)) m.unlocks.cancel();
+    if (widgets::plain_button(ui, "Cancel", true, width)) m.unlocks.stop();
     return;
   }
   const auto search = m.unlock_search();
