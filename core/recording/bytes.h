@@ -16,6 +16,10 @@ constexpr std::uint64_t fold_sign(std::int64_t v) {
 constexpr std::int64_t unfold_sign(std::uint64_t v) {
   return static_cast<std::int64_t>(v >> 1) ^ -static_cast<std::int64_t>(v & 1);
 }
+/// The number that is so much more; beyond 64 bits it wraps, which only damaged bytes can ask for.
+constexpr std::int64_t moved_by(std::int64_t v, std::int64_t difference) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(v) + static_cast<std::uint64_t>(difference));
+}
 /// Whether two doubles are the same bits: −0 is not 0, and a NaN is itself.
 inline bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);

@@ -35,7 +35,7 @@ class IdReader {
   std::uint32_t get(unsigned flag_bits = 0, std::uint64_t* flags = nullptr) {
     const std::uint64_t number = in_->number();
     if (flags != nullptr) *flags = number & ((1u << flag_bits) - 1);
-    last_ = static_cast<std::uint32_t>(std::int64_t{last_} + unfold_sign(number >> flag_bits));
+    last_ = static_cast<std::uint32_t>(moved_by(last_, unfold_sign(number >> flag_bits)));
     return last_;
   }
 
@@ -88,7 +88,7 @@ void write_corners(ByteWriter& out, const std::array<VertexId, N>& v, VertexId& 
 template <std::size_t N> void read_corners(ByteReader& in, std::array<VertexId, N>& v, VertexId& last) {
   std::uint32_t before = last.value;
   for (VertexId& corner : v) {
-    before = static_cast<std::uint32_t>(std::int64_t{before} + in.signed_number());
+    before = static_cast<std::uint32_t>(moved_by(before, in.signed_number()));
     corner = VertexId(before);
   }
   last = v[0];

@@ -55,7 +55,7 @@ std::optional<TriangleSoup> decode_soup(std::string_view bytes) {
   std::int64_t last = 0;
   for (auto& t : soup.triangles)
     for (std::uint32_t& v : t) {
-      last += in.signed_number();
+      last = moved_by(last, in.signed_number());
       if (last < 0 || last >= static_cast<std::int64_t>(soup.points.size())) return std::nullopt;
       v = static_cast<std::uint32_t>(last);
     }
@@ -106,7 +106,7 @@ std::optional<BoundarySamples> decode_samples(std::string_view bytes) {
         p[a] = in.real();
         continue;
       }
-      last[a] += in.signed_number();
+      last[a] = moved_by(last[a], in.signed_number());
       p[a] = static_cast<double>(last[a]) * samples.snap_unit;
     }
     if (!is_finite(p)) return std::nullopt;

@@ -15,6 +15,11 @@ std::optional<Stage> stage_of(const std::string& text) {
   return std::nullopt;
 }
 
+/// A whole number; throws on any other, which get() would cast.
+std::int64_t whole(const Json& json) {
+  return json.get_ref<const Json::number_integer_t&>();
+}
+
 void read_parameters(const Json& json, RunParameters& p) {
   p.input = json.value("input", p.input);
   p.tolerance.value = json.value("tolerance", p.tolerance.value);
@@ -38,9 +43,10 @@ void read_parameters(const Json& json, RunParameters& p) {
   for (const TargetStrategy s : {TargetStrategy::optimum, TargetStrategy::constraints,
                                  TargetStrategy::sampling, TargetStrategy::octree})
     if (name(s) == target) p.target = s;
-  p.cost_ring = json.value("cost_ring", 1) == 2 ? CostRing::two : CostRing::one;
-  p.effort = json.value("effort", p.effort);
-  p.threads = json.value("threads", p.threads);
+  p.cost_ring = whole(json.value("cost_ring", Json(1))) == 2 ? CostRing::two : CostRing::one;
+  p.effort = static_cast<int>(whole(json.value("effort", Json(p.effort))));
+  p.improver = json.value("improver", "free") == "embedded" ? ImproverPlace::embedded : ImproverPlace::free;
+  p.threads = static_cast<unsigned>(whole(json.value("threads", Json(p.threads))));
   p.time_limit = json.value("time_limit", p.time_limit);
 }
 
@@ -63,6 +69,7 @@ std::string parameters_json(const RunParameters& p) {
             {"target", name(p.target)},
             {"cost_ring", p.cost_ring == CostRing::one ? 1 : 2},
             {"effort", p.effort},
+            {"improver", name(p.improver)},
             {"threads", p.threads},
             {"time_limit", p.time_limit}};
   if (p.until) json["until"] = name(*p.until);

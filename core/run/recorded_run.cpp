@@ -21,6 +21,11 @@ class NoGate : public Gate {
   CriteriaParameters wanted_parameters() const override { return {}; }
 };
 
+/// A whole number; throws on any other, which get() would cast.
+template <class T> T whole(const Json& json) {
+  return static_cast<T>(json.get_ref<const Json::number_integer_t&>());
+}
+
 void read_certificate(const Json& json, Certificate& c) {
   c.closed_manifold = json.at("closed_manifold").get<bool>();
   c.oriented = json.at("oriented").get<bool>();
@@ -38,7 +43,7 @@ void read_certificate(const Json& json, Certificate& c) {
 
 void read_normals(const Json& json, NormalDeviation& n) {
   n.oriented = json.at("oriented").get<bool>();
-  n.points = json.at("points").get<std::size_t>();
+  n.points = whole<std::size_t>(json.at("points"));
   n.histogram = json.at("histogram").get<std::array<double, NormalDeviation::bin_count>>();
   n.mean = json.at("mean").get<double>();
   n.percentile_90 = json.at("percentile_90").get<double>();
@@ -49,14 +54,14 @@ void read_normals(const Json& json, NormalDeviation& n) {
 
 void read_report(const Json& json, RunResult& result) {
   read_certificate(json.at("certificate"), result.certificate);
-  result.certificate.components = json.at("output").at("components").get<std::size_t>();
-  result.certificate.euler_characteristic = json.at("output").at("euler_characteristic").get<long>();
+  result.certificate.components = whole<std::size_t>(json.at("output").at("components"));
+  result.certificate.euler_characteristic = whole<long>(json.at("output").at("euler_characteristic"));
   read_normals(json.at("normals"), result.normals);
-  result.refinement.unmet_height = json.at("unmet").at("height").get<std::size_t>();
-  result.refinement.unmet_orientation = json.at("unmet").at("orientation").get<std::size_t>();
-  result.refinement.uncertified = json.at("unmet").at("containment").get<std::size_t>();
+  result.refinement.unmet_height = whole<std::size_t>(json.at("unmet").at("height"));
+  result.refinement.unmet_orientation = whole<std::size_t>(json.at("unmet").at("orientation"));
+  result.refinement.uncertified = whole<std::size_t>(json.at("unmet").at("containment"));
   result.seconds = json.at("seconds").get<double>();
-  result.peak_memory_bytes = json.at("peak_memory_bytes").get<std::size_t>();
+  result.peak_memory_bytes = whole<std::size_t>(json.at("peak_memory_bytes"));
 }
 
 } // namespace

@@ -109,6 +109,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"topology", p.topology == TopologyMode::keep ? "keep" : "separate"},
         {"conditions", {p.condition_1, p.condition_2, p.condition_3, p.condition_4}},
         {"until", name(p.last_stage())},
+        {"improver", name(p.improver)},
         {"threads", p.threads}}},
       {"samples",
        {{"count", scene.samples->size()},

@@ -120,6 +120,32 @@ TEST_CASE("Random bytes are no delta, or a harmless one") {
   }
 }
 
+TEST_CASE("Indices that differ by more than numbers hold are no indices") {
+  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  for (const std::int64_t second : {most, -most - 1, std::int64_t{1}}) {
+    ByteWriter out;
+    out.number(1);
+    for (int i = 0; i < 24; ++i) out.byte(0);
+    out.number(1);
+    out.signed_number(0);
+    out.signed_number(second);
+    out.signed_number(second);
+    CHECK(!decode_soup(out.bytes()));
+  }
+  ByteWriter out;
+  out.number(2);
+  out.byte(1);
+  for (int i = 0; i < 2; ++i) out.real(1);
+  out.number(0);
+  out.real(0.5);
+  for (int i = 0; i < 6; ++i) out.signed_number(most);
+  out.number(2);
+  out.byte(1);
+  out.byte(1);
+  out.number(0);
+  CHECK(decode_samples(out.bytes()).has_value());
+}
+
 TEST_CASE("Soups and samples come back") {
   const auto soup = make_gallery_model("bracket");
   REQUIRE(soup.ok());
