@@ -1,6 +1,7 @@
 // One frame, and when the next one is due.
 #include "app/app.h"
 
+#include "app/debug_actions.h"
 #include "input/gallery.h"
 #include "panels/panels.h"
 #include "platform/image_file.h"
@@ -340,8 +341,9 @@ bool App::at_rest() const {
   if (!m.requests.screenshots.empty() || !m.requests.mouse.empty() || exporting ||
       frames_since_command_ < frames_after_input)
     return false;
-  if (m.wait_until > 0 && m.clock < m.wait_until) return false;
-  if (m.wait_until < 0) // wait settled: the run too
+  if (m.clock < m.wait_until) return false;
+  if (m.wait_for == AppModel::Wait::answers && !(m.answers_taken() && debugger_is_current(m))) return false;
+  if (m.wait_for == AppModel::Wait::settled) // the run too
     return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() &&
            !scene_view_->unfinished();
   // A run that goes on need not be waited for; what stands still is shown first.
@@ -351,6 +353,7 @@ bool App::at_rest() const {
 bool App::advance_script() {
   if (!script_ || !at_rest()) return true;
   model_->wait_until = 0;
+  model_->wait_for = AppModel::Wait::time;
   if (script_->done()) return false;
   frames_since_command_ = 0;
   const Status status = script_->next(*model_);
@@ -366,7 +369,7 @@ bool App::needs_frame(bool changed) const {
       frames_owed_ > 0 || !m.requests.mouse.empty() || !m.requests.screenshots.empty() || m.exports.pending();
   // A script that waits for a run has no eyes: drawing would only slow the run down.
   if (m.scripted && m.running() && glfwGetTime() > hands_until_)
-    return m.wait_until >= 0 && (asked || frames_since_command_ < frames_after_input);
+    return m.wait_for != AppModel::Wait::settled && (asked || frames_since_command_ < frames_after_input);
   return changed || asked || (m.scripted && frames_since_command_ < frames_after_input) ||
          scene_view_->unfinished() || m.transport.mode() == Transport::Mode::playing ||
          ImGui::GetIO().WantTextInput || ImGui::IsAnyMouseDown();

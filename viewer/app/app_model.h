@@ -119,6 +119,8 @@ class AppModel {
   Debugger debug;
   RunParameters draft;   ///< what the parameter panel shows: asked for when applied
   double wait_until = 0; ///< scripts: seconds on the clock until which `wait SECONDS` holds
+  enum class Wait : std::uint8_t { time, answers, settled };
+  Wait wait_for = Wait::time; ///< scripts: what `wait` waits for
 
   // The view.
   ViewSettings view;

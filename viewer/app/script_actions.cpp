@@ -44,7 +44,11 @@ Status expect_value(AppModel& model, const Arguments& a) {
 
 Status wait_for(AppModel& model, const Arguments& a) {
   if (a.empty() || a[0] == "settled") {
-    model.wait_until = -1;
+    model.wait_for = AppModel::Wait::settled;
+    return {};
+  }
+  if (a[0] == "answers") {
+    model.wait_for = AppModel::Wait::answers;
     return {};
   }
   const auto seconds = parse_number(a[0]);
