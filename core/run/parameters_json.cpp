@@ -40,6 +40,9 @@ void read_parameters(const Json& json, RunParameters& p) {
     if (name(s) == target) p.target = s;
   p.cost_ring = json.value("cost_ring", 1) == 2 ? CostRing::two : CostRing::one;
   p.effort = json.value("effort", p.effort);
+  const std::string improver = json.value("improver", std::string(name(p.improver)));
+  for (const ImproverPlace place : {ImproverPlace::free, ImproverPlace::embedded})
+    if (name(place) == improver) p.improver = place;
   p.threads = json.value("threads", p.threads);
   p.time_limit = json.value("time_limit", p.time_limit);
 }
@@ -63,6 +66,7 @@ std::string parameters_json(const RunParameters& p) {
             {"target", name(p.target)},
             {"cost_ring", p.cost_ring == CostRing::one ? 1 : 2},
             {"effort", p.effort},
+            {"improver", name(p.improver)},
             {"threads", p.threads},
             {"time_limit", p.time_limit}};
   if (p.until) json["until"] = name(*p.until);

@@ -138,6 +138,7 @@ TEST_CASE("Parameters come back from JSON") {
   p.target = TargetStrategy::octree;
   p.cost_ring = CostRing::two;
   p.effort = 3;
+  p.improver = ImproverPlace::embedded;
   p.threads = 2;
   p.time_limit = 12.5;
   const auto back = parse_parameters(parameters_json(p));
@@ -148,6 +149,7 @@ TEST_CASE("Parameters come back from JSON") {
   CHECK(back->until == p.until);
   CHECK(back->skipped == p.skipped);
   CHECK(back->target == p.target);
+  CHECK(back->improver == p.improver);
   CHECK(back->condition_1);
   CHECK(!back->condition_4);
   CHECK(!parse_parameters("{").ok());
