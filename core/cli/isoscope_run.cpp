@@ -1,6 +1,7 @@
 // The batch program: the whole run without a display, a mesh and a report at its end.
 #include "base/parallel.h"
 #include "cli/compare_table.h"
+#include "cli/diff.h"
 #include "cli/exit_status.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
@@ -116,13 +117,14 @@ int run(int argc, char** argv) {
   app.add_flag("--quiet", quiet, "print nothing but errors");
   app.add_flag("--list-gallery", list_gallery, "list the bundled models");
   app.set_version_flag("--version", std::string("isoscope-run ") + std::string(version()));
-  app.footer("isoscope-run replay RUN.isorun reads a recording; replay --help tells more.\n\n"
+  app.footer("isoscope-run replay RUN.isorun reads a recording; replay --help tells more.\n"
+             "isoscope-run diff A.isorun B.isorun tells what differs between two; diff --help tells more.\n\n"
              "Exit status: 0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 "
              "stopped by a limit "
              "or by the user; 5 stopped at a breakpoint.");
-  if (argc > 1 && std::string_view(argv[1]) == "replay") {
-    return replay(argc - 1, argv + 1);
-  }
+  const std::string_view verb = argc > 1 ? argv[1] : "";
+  if (verb == "replay") return replay(argc - 1, argv + 1);
+  if (verb == "diff") return diff(argc - 1, argv + 1);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -5,11 +5,10 @@
 #include "cli/compare_table.h"
 #include "cli/exit_status.h"
 #include "cli/progress_line.h"
+#include "cli/recorded_file.h"
 #include "input/mesh_io.h"
 #include "journal/digest.h"
 #include "mesh/zero_set.h"
-#include "recording/recording_reader.h"
-#include "run/parameters_json.h"
 #include "run/recorded_run.h"
 #include "run/replay_check.h"
 #include "run/statistics.h"
@@ -29,14 +28,6 @@ struct ReplayOptions {
   unsigned threads = 0;
 };
 
-/// A recording in memory.
-struct Recorded {
-  std::unique_ptr<RecordingReader> reader;
-  RunParameters parameters;
-  std::shared_ptr<Journal> journal = std::make_shared<Journal>();
-  std::optional<RecordingEnd> end;
-};
-
 std::string line(std::string_view label, const std::string& text) {
   std::string padded(label);
   padded.resize(13, ' ');
@@ -47,37 +38,18 @@ std::string counted(std::size_t n, const std::string& noun) {
   return grouped(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
-Result<Recorded> read(const std::string& file) {
-  auto opened = RecordingReader::open(file);
-  if (!opened) return opened.error();
-  Recorded r;
-  r.reader = std::move(*opened);
-  auto parameters = parse_parameters(r.reader->header().parameters);
-  if (!parameters) return parameters.error();
-  r.parameters = std::move(*parameters);
-  for (;;) {
-    const auto more = r.reader->read_commit(*r.journal);
-    if (!more) return more.error();
-    if (!*more) break;
-  }
-  auto end = r.reader->end();
-  if (!end) return end.error();
-  r.end = std::move(*end);
-  return r;
-}
-
-std::string end_words(const Recorded& r) {
+std::string end_words(const RecordedRun& r) {
   if (r.end) return r.end->state + (r.end->certified ? ", certified" : ", not certified");
   return "ended without finishing: " + counted(r.journal->events().size(), "event") +
          " up to the last commit";
 }
 
-int recorded_status(const Recorded& r) {
+int recorded_status(const RecordedRun& r) {
   if (!r.end || r.end->state != "finished") return 4;
   return r.end->certified ? 0 : 1;
 }
 
-std::string summary(const ReplayOptions& options, const Recorded& r, const TriangleMesh& mesh) {
+std::string summary(const ReplayOptions& options, const RecordedRun& r, const TriangleMesh& mesh) {
   const RecordingHeader& header = r.reader->header();
   const Journal& j = *r.journal;
   char size[40];
@@ -96,7 +68,7 @@ std::string summary(const ReplayOptions& options, const Recorded& r, const Trian
   return text + "\n" + compare_table(gather_statistics(j));
 }
 
-int check_it(const ReplayOptions& options, const Recorded& r) {
+int check_it(const ReplayOptions& options, const RecordedRun& r) {
   RunControl control;
   ProgressLine progress(!options.quiet);
   control.on_progress([&](std::string_view part, double fraction) { progress.part(part, fraction); });
@@ -140,7 +112,7 @@ int replay(int argc, char** argv) {
   if (!options.mesh.empty())
     if (Status writable = check_writable_mesh(options.mesh); !writable) return fail(writable.error(), 2);
   const ThreadLimit threads(options.threads);
-  const auto recorded = read(options.file);
+  const auto recorded = read_recorded_run(options.file);
   if (!recorded)
     return fail(recorded.error(),
                 recorded.error().code == ErrorCode::io ? 3 : exit_status(recorded.error().code));
