@@ -5,18 +5,25 @@
 #include "base/geometry.h"
 #include "criteria/nearest_sample.h"
 #include "simplify/facet_complex.h"
+#include "tolerance/closest_point.h"
 
 namespace isoscope {
 
-/// What facets are tested against.
+/// What facets are tested against. Samples lie at δ', a little inside of ∂Ω; facets may come as far as δ, so
+/// each test asks for the point of ∂Ω beyond its sample.
 struct OrientationTester {
   const NearestSample* samples = nullptr;
   double shrink = 0.7; ///< size of the copy about the centroid
   double radius = 0;   ///< a sample farther than this from a shrunk corner says nothing about the place
+  const ClosestPointIndex* index = nullptr; ///< of the input
+  double delta = 0;                         ///< δ
 
-  /// Failed tests among the six (three corners, both sides): the positive sample must lie on the positive
-  /// side of the facet, the negative one on the negative side.
+  /// Failed tests among the six (three corners, both sides), as points of ∂Ω: the positive one must lie on
+  /// the positive side of the facet, the negative one on the negative side.
   std::vector<SideSample> failures(const Triangle3& facet) const;
+
+ private:
+  Vec3 on_boundary(Vec3 sample) const;
 };
 
 } // namespace isoscope

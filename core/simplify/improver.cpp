@@ -47,7 +47,7 @@ class Improver {
     rules.input = &input_;
     const double delta = volume.thresholds().delta;
     if (options_.preserve_normals && samples != nullptr)
-      rules.orientation = OrientationTester{samples, options_.shrink, orientation_reach * delta};
+      rules.orientation = OrientationTester{samples, options_.shrink, orientation_reach * delta, &volume.index(), delta};
     for (const Witness& w : volume.witnesses()) rules.witnesses.push_back(w.point);
     return rules;
   }
