@@ -3,6 +3,8 @@
 
 #include "criteria/nearest_sample.h"
 #include "recording/recording_reader.h"
+#include "recording/recording_writer.h"
+#include "run/complete_run.h"
 #include "run/parameters_json.h"
 #include "run/recorded_run.h"
 #include "run/state_check.h"
@@ -165,6 +167,20 @@ double Distribution::quantile(Clock clock, double part) const {
   if (sorted.empty()) return 0;
   const auto rank = static_cast<std::size_t>(std::ceil(part * static_cast<double>(sorted.size())));
   return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
+}
+
+Status record_run(const std::string& model, const Tolerance& tolerance, const std::filesystem::path& file) {
+  RunParameters parameters;
+  parameters.input = model;
+  parameters.tolerance = tolerance;
+  test::CompleteRun run(parameters);
+  if (!run.prepare()) return *run.error;
+  auto writer = RecordingWriter::create(file);
+  if (!writer) return writer.error();
+  (*writer)->start(recording_header(parameters, run.scene->input), run.journal);
+  if (!run.run()) return *run.error;
+  (*writer)->end([&] { return recording_end(parameters, *run.scene, *run.result, *run.journal); });
+  return (*writer)->finish();
 }
 
 Result<std::vector<Distribution>> measure_latencies(const std::filesystem::path& recording,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/status.h"
+#include "run/parameters.h"
 
 #include <array>
 #include <cstddef>
@@ -31,6 +32,9 @@ class Distribution {
   std::string what_;
   std::array<std::vector<double>, 2> sorted_; ///< by clock, ascending
 };
+
+/// Runs a model to the end and records it. Fails as the run or its recording does.
+Status record_run(const std::string& model, const Tolerance& tolerance, const std::filesystem::path& file);
 
 /// What is measured of a recording.
 struct LatencyOptions {

@@ -2,9 +2,6 @@
 #include "bench/latency.h"
 
 #include "input/temporary_folder.h"
-#include "recording/recording_writer.h"
-#include "run/complete_run.h"
-#include "run/recorded_run.h"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +9,6 @@
 
 using namespace isoscope;
 using namespace isoscope::bench;
-using isoscope::test::CompleteRun;
 
 TEST_CASE("Quantiles are times that occurred, by each clock") {
   Distribution d("steps");
@@ -29,12 +25,7 @@ TEST_CASE("Quantiles are times that occurred, by each clock") {
 TEST_CASE("Every request is asked of a recording, and the table tells of each") {
   const TemporaryFolder folder;
   const auto file = folder / "sphere.isorun";
-  CompleteRun run(isoscope::test::complete_parameters("sphere"));
-  REQUIRE(run.run());
-  auto writer = RecordingWriter::create(file);
-  REQUIRE(writer.ok());
-  (*writer)->start(recording_header(run.parameters, run.scene->input), run.journal);
-  REQUIRE((*writer)->finish().ok());
+  REQUIRE(record_run("gallery:sphere", {12, true}, file).ok());
 
   LatencyOptions options;
   options.repeats = 5;
