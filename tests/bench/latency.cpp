@@ -157,16 +157,8 @@ void Distribution::measure(const std::function<void()>& work) {
 }
 
 void Distribution::add(double wall_seconds, double processor_seconds) {
-  const std::array<double, 2> seconds{wall_seconds, processor_seconds};
-  for (std::size_t i = 0; i < seconds.size(); ++i)
-    sorted_[i].insert(std::upper_bound(sorted_[i].begin(), sorted_[i].end(), seconds[i]), seconds[i]);
-}
-
-double Distribution::quantile(Clock clock, double part) const {
-  const std::vector<double>& sorted = sorted_[static_cast<std::size_t>(clock)];
-  if (sorted.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(std::ceil(part * static_cast<double>(sorted.size())));
-  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
+  seconds_[static_cast<std::size_t>(Clock::wall)].add(wall_seconds);
+  seconds_[static_cast<std::size_t>(Clock::processor)].add(processor_seconds);
 }
 
 Status record_run(const std::string& model, const Tolerance& tolerance, const std::filesystem::path& file) {

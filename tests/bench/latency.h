@@ -2,6 +2,7 @@
 // run.
 #pragma once
 
+#include "base/quantiles.h"
 #include "base/status.h"
 #include "run/parameters.h"
 
@@ -24,13 +25,15 @@ class Distribution {
   void measure(const std::function<void()>& work);
   void add(double wall_seconds, double processor_seconds);
   const std::string& what() const { return what_; }
-  std::size_t size() const { return sorted_[0].size(); }
+  std::size_t size() const { return seconds_[0].size(); }
   /// The smallest time, in seconds, that `part` of them do not exceed, part in (0, 1]; 0 when there is none.
-  double quantile(Clock clock, double part) const;
+  double quantile(Clock clock, double part) const {
+    return seconds_[static_cast<std::size_t>(clock)].at(part);
+  }
 
  private:
   std::string what_;
-  std::array<std::vector<double>, 2> sorted_; ///< by clock, ascending
+  std::array<Quantiles, 2> seconds_; ///< by clock
 };
 
 /// Runs a model to the end and records it. Fails as the run or its recording does.
