@@ -16,6 +16,9 @@ namespace {
 /// Samples per parallel block: walks inside a block start from the previous sample's tetrahedron.
 constexpr std::size_t block_size = 2048;
 constexpr std::uint32_t no_candidate = 0xffffffffu;
+/// Among more tetrahedra samples are found by walking: a scan of them all for every point near a plane would
+/// cost more.
+constexpr std::size_t most_candidates = 256;
 
 /// Four planes of a tetrahedron, positive inside, relative to a common origin.
 struct Planes {
@@ -166,6 +169,47 @@ void sort_ids(std::vector<std::uint32_t>& ids) {
   }
 }
 
+/// In blocks, each in the order of `moving`; the same on any number of threads.
+template <class Place> void in_blocks(std::size_t size, const Place& place) {
+  if (size <= block_size)
+    place(0, size);
+  else
+    parallel_ranges(size, block_size / 2, place);
+}
+
+std::vector<TetId> find_among(const Complex& complex, std::span<const TetRecord> to,
+                              std::span<const Vec3> positions, const std::vector<std::uint32_t>& moving) {
+  const Candidates candidates(complex, to);
+  std::vector<TetId> target(moving.size());
+  in_blocks(moving.size(), [&](std::size_t begin, std::size_t end) {
+    std::uint32_t guess = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t found = candidates.find(positions[moving[i]], guess);
+      if (found == no_candidate) continue;
+      guess = found;
+      target[i] = to[found].id;
+    }
+  });
+  return target;
+}
+
+std::vector<TetId> walk_among(const Complex& complex, std::span<const TetRecord> to,
+                              std::span<const Vec3> positions, const std::vector<std::uint32_t>& moving) {
+  std::vector<bool> offered(complex.tets.size(), false);
+  for (const TetRecord& t : to) offered[t.id.index()] = true;
+  std::vector<TetId> target(moving.size());
+  in_blocks(moving.size(), [&](std::size_t begin, std::size_t end) {
+    TetId at = to.front().id;
+    for (std::size_t i = begin; i < end; ++i) {
+      const TetId found = walk(complex, at, positions[moving[i]]);
+      if (!found.valid()) continue;
+      at = found;
+      if (offered[found.index()]) target[i] = found;
+    }
+  });
+  return target;
+}
+
 } // namespace
 
 SampleSets::SampleSets(std::span<const Vec3> positions)
@@ -202,23 +246,10 @@ std::size_t SampleSets::redistribute(const Complex& complex, std::span<const Tet
   if (moving.empty()) return 0;
   sort_ids(moving);
 
-  const Candidates candidates(complex, to);
-  std::vector<std::uint32_t> target(moving.size(), no_candidate);
-  const auto place = [&](std::size_t begin, std::size_t end) {
-    std::uint32_t guess = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      target[i] = candidates.find(positions_[moving[i]], guess);
-      if (target[i] != no_candidate) guess = target[i];
-    }
-  };
-  if (moving.size() <= block_size) {
-    place(0, moving.size());
-  } else {
-    parallel_ranges(moving.size(), block_size / 2, place);
-  }
-  for (std::size_t i = moving.size(); i-- > 0;) {
-    push_front(moving[i], target[i] == no_candidate ? TetId{} : to[target[i]].id);
-  }
+  const std::vector<TetId> target = to.size() <= most_candidates
+                                        ? find_among(complex, to, positions_, moving)
+                                        : walk_among(complex, to, positions_, moving);
+  for (std::size_t i = moving.size(); i-- > 0;) push_front(moving[i], target[i]);
   return moving.size();
 }
 

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 
 using namespace isoscope;
@@ -80,6 +81,46 @@ TEST_CASE("following insertions and undoing them equals assigning from scratch, 
         }
       }
     }
+  }
+}
+
+TEST_CASE("many insertions taken at once, there and back, equal assigning from scratch") {
+  for (const Setting& setting : settings()) {
+    INFO(setting.name);
+    const Grown g = grow(setting.box, setting.inserted);
+    const std::size_t middle = g.deltas.size() / 2;
+    Complex c;
+    for (std::size_t i = 0; i < middle; ++i) c.apply(g.deltas[i]);
+    SampleSets followed(setting.samples), fresh(setting.samples);
+    followed.assign_all(c);
+    // Every slot that one of the insertions touched, whatever it holds before and after.
+    std::vector<TetRecord> touched;
+    for (std::size_t i = middle; i < g.deltas.size(); ++i) {
+      for (const TetRecord& t : g.deltas[i].removed) touched.push_back(t);
+      for (const TetRecord& t : g.deltas[i].added) touched.push_back(t);
+    }
+    std::sort(touched.begin(), touched.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    touched.erase(std::unique(touched.begin(), touched.end(),
+                              [](const auto& a, const auto& b) { return a.id == b.id; }),
+                  touched.end());
+    const auto alive = [&] {
+      std::vector<TetRecord> records;
+      for (const TetRecord& t : touched)
+        if (t.id.index() < c.tets.size() && c.tet(t.id).alive())
+          records.push_back({t.id, c.tet(t.id).v, c.tet(t.id).side});
+      return records;
+    };
+    const auto before = alive();
+    for (std::size_t i = middle; i < g.deltas.size(); ++i) c.apply(g.deltas[i]);
+    REQUIRE(alive().size() > 300);
+    followed.redistribute(c, before, alive());
+    fresh.assign_all(c);
+    CHECK(same(c, followed, fresh));
+    const auto after = alive();
+    for (std::size_t i = g.deltas.size(); i-- > middle;) c.undo(g.deltas[i]);
+    followed.redistribute(c, after, alive());
+    fresh.assign_all(c);
+    CHECK(same(c, followed, fresh));
   }
 }
 

@@ -258,6 +258,7 @@ void App::draw_window(Ui& ui) {
 
 void App::frame() {
   AppModel& m = *model_;
+  const double begun = glfwGetTime();
   // Presenting, everything grows together: text to 26 px, lines and discs with it.
   const float talk = m.presenter.on ? 26.0f / 15.0f : 1.0f;
   const float scale = std::clamp(window_->content_scale() * m.settings.ui_scale * talk, 0.5f, 8.0f);
@@ -329,6 +330,8 @@ void App::frame() {
     if (!m.exports.pending()) frames_since_command_ = 0;
   }
   window_->swap();
+  m.times.frame(begun, glfwGetTime(), m.state() ? std::optional<Step>(m.state()->step) : std::nullopt,
+                m.transport.step());
   run_commands(commands);
   take_requests();
 }
@@ -406,6 +409,7 @@ int App::run() {
       if (frames_owed_ > 0) --frames_owed_;
     }
     if (!advance_script()) break;
+    m.times.stands_at(m.transport.step(), glfwGetTime());
     const std::string title =
         m.run.parameters.input.empty() ? "Isoscope" : m.run.parameters.input + " – Isoscope";
     if (title != title_) window_->set_title(title_ = title);

@@ -15,6 +15,7 @@
 #include "app/settings.h"
 #include "app/transport.h"
 #include "app/view_history.h"
+#include "app/window_times.h"
 #include "app/worker.h"
 #include "run/session.h"
 #include "run/unlock_search.h"
@@ -144,6 +145,7 @@ class AppModel {
   Exports exports;                   ///< pictures, figures and films
   std::array<float, 4> scene_area{}; ///< where the 3D view lies in the window: low x, y, width, height
   double clock = 0;                  ///< seconds since the start
+  WindowTimes times;
   bool scripted = false;             ///< no easing, nothing remembered, following is immediate
   std::string failed_expectation;
 

@@ -19,5 +19,6 @@ std::vector<Command> view_commands();
 std::vector<Command> slide_commands();
 std::vector<Command> window_commands();
 std::vector<Command> script_commands();
+std::vector<Command> time_commands();
 
 } // namespace isoscope

@@ -23,6 +23,8 @@ void add_debug_readings(NamedTable& table);
 void add_questions(NamedTable& table);
 /// Bookmarks, undo and the presenter mode.
 void add_slide_values(NamedTable& table);
+/// How long the window takes.
+void add_time_readings(NamedTable& table);
 /// Exports and the memory of the history.
 void add_export_values(NamedTable& table);
 

@@ -259,6 +259,7 @@ Table make_table() {
   add_questions(t);
   add_slide_values(t);
   add_export_values(t);
+  add_time_readings(t);
   return t;
 }
 
