@@ -46,14 +46,56 @@ extern "C" void on_signal(int) {
   control->cancel();
 }
 
+/// Follows the run into its recording; without --record it does nothing. Destroyed, it closes the file.
+class Recording {
+ public:
+  /// Makes the file, so that a wrong name is told before the work starts.
+  Status create(const std::string& file) {
+    if (file.empty()) return {};
+    auto created = RecordingWriter::create(file);
+    if (!created) return created.error();
+    writer_ = std::move(*created);
+    return {};
+  }
+  void start(const RunParameters& parameters, const Scene& scene, std::shared_ptr<const Journal> journal) {
+    if (writer_) writer_->start(recording_header(parameters, scene.input), std::move(journal));
+  }
+  /// Says at once, and once, that nothing more can be written; the run goes on without its recording. From
+  /// the run's thread.
+  void tell_failure(ProgressLine& progress) {
+    if (!writer_ || told_) return;
+    const auto error = writer_->progress().error;
+    if (!error) return;
+    told_ = true;
+    progress.finish();
+    std::fprintf(stderr, "isoscope-run: %s The run goes on; the recording ends here.\n",
+                 error->line().c_str());
+  }
+  bool told() const { return told_; }
+  Status finish(const RunParameters& parameters, const Scene& scene, const RunResult& result,
+                const Journal& journal) {
+    if (!writer_) return {};
+    writer_->end([&] { return recording_end(parameters, scene, result, journal); });
+    return writer_->finish();
+  }
+
+ private:
+  std::unique_ptr<RecordingWriter> writer_;
+  bool told_ = false;
+};
+
 /// Never pauses; ends the run once it is cancelled or a breakpoint holds, and shows progress.
 class BatchGate : public Gate {
  public:
-  BatchGate(RunControl& control, ProgressLine& progress, BreakpointSet& breakpoints)
-      : control_(&control), progress_(&progress), breakpoints_(&breakpoints),
+  BatchGate(RunControl& control, ProgressLine& progress, BreakpointSet& breakpoints, Recording& recording)
+      : control_(&control), progress_(&progress), breakpoints_(&breakpoints), recording_(&recording),
         asks_(breakpoints.any_enabled()) {}
   Verdict pass(const Journal& journal, const Event& event) override {
-    if (event.operation) progress_->operation(journal, event.stage);
+    if (event.operation) {
+      progress_->operation(journal, event.stage);
+      recording_->tell_failure(*progress_);
+      tell_spill_error(journal);
+    }
     if (asks_ && !hit_) {
       hit_ = breakpoints_->ask(journal);
       if (hit_) control_->cancel();
@@ -69,39 +111,24 @@ class BatchGate : public Gate {
   RunControl* control_;
   ProgressLine* progress_;
   BreakpointSet* breakpoints_;
-  bool asks_;
+  Recording* recording_;
+  bool asks_, spill_told_ = false;
   std::optional<BreakpointHit> hit_;
   CriteriaParameters criteria_;
+
+  void tell_spill_error(const Journal& journal) {
+    if (spill_told_) return;
+    const auto error = journal.spill_error();
+    if (!error) return;
+    spill_told_ = true;
+    progress_->finish();
+    std::fprintf(stderr, "isoscope-run: note: %s\n", error->line().c_str());
+  }
 };
 
 void note(const std::string& text) {
   std::fprintf(stderr, "isoscope-run: note: %s\n", text.c_str());
 }
-
-/// Follows the run into its recording; without --record it does nothing. Destroyed, it closes the file.
-class Recording {
- public:
-  /// Makes the file, so that a wrong name is told before the work starts.
-  Status create(const std::string& file) {
-    if (file.empty()) return {};
-    auto created = RecordingWriter::create(file);
-    if (!created) return created.error();
-    writer_ = std::move(*created);
-    return {};
-  }
-  void start(const RunParameters& parameters, const Scene& scene, std::shared_ptr<const Journal> journal) {
-    if (writer_) writer_->start(recording_header(parameters, scene.input), std::move(journal));
-  }
-  Status finish(const RunParameters& parameters, const Scene& scene, const RunResult& result,
-                const Journal& journal) {
-    if (!writer_) return {};
-    writer_->end([&] { return recording_end(parameters, scene, result, journal); });
-    return writer_->finish();
-  }
-
- private:
-  std::unique_ptr<RecordingWriter> writer_;
-};
 
 int run(int argc, char** argv) {
   CLI::App app{
@@ -110,10 +137,14 @@ int run(int argc, char** argv) {
   RunOptions options(app, false);
   Outputs outputs;
   bool quiet = false, compare = false, list_gallery = false;
+  double history_limit = 2048;
   app.add_option("-o,--output", outputs.mesh, "the resulting mesh: .off, .obj, .ply or .stl");
   app.add_option("--report", outputs.report, "the report as JSON; - for standard output");
   app.add_flag("--compare", compare,
                "print the stages side by side: operations, vertices, times, rejections by reason");
+  app.add_option("--history-limit", history_limit,
+                 "of the journal in memory, MiB; what is older goes to the disk; default 2048")
+      ->check(CLI::Range(1.0, 1048576.0));
   app.add_flag("--quiet", quiet, "print nothing but errors");
   app.add_flag("--list-gallery", list_gallery, "list the bundled models");
   app.set_version_flag("--version", std::string("isoscope-run ") + std::string(version()));
@@ -166,7 +197,8 @@ int run(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
 
   auto journal = std::make_shared<Journal>();
-  BatchGate gate(control, progress, breakpoints);
+  journal->keep_within(static_cast<std::size_t>(history_limit * 1048576.0));
+  BatchGate gate(control, progress, breakpoints, recording);
   Pipeline pipeline(*parameters, journal, gate, control);
   const auto scene = pipeline.prepare();
   progress.finish();
@@ -189,7 +221,7 @@ int run(int argc, char** argv) {
                  describe(*journal, journal->events()[gate.hit()->event]).c_str());
   }
   if (Status recorded = recording.finish(*parameters, **scene, *result, *journal); !recorded) {
-    status = fail(recorded.error(), 1);
+    status = recording.told() ? 1 : fail(recorded.error(), 1);
   }
   if (!outputs.mesh.empty()) {
     if (Status written = write_mesh(outputs.mesh, result->mesh); !written) status = fail(written.error(), 1);
@@ -201,7 +233,9 @@ int run(int argc, char** argv) {
     if (!written) status = fail(written.error(), 1);
   }
   if (!quiet && !report_to_stdout) {
-    if (Status written = print(summary(*parameters, **scene, *result, stages)); !written) {
+    if (Status written = print(
+            summary(*parameters, **scene, *result, stages, gate.hit() ? gate.hit()->note() : std::string()));
+        !written) {
       status = fail(written.error(), 1);
     }
   }

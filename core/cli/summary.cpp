@@ -55,7 +55,7 @@ std::string end_words(RunResult::End end) {
 } // namespace
 
 std::string summary(const RunParameters& parameters, const Scene& scene, const RunResult& result,
-                    const std::vector<StageStatistics>& stages) {
+                    const std::vector<StageStatistics>& stages, const std::string& stopped_at) {
   const Certificate& c = result.certificate;
   std::string text;
   text += line("Input", parameters.input + ": " + grouped(scene.input->points.size()) + " vertices, " +
@@ -84,7 +84,8 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
   }
   if (!c.topology_note.empty()) text += line("", c.topology_note);
   for (const std::string& failure : c.failures) text += line("", failure);
-  text += line("Run", end_words(result.end) + ", " + number("%.2f", result.seconds) + " s, " +
+  text += line("Run", (stopped_at.empty() ? end_words(result.end) : "stopped at " + stopped_at) + ", " +
+                          number("%.2f", result.seconds) + " s, " +
                           number("%.0f", static_cast<double>(result.peak_memory_bytes) / 1e6) + " MB");
   return text;
 }

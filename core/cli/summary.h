@@ -9,8 +9,9 @@
 
 namespace isoscope {
 
-/// A few lines for a person: input, samples, stages, the mesh, the certificate.
+/// A few lines for a person: input, samples, stages, the mesh, the certificate. `stopped_at`: what stopped
+/// the run where it was no person, "breakpoint 2 (...)"; empty else.
 std::string summary(const RunParameters& parameters, const Scene& scene, const RunResult& result,
-                    const std::vector<StageStatistics>& stages);
+                    const std::vector<StageStatistics>& stages, const std::string& stopped_at = {});
 
 } // namespace isoscope

@@ -115,6 +115,13 @@ std::string describe_exhausted(const Event& e, double delta) {
   return what + "; " + std::string(why_exhausted(e.reason));
 }
 
+/// "facet 5–17–40", or "a facet" where none is named.
+std::string facet_words(const Event& e) {
+  if (!e.facet[0].valid()) return "a facet";
+  return "facet " + std::to_string(e.facet[0].value) + "–" + std::to_string(e.facet[1].value) + "–" +
+         std::to_string(e.facet[2].value);
+}
+
 /// Why an edge was not collapsed, with the number that decided.
 std::string describe_rejection(const Event& e, double delta) {
   const std::string reached = "d = " + in_delta(e.value, delta) + " (limit " + in_delta(e.limit, delta) + ")";
@@ -130,7 +137,8 @@ std::string describe_rejection(const Event& e, double delta) {
   case Reason::misclassified:
     return "a sample would change class, ε = " + number(e.value, 2) + " (limit " + number(e.limit, 2) + ")";
   case Reason::outside_tolerance:
-    return "Z would leave Ω, " + reached;
+    return "Z would leave Ω" + (e.facet[0].valid() ? " at " + facet_words(e) : std::string()) + ", " +
+           reached;
   case Reason::unproven:
     return "a facet could be proven neither inside nor outside of Ω";
   case Reason::normals:
@@ -140,9 +148,10 @@ std::string describe_rejection(const Event& e, double delta) {
   case Reason::intersection:
     return "Z would intersect itself";
   case Reason::folded:
-    return "a facet would turn over";
+    return facet_words(e) + " would turn over";
   case Reason::stays_above:
-    return "the repair was rolled back, a facet stays at " + reached;
+    return "the repair was rolled back, " + facet_words(e) + " stays at " + reached + ", " +
+           in_delta(e.value - e.limit, delta) + " too far";
   default:
     return "a limit of work was reached";
   }

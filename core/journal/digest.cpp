@@ -36,6 +36,8 @@ void Digest::add(const Event& e) {
   add(e.witness);
   add(e.value);
   add(e.limit);
+  if (e.facet[0].valid()) // recordings of format 1 have none
+    for (const VertexId v : e.facet) add(v);
   add(e.count);
   add(e.text);
   add(e.detail);

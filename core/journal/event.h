@@ -4,6 +4,7 @@
 #include "base/geometry.h"
 #include "base/ids.h"
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -117,8 +118,11 @@ struct Event {
   VertexId other;         ///< the other end of the edge
   Vec3 point;             ///< where it was inserted
   Vec3 witness;           ///< the point at which the violation was measured
-  double value = 0;       ///< measured
-  double limit = 0;       ///< what it had to keep; for topology checks: value = χ found, limit = χ expected
+  /// The facet of Z that an improver's change was refused for, in the corners it would have had: the one that
+  /// stays above, leaves Ω, folds, or has the most failed tests of condition 3. Invalid where none is named.
+  std::array<VertexId, 3> facet;
+  double value = 0; ///< measured
+  double limit = 0; ///< what it had to keep; for topology checks: value = χ found, limit = χ expected
   std::uint32_t count = 0;  ///< topology_check: components of Z found; exhausted: how many so far
   std::uint32_t text = 0;   ///< index into Journal::text, 0 none
   std::uint32_t detail = 0; ///< index into Journal::repairs, 0 none

@@ -21,7 +21,7 @@ void walk(const Journal& journal, const RunControl& control, AtEvent&& at_event,
     at_event(event, static_cast<std::uint32_t>(i));
     if (!event.operation) continue;
     if (event.step >= steps || (event.step % poll == 0 && control.cancelled())) return;
-    at_operation(event, *journal.operations()[event.step].delta, static_cast<std::uint32_t>(i));
+    at_operation(event, journal.operations()[event.step].delta(), static_cast<std::uint32_t>(i));
   }
 }
 

@@ -2,13 +2,17 @@
 // (architecture D1).
 #pragma once
 
-#include "journal/append_only.h"
+#include "base/append_only.h"
+#include "base/spill_list.h"
 #include "journal/event.h"
+#include "journal/stored_delta.h"
 #include "mesh/complex.h"
 #include "tolerance/boundary_sampler.h"
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,15 +45,18 @@ struct StepFigures {
 /// One operation: the event that decided it and the delta it applied.
 struct Operation {
   std::uint32_t event = 0; ///< index into events
-  std::shared_ptr<const Delta> delta;
+  StoredDelta stored;
   StepFigures figures; ///< after it
+  /// Valid only as long as the journal is.
+  Delta delta() const { return stored.read(); }
 };
 
-/// Append-only; written by the run's thread through Recorder, read by anyone at any time.
+/// Append-only; written by the run's thread through Recorder, read by anyone at any time. Beyond a limit its
+/// older events and deltas go to the disk, from where they are read as if they were in memory.
 class Journal {
  public:
-  const AppendOnly<Event>& events() const { return events_; }
-  const AppendOnly<Operation>& operations() const { return operations_; }
+  const SpillList<Event>& events() const { return events_; }
+  const SpillList<Operation>& operations() const { return operations_; }
   /// Sample sets in the order they came; set k of a state is Complex-independent: see
   /// PlaybackState::sample_set.
   const AppendOnly<std::shared_ptr<const BoundarySamples>>& sample_sets() const { return sample_sets_; }
@@ -72,32 +79,46 @@ class Journal {
   /// The sweeps of repairs, committed or rolled back; entry 0 is empty.
   const AppendOnly<RepairDetail>& repairs() const { return repairs_; }
   Step steps() const { return static_cast<Step>(operations_.size()); }
-  std::size_t memory_bytes() const { return bytes_.load(std::memory_order_relaxed); }
+  /// Bytes that are in memory; those on the disk besides.
+  std::size_t memory_bytes() const;
+  std::size_t disk_bytes() const { return pool_->disk_bytes(); }
+  /// What may be in memory from now on; at any time, by anyone: nothing changes that could be read. Samples
+  /// and texts stay in memory.
+  void keep_within(std::size_t bytes) const;
+  /// Gives back the memory that reading from the disk has taken.
+  void release_read_back() const { pool_->release_read_back(); }
+  /// Why it takes more memory than it may; nothing while it does not.
+  std::optional<Error> spill_error() const { return pool_->error(); }
 
-  Journal();
+  /// `spill_folder`: where the part on the disk is kept.
+  explicit Journal(std::filesystem::path spill_folder = SpillPool::default_folder());
 
   // Writer's side: one thread only.
-  /// Takes over what `from` says up to `step`, all events before the operation that leads on included; deltas
-  /// and samples are shared. Only into an empty journal.
-  void take_prefix(const Journal& from, Step step);
+  /// Takes over what `from` says up to `step`: all events before the operation that leads on, at most
+  /// `events` of them, and what they speak of; samples are shared. Only into an empty journal.
+  void take_prefix(const Journal& from, Step step,
+                   std::size_t events = std::numeric_limits<std::size_t>::max());
   std::uint32_t add_text(std::string text);
   std::uint32_t add_repair(RepairDetail sweeps);
   std::uint16_t add_sample_set(std::shared_ptr<const BoundarySamples> samples);
   void add_parameters(const CriteriaParameters& criteria);
   /// Sets event.step; returns the event's index. `seconds`: when it happened, for journals read from a file.
   std::uint32_t add_event(Event event, std::optional<double> seconds = std::nullopt);
-  void add_operation(Event event, Delta delta, const StepFigures& figures);
+  void add_operation(Event event, const Delta& delta, const StepFigures& figures);
 
  private:
-  AppendOnly<Event> events_;
-  AppendOnly<Operation> operations_;
+  std::unique_ptr<SpillPool> pool_;
+  SpillList<Event> events_;
+  SpillList<Operation> operations_;
+  DeltaStore deltas_;
   AppendOnly<std::shared_ptr<const BoundarySamples>> sample_sets_;
   AppendOnly<ParameterRecord> parameters_;
   AppendOnly<StageMark> stage_marks_;
   AppendOnly<std::string> texts_;
   AppendOnly<RepairDetail> repairs_;
-  std::atomic<std::size_t> bytes_{0};
-  double age() const; ///< seconds
+  std::atomic<std::size_t> bytes_{0};       ///< of what may go to the disk, wherever it is
+  std::atomic<std::size_t> fixed_bytes_{0}; ///< of what stays in memory
+  double age() const;                       ///< seconds
   std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
 };
 

@@ -60,8 +60,13 @@ void Playback::restore(const Keyframe& keyframe, Step at) {
   step_ = at;
 }
 
+const Delta& Playback::read(Step operation) {
+  journal_->operations()[operation].stored.read(delta_);
+  return delta_;
+}
+
 void Playback::forward_one() {
-  const Delta& delta = *journal_->operations()[step_].delta;
+  const Delta& delta = read(step_);
   complex_.apply(delta);
   if (delta.sample_set) sample_set_ = delta.sample_set->after;
   ++step_;
@@ -73,7 +78,7 @@ void Playback::forward_one() {
 }
 
 void Playback::backward_one() {
-  const Delta& delta = *journal_->operations()[step_ - 1].delta;
+  const Delta& delta = read(step_ - 1);
   complex_.undo(delta);
   if (delta.sample_set) sample_set_ = delta.sample_set->before;
   --step_;
@@ -127,7 +132,7 @@ const SampleSets& Playback::sample_sets() {
   const auto [first, last] = std::minmax(sets_step_, step_);
   std::vector<std::uint32_t> touched;
   for (Step k = first; k < last; ++k) {
-    const Delta& delta = *journal_->operations()[k].delta;
+    const Delta& delta = read(k);
     for (const TetRecord& t : delta.removed) touched.push_back(t.id.value);
     for (const TetRecord& t : delta.added) touched.push_back(t.id.value);
   }
@@ -150,8 +155,10 @@ const SampleSets& Playback::sample_sets() {
 
 std::vector<TetId> Playback::changed_in_last(Step n) const {
   std::vector<TetId> changed;
+  Delta delta;
   for (Step k = step_ - std::min(n, step_); k < step_; ++k) {
-    for (const TetRecord& t : journal_->operations()[k].delta->added) {
+    journal_->operations()[k].stored.read(delta);
+    for (const TetRecord& t : delta.added) {
       const std::size_t slot = t.id.index();
       if (slot < complex_.tets.size() && complex_.tets[slot].v == t.v) changed.push_back(t.id);
     }

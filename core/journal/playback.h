@@ -58,6 +58,9 @@ class Playback {
   std::size_t keyframe_bytes_ = 0;
   std::size_t work_since_keyframe_ = 0; ///< tetrahedra touched going forward beyond the last keyframe
 
+  Delta delta_; ///< the one read last
+
+  const Delta& read(Step operation);
   void forward_one();
   void backward_one();
   void restore(const Keyframe& keyframe, Step at);

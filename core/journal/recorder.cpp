@@ -11,7 +11,7 @@ Gate::Verdict Recorder::event(Event event) {
 }
 
 Gate::Verdict Recorder::operation(Event event, Delta delta, const StepFigures& figures) {
-  journal_->add_operation(event, std::move(delta), figures);
+  journal_->add_operation(event, delta, figures);
   return gate_->pass(*journal_, journal_->events().back());
 }
 

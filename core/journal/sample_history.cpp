@@ -78,48 +78,82 @@ HistoryRow change(HistoryRow::Kind kind, const Journal& journal, Step step, doub
   return r;
 }
 
+/// A sample with its place and its label.
+struct Followed {
+  Vec3 place;
+  double label = 0;
+};
+
+/// Nothing where the set in force at `at` has no such sample.
+std::optional<Followed> sample_at(const Journal& journal, SampleId sample, Step at) {
+  // The set in force: what the last change up to `at` brought.
+  std::uint16_t set = 0;
+  Delta delta;
+  for (Step k = journal.sample_sets().size() > 1 ? at : 0; k-- > 0;) {
+    journal.operations()[k].stored.read(delta);
+    if (!delta.sample_set) continue;
+    set = delta.sample_set->after;
+    break;
+  }
+  if (set >= journal.sample_sets().size() || !journal.sample_sets()[set]) return std::nullopt;
+  const BoundarySamples& samples = *journal.sample_sets()[set];
+  if (sample.index() >= samples.size()) return std::nullopt;
+  return Followed{samples.positions[sample.index()], static_cast<double>(samples.labels[sample.index()])};
+}
+
+/// Hands every change, away from `at`, to `visit` until that returns false or the set changes.
+template <class Visit>
+void follow(const Journal& journal, const Followed& sample, const Complex& state, Step at, bool forward,
+            const RunControl& control, Visit&& visit) {
+  Follower follower(state, sample.place, sample.label);
+  Delta delta;
+  const Step end = journal.steps();
+  for (Step k = at; forward ? k < end : k > 0;) {
+    const Step operation = forward ? k : k - 1;
+    journal.operations()[operation].stored.read(delta);
+    if (delta.sample_set) {
+      visit(change(HistoryRow::Kind::other_set, journal, operation + 1, 0, 0));
+      return;
+    }
+    const double now = follower.error();
+    follower.move(delta, forward);
+    const double before = forward ? now : follower.error(), after = forward ? follower.error() : now;
+    if (changes_class(before, after) &&
+        !visit(change(is_bad(after) ? HistoryRow::Kind::became_bad : HistoryRow::Kind::became_good, journal,
+                      operation + 1, before, after)))
+      return;
+    k = forward ? k + 1 : k - 1;
+    if (k % 256 == 0 && control.cancelled()) return;
+  }
+}
+
 } // namespace
 
 std::vector<HistoryRow> sample_class_changes(const Journal& journal, SampleId sample, const Complex& state,
                                              Step at, const RunControl& control) {
   std::vector<HistoryRow> rows;
-  // The set in force: what the last change up to `at` brought.
-  std::uint16_t set = 0;
-  for (Step k = at; k-- > 0;)
-    if (const auto& change = journal.operations()[k].delta->sample_set) {
-      set = change->after;
-      break;
-    }
-  if (set >= journal.sample_sets().size()) return rows;
-  const BoundarySamples& samples = *journal.sample_sets()[set];
-  if (sample.index() >= samples.size()) return rows;
-  const Vec3 place = samples.positions[sample.index()];
-  const double label = samples.labels[sample.index()];
-
-  const auto follow = [&](bool forward) {
-    Follower follower(state, place, label);
-    const Step end = journal.steps();
-    for (Step k = at; forward ? k < end : k > 0;) {
-      const Step operation = forward ? k : k - 1;
-      const Delta& delta = *journal.operations()[operation].delta;
-      if (delta.sample_set) {
-        rows.push_back(change(HistoryRow::Kind::other_set, journal, operation + 1, 0, 0));
-        return;
-      }
-      const double now = follower.error();
-      follower.move(delta, forward);
-      const double before = forward ? now : follower.error(), after = forward ? follower.error() : now;
-      if (changes_class(before, after))
-        rows.push_back(change(is_bad(after) ? HistoryRow::Kind::became_bad : HistoryRow::Kind::became_good,
-                              journal, operation + 1, before, after));
-      k = forward ? k + 1 : k - 1;
-      if (k % 256 == 0 && control.cancelled()) return;
-    }
+  const auto followed = sample_at(journal, sample, at);
+  if (!followed) return rows;
+  const auto keep = [&](const HistoryRow& row) {
+    rows.push_back(row);
+    return true;
   };
-  follow(false);
+  follow(journal, *followed, state, at, false, control, keep);
   std::reverse(rows.begin(), rows.end());
-  follow(true);
+  follow(journal, *followed, state, at, true, control, keep);
   return rows;
+}
+
+std::optional<HistoryRow> last_class_change(const Journal& journal, SampleId sample, const Complex& state,
+                                            Step at, const RunControl& control) {
+  std::optional<HistoryRow> last;
+  const auto followed = sample_at(journal, sample, at);
+  if (!followed) return last;
+  follow(journal, *followed, state, at, false, control, [&](const HistoryRow& row) {
+    if (row.step < at) last = row;
+    return row.step >= at; // the change that led to `at` itself is shown already
+  });
+  return last;
 }
 
 } // namespace isoscope

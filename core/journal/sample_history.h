@@ -10,5 +10,8 @@ namespace isoscope {
 /// set is in force.
 std::vector<HistoryRow> sample_class_changes(const Journal& journal, SampleId sample, const Complex& state,
                                              Step at, const RunControl& control);
+/// Of these the last one that shows before step `at`, read backwards from there and no further.
+std::optional<HistoryRow> last_class_change(const Journal& journal, SampleId sample, const Complex& state,
+                                            Step at, const RunControl& control);
 
 } // namespace isoscope

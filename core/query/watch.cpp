@@ -70,7 +70,7 @@ void JournalWatch::take(std::uint32_t index) {
 }
 
 void JournalWatch::apply(const Operation& operation) {
-  const Delta& delta = *operation.delta;
+  const Delta delta = operation.delta();
   if (needs_.topology) topology_.before(complex_, delta);
   complex_.apply(delta);
   if (needs_.topology) {

@@ -16,7 +16,8 @@ CREATE TABLE reasons(id INTEGER PRIMARY KEY, name TEXT);
 -- Every decision. step: operations applied before it; operation: 1 when it has a delta.
 CREATE TABLE event_rows(id INTEGER PRIMARY KEY, step INTEGER, kind INTEGER, stage INTEGER, condition INTEGER,
   reason INTEGER, operation INTEGER, tet INTEGER, sample INTEGER, vertex INTEGER, other INTEGER, x, y, z,
-  witness_x, witness_y, witness_z, value, limit_value, count INTEGER, text INTEGER, detail INTEGER);
+  witness_x, witness_y, witness_z, value, limit_value, count INTEGER, text INTEGER, detail INTEGER,
+  facet_a INTEGER, facet_b INTEGER, facet_c INTEGER);
 -- Every operation: it leads from step to step + 1. delta: bytes.
 CREATE TABLE operations(step INTEGER PRIMARY KEY, event INTEGER, bad_samples INTEGER, zero_set_vertices INTEGER,
   tets INTEGER, largest_error, smallest_height, seconds, delta BLOB);
@@ -39,7 +40,7 @@ CREATE TABLE ending(id INTEGER PRIMARY KEY, events INTEGER, state TEXT, certifie
 -- The events with words instead of numbers: SELECT reason, count(*) FROM events GROUP BY reason;
 CREATE VIEW events AS SELECT e.id, e.step, k.name AS kind, s.name AS stage, c.name AS condition,
   r.name AS reason, e.operation, e.tet, e.sample, e.vertex, e.other, e.x, e.y, e.z, e.witness_x, e.witness_y,
-  e.witness_z, e.value, e.limit_value, e.count, t.text, e.detail AS repair
+  e.witness_z, e.value, e.limit_value, e.count, t.text, e.detail AS repair, e.facet_a, e.facet_b, e.facet_c
   FROM event_rows e JOIN kinds k ON k.id = e.kind JOIN stages s ON s.id = e.stage
   JOIN conditions c ON c.id = e.condition JOIN reasons r ON r.id = e.reason
   LEFT JOIN texts t ON t.id = e.text AND e.text > 0;

@@ -99,13 +99,18 @@ struct RecordingReader::Impl {
   explicit Impl(Database d) : database(std::move(d)) {}
 
   Status prepare() {
+    const auto version = database.number("PRAGMA user_version");
+    if (!version) return version.error();
+    const std::string facet = *version < 2 ? "-1,-1,-1" : "facet_a,facet_b,facet_c";
+    const std::string event_columns =
+        "SELECT kind,stage,condition,reason,operation,tet,sample,vertex,other,x,y,z,witness_x,witness_y,"
+        "witness_z,value,limit_value,count,text,detail,step," +
+        facet + " FROM event_rows WHERE id>=? AND id<? ORDER BY id";
     const std::pair<Query*, std::string_view> all[] = {
         {&commits,
          "SELECT id,events,operations,texts,repairs,sample_sets,criteria,marks,checksum FROM commits "
          "WHERE id>? ORDER BY id LIMIT 1"},
-        {&events, "SELECT kind,stage,condition,reason,operation,tet,sample,vertex,other,x,y,z,witness_x,"
-                  "witness_y,witness_z,value,limit_value,count,text,detail,step FROM event_rows "
-                  "WHERE id>=? AND id<? ORDER BY id"},
+        {&events, event_columns},
         {&operations, "SELECT bad_samples,zero_set_vertices,tets,largest_error,smallest_height,seconds,delta "
                       "FROM operations WHERE step>=? AND step<? ORDER BY step"},
         {&sample_sets, "SELECT data FROM sample_sets WHERE id>=? AND id<? ORDER BY id"},
@@ -190,6 +195,8 @@ struct RecordingReader::Impl {
     e.text = static_cast<std::uint32_t>(events.integer(18));
     e.detail = static_cast<std::uint32_t>(events.integer(19));
     e.step = static_cast<Step>(events.integer(20));
+    for (int k = 0; k < 3; ++k)
+      e.facet[static_cast<std::size_t>(k)] = VertexId(id_of(events.integer(21 + k)));
     batch.events.push_back(e);
     return true;
   }

@@ -131,7 +131,8 @@ struct RecordingWriter::Impl {
 
   Status prepare_statements() {
     const std::pair<Query*, std::string_view> all[] = {
-        {&statements.event, "INSERT INTO event_rows VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"},
+        {&statements.event,
+         "INSERT INTO event_rows VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"},
         {&statements.operation, "INSERT INTO operations VALUES(?,?,?,?,?,?,?,?,?)"},
         {&statements.sample_set, "INSERT INTO sample_sets VALUES(?,?,?,?)"},
         {&statements.criteria, "INSERT INTO criteria VALUES(?,?,?,?,?,?,?,?,?,?,?)"},
@@ -185,16 +186,17 @@ struct RecordingWriter::Impl {
   Status write_event(std::size_t i) {
     const Event& e = journal->events()[i];
     checksum.add(e);
-    return statements.event.run(i, e.step, static_cast<int>(e.kind), static_cast<int>(e.stage),
-                                static_cast<int>(e.condition), static_cast<int>(e.reason), e.operation,
-                                number_of(e.tet.value), number_of(e.sample.value), number_of(e.vertex.value),
-                                number_of(e.other.value), e.point.x, e.point.y, e.point.z, e.witness.x,
-                                e.witness.y, e.witness.z, e.value, e.limit, e.count, e.text, e.detail);
+    return statements.event.run(
+        i, e.step, static_cast<int>(e.kind), static_cast<int>(e.stage), static_cast<int>(e.condition),
+        static_cast<int>(e.reason), e.operation, number_of(e.tet.value), number_of(e.sample.value),
+        number_of(e.vertex.value), number_of(e.other.value), e.point.x, e.point.y, e.point.z, e.witness.x,
+        e.witness.y, e.witness.z, e.value, e.limit, e.count, e.text, e.detail, number_of(e.facet[0].value),
+        number_of(e.facet[1].value), number_of(e.facet[2].value));
   }
 
   Status write_operation(std::size_t step) {
     const Operation& o = journal->operations()[step];
-    const std::string_view bytes = deltas.encode(*o.delta);
+    const std::string_view bytes = deltas.encode(o.delta());
     const StepFigures& f = o.figures;
     checksum.add(bytes);
     add_to(checksum, f);

@@ -144,7 +144,7 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   Complex before;
   if (out.before) {
     before = state.complex;
-    before.undo(*context.journal.operations()[event->step].delta);
+    before.undo(context.journal.operations()[event->step].delta());
   }
   const Complex& complex = out.before ? before : state.complex;
   const auto alive = [&](VertexId v) {

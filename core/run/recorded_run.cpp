@@ -96,7 +96,7 @@ Result<std::shared_ptr<const Scene>> rebuild_scene(const RunParameters& paramete
 Complex final_state(const Journal& journal) {
   Complex complex;
   for (std::size_t k = 0, n = journal.operations().size(); k < n; ++k)
-    complex.apply(*journal.operations()[k].delta);
+    complex.apply(journal.operations()[k].delta());
   return complex;
 }
 

@@ -4,9 +4,11 @@
 #include "journal/describe.h"
 #include "journal/digest.h"
 #include "mesh/zero_set.h"
+#include "run/branch.h"
 #include "run/recorded_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace isoscope {
@@ -46,6 +48,24 @@ bool same_samples(const BoundarySamples& a, const BoundarySamples& b) {
   return a.positions == b.positions && a.labels == b.labels;
 }
 
+/// Where the recorded run left another one, or an earlier state of itself.
+struct RecordedBranch {
+  std::size_t event = 0; ///< that tells of it; all before are the other run's
+  BranchPoint point;     ///< without the journal
+};
+
+std::vector<RecordedBranch> branches_of(const Journal& recorded) {
+  std::vector<RecordedBranch> branches;
+  for (std::size_t k = 0; k < recorded.operations().size(); ++k) {
+    const std::uint32_t made = recorded.operations()[k].event;
+    const Event& e = recorded.events()[made];
+    // A collapse by hand begins a branch, right after the line that says so.
+    if (e.kind != EventKind::collapse || e.reason != Reason::user || made == 0) continue;
+    branches.push_back({made - 1, {nullptr, e.step, e.vertex, e.other, e.point}});
+  }
+  return branches;
+}
+
 /// Compares each event as the new run makes it, and steers the run as the recorded one was steered.
 class ComparingGate : public Gate {
  public:
@@ -55,19 +75,23 @@ class ComparingGate : public Gate {
   }
 
   Verdict pass(const Journal& journal, const Event&) override {
-    while (verdict_->same && verdict_->events < journal.events().size() &&
-           verdict_->events < recorded_->events().size())
+    const std::size_t end = branch_ ? branch_->event : recorded_->events().size();
+    while (verdict_->same && verdict_->events < journal.events().size() && verdict_->events < end)
       compare_next(journal);
-    const bool all = verdict_->events >= recorded_->events().size();
-    if (!verdict_->same || (all && !ended_)) {
+    const bool all = verdict_->events >= end;
+    if (!verdict_->same || (all && !branch_ && !ended_)) {
       control_->abandon(); // nobody wants what the new run would end with
       return Verdict::stop;
     }
+    // What was left there is complete once the operation after it is there.
+    if (all && branch_ && journal.steps() > branch_->point.step) return Verdict::stop;
     return all ? Verdict::go_on : what_was_asked();
   }
   CriteriaParameters wanted_parameters() const override { return wanted_; }
   /// The recorded run came to its end: the new one is let to its own.
   void set_ended(bool ended) { ended_ = ended; }
+  /// Compares up to a branch, or to the end.
+  void set_branch(std::optional<RecordedBranch> branch) { branch_ = std::move(branch); }
 
  private:
   const Journal* recorded_;
@@ -76,6 +100,7 @@ class ComparingGate : public Gate {
   CriteriaParameters wanted_;
   std::size_t changes_ = 0; ///< of parameters so far
   bool ended_ = false;
+  std::optional<RecordedBranch> branch_;
 
   void differ(const Journal& journal, const std::string& what) {
     const std::size_t i = verdict_->events;
@@ -97,9 +122,9 @@ class ComparingGate : public Gate {
     if (was.kind == EventKind::parameter_change) ++changes_;
     if (was.operation) {
       const Operation &a = recorded_->operations()[was.step], &b = journal.operations()[is.step];
-      if (digest_of(*a.delta) != digest_of(*b.delta)) return differ(journal, "what it changed");
+      if (digest_of(a.delta()) != digest_of(b.delta())) return differ(journal, "what it changed");
       if (!same_figures(a.figures, b.figures)) return differ(journal, "the figures after it");
-      if (const auto& set = a.delta->sample_set;
+      if (const auto set = a.delta().sample_set;
           set && !same_samples(*recorded_->sample_sets()[set->after], *journal.sample_sets()[set->after]))
         return differ(journal, "its samples");
       ++verdict_->operations;
@@ -137,7 +162,7 @@ void walk_states(const Journal& journal, std::size_t operations, ReplayVerdict& 
   std::vector<Seen> seen{{0, digest(complex)}};
   std::size_t touched = 0;
   for (std::size_t k = 0; k < operations; ++k) {
-    const Delta& delta = *journal.operations()[k].delta;
+    const Delta delta = journal.operations()[k].delta();
     complex.apply(delta);
     touched += 8 * (1 + delta.removed.size() + delta.added.size() + delta.moves.size());
     const std::size_t size = complex.tets.size() + complex.vertices.size();
@@ -158,7 +183,7 @@ void walk_states(const Journal& journal, std::size_t operations, ReplayVerdict& 
       ++verdict.states;
       if (seen.empty()) break;
     }
-    if (k > 0) complex.undo(*journal.operations()[k - 1].delta);
+    if (k > 0) complex.undo(journal.operations()[k - 1].delta());
   }
 }
 
@@ -171,51 +196,109 @@ void compare_end(const RunResult& result, const Journal& recorded, ReplayVerdict
   verdict.difference = "The final Z of the new run is not the recorded one.";
 }
 
+/// One check: a new run of its own, beside the recorded one.
+class Check {
+ public:
+  Check(const RunParameters& parameters, const Journal& recorded, bool ended, RunControl& control)
+      : recorded_(recorded), ended_(ended), control_(control), gate_(recorded, control, verdict_),
+        pipeline_(parameters, journal_, gate_, control) {
+    gate_.set_ended(ended);
+  }
+
+  Result<ReplayVerdict> run(std::shared_ptr<const TriangleSoup> input,
+                            const std::vector<RecordedBranch>& branches) {
+    const auto scene = pipeline_.prepare(std::move(input));
+    if (!scene) return scene.error();
+    if (!recorded_.sample_sets().empty() && !same_samples(*recorded_.sample_sets()[0], *(*scene)->samples)) {
+      verdict_.same = false;
+      verdict_.difference = "The samples of the boundary differ before the first operation.";
+      return verdict_;
+    }
+    for (const RecordedBranch& branch : branches) {
+      gate_.set_branch(branch);
+      if (Status made = run_to(branch.event); !made) return made.error();
+      if (!verdict_.same) return verdict_;
+      auto next = std::make_shared<Journal>();
+      next->take_prefix(*journal_, branch.point.step, branch.event);
+      journal_ = next;
+      BranchPoint point = branch.point;
+      point.from = next;
+      gate_.set_branch(std::nullopt);
+      if (Status begun = pipeline_.branch(point, next); !begun) return begun.error();
+    }
+    if (Status made = run_to(recorded_.events().size()); !made) return made.error();
+    compare_ends();
+    return verdict_;
+  }
+
+ private:
+  const Journal& recorded_;
+  bool ended_;
+  RunControl& control_;
+  ReplayVerdict verdict_;
+  std::shared_ptr<Journal> journal_ = std::make_shared<Journal>();
+  ComparingGate gate_;
+  Pipeline pipeline_;
+  std::optional<RunResult> result_;
+
+  /// Runs on until so many events are compared, and says so where the new run has fewer.
+  Status run_to(std::size_t events) {
+    result_.reset();
+    for (std::size_t before = verdict_.events;; before = verdict_.events) {
+      if (verdict_.events >= events && result_) break;
+      auto run = pipeline_.run();
+      if (!run) return run.error();
+      result_ = std::move(*run);
+      // A run that ended and was given other parameters goes on; one that was cancelled does not.
+      if (control_.cancelled() || !verdict_.same || verdict_.events == before) break;
+    }
+    if (control_.cancelled() && !control_.abandoned())
+      return Error{ErrorCode::cancelled, "The check was stopped.", ""};
+    if (!verdict_.same || verdict_.events >= events) return {};
+    verdict_.same = false;
+    verdict_.step = recorded_.events()[verdict_.events].step;
+    verdict_.difference = "The new run ends before event " + std::to_string(verdict_.events) + ", \"" +
+                          describe(recorded_, recorded_.events()[verdict_.events]) + "\".";
+    return {};
+  }
+
+  void compare_ends() {
+    if (verdict_.same && ended_ && journal_->events().size() != recorded_.events().size()) {
+      verdict_.same = false;
+      verdict_.step = recorded_.steps();
+      verdict_.difference = "The new run has " + std::to_string(journal_->events().size()) + " events, not " +
+                            std::to_string(recorded_.events().size()) + ".";
+    }
+    if (verdict_.same) walk_states(recorded_, recorded_.operations().size(), verdict_);
+    if (verdict_.same && ended_ && result_) compare_end(*result_, recorded_, verdict_);
+  }
+};
+
+/// A branch is recorded with the parameters of its own; what it left began with those of the journal.
+RunParameters parameters_at_start(RunParameters parameters, const Journal& recorded) {
+  if (recorded.parameters().empty()) return parameters;
+  const CriteriaParameters& c = recorded.parameters()[0].criteria;
+  // Of the ratios next to σ/δ, one that gives σ back to the bit.
+  const double ratio = c.sigma / c.delta;
+  for (const double next : {std::nextafter(ratio, 0.0), std::nextafter(ratio, 2.0), ratio})
+    if (next * c.delta == c.sigma) parameters.sigma = next;
+  parameters.alpha = c.alpha;
+  parameters.shrink = c.shrink;
+  parameters.condition_1 = c.condition_1;
+  parameters.condition_2 = c.condition_2;
+  parameters.condition_3 = c.condition_3;
+  parameters.condition_4 = c.condition_4;
+  return parameters;
+}
+
 } // namespace
 
 Result<ReplayVerdict> check_replay(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> input,
                                    const Journal& recorded, bool ended, RunControl& control) {
-  ReplayVerdict verdict;
-  RunParameters unlimited = parameters;
+  const std::vector<RecordedBranch> branches = branches_of(recorded);
+  RunParameters unlimited = branches.empty() ? parameters : parameters_at_start(parameters, recorded);
   unlimited.time_limit = 0;
-  auto journal = std::make_shared<Journal>();
-  ComparingGate gate(recorded, control, verdict);
-  gate.set_ended(ended);
-  Pipeline pipeline(unlimited, journal, gate, control);
-  const auto scene = pipeline.prepare(std::move(input));
-  if (!scene) return scene.error();
-  if (!recorded.sample_sets().empty() && !same_samples(*recorded.sample_sets()[0], *(*scene)->samples)) {
-    verdict.same = false;
-    verdict.difference = "The samples of the boundary differ before the first operation.";
-    return verdict;
-  }
-  std::optional<RunResult> result;
-  for (std::size_t before = 0;;) {
-    if (verdict.events >= recorded.events().size() && result) break;
-    auto run = pipeline.run();
-    if (!run) return run.error();
-    result = std::move(*run);
-    // A run that ended and was given other parameters goes on; one that was cancelled does not.
-    if (control.cancelled() || !verdict.same || verdict.events == before) break;
-    before = verdict.events;
-  }
-  if (control.cancelled() && !control.abandoned())
-    return Error{ErrorCode::cancelled, "The check was stopped.", ""};
-  if (verdict.same && verdict.events < recorded.events().size()) {
-    verdict.same = false;
-    verdict.step = recorded.events()[verdict.events].step;
-    verdict.difference = "The new run ends before event " + std::to_string(verdict.events) + ", \"" +
-                         describe(recorded, recorded.events()[verdict.events]) + "\".";
-  }
-  if (verdict.same && ended && journal->events().size() != recorded.events().size()) {
-    verdict.same = false;
-    verdict.step = recorded.steps();
-    verdict.difference = "The new run has " + std::to_string(journal->events().size()) + " events, not " +
-                         std::to_string(recorded.events().size()) + ".";
-  }
-  if (verdict.same) walk_states(recorded, recorded.operations().size(), verdict);
-  if (verdict.same && ended && result) compare_end(*result, recorded, verdict);
-  return verdict;
+  return Check(unlimited, recorded, ended, control).run(std::move(input), branches);
 }
 
 } // namespace isoscope

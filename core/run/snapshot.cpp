@@ -25,7 +25,7 @@ std::optional<std::vector<std::uint32_t>> touched_slots(const Journal& journal, 
   const auto [first, last] = std::minmax(a, b);
   std::vector<std::uint32_t> touched;
   for (Step k = first; k < last; ++k) {
-    const Delta& delta = *journal.operations()[k].delta;
+    const Delta delta = journal.operations()[k].delta();
     // Changed values reach tetrahedra that the delta does not name.
     if (!delta.values.empty() || delta.sample_set || delta.form) return std::nullopt;
     for (const Delta::SideChange& side : delta.sides) touched.push_back(side.tet.value);
@@ -186,7 +186,7 @@ void describe_operation(StateSnapshot& s, const Journal& journal) {
   if (s.step == 0) return;
   const Operation& operation = journal.operations()[s.step - 1];
   s.event = journal.events()[operation.event];
-  const Delta& delta = *operation.delta;
+  const Delta delta = operation.delta();
   if (!delta.added_vertices.empty())
     s.inserted = VertexId(s.complex.vertices.size() - delta.added_vertices.size());
   for (const TetRecord& t : delta.added) s.added_tets.push_back(t.id);

@@ -100,7 +100,7 @@ std::optional<UnlockSearch> search_unlocks(const StateSnapshot& state, const Edg
   if (question.event && *question.event < context.journal.events().size()) {
     const Event& e = context.journal.events()[*question.event];
     if (e.operation && state.step == e.step + 1) {
-      complex.undo(*context.journal.operations()[e.step].delta);
+      complex.undo(context.journal.operations()[e.step].delta());
       step = e.step;
     }
   }

@@ -68,7 +68,7 @@ class Cells {
 std::optional<Vec3> EventPlaces::place(std::size_t index) {
   const Event& e = journal_->events()[index];
   for (; step_ < e.step && step_ < journal_->steps(); ++step_) {
-    const Delta& delta = *journal_->operations()[step_].delta;
+    const Delta delta = journal_->operations()[step_].delta();
     for (const Vertex& v : delta.added_vertices) vertices_.push_back(v.position);
     for (const Delta::Move& move : delta.moves)
       if (move.vertex.index() < vertices_.size()) vertices_[move.vertex.index()] = move.after;

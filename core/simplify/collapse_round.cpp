@@ -219,6 +219,7 @@ void Round::settle(const Attempt& attempt) {
   static_cast<Refusal&>(verdict) =
       attempt.verdict.accepted() ? surface_.check(attempt.patch) : Refusal(attempt.verdict);
   if (!verdict.accepted()) {
+    if (attempt.verdict.facet) verdict.facet = attempt.patch.surface_corners(*attempt.verdict.facet);
     refuse(verdict);
     return;
   }

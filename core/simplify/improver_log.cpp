@@ -29,6 +29,8 @@ Event ImproverLog::event(const ImproverVerdict& v) {
   e.value = v.value;
   e.limit = v.accepted() ? delta_ : v.limit;
   e.witness = v.witness;
+  if (v.facet)
+    for (std::size_t k = 0; k < 3; ++k) e.facet[k] = vertex((*v.facet)[k]);
   e.count = v.moved;
   if (!v.sweeps.empty()) e.detail = log_.repair(v.sweeps);
   return e;

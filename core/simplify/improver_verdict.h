@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -44,6 +45,7 @@ struct ImproverVerdict : Refusal {
   std::uint32_t a = 0, b = 0;           ///< the edge; b is merged into a. Both 0 for a relaxation
   Vec3 target;                          ///< where the merged vertex was put first
   double cost = 0;                      ///< largest sampled d of the merged vertex's star at its target
+  std::optional<std::array<std::uint32_t, 3>> facet; ///< refused: the facet that the reason speaks of
   std::vector<RepairSweep> sweeps;
   std::uint32_t moved = 0, flipped = 0;
 };

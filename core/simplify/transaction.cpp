@@ -25,6 +25,7 @@ struct Proof {
   std::uint32_t failures = 0;
   double distance = 0; ///< of the worst violating point
   Vec3 witness;
+  PatchVerdict::Corners facet{};
 };
 
 /// Certifies all unproven facets; violating points become samples of their facets.
@@ -46,7 +47,7 @@ Proof prove(const InputSurface& input, FacetComplex& complex) {
     }
     if (verdict.kind == FacetVerdict::Kind::undecided) witnesses.push_back(verdict.witness);
     const double d = verdict.kind == FacetVerdict::Kind::outside ? verdict.closest.distance() : delta;
-    if (d >= proof.distance) proof.distance = d, proof.witness = verdict.witness;
+    if (d >= proof.distance) proof.distance = d, proof.witness = verdict.witness, proof.facet = facet.v;
     if (facet.extra.size() + witnesses.size() > most_extra) facet.extra.clear();
     for (const Vec3 w : witnesses) facet.extra.push_back(weights_of(w, t));
     proof.failures += static_cast<std::uint32_t>(witnesses.size());
@@ -70,8 +71,12 @@ PatchVerdict check_orientation(const SurfaceRules& rules, SurfacePatch& patch) {
     if (!failures.empty()) failed.emplace_back(f, std::move(failures));
   }
   if (after <= before) return {};
-  PatchVerdict verdict = Refusal{Reason::normals, double(after), double(before),
-                                 patch.complex.points[patch.complex.facets[failed.front().first].v[0]]};
+  const auto& worst = *std::max_element(failed.begin(), failed.end(), [](const auto& a, const auto& b) {
+    return a.second.size() < b.second.size();
+  });
+  const PatchVerdict::Corners& corners = patch.complex.facets[worst.first].v;
+  PatchVerdict verdict{{Reason::normals, double(after), double(before), patch.complex.points[corners[0]]},
+                       corners};
   verdict.points_added = after;
   for (const auto& [f, sides] : failed) {
     Facet& facet = patch.complex.facets[f];
@@ -91,7 +96,8 @@ PatchVerdict check_shape(const SurfaceRules& rules, SurfacePatch& patch) {
     const Facet& facet = patch.complex.facets[f];
     if (!facet.alive()) continue;
     after.push_back(patch.complex.triangle(facet));
-    if (facet.folded || is_degenerate(after.back())) return Refusal{Reason::folded, 0, 0, after.back()[0]};
+    if (facet.folded || is_degenerate(after.back()))
+      return {Refusal{Reason::folded, 0, 0, after.back()[0]}, facet.v};
   }
   if (const auto swept = swept_witness(rules.witnesses, before, after))
     return Refusal{Reason::witness_side, 0, 0, *swept};
@@ -102,15 +108,21 @@ PatchVerdict check_shape(const SurfaceRules& rules, SurfacePatch& patch) {
 struct Level {
   double largest = 0, energy = 0;
   bool folded = false;
-  Vec3 where;
+  Vec3 where;                     ///< a corner of the facet of the largest d
+  PatchVerdict::Corners worst{};  ///< that facet
+  PatchVerdict::Corners turned{}; ///< a folded one
+
+  PatchVerdict::Corners facet() const { return folded ? turned : worst; }
 };
 
 Level measure(const FacetComplex& complex) {
   Level level;
   for (const Facet& f : complex.facets) {
     if (!f.alive()) continue;
-    if (f.largest > level.largest) level.largest = f.largest, level.where = complex.points[f.v[0]];
+    if (f.largest > level.largest)
+      level.largest = f.largest, level.where = complex.points[f.v[0]], level.worst = f.v;
     level.energy += f.energy;
+    if (f.folded && !level.folded) level.turned = f.v;
     level.folded = level.folded || f.folded;
   }
   return level;
@@ -181,8 +193,9 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
       const double excess = level.largest - limit, gain = last;
       const bool hopeless = excess > 0 && ((s > 3 && gain <= 0.002 * delta) ||
                                            (s > 2 && excess > 1.6 * gain * (options.sweeps - s)));
-      verdict =
-          Refusal{level.folded ? Reason::folded : Reason::stays_above, level.largest, limit, level.where};
+      verdict = {
+          Refusal{level.folded ? Reason::folded : Reason::stays_above, level.largest, limit, level.where},
+          level.facet()};
       if (s >= options.sweeps || hopeless) break;
       last = level.largest;
     }
@@ -199,8 +212,8 @@ PatchVerdict settle(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_
   for (int attempt = 0;; ++attempt) {
     const Level level = measure(patch.complex);
     if (level.largest > rules.sampled_limit())
-      return Refusal{Reason::stays_above, level.largest, rules.sampled_limit(), level.where};
-    if (level.folded) return Refusal{Reason::folded, 0, 0, level.where};
+      return {Refusal{Reason::stays_above, level.largest, rules.sampled_limit(), level.where}, level.worst};
+    if (level.folded) return {Refusal{Reason::folded, 0, 0, level.where}, level.turned};
     PatchVerdict verdict = check_patch(rules, patch);
     if (!can_be_repaired(verdict.reason) || attempt == retries ||
         !relocate(*rules.input, patch, v, relocation_rounds))
@@ -225,8 +238,8 @@ std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePa
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch) {
   const Proof proof = prove(*rules.input, patch.complex);
   if (proof.failures == 0) return check_shape(rules, patch);
-  PatchVerdict verdict =
-      Refusal{Reason::outside_tolerance, proof.distance, rules.input->delta(), proof.witness};
+  PatchVerdict verdict{{Reason::outside_tolerance, proof.distance, rules.input->delta(), proof.witness},
+                       proof.facet};
   verdict.points_added = proof.failures;
   return verdict;
 }

@@ -5,6 +5,7 @@
 #include "simplify/improver_verdict.h"
 #include "simplify/patch_moves.h"
 
+#include <array>
 #include <optional>
 
 namespace isoscope {
@@ -27,8 +28,11 @@ struct RepairOptions {
 
 /// The outcome for the patch: accepted, or the first reason against it with its figures.
 struct PatchVerdict : Refusal {
+  using Corners = std::array<std::uint32_t, 3>;
   PatchVerdict() = default;
   PatchVerdict(const Refusal& refusal) : Refusal(refusal) {}
+  PatchVerdict(const Refusal& refusal, const Corners& at) : Refusal(refusal), facet(at) {}
+  std::optional<Corners> facet;   ///< the facet that the reason speaks of, local ids
   std::uint32_t points_added = 0; ///< samples that the failed check has added to the facets
   std::vector<RepairSweep> sweeps;
   std::uint32_t moved = 0, flipped = 0;

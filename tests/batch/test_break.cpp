@@ -40,3 +40,18 @@ TEST_CASE("A wrong condition is a usage error with its place") {
         std::string::npos);
   CHECK(ended.error.find("Did you mean kernel-empty?") != std::string::npos);
 }
+
+TEST_CASE("A run that stops at a breakpoint says so, and its recording is kept and replays to there") {
+  const TemporaryFolder folder;
+  const std::string run = (folder / "run.isorun").string();
+  const Ended ended = run_batch({"gallery:torus", "--break", "insertion && step == 40", "--record", run});
+  CHECK(ended.status == 5);
+  CHECK(ended.out.find("stopped at breakpoint 1 (insertion && step == 40)") != std::string::npos);
+  CHECK(!ended.says("stopped by the user"));
+  const Ended read = run_batch({"replay", run});
+  CHECK(read.status == 4); // it has not finished
+  CHECK(read.says("stopped"));
+  const Ended check = run_batch({"replay", run, "--check"});
+  CHECK(check.status == 0);
+  CHECK(check.says("41 operations are the same"));
+}

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include <sys/resource.h>
+
 using namespace isoscope;
 using namespace isoscope::test;
 
@@ -72,4 +74,33 @@ TEST_CASE("A file that cannot grow further does not stop the run, and holds what
   const Ended replayed = run_batch({"replay", run});
   CHECK(replayed.status == 4);
   CHECK(replayed.says("ended without finishing"));
+}
+
+TEST_CASE("A recording that cannot be written further is told once, and the run goes on to its mesh") {
+  const TemporaryFolder folder;
+  const std::string run = (folder / "run.isorun").string(), mesh = (folder / "mesh.off").string();
+  rlimit limit{};
+  getrlimit(RLIMIT_FSIZE, &limit);
+  const rlimit small{120000, limit.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const Ended ended = run_batch({"gallery:torus", "--record", run, "-o", mesh});
+  setrlimit(RLIMIT_FSIZE, &limit);
+  CHECK(ended.status == 1);
+  const std::size_t told = ended.error.find("run.isorun");
+  REQUIRE(told != std::string::npos);
+  CHECK(ended.error.find("run.isorun", told + 1) == std::string::npos);
+  CHECK(ended.says("Certificate  holds"));
+  CHECK(read_mesh(mesh).ok());
+}
+
+TEST_CASE("A run whose history goes to the disk ends and replays as one without") {
+  const TemporaryFolder folder;
+  const std::string run = (folder / "run.isorun").string();
+  const std::string mesh = (folder / "a.off").string(), spilled = (folder / "b.off").string();
+  REQUIRE(run_batch({"gallery:torus", "--quiet", "-o", mesh}).status == 0);
+  REQUIRE(run_batch({"gallery:torus", "--quiet", "--history-limit", "1", "--record", run, "-o", spilled})
+              .status == 0);
+  CHECK(bytes_of(mesh) == bytes_of(spilled));
+  CHECK(run_batch({"replay", run, "--check"}).status == 0);
+  CHECK(run_batch({"gallery:torus", "--history-limit", "0"}).status == 2);
 }

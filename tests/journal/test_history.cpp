@@ -2,6 +2,7 @@
 #include "journal/history.h"
 
 #include "journal/playback.h"
+#include "journal/sample_history.h"
 #include "journal/synthetic.h"
 
 #include <doctest/doctest.h>
@@ -124,7 +125,7 @@ TEST_CASE("class changes of samples are those that all states show, from whereve
   Playback playback(journal);
   // Until the other set comes.
   Step end = 0;
-  while (end < journal->steps() && !journal->operations()[end].delta->sample_set) ++end;
+  while (end < journal->steps() && !journal->operations()[end].delta().sample_set) ++end;
   REQUIRE(end > 10);
   std::vector<std::vector<char>> bad(end + 1);
   for (Step k = 1; k <= end; ++k) {
@@ -152,6 +153,15 @@ TEST_CASE("class changes of samples are those that all states show, from whereve
       CHECK(found == expected);
       CHECK(h.rows.back().kind == Kind::other_set);
       changes += found.size();
+      const auto last = last_class_change(*journal, SampleId(s), playback.complex(), from, RunControl());
+      const HistoryRow* wanted = h.last_change(from);
+      REQUIRE(last.has_value() == (wanted != nullptr));
+      if (last) {
+        CHECK(last->step == wanted->step);
+        CHECK(last->kind == wanted->kind);
+        CHECK(last->before == wanted->before);
+        CHECK(last->after == wanted->after);
+      }
     }
   }
   CHECK(changes > 10);

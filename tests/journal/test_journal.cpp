@@ -43,8 +43,7 @@ TEST_CASE("The byte count grows with what is recorded") {
   record_insertions(journal, 10, 20, 3);
   const std::size_t before = journal.memory_bytes();
   std::size_t deltas = 0;
-  for (std::size_t i = 0; i < journal.operations().size(); ++i)
-    deltas += journal.operations()[i].delta->memory_bytes();
+  for (std::size_t i = 0; i < journal.operations().size(); ++i) deltas += journal.operations()[i].stored.size;
   CHECK(before >= deltas + journal.events().size() * sizeof(Event));
   journal.add_event({});
   CHECK(journal.memory_bytes() == before + sizeof(Event));

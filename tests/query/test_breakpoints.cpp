@@ -132,7 +132,7 @@ TEST_CASE("one that asks for more while a run is under way knows what went befor
     const Event& e = run->journal->events()[i];
     if (e.operation) {
       const Operation& o = run->journal->operations()[e.step];
-      again.add_operation(e, *o.delta, o.figures);
+      again.add_operation(e, o.delta(), o.figures);
     } else {
       again.add_event(e);
     }

@@ -61,8 +61,8 @@ void check_same(const Journal& a, const Journal& b) {
     CHECK(x.event == y.event);
     CHECK(x.figures.tets == y.figures.tets);
     CHECK(x.figures.seconds == y.figures.seconds);
-    CHECK(x.delta->slots_before == y.delta->slots_before);
-    CHECK(x.delta->facet_slots_before == y.delta->facet_slots_before);
+    CHECK(x.delta().slots_before == y.delta().slots_before);
+    CHECK(x.delta().facet_slots_before == y.delta().facet_slots_before);
   }
   REQUIRE(a.parameters().size() == b.parameters().size());
   for (std::size_t i = 0; i < a.parameters().size(); ++i) {
@@ -90,8 +90,8 @@ void check_prefix(const Journal& read, const Journal& whole) {
     b.add(whole.events()[i]);
   }
   for (std::size_t i = 0; i < read.operations().size(); ++i) {
-    a.add(*read.operations()[i].delta);
-    b.add(*whole.operations()[i].delta);
+    a.add(read.operations()[i].delta());
+    b.add(whole.operations()[i].delta());
   }
   CHECK(a.value() == b.value());
 }

@@ -50,7 +50,7 @@ TEST_CASE("The deltas of a whole run come back") {
   DeltaDecoder decoder;
   std::size_t bytes = 0, memory = 0;
   for (std::size_t i = 0; i < journal.operations().size(); ++i) {
-    const Delta& delta = *journal.operations()[i].delta;
+    const Delta delta = journal.operations()[i].delta();
     const std::string_view encoded = encoder.encode(delta);
     bytes += encoded.size();
     memory += delta.memory_bytes();

@@ -61,7 +61,7 @@ TEST_CASE("A newer version is told, with what to do") {
   const TemporaryFolder folder;
   const auto file = folder / "newer.isorun";
   REQUIRE(write_recording(file, small_journal(), false).ok());
-  change(file, "PRAGMA user_version=2");
+  change(file, "PRAGMA user_version=3");
   check_refused(file, "newer version", ErrorCode::unsupported);
 }
 

@@ -103,12 +103,12 @@ TEST_CASE("Sixty kills at random moments leave sixty recordings that open") {
       expected.add(complete.journal.events()[k]);
     }
     for (std::size_t k = 0; k < steps; ++k) {
-      read.add(*opened.journal.operations()[k].delta);
-      expected.add(*complete.journal.operations()[k].delta);
-      state.apply(*opened.journal.operations()[k].delta);
+      read.add(opened.journal.operations()[k].delta());
+      expected.add(complete.journal.operations()[k].delta());
+      state.apply(opened.journal.operations()[k].delta());
     }
     CHECK(read.value() == expected.value());
-    for (std::size_t k = steps; k-- > 0;) state.undo(*opened.journal.operations()[k].delta);
+    for (std::size_t k = steps; k-- > 0;) state.undo(opened.journal.operations()[k].delta());
     CHECK(digest(state) == digest(Complex()));
     if (opened.ended) CHECK(events == complete.journal.events().size());
   }

@@ -75,7 +75,7 @@ TEST_CASE("States at random steps are the same, forwards and backwards") {
     CHECK(digest(original.complex()) == digest(read.complex()));
     CHECK(original.complex() == read.complex());
     if (step == 0) continue;
-    const Delta& delta = *back.journal->operations()[step - 1].delta;
+    const Delta delta = back.journal->operations()[step - 1].delta();
     Complex undone = read.complex();
     undone.undo(delta);
     undone.apply(delta);

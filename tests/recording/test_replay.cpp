@@ -22,7 +22,7 @@ std::shared_ptr<Journal> copied(const Journal& journal, std::size_t events,
   for (std::size_t i = 0; i < events; ++i) {
     Event event = journal.events()[i];
     Delta delta;
-    if (event.operation) delta = *journal.operations()[event.step].delta;
+    if (event.operation) delta = journal.operations()[event.step].delta();
     if (edit) edit(i, event, delta);
     if (event.operation)
       copy->add_operation(event, delta, journal.operations()[event.step].figures);

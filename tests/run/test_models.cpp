@@ -30,7 +30,7 @@ TEST_CASE("The elephant comes out certified, with the same journal on 1, 2 and 7
     std::vector<std::pair<Step, Complex>> states;
     for (Step k = 0; k < run.journal->steps(); ++k) {
       if (k % 97 == 0) states.emplace_back(k, complex);
-      complex.apply(*run.journal->operations()[k].delta);
+      complex.apply(run.journal->operations()[k].delta());
     }
     Playback playback(run.journal);
     for (std::size_t i = 0; i < 2 * states.size(); ++i) {

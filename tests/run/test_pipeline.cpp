@@ -92,7 +92,7 @@ TEST_CASE("A run's journal replays bit by bit from any direction to a valid tria
   Complex complex;
   std::vector<Complex> states{complex};
   for (Step k = 0; k < run.journal->steps(); ++k) {
-    const Delta& delta = *run.journal->operations()[k].delta;
+    const Delta delta = run.journal->operations()[k].delta();
     complex.apply(delta);
     states.push_back(complex);
     complex.undo(delta);

@@ -95,7 +95,7 @@ TEST_CASE("What the last operation touched is named") {
   Playback playback(journal);
   const Step step = 60;
   const auto s = make_snapshot(playback, step, {}, nullptr);
-  const Delta& delta = *journal->operations()[step - 1].delta;
+  const Delta delta = journal->operations()[step - 1].delta();
   REQUIRE(s->event);
   CHECK(*s->event == journal->events()[journal->operations()[step - 1].event]);
   CHECK(s->inserted == VertexId(s->complex.vertices.size() - 1));

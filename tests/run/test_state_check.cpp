@@ -40,7 +40,7 @@ std::shared_ptr<Journal> broken_journal(Step at, Step steps) {
   Step made = 0;
   for (; made < at - 1 && made < sound->steps(); ++made) {
     Event e = sound->events()[sound->operations()[made].event];
-    Delta delta = *sound->operations()[made].delta;
+    Delta delta = sound->operations()[made].delta();
     delta.sample_set.reset();
     complex.apply(delta);
     journal->add_operation(e, delta, {});

@@ -111,13 +111,26 @@ TEST_CASE("the changes replay the run, and every decision names its reason") {
     CHECK(v.value <= v.limit);
     CHECK(v.limit == start.delta());
   }
+  std::size_t above = 0;
   for (const ImproverVerdict& v : listener.rejections) {
     CHECK_FALSE(v.accepted());
     CHECK(v.a < v.b);
-    if (v.reason == Reason::stays_above) CHECK(v.value > v.limit);
+    if (v.reason == Reason::stays_above) {
+      CHECK(v.value > v.limit);
+      ++above;
+    }
+    if (v.reason == Reason::stays_above || v.reason == Reason::outside_tolerance) {
+      REQUIRE(v.facet);
+      // Three vertices of Z; b has been merged into a.
+      for (const std::uint32_t corner : *v.facet) CHECK(corner < start.mesh.points.size());
+      CHECK((*v.facet)[0] != (*v.facet)[1]);
+      CHECK((*v.facet)[1] != (*v.facet)[2]);
+      CHECK(std::find(v.facet->begin(), v.facet->end(), v.b) == v.facet->end());
+    }
     if (v.reason == Reason::outside_tolerance)
       CHECK(start.volume->index().distance(v.witness) == doctest::Approx(v.value));
   }
+  CHECK(above > 0);
 }
 
 TEST_CASE("one thread and several give the same bits") {

@@ -171,19 +171,27 @@ AppModel::HistoryMemory AppModel::history_memory() const {
   HistoryMemory h;
   h.journal = run.journal ? run.journal->memory_bytes() : 0;
   h.keyframes = result_ ? result_->keyframe_bytes : 0;
+  h.disk = run.journal ? run.journal->disk_bytes() : 0;
   h.limit = static_cast<std::size_t>(settings.history_limit * 1048576.0);
   return h;
 }
 
-// Keyframes give way, the journal cannot: it is the run's memory of itself.
 void AppModel::watch_history() {
+  if (!run.journal || history_warned_ == run.generation) return;
   const HistoryMemory h = history_memory();
-  if (h.journal <= h.limit || history_warned_ == run.generation) return;
-  history_warned_ = run.generation;
-  report({ErrorCode::usage,
-          "The journal of this run takes " + bytes_text(h.journal) + ", more than the history's limit of " +
-              bytes_text(h.limit) + ". No keyframes are kept: far steps take longer to reach.",
-          "Raise the limit (set history.limit MB, --history-limit MB), or hold the run."});
+  if (const auto error = run.journal->spill_error()) {
+    history_warned_ = run.generation;
+    report(*error);
+  } else if (h.journal > h.limit) {
+    // The play head asks for less at every answer: what is still above is what cannot leave.
+    if (!playhead.idle() || running()) return;
+    history_warned_ = run.generation;
+    report({ErrorCode::usage,
+            "The samples and the newest steps alone take " + bytes_text(h.journal) +
+                ", more than the history's limit of " + bytes_text(h.limit) +
+                ". No keyframes are kept: far steps take longer to reach.",
+            "Raise the limit (set history.limit MB, --history-limit MB)."});
+  }
 }
 
 void AppModel::request_state() {

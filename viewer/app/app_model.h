@@ -192,9 +192,10 @@ class AppModel {
   Status change_run();
   /// The event that the selection speaks of at the step shown, if any.
   std::optional<std::uint32_t> selected_event() const;
-  /// Bytes of the journal and of the play head's keyframes, and what they may take together.
+  /// Bytes of the journal and of the play head's keyframes in memory, what they may take together, and the
+  /// bytes of the journal that are on the disk.
   struct HistoryMemory {
-    std::size_t journal = 0, keyframes = 0, limit = 0;
+    std::size_t journal = 0, keyframes = 0, limit = 0, disk = 0;
     std::size_t bytes() const { return journal + keyframes; }
   };
   HistoryMemory history_memory() const;

@@ -4,6 +4,7 @@
 #include "app/app_model.h"
 #include "app/words.h"
 #include "journal/describe.h"
+#include "journal/sample_history.h"
 #include "scene/reason_style.h"
 
 #include <algorithm>
@@ -14,8 +15,16 @@ namespace {
 constexpr std::size_t loop_bases = 200;
 
 std::shared_ptr<const ElementHistory> read_history(const HistoryQuestion& q, RunControl& control) {
-  return std::make_shared<const ElementHistory>(
-      element_history(*q.journal, q.element, q.state->complex, q.state->step, control));
+  if (!q.last_only)
+    return std::make_shared<const ElementHistory>(
+        element_history(*q.journal, q.element, q.state->complex, q.state->step, control));
+  auto history = std::make_shared<ElementHistory>();
+  history->element = q.element;
+  history->steps = q.journal->steps();
+  if (const auto last =
+          last_class_change(*q.journal, SampleId(q.element.id), q.state->complex, q.state->step, control))
+    history->rows = {*last};
+  return history;
 }
 
 std::shared_ptr<const WorkAnswer> measure_work(const WorkQuestion& q, RunControl&) {
@@ -68,6 +77,7 @@ auto answer_of(const Worker& worker, const std::optional<Question>& asked, Same&
 
 bool same_history(const HistoryQuestion& a, const HistoryQuestion& b) {
   // Rows of a sample do not depend on the state they are followed from, only on its set.
+  if (a.last_only != b.last_only || (a.last_only && a.state != b.state)) return false;
   return a.journal == b.journal && a.element == b.element &&
          (a.element.kind != ElementRef::Kind::sample || a.state->samples == b.state->samples);
 }
@@ -155,7 +165,11 @@ void Investigation::update_history(AppModel& model) {
     if (!element) history_asked_.reset(), jump_ = false;
     return;
   }
-  const HistoryQuestion question{model.run.journal, *element, state};
+  const HistoryQuestion question{model.run.journal, *element, state,
+                                 element->kind == ElementRef::Kind::sample &&
+                                     model.settings.panes.tab != history_tab};
+  // Read backwards from the state: it has to be the one from which one goes.
+  if (question.last_only && state->step != model.transport.step()) return;
   // A journal that grew is read again when the run rests or the element is asked about anew.
   const bool stale = history_ && history_->steps != model.run.journal->steps() && (!model.running() || jump_);
   if (!history_asked_ || !same_history(*history_asked_, question) || stale) {

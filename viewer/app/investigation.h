@@ -33,6 +33,7 @@ struct HistoryQuestion {
   std::shared_ptr<const Journal> journal;
   ElementRef element;
   std::shared_ptr<const StateSnapshot> state;
+  bool last_only = false; ///< the last class change of a sample before the state, and nothing else
 };
 struct WorkQuestion {
   std::shared_ptr<const Journal> journal;

@@ -40,9 +40,11 @@ void add_export_values(NamedTable& t) {
                  return std::string(m.exports.error ? error_word(m.exports.error->code) : "none");
                },
                nullptr});
-  count("history.bytes", "bytes of journal and keyframes",
+  count("history.disk", "bytes of the journal that are on the disk",
+        [](const AppModel& m) { return m.history_memory().disk; });
+  count("history.bytes", "bytes of journal and keyframes in memory",
         [](const AppModel& m) { return m.history_memory().bytes(); });
-  count("history.journal", "bytes of the journal",
+  count("history.journal", "bytes of the journal in memory",
         [](const AppModel& m) { return m.history_memory().journal; });
   count("history.keyframes", "bytes of the keyframes",
         [](const AppModel& m) { return m.history_memory().keyframes; });

@@ -41,6 +41,7 @@ std::shared_ptr<const PlayheadResult> Playhead::Impl::answer(const PlayheadReque
     index.reset();
     last.reset();
   }
+  request.journal->keep_within(request.history_limit / 2);
   const std::size_t journal_bytes = request.journal->memory_bytes();
   playback->set_keyframe_limit(request.history_limit > journal_bytes ? request.history_limit - journal_bytes
                                                                      : 0);
@@ -57,6 +58,7 @@ std::shared_ptr<const PlayheadResult> Playhead::Impl::answer(const PlayheadReque
   last = made->state;
   made->keyframe_bytes = playback->keyframe_bytes();
   made->index = index;
+  request.journal->release_read_back();
   return made;
 }
 

@@ -26,7 +26,8 @@ struct PlayheadRequest {
   std::shared_ptr<const Journal> journal;
   Step step = 0;
   SnapshotOptions options;
-  /// What the journal and the keyframes may take together, bytes; keyframes give way first.
+  /// What the journal and the keyframes may take together in memory, bytes. Half of it is the journal's: what
+  /// is older goes to the disk; keyframes get the rest.
   std::size_t history_limit = std::size_t{2048} << 20;
   friend bool operator==(const PlayheadRequest& a, const PlayheadRequest& b) {
     return a.generation == b.generation && a.journal == b.journal && a.step == b.step &&

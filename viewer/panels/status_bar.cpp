@@ -116,7 +116,7 @@ void status_bar(Ui& ui) {
     const AppModel::HistoryMemory h = m.history_memory();
     const bool over = h.journal > h.limit;
     put((over ? std::string(icon::warning) + " " : "") + "history " + bytes_text(h.bytes()) + " of " +
-            bytes_text(h.limit),
+            bytes_text(h.limit) + (h.disk > 0 ? ", " + bytes_text(h.disk) + " on disk" : ""),
         over ? ui.colors.warning_text : ui.colors.quiet);
   }
   if (m.run.recording)

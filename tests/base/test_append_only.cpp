@@ -1,5 +1,5 @@
 // The append-only list: elements stay where they are, and readers see only finished ones.
-#include "journal/append_only.h"
+#include "base/append_only.h"
 
 #include <doctest/doctest.h>
 
