@@ -3,11 +3,14 @@
 #include "criteria/collapse_cost.h"
 #include "journal/digest.h"
 #include "run/complete_run.h"
+#include "run/edge_advice.h"
 #include "run/session.h"
 #include "run/target_study.h"
 #include "run/unlock_search.h"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
 
 using namespace isoscope;
 
@@ -34,7 +37,7 @@ struct Bench {
     Playback playback(run->journal);
     return make_snapshot(playback, step, {}, nullptr);
   }
-  const AppendOnly<Event>& events() const { return run->journal->events(); }
+  const SpillList<Event>& events() const { return run->journal->events(); }
   /// The first event of a kind, and of a reason where that is given, from a stage.
   std::uint32_t find(EventKind kind, Stage stage, Reason reason = Reason::none) const {
     for (std::uint32_t i = 0; i < events().size(); ++i)
@@ -285,4 +288,73 @@ TEST_CASE("no branch where edges are not collapsed, or not to there") {
   REQUIRE(session.wait_until_settled(60));
   REQUIRE(session.snapshot().phase == SessionPhase::failed);
   CHECK(session.snapshot().error->code == ErrorCode::usage);
+}
+
+namespace {
+
+/// Whether the edge could collapse with another value of one parameter.
+bool possible_with(const Bench& bench, const StateSnapshot& state, const Event& e,
+                   double CriteriaParameters::*member, double value) {
+  XrayContext context = bench.context();
+  context.criteria = state.criteria;
+  (*context.criteria).*member = value;
+  const auto x = edge_xray(state, {e.vertex, e.other, {}, {}}, context);
+  REQUIRE(x.has_value());
+  return x->attempt.possible();
+}
+
+/// Asks about rejected edges and checks what is said of one parameter; how many of them it would unlock.
+std::size_t check_advice(const Bench& bench, Reason reason, ParameterAdvice::Parameter parameter,
+                         double CriteriaParameters::*member, std::size_t& asked) {
+  std::size_t works = 0;
+  for (std::uint32_t i = 0; i < bench.events().size() && asked < 12; ++i) {
+    const Event& e = bench.events()[i];
+    if (e.kind != EventKind::rejection || e.reason != reason) continue;
+    const auto state = bench.state(e.step);
+    const auto advice = advise_edge(*state, {e.vertex, e.other, {}, {}}, bench.context(), RunControl());
+    const auto found = std::find_if(advice.begin(), advice.end(),
+                                    [&](const ParameterAdvice& a) { return a.parameter == parameter; });
+    REQUIRE(found != advice.end());
+    CHECK(found->now == state->criteria.*member);
+    CHECK(found->holds == possible_with(bench, *state, e, member, found->now));
+    CHECK(!found->at_least);
+    if (found->holds) continue; // the general search finds what the ends alone did not
+    ++asked;
+    if (!found->works) {
+      for (const double part : {0.9, 0.5, 0.1})
+        CHECK(!possible_with(bench, *state, e, member, part * found->now));
+      continue;
+    }
+    ++works;
+    CHECK(*found->works < found->now);
+    CHECK(possible_with(bench, *state, e, member, *found->works));
+  }
+  return works;
+}
+
+} // namespace
+
+TEST_CASE("advice on a locked edge names values with which it collapses, or there are none") {
+  std::size_t shrinks = 0, alphas = 0;
+  const std::size_t by_shrink = check_advice(bracket(), Reason::normals, ParameterAdvice::Parameter::shrink,
+                                             &CriteriaParameters::shrink, shrinks);
+  CHECK(shrinks > 0);
+  const Bench sampled("torus", TargetStrategy::constraints, Containment::sampled);
+  const std::size_t by_alpha = check_advice(sampled, Reason::misclassified, ParameterAdvice::Parameter::alpha,
+                                            &CriteriaParameters::alpha, alphas);
+  CHECK(alphas > 0);
+  MESSAGE(by_shrink << " of " << shrinks << " by shrink, " << by_alpha << " of " << alphas << " by alpha");
+  // α belongs to condition 1, which certified mode does not ask of a collapse.
+  const Event& e = bracket().events()[bracket().find(EventKind::collapse, Stage::zero_set)];
+  const auto state = bracket().state(e.step);
+  const auto advice = advise_edge(*state, {e.vertex, e.other, {}, {}}, bracket().context(), RunControl());
+  for (const ParameterAdvice& a : advice) {
+    CHECK(a.parameter == ParameterAdvice::Parameter::shrink);
+    CHECK(a.holds);
+    CHECK(!a.works);
+  }
+  CHECK(advice.size() == 1);
+  CHECK(
+      advise_edge(*bracket().state(0), {VertexId(0), VertexId(1), {}, {}}, bracket().context(), RunControl())
+          .empty());
 }
