@@ -144,10 +144,10 @@ TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationC
   const double shrink = context.criteria.shrink;
   const double reach = orientation_reach * context.criteria.delta;
   std::size_t before = 0, after = 0;
-  TargetVerdict verdict;
+  Refusal verdict;
   const auto note_worst = [&](double agreement, Vec3 at) {
     if (verdict.reason != Reason::none && agreement >= verdict.value) return;
-    verdict = Refusal{Reason::normals, agreement, 0, at};
+    verdict = {Reason::normals, agreement, 0, at};
   };
   if (star.form == ZeroForm::embedded) {
     const auto count = [&](const Triangle3& t, bool note) {
