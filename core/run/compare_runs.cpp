@@ -28,7 +28,7 @@ bool same(Vec3 a, Vec3 b) {
 
 /// What an operation changes, but for the sample set: its number is the journal's own.
 std::uint64_t effect(const Journal& journal, const Event& e) {
-  Delta delta = *journal.operations()[e.step].delta;
+  Delta delta = journal.operations()[e.step].delta();
   delta.sample_set.reset();
   Digest digest;
   digest.add(delta);

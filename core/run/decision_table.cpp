@@ -67,7 +67,7 @@ void walk(const Journal& journal, std::size_t from, bool (*wanted)(const Event&)
       else if (positions.has(e.vertex) && positions.has(e.other))
         found(static_cast<std::uint32_t>(i), place_of(positions[e.vertex], positions[e.other]));
     }
-    if (e.operation) positions.apply(*journal.operations()[e.step].delta);
+    if (e.operation) positions.apply(journal.operations()[e.step].delta());
   }
 }
 
