@@ -237,6 +237,7 @@ wait settled
 expect history.journal > 1048576 and messages == 0
 expect history.limit == 2048
 set history.limit 1
+wait settled
 expect history.keyframes == 0 and messages == 1
 seek 5
 expect history.keyframes == 0 and messages == 1
