@@ -214,12 +214,30 @@ TEST_CASE("a failing ffmpeg is quoted, a missing one is said, a cancelled film l
   CHECK(read("failing.log").find("not on PATH") != std::string::npos);
 }
 
-TEST_CASE("the history's limit is kept by keyframes and missed aloud by a journal") {
+TEST_CASE("beyond the history's limit the older steps are read from the disk") {
+  CHECK(run_window("history-disk", R"(
+wait settled
+seek 100
+expect history.disk == 0 and history.journal > 11600000
+set history.limit 22
+seek 5
+wait settled
+expect history.disk > 200000 and history.journal < 11600000
+seek 700
+wait settled
+expect state_step == 700 and messages == 0
+quit
+)",
+                   "gallery:sphere --tolerance 1%") == 0);
+}
+
+TEST_CASE("the history's limit is kept by keyframes and missed aloud by samples alone") {
   CHECK(run_script("history", R"(
 wait settled
 expect history.journal > 1048576 and messages == 0
 expect history.limit == 2048
 set history.limit 1
+wait settled
 expect history.keyframes == 0 and messages == 1
 seek 5
 expect history.keyframes == 0 and messages == 1

@@ -15,7 +15,7 @@ namespace {
 /// A recording of the first `steps` operations of a refinement; operation `at` also throws the vertex that was
 /// made last through its star.
 std::filesystem::path planted(Step at, Step steps) {
-  CompleteRun run(gallery_parameters("sphere"));
+  CompleteRun run(gallery_parameters("torus"));
   REQUIRE(run.run());
   const Journal& sound = *run.journal;
   REQUIRE(sound.steps() > steps);

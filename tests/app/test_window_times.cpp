@@ -37,7 +37,7 @@ TEST_CASE("a script measures frames and steps of the window") {
   CHECK(run_window("times", "wait settled\n"
                             "expect frame.count == 0\n"
                             "times reset\n"
-                            "seek 3\nwait settled\nseek 20\nwait settled\nnext\nwait settled\n"
+                            "seek 3\nwait settled\nseek 20\nwait settled\nstep\nwait settled\n"
                             "expect picture.count == 3 and frame.count >= 9\n"
                             "expect picture.median > 0 and picture.largest >= picture.median\n"
                             "expect frame.largest >= frame.95\n"

@@ -183,8 +183,8 @@ void AppModel::watch_history() {
     history_warned_ = run.generation;
     report(*error);
   } else if (h.journal > h.limit) {
-    // The play head asks for less at every answer: what is still above is what cannot leave.
-    if (!playhead.idle() || running()) return;
+    // Once the play head has answered under this limit, what is still above it cannot leave.
+    if (running() || !playhead.idle() || !result_ || result_->request.history_limit != h.limit) return;
     history_warned_ = run.generation;
     report({ErrorCode::usage,
             "The samples and the newest steps alone take " + bytes_text(h.journal) +
