@@ -75,6 +75,7 @@ void linked(Ui& ui, const char* label, bool on, const char* command) {
   if (widgets::toggle(ui, command, changed)) ui.commands.post(command);
   widgets::command_tip(ui, *find_command(std::string_view(command)));
   ImGui::SameLine(0, ui.px(8));
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(2));
   ImGui::PushFont(ui.fonts.small);
   ImGui::TextUnformatted(label);
   ImGui::PopFont();
@@ -181,7 +182,13 @@ void difference(Ui& ui, const RunComparison& found) {
   std::string place = "event " + grouped(d->event) + ", after " + grouped(d->step) + " common operations";
   if (found.decision && found.measure)
     place += "; judged by other numbers from event " + grouped(found.measure->event) + " on";
-  widgets::quiet_text(ui, place, true);
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.quiet));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - button - ui.px(10));
+  ImGui::TextUnformatted(place.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
   side(ui, describe(*d, *compared_run(m, false)->run.journal, d->in_a), false);
   side(ui, describe(*d, *compared_run(m, true)->run.journal, d->in_b), true);
 }
