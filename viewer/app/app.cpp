@@ -88,6 +88,7 @@ Status App::setup(const ProgramOptions& options) {
   m.view.theme = options.theme.value_or(m.settings.theme);
   if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
   scene_view_ = std::make_unique<SceneView>(*renderer_);
+  run_views_ = std::make_unique<RunViews>(*scene_view_);
   if (options.history_limit > 0) m.settings.history_limit = options.history_limit;
   m.draft = options.run;
   const std::string input =
@@ -109,6 +110,7 @@ App::~App() {
     save_settings(settings_path_, model_->settings);
   }
   // Workers wake the window: they end before it does.
+  run_views_.reset();
   scene_view_.reset();
   model_.reset();
 }
@@ -183,7 +185,7 @@ void App::draw_talk(Ui& ui, ImVec2 size) {
   const float bar = ui.px(48);
   {
     Pane pane("##view", {0, 0}, {size.x, size.y - bar}, false, {0, 0}, ui.colors.ground);
-    scene_view_->draw(ui);
+    run_views_->draw(ui);
   }
   {
     Pane pane("##talk", {0, size.y - bar}, {size.x, bar}, false, {0, 0}, ui.colors.panel);
@@ -244,7 +246,7 @@ void App::draw_window(Ui& ui) {
   {
     Pane pane("##view", {view_x, middle_y}, {std::max(view_end - view_x, 1.0f), std::max(middle_high, 1.0f)},
               false, {0, 0}, ui.colors.ground);
-    scene_view_->draw(ui);
+    run_views_->draw(ui);
   }
   {
     Pane pane("##status", {0, size.y - status}, {size.x, status}, false, {0, 0}, ui.colors.ground);
@@ -297,7 +299,7 @@ void App::frame() {
   imgui_->end_frame();
   ++frames_since_command_;
 
-  const bool complete = !scene_view_->unfinished() && frames_since_command_ >= frames_after_input;
+  const bool complete = !run_views_->unfinished() && frames_since_command_ >= frames_after_input;
   if (complete && !m.requests.screenshots.empty() && (m.state_is_current() || !m.scripted)) {
     for (const ScreenshotRequest& request : std::exchange(m.requests.screenshots, {})) {
       Image image{size.width, size.height, {}};
@@ -348,9 +350,9 @@ bool App::at_rest() const {
   if (m.wait_for == AppModel::Wait::answers && !(m.answers_taken() && debugger_is_current(m))) return false;
   if (m.wait_for == AppModel::Wait::settled) // the run too
     return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() &&
-           !scene_view_->unfinished();
+           !run_views_->unfinished();
   // A run that goes on need not be waited for; what stands still is shown first.
-  return m.running() || (m.answers_taken() && !scene_view_->unfinished());
+  return m.running() || (m.answers_taken() && !run_views_->unfinished());
 }
 
 bool App::advance_script() {
@@ -374,7 +376,7 @@ bool App::needs_frame(bool changed) const {
   if (m.scripted && m.running() && glfwGetTime() > hands_until_)
     return m.wait_for != AppModel::Wait::settled && (asked || frames_since_command_ < frames_after_input);
   return changed || asked || (m.scripted && frames_since_command_ < frames_after_input) ||
-         scene_view_->unfinished() || m.transport.mode() == Transport::Mode::playing ||
+         run_views_->unfinished() || m.transport.mode() == Transport::Mode::playing ||
          ImGui::GetIO().WantTextInput || ImGui::IsAnyMouseDown();
 }
 
@@ -386,7 +388,9 @@ int App::run() {
     if (needs_frame(changed) && !window_->minimised())
       window_->poll();
     else
-      window_->wait(m.scripted ? script_wait : m.running() ? running_wait : idle_wait);
+      window_->wait(m.scripted                              ? script_wait
+                    : m.running() || m.comparison.running() ? running_wait
+                                                            : idle_wait);
     const double now = glfwGetTime(), seconds = now - last_time_;
     last_time_ = now;
     m.clock += m.scripted ? script_step : seconds;

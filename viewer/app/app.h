@@ -7,7 +7,7 @@
 #include "app/options.h"
 #include "app/script.h"
 #include "panels/overlays.h"
-#include "panels/scene_view.h"
+#include "panels/run_views.h"
 #include "panels/timeline_panel.h"
 
 #include <memory>
@@ -46,7 +46,8 @@ class App {
   std::unique_ptr<ImguiLayer> imgui_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<AppModel> model_;
-  std::unique_ptr<SceneView> scene_view_;
+  std::unique_ptr<SceneView> scene_view_; ///< of the active run
+  std::unique_ptr<RunViews> run_views_;
   Exporter exporter_;
   TimelinePane timeline_;
   Overlays overlays_;

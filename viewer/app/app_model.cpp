@@ -30,11 +30,12 @@ CameraPose first_pose() {
 } // namespace
 
 AppModel::AppModel(std::function<void()> notify)
-    : playhead(notify), probe(notify), unlocks(unlocks_of, notify), grid(notify), investigation(notify),
-      debug(notify) {
-  debug.breakpoints->set_expected([this] {
-    const auto scene = session.snapshot().scene;
-    return scene ? expected_genus(*scene) : std::nullopt;
+    : ShownRun(notify), probe(notify), unlocks(unlocks_of, notify), investigation(notify), debug(notify),
+      comparison(notify), notify_(std::move(notify)),
+      expected_genus_(std::make_shared<std::atomic<double>>(std::nan(""))) {
+  debug.breakpoints->set_expected([expected = expected_genus_]() -> std::optional<double> {
+    const double genus = expected->load();
+    return std::isnan(genus) ? std::nullopt : std::optional(genus);
   });
   camera.set(first_pose());
 }
@@ -106,36 +107,21 @@ std::optional<ViolationPreview> AppModel::draft_preview() const {
   return preview->violations;
 }
 
-Box3 AppModel::scene_bounds() const {
-  Box3 box;
-  if (run.scene && run.scene->input) box = run.scene->input->bounds().grown(run.scene->delta);
-  return box;
+void AppModel::forget_run() {
+  preview_asked_.reset();
+  selection.pick({});
+  selection.hovered = {};
+  xray_asked_.reset();
+  history.reset();
+  fetch_bookmarks();
+  error_seen_.clear();
 }
 
 void AppModel::take_run() {
-  run = session.snapshot();
-  if (run.generation != generation_) {
-    generation_ = run.generation;
-    playhead.clear();
-    result_.reset();
-    asked_.reset();
-    preview_asked_.reset();
-    selection.pick({});
-    selection.hovered = {};
-    xray_asked_.reset();
-    index.reset(nullptr);
-    history.reset();
-    fetch_bookmarks();
-    error_seen_.clear();
-  }
-  if (run.journal && index.journal() != run.journal) {
-    index.reset(run.journal);
-    moments.reset(run.journal);
-  }
-  if (run.scene != scene_seen_) {
-    scene_seen_ = run.scene;
-    grid.want(run.scene);
-  }
+  if (take_snapshot()) forget_run();
+  if (moments.journal() != run.journal) moments.reset(run.journal);
+  const auto genus = run.scene ? expected_genus(*run.scene) : std::nullopt;
+  expected_genus_->store(genus.value_or(std::nan("")));
   if (run.error && run.error->message != error_seen_) {
     error_seen_ = run.error->message;
     report(*run.error);
@@ -169,11 +155,18 @@ void AppModel::place_view() {
 
 AppModel::HistoryMemory AppModel::history_memory() const {
   HistoryMemory h;
-  h.journal = run.journal ? run.journal->memory_bytes() : 0;
-  h.keyframes = result_ ? result_->keyframe_bytes : 0;
-  h.disk = run.journal ? run.journal->disk_bytes() : 0;
   h.limit = static_cast<std::size_t>(settings.history_limit * 1048576.0);
+  for (const ShownRun* each : {static_cast<const ShownRun*>(this), comparison.other()}) {
+    if (each == nullptr) continue;
+    h.journal += each->run.journal ? each->run.journal->memory_bytes() : 0;
+    h.keyframes += each->keyframe_bytes();
+    h.disk += each->run.journal ? each->run.journal->disk_bytes() : 0;
+  }
   return h;
+}
+
+std::size_t AppModel::history_share() const {
+  return history_memory().limit / (comparison.other() ? 2 : 1);
 }
 
 void AppModel::watch_history() {
@@ -184,7 +177,7 @@ void AppModel::watch_history() {
     report(*error);
   } else if (h.journal > h.limit) {
     // Once the play head has answered under this limit, what is still above it cannot leave.
-    if (running() || !playhead.idle() || !result_ || result_->request.history_limit != h.limit) return;
+    if (running() || !kept_within(history_share())) return;
     history_warned_ = run.generation;
     report({ErrorCode::usage,
             "The samples and the newest steps alone take " + bytes_text(h.journal) +
@@ -192,23 +185,6 @@ void AppModel::watch_history() {
                 ". No keyframes are kept: far steps take longer to reach.",
             "Raise the limit (set history.limit MB, --history-limit MB)."});
   }
-}
-
-void AppModel::request_state() {
-  if (!run.journal) return;
-  PlayheadRequest wanted;
-  wanted.generation = run.generation;
-  wanted.journal = run.journal;
-  wanted.step = transport.step();
-  wanted.history_limit = history_memory().limit;
-  wanted.options.recent = view.tets.recent;
-  // Judging condition 3 costs more than all the rest: it waits until the head rests.
-  wanted.options.orientation = !transport.moving() || (transport.at_live_end(live_step()) && !running());
-  const bool pending = asked_ && !playhead.idle();
-  if (pending && transport.moving()) return; // let each state that was begun be seen
-  if (asked_ == wanted) return;
-  asked_ = wanted;
-  playhead.request(std::move(wanted));
 }
 
 std::optional<std::uint32_t> AppModel::selected_event() const {
@@ -286,25 +262,21 @@ bool AppModel::update(double seconds) {
   transport.set_immediate(scripted);
   moments.update();
   transport.dwell_at(presenter.on && presenter.slow_down ? moments.steps() : std::span<const Step>());
-  const bool growing = running() || !index.complete();
-  transport.update(std::min(seconds, 0.1), live_step(), growing);
+  transport.update(std::min(seconds, 0.1), live_step(), growing());
   changed |= transport.step() != step_before;
-  request_state();
+  request_state(view.tets.recent, history_share(), transport.moving());
+  changed |= comparison.update(*this, seconds);
   if (!scripted)
     changed |= std::erase_if(messages, [&](const Message& m) {
                  return !m.error && clock - m.since > note_seconds;
                }) > 0;
 
-  const auto newest = playhead.result();
-  if (newest != result_ && (!newest || newest->request.generation == run.generation)) {
-    result_ = newest;
-    changed = true;
-  }
-  if (result_ && run.scene && draft_differs() && !transport.moving()) {
+  changed |= take_result();
+  if (state() && run.scene && draft_differs() && !transport.moving()) {
     const CriteriaParameters criteria = draft_criteria();
-    if (preview_asked_ != criteria || preview_state_ != result_->state) {
+    if (preview_asked_ != criteria || preview_state_ != state()) {
       preview_asked_ = criteria;
-      preview_state_ = result_->state;
+      preview_state_ = state();
       playhead.request_preview(criteria);
     }
   }
@@ -319,13 +291,8 @@ bool AppModel::update(double seconds) {
 }
 
 bool AppModel::state_is_current() const {
-  if (!playhead.idle() || !probe.idle() || !unlocks.idle() || !investigation.idle() || !index.complete() ||
-      grid.working())
-    return false;
-  if (!debugger_is_current(*this)) return false;
-  if (!run.journal) return true;
-  return result_ && asked_ && result_->request == *asked_ && asked_->step == transport.step() &&
-         (!transport.moving() || transport.step() >= live_step());
+  return is_current() && probe.idle() && unlocks.idle() && investigation.idle() &&
+         debugger_is_current(*this) && comparison.is_current(*this);
 }
 
 } // namespace isoscope

@@ -3,27 +3,25 @@
 #pragma once
 
 #include "app/bookmarks.h"
+#include "app/comparison.h"
 #include "app/debugger.h"
 #include "app/event_filter.h"
 #include "app/exports.h"
-#include "app/grid_loader.h"
 #include "app/investigation.h"
-#include "app/journal_index.h"
 #include "app/moments.h"
-#include "app/playhead.h"
 #include "app/probe.h"
 #include "app/settings.h"
-#include "app/transport.h"
+#include "app/shown_run.h"
 #include "app/view_history.h"
 #include "app/window_times.h"
 #include "app/worker.h"
-#include "run/session.h"
 #include "run/unlock_search.h"
 #include "scene/camera.h"
 #include "scene/renderer.h"
 #include "scene/view_settings.h"
 
 #include <array>
+#include <atomic>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -101,23 +99,18 @@ struct Presenter {
 /// Searches what would unlock the edge of a request; null when cancelled or where the state has no such edge.
 std::shared_ptr<const UnlockSearch> unlocks_of(const ProbeRequest& request, RunControl& control);
 
-class AppModel {
+/// The active run, and all around it.
+class AppModel : public ShownRun {
  public:
   /// `notify` is called from workers when something new is ready.
   explicit AppModel(std::function<void()> notify);
 
-  // The run and its past.
-  Session session;
-  SessionSnapshot run; ///< taken once a frame
-  Playhead playhead;
+  // What is asked of the run and its past.
   Probe probe;
   Worker<ProbeRequest, UnlockSearch> unlocks; ///< what would make the picked collapse possible
-  std::optional<Session> other_run;           ///< the run that a branch left, or the branch
-  GridLoader grid;
-  JournalIndex index;
   Investigation investigation;
-  Transport transport;
   Debugger debug;
+  Comparison comparison; ///< with the second run
   RunParameters draft;   ///< what the parameter panel shows: asked for when applied
   double wait_until = 0; ///< scripts: seconds on the clock until which `wait SECONDS` holds
   enum class Wait : std::uint8_t { time, answers, settled };
@@ -140,6 +133,7 @@ class AppModel {
   Presenter presenter;
   Settings settings;
   Overlay overlay = Overlay::none;
+  bool files_beside = false; ///< what is chosen among the files opens beside the run
   std::deque<Message> messages;
   WindowRequests requests;
   Exports exports;                   ///< pictures, figures and films
@@ -172,9 +166,6 @@ class AppModel {
   /// Once a frame: takes what the workers have, moves the play head, asks for what is missing. True when
   /// something changed.
   bool update(double seconds);
-  /// The state shown; may be null.
-  std::shared_ptr<const StateSnapshot> state() const { return result_ ? result_->state : nullptr; }
-  std::shared_ptr<const SampleIndex> sample_index() const { return result_ ? result_->index : nullptr; }
   /// The view as it is drawn and picked: what hides a selected edge steps back, and so do samples once they
   /// are no longer asked.
   ViewSettings shown_view() const;
@@ -188,8 +179,15 @@ class AppModel {
   Status search_unlocks();
   /// Begins a run at the state shown with the edge collapsed to the target that is tried.
   Status branch_here();
-  /// Changes to the run that the branch left, and back.
+  /// Begins a run of the same input with the draft's parameters beside this one; the draft is this run's
+  /// again.
+  Status run_beside();
+  /// Opens a model with the draft's parameters, or a recording, beside this run.
+  Status open_beside(const std::string& input);
+  /// Makes the other run the active one.
   Status change_run();
+  /// Ends the run that is not active; one view is left.
+  void close_other();
   /// The event that the selection speaks of at the step shown, if any.
   std::optional<std::uint32_t> selected_event() const;
   /// Bytes of the journal and of the play head's keyframes in memory, what they may take together, and the
@@ -199,33 +197,25 @@ class AppModel {
     std::size_t bytes() const { return journal + keyframes; }
   };
   HistoryMemory history_memory() const;
-  Step live_step() const { return run.journal ? run.journal->steps() : 0; }
-  /// Something is being computed, or a recording grows.
-  bool running() const {
-    return run.phase == SessionPhase::preparing || run.phase == SessionPhase::running ||
-           run.phase == SessionPhase::following;
-  }
-  /// What is shown was read from a file.
-  bool shows_recording() const { return run.recording && run.recording->opened; }
-  /// The play head moves, or will as soon as the run makes a step.
-  bool playing() const { return transport.moving() && (running() || !transport.at_live_end(live_step())); }
+  /// Bytes that one run may take of it.
+  std::size_t history_share() const;
   /// The state shown is the one the play head asks for and nothing is under way that would change it.
   bool state_is_current() const;
   /// Every worker has answered, and the answers are the ones shown.
   bool answers_taken() const {
-    return playhead.idle() && probe.idle() && unlocks.idle() && investigation.idle() &&
-           playhead.result() == result_;
+    return result_taken() && probe.idle() && unlocks.idle() && investigation.idle() && comparison.at_rest();
   }
   /// The live preview for the draft, absent while it is computed.
   std::optional<ViolationPreview> draft_preview() const;
   /// The draft as criteria, in the units of the present scene.
   CriteriaParameters draft_criteria() const;
-  Box3 scene_bounds() const;
 
  private:
   void take_run();
+  /// Drops what was asked, selected and remembered of the run that was active.
+  void forget_run();
+  void show_second(std::unique_ptr<ShownRun> second);
   void take_recording();
-  void request_state();
   void request_xray();
   void blink();
   void place_view();
@@ -234,14 +224,13 @@ class AppModel {
   bool clip_placed_ = false;             ///< by the program, in this update
   std::filesystem::path bookmarks_file_; ///< of the run that is open
   void watch_history();
-  std::shared_ptr<const PlayheadResult> result_;
-  std::uint64_t generation_ = 0;
+  std::function<void()> notify_;
   std::uint64_t framed_generation_ = 0;
-  std::optional<PlayheadRequest> asked_;
   std::optional<ProbeRequest> xray_asked_;
   std::optional<CriteriaParameters> preview_asked_;
   std::shared_ptr<const StateSnapshot> preview_state_;
-  std::shared_ptr<const Scene> scene_seen_;
+  /// The genus that the active run's Z should have, NaN where nothing is known; the run's thread asks it.
+  std::shared_ptr<std::atomic<double>> expected_genus_;
   std::string error_seen_, recording_error_seen_;
   std::uint64_t draft_generation_ = 0; ///< the recording whose parameters the draft has taken
   std::uint64_t history_warned_ = 0;   ///< the run whose journal was found too large

@@ -81,7 +81,10 @@ Status toggle_overlay(AppModel& model, Overlay overlay) {
 }
 
 Status open_model(AppModel& model, const Arguments& a) {
-  if (a.empty()) return toggle_overlay(model, Overlay::files);
+  if (a.empty()) {
+    model.files_beside = false;
+    return toggle_overlay(model, Overlay::files);
+  }
   if (has_extension(a[0], ".json")) return open_view_file(model, a[0]);
   if (a.size() > 1 && a[1] != "paused") return usage("open", "\"" + a[1] + "\" is not understood.");
   model.open(a[0], a.size() > 1);
@@ -360,8 +363,8 @@ Status toggle_panes(AppModel& model, const Arguments&) {
 }
 
 Status choose_tab(AppModel& model, const Arguments& a) {
-  constexpr std::array<std::string_view, 6> names{"timeline",    "plots",   "events",
-                                                  "breakpoints", "history", "work"};
+  constexpr std::array<std::string_view, 7> names{"timeline", "plots", "events", "breakpoints",
+                                                  "history",  "work",  "compare"};
   const auto found = a.empty() ? names.end() : std::find(names.begin(), names.end(), a[0]);
   if (found == names.end()) return usage("tab", "Which tab?");
   model.settings.panes.tab = static_cast<int>(found - names.begin());

@@ -15,6 +15,7 @@ std::vector<Command> debug_commands();
 std::vector<Command> select_commands();
 std::vector<Command> edge_commands();
 std::vector<Command> question_commands();
+std::vector<Command> comparison_commands();
 std::vector<Command> view_commands();
 std::vector<Command> slide_commands();
 std::vector<Command> window_commands();

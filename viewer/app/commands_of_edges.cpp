@@ -248,15 +248,6 @@ std::vector<Command> edge_commands() {
        {{'D', true}},
        [](M& m, const A&) { return m.branch_here(); },
        [](const M& m) { return m.study() != nullptr && m.study()->attempt.possible(); }},
-      {"other-run",
-       "Change to the other run",
-       "",
-       "Shows the run that the branch left, or the branch again.",
-       "Run",
-       nullptr,
-       {},
-       [](M& m, const A&) { return m.change_run(); },
-       [](const M& m) { return m.other_run.has_value(); }},
   };
 }
 

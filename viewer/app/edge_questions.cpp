@@ -43,27 +43,12 @@ Status AppModel::branch_here() {
     return Error{ErrorCode::usage,
                  "The edge cannot be collapsed there: " + std::string(name(tried->attempt.rejected)) + ".",
                  "Move the target until every check passes."};
-  Session branch;
-  branch.start_branch({run.journal, step, shown->star.a(), shown->star.b(), tried->target}, run.parameters,
-                      *run.scene, run.generation);
-  if (run.phase == SessionPhase::running) session.pause();
-  other_run.reset();
-  other_run.emplace(std::move(session));
-  session = std::move(branch);
-  generation_ = 0;
-  draft = run.parameters;
-  transport.restart();
-  return {};
-}
-
-Status AppModel::change_run() {
-  if (!other_run) return Error{ErrorCode::usage, "There is no other run.", "A branch makes one."};
-  if (run.phase == SessionPhase::running) session.pause();
-  std::swap(session, *other_run);
-  draft = session.snapshot().parameters;
-  generation_ = 0;
-  transport.restart();
-  return {};
+  auto branch = std::make_unique<ShownRun>(notify_);
+  branch->session.start_branch({run.journal, step, shown->star.a(), shown->star.b(), tried->target},
+                               run.parameters, *run.scene, run.generation);
+  // The branch becomes the active run; what it leaves is A.
+  comparison.take(std::move(branch), false, comparison.beside());
+  return change_run();
 }
 
 } // namespace isoscope

@@ -189,7 +189,7 @@ void add_edge_readings(NamedTable& t) {
   add_unlock(t);
   add_repairs(t);
   add(t, "runs", "runs to change between: two once one has branched",
-      [](const AppModel& m) { return std::string(m.other_run ? "2" : "1"); });
+      [](const AppModel& m) { return std::string(m.comparison.other() ? "2" : "1"); });
   add(t, "branched", "whether the run shown left another one", [](const AppModel& m) {
     if (!m.run.journal) return std::string("off");
     const Journal& journal = *m.run.journal;

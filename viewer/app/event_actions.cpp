@@ -26,9 +26,7 @@ Result<std::shared_ptr<const Expression>> condition_of(const Arguments& a) {
 } // namespace
 } // namespace actions
 
-void show_event(AppModel& model, std::uint32_t index) {
-  const Event& event = model.run.journal->events()[index];
-  model.transport.jump(event.step + (event.operation ? 1u : 0u));
+Pick pick_of(const Event& event) {
   Pick pick;
   if (event.vertex.valid() && event.other.valid()) {
     pick.kind = Pick::Kind::edge;
@@ -40,6 +38,13 @@ void show_event(AppModel& model, std::uint32_t index) {
     pick.id = event.sample.value;
     pick.point = event.point;
   }
+  return pick;
+}
+
+void show_event(AppModel& model, std::uint32_t index) {
+  const Event& event = model.run.journal->events()[index];
+  model.transport.jump(step_showing(event));
+  const Pick pick = pick_of(event);
   model.selection.pick(pick);
   model.selection.event = index;
   if (pick.kind != Pick::Kind::none) model.requests.frame_selection = true;

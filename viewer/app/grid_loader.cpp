@@ -1,4 +1,4 @@
-// The worker that makes distance grids.
+// What the worker does: distances, then sides.
 #include "app/grid_loader.h"
 
 #include "tolerance/grid_sides.h"
@@ -15,39 +15,29 @@ int resolution_for(const Scene& scene) {
   return static_cast<int>(std::clamp(voxels, 96.0, 224.0));
 }
 
+std::shared_ptr<const DistanceGrid> grid_of(const std::shared_ptr<const Scene>& scene, RunControl& control) {
+  auto made = make_distance_grid(*scene->index, scene->delta, resolution_for(*scene), control);
+  if (!made || !find_sides(*made, *scene->index, scene->delta, scene->regions, control)) return nullptr;
+  return std::make_shared<const DistanceGrid>(*std::move(made));
+}
+
 } // namespace
 
-void GridLoader::stop() {
-  control_.cancel();
-  if (worker_.joinable()) worker_.join();
-  control_.reset();
-}
+GridLoader::GridLoader(std::function<void()> notify)
+    : worker_(std::make_unique<GridWorker>(grid_of, std::move(notify))) {}
 
 void GridLoader::want(const std::shared_ptr<const Scene>& scene) {
   if (scene == scene_) return;
-  stop();
   scene_ = scene;
-  {
-    const std::lock_guard lock(mutex_);
-    grid_.reset();
-  }
-  if (!scene || !scene->index) return;
-  working_ = true;
-  control_.on_progress([this](std::string_view, double fraction) { fraction_ = fraction; });
-  worker_ = std::thread([this, scene] {
-    auto made = make_distance_grid(*scene->index, scene->delta, resolution_for(*scene), control_);
-    if (made && find_sides(*made, *scene->index, scene->delta, scene->regions, control_)) {
-      const std::lock_guard lock(mutex_);
-      grid_ = std::make_shared<const DistanceGrid>(*std::move(made));
-    }
-    working_ = false;
-    notify_();
-  });
+  if (scene && scene->index)
+    worker_->ask(scene);
+  else
+    worker_->stop();
 }
 
 std::shared_ptr<const DistanceGrid> GridLoader::grid() const {
-  const std::lock_guard lock(mutex_);
-  return grid_;
+  const auto answered = worker_->answered();
+  return answered && answered->question == scene_ ? answered->answer : nullptr;
 }
 
 } // namespace isoscope

@@ -16,6 +16,7 @@ class Moments {
 
   /// Starts anew for another journal.
   void reset(std::shared_ptr<const Journal> journal);
+  const std::shared_ptr<const Journal>& journal() const { return journal_; }
   /// Takes in at most `budget` new events.
   void update(std::size_t budget = 20000);
   /// Ascending, each once.

@@ -21,6 +21,8 @@ void add_edge_readings(NamedTable& table);
 void add_debug_readings(NamedTable& table);
 /// What the questions about elements, work, topology and validity answer, and their settings.
 void add_questions(NamedTable& table);
+/// The second run and what differs.
+void add_comparison(NamedTable& table);
 /// Bookmarks, undo and the presenter mode.
 void add_slide_values(NamedTable& table);
 /// How long the window takes.

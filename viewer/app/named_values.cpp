@@ -257,6 +257,7 @@ Table make_table() {
   add_debug_readings(t);
   add_recording_readings(t);
   add_questions(t);
+  add_comparison(t);
   add_slide_values(t);
   add_export_values(t);
   add_time_readings(t);

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace isoscope {
 
@@ -94,10 +95,19 @@ void Playhead::Impl::run() {
 
 Playhead::Playhead(std::function<void()> notify) : impl_(std::make_unique<Impl>()) {
   impl_->notify = std::move(notify);
-  impl_->worker = std::thread([this] { impl_->run(); });
+  impl_->worker = std::thread([impl = impl_.get()] { impl->run(); });
+}
+
+Playhead::Playhead(Playhead&&) noexcept = default;
+
+// The worker of the one that is replaced ends with the other.
+Playhead& Playhead::operator=(Playhead&& other) noexcept {
+  std::swap(impl_, other.impl_);
+  return *this;
 }
 
 Playhead::~Playhead() {
+  if (!impl_) return;
   {
     const std::lock_guard lock(impl_->mutex);
     impl_->quit = true;

@@ -56,8 +56,8 @@ class Playhead {
   /// `notify` is called from the worker whenever an answer is ready.
   explicit Playhead(std::function<void()> notify);
   ~Playhead();
-  Playhead(const Playhead&) = delete;
-  Playhead& operator=(const Playhead&) = delete;
+  Playhead(Playhead&&) noexcept;
+  Playhead& operator=(Playhead&&) noexcept;
 
   /// Replaces any request that was not begun yet.
   void request(PlayheadRequest request);

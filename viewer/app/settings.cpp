@@ -52,7 +52,7 @@ Settings load_settings(const std::filesystem::path& file) {
   s.panes.show_left = flag(object, "show_left", true);
   s.panes.show_right = flag(object, "show_right", true);
   s.panes.show_bottom = flag(object, "show_bottom", true);
-  s.panes.tab = static_cast<int>(number(object, "tab", 0, 0, 5));
+  s.panes.tab = static_cast<int>(number(object, "tab", 0, 0, 6));
   s.theme = static_cast<ThemeKind>(static_cast<int>(number(object, "theme", 0, 0, 2)));
   s.ui_scale = number(object, "ui_scale", 1, 0.5f, 4);
   s.history_limit = static_cast<double>(number(object, "history_limit", 2048, 1, 1048576));

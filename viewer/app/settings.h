@@ -14,7 +14,7 @@ namespace isoscope {
 struct PaneLayout {
   float left = 300, right = 340, bottom = 232;
   bool show_left = true, show_right = true, show_bottom = true;
-  int tab = 0; ///< of the bottom pane: timeline, plots, events, breakpoints, history, work
+  int tab = 0; ///< of the bottom pane: timeline, plots, events, breakpoints, history, work, compare
   friend bool operator==(const PaneLayout&, const PaneLayout&) = default;
 };
 

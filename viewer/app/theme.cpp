@@ -86,7 +86,7 @@ double luminance(Rgb color) {
 }
 
 // Latin, Greek, punctuation, super- and subscripts, arrows, mathematics, geometric shapes.
-constexpr std::array<ImWchar, 17> text_ranges{0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2030,
+constexpr std::array<ImWchar, 17> text_ranges{0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2033,
                                               0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF,
                                               0x2318, 0x2328, 0x25A0, 0x25FF, 0};
 constexpr std::array<ImWchar, 3> icon_ranges{0xF000, 0xF2E0, 0};

@@ -13,6 +13,11 @@
 namespace isoscope {
 namespace {
 
+/// What a chosen file is opened by.
+const char* open_command(const Ui& ui) {
+  return ui.model.files_beside ? "open-beside" : "open";
+}
+
 namespace fs = std::filesystem;
 constexpr std::size_t entry_limit = 20000;
 
@@ -76,7 +81,7 @@ void FileBrowser::sidebar(Ui& ui, float width) {
     ImGui::PushID(file.c_str());
     if (ImGui::Selectable((std::string(icon::history) + "   " + fs::path(file).filename().string()).c_str(),
                           false, 0, {0, ui.px(24)}))
-      ui.commands.post("open", {file});
+      ui.commands.post(open_command(ui), {file});
     widgets::tip(ui, {}, file);
     ImGui::PopID();
   }
@@ -121,7 +126,7 @@ void FileBrowser::listing(Ui& ui) {
       if (entry.folder)
         next = folder_ / entry.name;
       else
-        ui.commands.post("open", {(folder_ / entry.name).string()});
+        ui.commands.post(open_command(ui), {(folder_ / entry.name).string()});
     }
   ImGui::PopStyleVar();
   if (shown.empty()) widgets::quiet_text(ui, "No models here: OFF, OBJ, PLY, STL, or a view as JSON.");
@@ -138,7 +143,7 @@ void FileBrowser::draw(Ui& ui) {
   }
   m.settings.last_folder = folder_.string();
   ImGui::PushFont(ui.fonts.title);
-  ImGui::TextUnformatted("Open");
+  ImGui::TextUnformatted(m.files_beside ? "Open beside" : "Open");
   ImGui::PopFont();
   ImGui::SameLine();
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - ui.px(28), ui.px(14)});
@@ -154,7 +159,7 @@ void FileBrowser::draw(Ui& ui) {
     if (fs::is_directory(path_.data(), ignored))
       go(path_.data());
     else
-      ui.commands.post("open", {path_.data()});
+      ui.commands.post(open_command(ui), {path_.data()});
   }
   widgets::tip(ui, "Path", "Type a folder or a model and press Enter.");
   ImGui::SameLine();

@@ -207,20 +207,24 @@ void warnings(const Ui& ui) {
 void buttons(Ui& ui) {
   const AppModel& m = ui.model;
   const bool differs = m.draft_differs(), restart_only = m.draft_needs_restart();
-  const float half = (ImGui::GetContentRegionAvail().x - ui.px(8)) / 2;
+  const float each = (ImGui::GetContentRegionAvail().x - 2 * ui.px(8)) / 3;
   const bool can_apply = m.run.journal != nullptr && differs && !restart_only;
-  if (can_apply ? widgets::primary_button(ui, "Apply", true, half)
-                : widgets::plain_button(ui, "Apply", false, half))
+  if (can_apply ? widgets::primary_button(ui, "Apply", true, each)
+                : widgets::plain_button(ui, "Apply", false, each))
     ui.commands.post("apply");
   widgets::tip(ui, "Apply   Ctrl+Enter",
                restart_only ? "δ, the modes and the stages belong to the whole run: they need a restart."
                             : "Goes on with these parameters from the present state of the run.");
   ImGui::SameLine(0, ui.px(8));
   const bool restart = !m.draft.input.empty();
-  if (differs && restart_only ? widgets::primary_button(ui, "Restart", restart, half)
-                              : widgets::plain_button(ui, "Restart", restart, half))
+  if (differs && restart_only ? widgets::primary_button(ui, "Restart", restart, each)
+                              : widgets::plain_button(ui, "Restart", restart, each))
     ui.commands.post("restart");
   widgets::tip(ui, "Restart   Ctrl+R", "Runs again from the beginning with these parameters.");
+  ImGui::SameLine(0, ui.px(8));
+  if (widgets::plain_button(ui, "Beside", m.run.scene != nullptr, each)) ui.commands.post("run-beside");
+  widgets::tip(ui, "Run beside   Ctrl+Shift+Enter",
+               "Runs the same input with these parameters beside this run; Compare tells what differs.");
 }
 
 } // namespace

@@ -19,5 +19,6 @@ void state_questions(Ui& ui, const StateSnapshot& state);
 /// The bottom tabs.
 void history_tab(Ui& ui);
 void work_tab(Ui& ui);
+void compare_tab(Ui& ui);
 
 } // namespace isoscope::panels

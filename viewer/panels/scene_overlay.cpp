@@ -72,9 +72,9 @@ void mode_switch(Ui& ui, ImVec2 corner) {
   ImGui::PopFont();
 }
 
-void axes(const Ui& ui, ImVec2 low, ImVec2 size) {
+void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size) {
   if (!ui.model.view.axes || size.y < ui.px(160)) return;
-  const glm::mat4 view = ui.model.camera.view();
+  const glm::mat4 view = camera.view();
   const ImVec2 origin{low.x + ui.px(46), low.y + size.y - ui.px(46)};
   const float reach = ui.px(28);
   struct Axis {
@@ -100,10 +100,13 @@ void axes(const Ui& ui, ImVec2 low, ImVec2 size) {
   }
 }
 
-void scale_bar(const Ui& ui, ImVec2 low, ImVec2 size, double height) {
-  const AppModel& m = ui.model;
-  if (!m.view.scale_bar || !m.run.scene || m.run.scene->delta <= 0 || height <= 0) return;
-  const double pixels_per_delta = m.run.scene->delta * static_cast<double>(size.y) / height;
+double height_at_target(const Camera& camera) {
+  return 2 * camera.pose().distance * std::tan(camera.pose().fov * 3.14159265358979 / 360);
+}
+
+void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double height) {
+  if (!ui.model.view.scale_bar || delta <= 0 || height <= 0) return;
+  const double pixels_per_delta = delta * static_cast<double>(size.y) / height;
   const double wanted = ui.px(110) / pixels_per_delta;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
   const double multiple = wanted / decade >= 5 ? 5 * decade : wanted / decade >= 2 ? 2 * decade : decade;
@@ -123,22 +126,7 @@ void scale_bar(const Ui& ui, ImVec2 low, ImVec2 size, double height) {
                      label);
 }
 
-void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
-  const float width = size.x;
-  const AppModel& m = ui.model;
-  const auto state = m.state();
-  if (!state || !m.run.journal || m.run.journal->events().empty()) return;
-  // A rejection that was chosen is no operation: it is told instead of the one that led here.
-  const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
-  const Event* event = chosen ? &m.run.journal->events()[*chosen] : state->event ? &*state->event : nullptr;
-  std::string text = event ? describe(*m.run.journal, *event)
-                           : "The triangulation of the loose bounding box, before the first Steiner point.";
-  const double enlarged = move_scale(*state, pixels_per_unit(m.camera, static_cast<double>(size.y)) /
-                                                 static_cast<double>(ui.scale));
-  if (enlarged > 1 && m.view.highlight.shown())
-    text += " (moves drawn up to " + grouped(static_cast<std::size_t>(enlarged)) + " times as long)";
-  if (m.view.moment == Moment::before) text = "before · " + text;
-  const float room = width - ui.px(192 + 10 + 24 + 40);
+void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room) {
   if (room < ui.px(140)) return;
   ImGui::PushFont(ui.fonts.small);
   text = widgets::fitted(text, room);
@@ -157,6 +145,23 @@ void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
                  rejected ? reason_style(event->reason).shape : MarkerShape::disc);
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2},
                      to_u32(ui.colors.text), text);
+}
+
+void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
+  const AppModel& m = ui.model;
+  const auto state = m.state();
+  if (!state || !m.run.journal || m.run.journal->events().empty()) return;
+  // A rejection that was chosen is no operation: it is told instead of the one that led here.
+  const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
+  const Event* event = chosen ? &m.run.journal->events()[*chosen] : state->event ? &*state->event : nullptr;
+  std::string text = event ? describe(*m.run.journal, *event)
+                           : "The triangulation of the loose bounding box, before the first Steiner point.";
+  const double enlarged = move_scale(*state, pixels_per_unit(m.camera, static_cast<double>(size.y)) /
+                                                 static_cast<double>(ui.scale));
+  if (enlarged > 1 && m.view.highlight.shown())
+    text += " (moves drawn up to " + grouped(static_cast<std::size_t>(enlarged)) + " times as long)";
+  if (m.view.moment == Moment::before) text = "before · " + text;
+  sentence(ui, event, std::move(text), low, size.x - ui.px(192 + 10 + 24 + 40));
 }
 
 void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
@@ -205,8 +210,7 @@ void invitation(Ui& ui, ImVec2 low, ImVec2 size) {
   if (widgets::plain_button(ui, "Gallery", true, width)) ui.commands.post("gallery");
 }
 
-void progress(Ui& ui, ImVec2 low, ImVec2 size) {
-  const AppModel& m = ui.model;
+void progress(Ui& ui, const ShownRun& m, const char* cancel, ImVec2 low, ImVec2 size) {
   const bool preparing = m.run.phase == SessionPhase::preparing;
   const bool waiting = !preparing && !m.playhead.idle() && !m.state();
   const bool painting = !preparing && m.grid.working();
@@ -225,7 +229,7 @@ void progress(Ui& ui, ImVec2 low, ImVec2 size) {
   const ImVec2 bar{at.x + pad, at.y + ui.px(32)};
   const float length = width - 2 * pad, thick = ui.px(5);
   list.AddRectFilled(bar, {bar.x + length, bar.y + thick}, to_u32(ui.colors.line), thick / 2);
-  const auto phase = static_cast<float>(std::fmod(m.clock, 1.6) / 1.6);
+  const auto phase = static_cast<float>(std::fmod(ui.model.clock, 1.6) / 1.6);
   const float begin = fraction >= 0 ? 0 : std::max(0.0f, phase * 1.3f - 0.3f),
               end = fraction >= 0 ? static_cast<float>(std::clamp(fraction, 0.02, 1.0))
                                   : std::min(1.0f, phase * 1.3f);
@@ -233,7 +237,7 @@ void progress(Ui& ui, ImVec2 low, ImVec2 size) {
                      to_u32(ui.colors.accent), thick / 2);
   if (!preparing) return;
   ImGui::SetCursorScreenPos({at.x + width - pad - ui.px(72), at.y + ui.px(46)});
-  if (widgets::plain_button(ui, "Cancel", true, ui.px(72))) ui.commands.post("stop");
+  if (widgets::plain_button(ui, "Cancel", true, ui.px(72))) ui.commands.post(cancel);
 }
 
 } // namespace isoscope::overlay

@@ -12,9 +12,6 @@
 namespace isoscope {
 namespace {
 
-constexpr double settle_seconds = 0.15; ///< after the last change the picture is drawn at full quality
-constexpr ImGuiButtonFlags every_button =
-    ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
 constexpr double hover_delay = 0.12;
 
 ImVec2 local(ImVec2 mouse, ImVec2 low) {
@@ -38,15 +35,15 @@ void SceneView::draw(Ui& ui) {
   frame_requests(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
-  scene_.shown = m.view.mode != ViewMode::section;
-  section_.shown = m.view.mode != ViewMode::scene;
-  if (!scene_.shown) scene_.unfinished = false;
-  if (!section_.shown) section_.unfinished = false;
+  scene_shown_ = m.view.mode != ViewMode::section;
+  section_shown_ = m.view.mode != ViewMode::scene;
+  if (!scene_shown_) scene_.rest();
+  if (!section_shown_) section_.rest();
   if (m.view.mode == ViewMode::split) {
     const float gap = ui.px(2), half = std::floor((all.x - gap) / 2);
     draw_scene(ui, {low, {half, all.y}});
     draw_section(ui, {{low.x + half + gap, low.y}, {all.x - half - gap, all.y}});
-  } else if (scene_.shown) {
+  } else if (scene_shown_) {
     draw_scene(ui, {low, all});
   } else {
     draw_section(ui, {low, all});
@@ -55,60 +52,32 @@ void SceneView::draw(Ui& ui) {
     overlay::mode_switch(ui, {low.x + all.x, low.y});
     overlay::caption(ui, low, all);
   }
-  overlay::progress(ui, low, all);
+  overlay::progress(ui, m, "stop", low, all);
   overlay::invitation(ui, low, all);
 }
 
-void SceneView::render(Ui& ui, Picture& picture, Area area, bool section) {
+void SceneView::render(Ui& ui, Area area, bool section) {
   const AppModel& m = ui.model;
-  const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
-  Key key;
   const ViewSettings view = m.shown_view();
+  ViewPicture::Key key;
   key.view = view;
   key.state = m.state().get();
   key.grid = m.grid.grid().get();
   key.scene = m.run.scene.get();
-  key.width = static_cast<int>(area.size.x * density.x);
-  key.pixel_height = static_cast<int>(area.size.y * density.y);
   key.xray = xray_.get();
   key.study = study_.get();
   key.annotation = annotation_.get();
   key.mark = m.selection.mark;
   key.selection = m.selection.picked;
   key.hover = m.selection.hovered;
-  key.scale = ui.scale;
   if (section)
     key.u = m.section.u, key.v = m.section.v, key.height = m.section.height;
   else
     key.pose = m.camera.pose();
-  if (key.width <= 0 || key.pixel_height <= 0) return;
-
-  FrameRequest request;
-  request.width = key.width;
-  request.height = key.pixel_height;
-  request.pixel_scale = pixel_scale_ = ui.scale * density.x;
-  request.selection = key.selection;
-  request.mark = key.mark;
-  request.hover = key.hover;
-  const auto make = [&](Quality quality) {
-    request.quality = quality;
-    picture.frame = section ? renderer_->render_section(m.section, view, request)
-                            : renderer_->render(m.camera, view, request);
-  };
-  if (key != picture.key) {
-    const bool first = picture.changed_at < 0;
-    picture.key = key;
-    picture.changed_at = m.clock;
-    picture.unfinished = !first && !m.scripted;
-    make(picture.unfinished ? Quality::moving : Quality::rest);
-  } else if (picture.unfinished && m.clock - picture.changed_at > settle_seconds) {
-    picture.unfinished = false;
-    make(Quality::rest);
-  }
-  if (picture.frame.texture == 0) return;
-  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.frame.texture));
-  ImGui::GetWindowDrawList()->AddImage(texture, area.low,
-                                       {area.low.x + area.size.x, area.low.y + area.size.y}, {0, 1}, {1, 0});
+  (section ? section_ : scene_).draw(ui, area, key, [&](const FrameRequest& request) {
+    return section ? renderer_->render_section(m.section, view, request)
+                   : renderer_->render(m.camera, view, request);
+  });
 }
 
 void SceneView::draw_scene(Ui& ui, Area area) {
@@ -119,11 +88,11 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   frame_untouched(ui, area.size.x / area.size.y);
   ui.model.scene_area = {area.low.x, area.low.y, area.size.x, area.size.y};
   scene_mouse(ui, area);
-  render(ui, scene_, area, false);
-  overlay::axes(ui, area.low, area.size);
-  overlay::scale_bar(ui, area.low, area.size,
-                     2 * ui.model.camera.pose().distance *
-                         std::tan(ui.model.camera.pose().fov * 3.14159265358979 / 360));
+  render(ui, area, false);
+  const AppModel& m = ui.model;
+  overlay::axes(ui, m.camera, area.low, area.size);
+  overlay::scale_bar(ui, m.run.scene ? m.run.scene->delta : 0, area.low, area.size,
+                     overlay::height_at_target(m.camera));
 }
 
 void SceneView::draw_section(Ui& ui, Area area) {
@@ -133,9 +102,10 @@ void SceneView::draw_section(Ui& ui, Area area) {
   ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
   place_untouched_section(ui.model, area.size.x / area.size.y);
   section_mouse(ui, area);
-  render(ui, section_, area, true);
+  render(ui, area, true);
   overlay::section_caption(ui, area.low, area.size);
-  overlay::scale_bar(ui, area.low, area.size, ui.model.section.height);
+  const auto& scene = ui.model.run.scene;
+  overlay::scale_bar(ui, scene ? scene->delta : 0, area.low, area.size, ui.model.section.height);
 }
 
 void SceneView::picked(Ui& ui, const Pick& pick) {
@@ -163,7 +133,7 @@ Pick SceneView::hover_pick(Ui& ui, Area area, bool section) {
 
 void SceneView::scene_mouse(Ui& ui, Area area) {
   AppModel& m = ui.model;
-  ImGuiIO& io = ImGui::GetIO();
+  const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
   const ImVec2 at = local(io.MousePos, area.low);
   const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
@@ -171,40 +141,11 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
     return renderer_->point_under(m.camera, m.shown_view(), at.x, at.y, width, height);
   };
   if (handle_.update(ui, area.low, area.size, hovered)) {
-    dragged_ = true;
+    mouse_.take();
     return;
   }
-  if (ImGui::IsItemActivated()) {
-    pivot_ = under();
-    dragged_ = false;
-  }
-  if (ImGui::IsItemActive() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
-    const float threshold = ui.px(4);
-    const int button = ImGui::IsMouseDown(0) ? 0 : ImGui::IsMouseDown(1) ? 1 : 2;
-    const ImVec2 total = ImGui::GetMouseDragDelta(button, 0);
-    dragged_ = dragged_ || std::hypot(total.x, total.y) > threshold;
-    if (dragged_) {
-      m.camera.mark_set();
-      if (button != 0 || io.KeyShift)
-        m.camera.pan(io.MouseDelta.x, io.MouseDelta.y, area.size.y, pivot_);
-      else
-        m.camera.orbit(io.MouseDelta.x, io.MouseDelta.y, area.size.y, pivot_);
-    }
-  }
-  if (hovered && io.MouseWheel != 0) {
-    m.camera.mark_set();
-    m.camera.zoom(io.MouseWheel, under());
-  }
-  if (hovered && ImGui::IsMouseDoubleClicked(0)) {
-    CameraPose pose = m.camera.pose();
-    const Vec3 point = under();
-    pose.distance = distance(m.camera.eye(), point);
-    pose.target = point;
-    m.camera.set(pose, !m.scripted);
-    m.camera.mark_set();
-    dragged_ = true;
-  }
-  if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
+  mouse_.update(ui, m.camera, area, under);
+  if (ImGui::IsItemDeactivated() && !mouse_.dragged() && hovered) {
     if (ImGui::IsMouseReleased(0))
       picked(ui, renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
@@ -212,7 +153,7 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
   if (hovered && !ImGui::IsAnyMouseDown()) {
     m.selection.hovered = hover_pick(ui, area, false);
     overlay::hover_tip(ui);
-  } else if (scene_.shown && !section_.shown) {
+  } else if (scene_shown_ && !section_shown_) {
     m.selection.hovered = {};
   }
 }
@@ -253,7 +194,7 @@ void SceneView::section_mouse(Ui& ui, Area area) {
   if (hovered && !ImGui::IsAnyMouseDown()) {
     m.selection.hovered = hover_pick(ui, area, true);
     overlay::hover_tip(ui);
-  } else if (section_.shown && !scene_.shown) {
+  } else if (section_shown_ && !scene_shown_) {
     m.selection.hovered = {};
   }
 }

@@ -41,10 +41,12 @@ float TimelinePane::to_x(double step, ImVec2 low, ImVec2 size) const {
 }
 
 void TimelinePane::tabs(Ui& ui) {
-  constexpr std::array<const char*, 6> names{"Timeline", "Plots", "Events", "Breakpoints", "History", "Work"};
-  constexpr std::array<const char*, 6> glyphs{icon::clock, icon::chart,   icon::list,
-                                              icon::dot,   icon::history, icon::bolt};
-  constexpr std::array<const char*, 6> words{"timeline", "plots", "events", "breakpoints", "history", "work"};
+  constexpr std::array<const char*, 7> names{"Timeline", "Plots", "Events", "Breakpoints",
+                                             "History",  "Work",  "Compare"};
+  constexpr std::array<const char*, 7> glyphs{icon::clock,   icon::chart, icon::list, icon::dot,
+                                              icon::history, icon::bolt,  icon::split};
+  constexpr std::array<const char*, 7> words{"timeline", "plots", "events", "breakpoints",
+                                             "history",  "work",  "compare"};
   const int tab = ui.model.settings.panes.tab;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float left = 0;
@@ -318,6 +320,9 @@ void TimelinePane::draw(Ui& ui) {
     break;
   case work_tab:
     panels::work_tab(ui);
+    break;
+  case comparison_tab:
+    panels::compare_tab(ui);
     break;
   default:
     timeline(ui);
