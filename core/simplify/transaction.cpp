@@ -110,6 +110,7 @@ struct Level {
   bool folded = false;
   Vec3 where;                     ///< a corner of the facet of the largest d
   PatchVerdict::Corners worst{};  ///< that facet
+  Triangle3 place{};              ///< where it lies
   PatchVerdict::Corners turned{}; ///< a folded one
 
   PatchVerdict::Corners facet() const { return folded ? turned : worst; }
@@ -120,7 +121,8 @@ Level measure(const FacetComplex& complex) {
   for (const Facet& f : complex.facets) {
     if (!f.alive()) continue;
     if (f.largest > level.largest)
-      level.largest = f.largest, level.where = complex.points[f.v[0]], level.worst = f.v;
+      level.largest = f.largest, level.worst = f.v, level.place = complex.triangle(f),
+      level.where = level.place[0];
     level.energy += f.energy;
     if (f.folded && !level.folded) level.turned = f.v;
     level.folded = level.folded || f.folded;
@@ -180,7 +182,10 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
   int checks = 0;
   for (int s = 0;; ++s) {
     const Level level = measure(patch.complex);
-    RepairSweep record{level.largest, level.energy, 0, 0, 0};
+    if (!sweeps.empty()) sweeps.back().distance_left = level.largest, sweeps.back().worst_facet = level.place;
+    RepairSweep record;
+    record.largest_distance = level.largest;
+    record.energy = level.energy;
     last -= level.largest;
     if (level.largest <= limit && !level.folded) {
       verdict = check_patch(rules, patch);
