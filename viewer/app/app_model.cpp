@@ -127,6 +127,8 @@ void AppModel::take_run() {
     history.reset();
     fetch_bookmarks();
     error_seen_.clear();
+  } else if (shows_recording() && run.recording->file != bookmarks_recording_) {
+    fetch_bookmarks();
   }
   if (run.journal && index.journal() != run.journal) {
     index.reset(run.journal);
