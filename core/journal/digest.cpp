@@ -45,6 +45,8 @@ void Digest::add(const Event& e) {
 
 void Digest::add(const RepairSweep& s) {
   add(s.largest_distance);
+  add(s.distance_left);
+  for (const Vec3& corner : s.worst_facet) add(corner);
   add(s.energy);
   add(s.moved);
   add(s.flipped);

@@ -131,7 +131,9 @@ struct Event {
 
 /// One sweep of a collapse with repair: the inner level of a transaction.
 struct RepairSweep {
-  double largest_distance = 0;    ///< over the facets of the neighbourhood, absolute
+  double largest_distance = 0;    ///< over the facets of the neighbourhood before it, absolute
+  double distance_left = 0;       ///< the same after it
+  Triangle3 worst_facet{};        ///< where that is, as it lay then; a rollback leaves it nowhere else
   double energy = 0;              ///< their summed energy
   std::uint32_t moved = 0;        ///< vertices relocated
   std::uint32_t flipped = 0;      ///< edges flipped

@@ -63,6 +63,22 @@ std::optional<TriangleSoup> decode_soup(std::string_view bytes) {
   return soup;
 }
 
+std::string encode(const Triangle3& triangle) {
+  ByteWriter out;
+  for (const Vec3& p : triangle)
+    for (int a = 0; a < 3; ++a) out.real(p[a]);
+  return out.take();
+}
+
+std::optional<Triangle3> decode_triangle(std::string_view bytes) {
+  ByteReader in(bytes);
+  Triangle3 triangle;
+  for (Vec3& p : triangle)
+    for (int a = 0; a < 3; ++a) p[a] = in.real();
+  if (!in.exhausted()) return std::nullopt;
+  return triangle;
+}
+
 std::string encode(const BoundarySamples& samples) {
   ByteWriter out;
   const bool multiples = all_multiples(samples);

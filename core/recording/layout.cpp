@@ -27,10 +27,10 @@ CREATE TABLE sample_sets(id INTEGER PRIMARY KEY, samples INTEGER, sigma, data BL
 CREATE TABLE criteria(id INTEGER PRIMARY KEY, step INTEGER, delta, sigma, alpha, shrink, certified INTEGER,
   condition_1 INTEGER, condition_2 INTEGER, condition_3 INTEGER, condition_4 INTEGER);
 CREATE TABLE texts(id INTEGER PRIMARY KEY, text TEXT);
--- Collapses with repair: one row each, and one row a sweep.
+-- Collapses with repair: one row each, and one row a sweep. worst_facet: nine coordinates.
 CREATE TABLE repairs(id INTEGER PRIMARY KEY, sweeps INTEGER);
 CREATE TABLE sweeps(repair INTEGER, sweep INTEGER, largest_distance, energy, moved INTEGER, flipped INTEGER,
-  points_added INTEGER, PRIMARY KEY(repair, sweep)) WITHOUT ROWID;
+  points_added INTEGER, distance_left, worst_facet BLOB, PRIMARY KEY(repair, sweep)) WITHOUT ROWID;
 CREATE TABLE stage_marks(id INTEGER PRIMARY KEY, event INTEGER, seconds);
 -- How far each commit went, and the checksum of everything up to there.
 CREATE TABLE commits(id INTEGER PRIMARY KEY, events INTEGER, operations INTEGER, texts INTEGER, repairs INTEGER,

@@ -14,8 +14,8 @@ namespace isoscope {
 
 /// In the file's head: `file RUN.isorun` and sqlite3's PRAGMA application_id tell it. "ISOR".
 constexpr std::int64_t recording_application_id = 0x49534f52;
-/// Grows when an older program could not read what a newer one writes.
-constexpr std::int64_t recording_version = 2;
+/// Grows with every change of the tables; other versions are refused.
+constexpr std::int64_t recording_version = 3;
 
 /// What is known when a run begins.
 struct RecordingHeader {

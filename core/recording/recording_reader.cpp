@@ -63,9 +63,14 @@ Status check_version(Database& database, const fs::path& file) {
   if (*version > recording_version)
     return Error{ErrorCode::unsupported,
                  file.string() + " was written by a newer version (format " + std::to_string(*version) +
-                     "; this one reads up to " + std::to_string(recording_version) + ").",
+                     "; this one reads format " + std::to_string(recording_version) + ").",
                  "Open it with a newer Isoscope."};
   if (*version < 1) return damaged(file, "it has no version");
+  if (*version < recording_version)
+    return Error{ErrorCode::unsupported,
+                 file.string() + " was written by an older version (format " + std::to_string(*version) +
+                     "; this one reads format " + std::to_string(recording_version) + ").",
+                 "Record the run again."};
   return {};
 }
 
@@ -118,8 +123,8 @@ struct RecordingReader::Impl {
                     "condition_4 FROM criteria WHERE id>=? AND id<? ORDER BY id"},
         {&texts, "SELECT text FROM texts WHERE id>=? AND id<? ORDER BY id"},
         {&repairs, "SELECT id,sweeps FROM repairs WHERE id>=? AND id<? ORDER BY id"},
-        {&sweeps, "SELECT largest_distance,energy,moved,flipped,points_added FROM sweeps WHERE repair=? "
-                  "ORDER BY sweep"},
+        {&sweeps, "SELECT largest_distance,energy,moved,flipped,points_added,distance_left,worst_facet FROM "
+                  "sweeps WHERE repair=? ORDER BY sweep"},
         {&marks, "SELECT event,seconds FROM stage_marks WHERE id>=? AND id<? ORDER BY id"}};
     for (const auto& [query, statement] : all) {
       auto prepared = database.prepare(statement);
@@ -252,6 +257,10 @@ struct RecordingReader::Impl {
         w.moved = static_cast<std::uint32_t>(sweeps.integer(2));
         w.flipped = static_cast<std::uint32_t>(sweeps.integer(3));
         w.points_added = static_cast<std::uint32_t>(sweeps.integer(4));
+        w.distance_left = sweeps.real(5);
+        const auto facet = decode_triangle(sweeps.bytes(6));
+        if (!facet) return damaged(file, "a facet of its repairs is cut off");
+        w.worst_facet = *facet;
         detail.push_back(w);
       }
       if (detail.size() != counts[i]) return damaged(file, "sweeps of its repairs are missing");

@@ -138,7 +138,7 @@ struct RecordingWriter::Impl {
         {&statements.criteria, "INSERT INTO criteria VALUES(?,?,?,?,?,?,?,?,?,?,?)"},
         {&statements.text, "INSERT INTO texts VALUES(?,?)"},
         {&statements.repair, "INSERT INTO repairs VALUES(?,?)"},
-        {&statements.sweep, "INSERT INTO sweeps VALUES(?,?,?,?,?,?,?)"},
+        {&statements.sweep, "INSERT INTO sweeps VALUES(?,?,?,?,?,?,?,?,?)"},
         {&statements.mark, "INSERT INTO stage_marks VALUES(?,?,?)"},
         {&statements.commit, "INSERT INTO commits(events,operations,texts,repairs,sample_sets,criteria,marks,"
                              "checksum) VALUES(?,?,?,?,?,?,?,?)"},
@@ -227,8 +227,8 @@ struct RecordingWriter::Impl {
     for (std::size_t k = 0; k < sweeps.size(); ++k) {
       const RepairSweep& w = sweeps[k];
       checksum.add(w);
-      if (Status s =
-              statements.sweep.run(i, k, w.largest_distance, w.energy, w.moved, w.flipped, w.points_added);
+      if (Status s = statements.sweep.run(i, k, w.largest_distance, w.energy, w.moved, w.flipped,
+                                          w.points_added, w.distance_left, Blob{encode(w.worst_facet)});
           !s)
         return s;
     }

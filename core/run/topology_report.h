@@ -16,7 +16,13 @@ struct BoundarySide {
   std::uint32_t boundary = 0; ///< index into Scene::boundary_components
   int label = +1;
   long euler_characteristic = 0;
-  long genus() const { return (2 - euler_characteristic) / 2; }
+  /// Absent where χ > 2: then it is several surfaces, no closed one has more than 2.
+  std::optional<long> genus() const {
+    if (euler_characteristic > 2) return std::nullopt;
+    return (2 - euler_characteristic) / 2;
+  }
+  /// At least so many closed surfaces.
+  long least_parts() const { return euler_characteristic > 2 ? (euler_characteristic + 1) / 2 : 1; }
 };
 
 struct ComponentReport {

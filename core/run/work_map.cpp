@@ -97,12 +97,12 @@ WorkMap map_work(const Journal& journal, std::size_t begin, std::size_t end, Wor
 }
 
 StallReport examine_stall(const Journal& journal, std::size_t end, std::size_t most_attempts,
-                          double cell_size) {
+                          double cell_size, std::size_t begin) {
   StallReport report;
   end = std::min(end, journal.events().size());
   std::vector<std::size_t> attempts; ///< newest first
   bool accepted_seen = false;
-  for (std::size_t i = end; i-- > 0;) {
+  for (std::size_t i = end; i-- > begin;) {
     const Event& e = journal.events()[i];
     if (!is_attempt(e)) continue;
     accepted_seen |= accepted(e);

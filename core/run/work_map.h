@@ -61,7 +61,7 @@ struct StallReport {
 };
 /// Attempts are insertions and exhausted tetrahedra, collapses and rejections.
 StallReport examine_stall(const Journal& journal, std::size_t end, std::size_t most_attempts,
-                          double cell_size);
+                          double cell_size, std::size_t begin = 0);
 
 /// Time of a stage by what was decided. Operations have time stamps; what was tried in vain between two of
 /// them shares their time evenly.

@@ -119,6 +119,7 @@ struct Level {
   double largest = 0, energy = 0;
   Vec3 where;                                ///< a corner of the facet of the largest d
   PatchVerdict::Corners worst{};             ///< that facet
+  Triangle3 place{};                         ///< where it lies
   std::optional<PatchVerdict::Corners> fold; ///< a folded one, where there are more than before
 
   PatchVerdict::Corners facet() const { return fold.value_or(worst); }
@@ -129,7 +130,8 @@ Level measure(const SurfacePatch& patch) {
   for (const Facet& f : patch.complex.facets) {
     if (!f.alive()) continue;
     if (f.largest > level.largest)
-      level.largest = f.largest, level.where = patch.complex.points[f.v[0]], level.worst = f.v;
+      level.largest = f.largest, level.worst = f.v, level.place = patch.complex.triangle(f),
+      level.where = level.place[0];
     level.energy += f.energy;
   }
   level.fold = find_fold(patch);
@@ -208,7 +210,10 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
   Progress progress;
   for (;; ++progress.sweeps) {
     const Level level = measure(patch);
-    RepairSweep record{level.largest, level.energy, 0, 0, 0};
+    if (!sweeps.empty()) sweeps.back().distance_left = level.largest, sweeps.back().worst_facet = level.place;
+    RepairSweep record;
+    record.largest_distance = level.largest;
+    record.energy = level.energy;
     if (level.largest <= limit && !level.fold) {
       verdict = check_patch(rules, patch);
       record.points_added = verdict.points_added;

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <unistd.h>
 
 using namespace isoscope;
 namespace fs = std::filesystem;
@@ -147,6 +148,39 @@ TEST_CASE("runs that differ have sidecars of their own") {
   b = a;
   b.skipped[static_cast<std::size_t>(Stage::gamma)] = true;
   CHECK(run_key(a) != run_key(b));
-  CHECK(bookmarks_file({}, a).empty());
-  CHECK(bookmarks_file("/any/x/settings.json", a) == fs::path("/any/x/bookmarks") / (run_key(a) + ".json"));
+  CHECK(bookmark_files({}, {}, a).beside.empty());
+  CHECK(bookmark_files({}, {}, a).fallback.empty());
+  const BookmarkFiles files = bookmark_files("/any/x/settings.json", {}, a);
+  CHECK(files.fallback == fs::path("/any/x/bookmarks") / (run_key(a) + ".json"));
+}
+
+TEST_CASE("they are kept beside what they belong to, else among the settings, and old ones are still read") {
+  const fs::path folder = fs::temp_directory_path() / ("isoscope-bookmarks-" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const fs::path settings = folder / "settings" / "settings.json";
+  RunParameters p = sphere();
+  CHECK(bookmark_files(settings, {}, p).beside.empty()); // a bundled model has no place
+  CHECK(bookmark_files(settings, folder / "run.isorun", {}).beside == folder / "run.isorun.bookmarks.json");
+  p.input = (folder / "model.off").string();
+  const BookmarkFiles files = bookmark_files(settings, {}, p);
+  CHECK(files.beside == folder / ("model.off." + run_key(p).substr(0, 8) + ".bookmarks.json"));
+
+  Bookmarks old, now;
+  old.add(at_step(3));
+  now.add(at_step(4));
+  now.add(at_step(5));
+  CHECK(kept_bookmarks(files)->size() == 0);
+  REQUIRE(save_bookmarks(files.fallback, old, p).ok());
+  CHECK(steps_of(*kept_bookmarks(files)) == "3");
+  CHECK(*keep_bookmarks(files, now, p) == files.beside);
+  CHECK(steps_of(*kept_bookmarks(files)) == "4 5");
+
+  // Where the input's folder takes no file, the settings do: here it is none.
+  std::ofstream(folder / "no-folder") << "x";
+  p.input = (folder / "no-folder" / "model.off").string();
+  const BookmarkFiles elsewhere = bookmark_files(settings, {}, p);
+  CHECK(*keep_bookmarks(elsewhere, now, p) == elsewhere.fallback);
+  CHECK(steps_of(*kept_bookmarks(elsewhere)) == "4 5");
+  CHECK(keep_bookmarks({}, now, p)->empty());
+  fs::remove_all(folder);
 }

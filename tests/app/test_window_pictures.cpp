@@ -196,6 +196,21 @@ TEST_CASE("turntables and steps become frames and, through ffmpeg, films") {
   CHECK(picture("turn/frame_0001.png").pixels != picture("turn/frame_0002.png").pixels);
 }
 
+TEST_CASE("the real ffmpeg makes a film of as many frames, where it is there") {
+  if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
+    MESSAGE("skipped: no ffmpeg on PATH");
+    return;
+  }
+  REQUIRE(run_script("real-film", "wait settled\nturntable " + at("real") + " 6 161x120 " + at("real.mp4") +
+                                      " 25fps\nexpect export.films == 1 and export.error == none\nquit\n") ==
+          0);
+  // Read back as raw frames: six of 162 x 120, the width made even.
+  REQUIRE(std::system(
+              ("ffmpeg -v error -y -i " + at("real.mp4") + " -f rawvideo -pix_fmt rgb24 " + at("real.rgb"))
+                  .c_str()) == 0);
+  CHECK(fs::file_size(results / "real.rgb") == 6u * 162u * 120u * 3u);
+}
+
 TEST_CASE("a failing ffmpeg is quoted, a missing one is said, a cancelled film leaves the step") {
   const std::string failing = with_ffmpeg("failing", "echo no such codec >&2; exit 3");
   const std::string log = at("failing.log");

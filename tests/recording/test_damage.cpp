@@ -57,12 +57,14 @@ TEST_CASE("Foreign, missing and empty files are told apart") {
   check_refused(folder.file("cut.isorun", "SQLite format 3\0 and no more"), "is not a recording");
 }
 
-TEST_CASE("A newer version is told, with what to do") {
+TEST_CASE("Another version is told, with what to do") {
   const TemporaryFolder folder;
-  const auto file = folder / "newer.isorun";
+  const auto file = folder / "other.isorun";
   REQUIRE(write_recording(file, small_journal(), false).ok());
-  change(file, "PRAGMA user_version=3");
+  change(file, "PRAGMA user_version=99");
   check_refused(file, "newer version", ErrorCode::unsupported);
+  change(file, "PRAGMA user_version=1");
+  check_refused(file, "older version", ErrorCode::unsupported);
 }
 
 TEST_CASE("A recording without an input says that the run never began") {

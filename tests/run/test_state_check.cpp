@@ -133,3 +133,11 @@ TEST_CASE("a torus has one component of genus 1 between two boundaries, and a ha
   CHECK(r.components[0].loop->length > 2 * run.scene->delta);
   CHECK(r.components[0].loop->vertices.size() >= 3);
 }
+
+TEST_CASE("a boundary of more than χ = 2 is several surfaces and has no genus") {
+  CHECK(*BoundarySide{0, 1, 2}.genus() == 0);
+  CHECK(*BoundarySide{0, 1, -4}.genus() == 3);
+  CHECK(BoundarySide{0, 1, 2}.least_parts() == 1);
+  CHECK(!BoundarySide{0, -1, 10}.genus());
+  CHECK(BoundarySide{0, -1, 10}.least_parts() == 5);
+}

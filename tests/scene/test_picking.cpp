@@ -3,6 +3,7 @@
 
 #include "scene/fabricate.h"
 #include "scene/overlay.h"
+#include "scene/pick_geometry.h"
 #include "scene/section_view.h"
 
 #include <doctest/doctest.h>
@@ -179,4 +180,34 @@ TEST_CASE("picking in the section finds the tetrahedron around the position") {
   const Renderer::SectionView section{0, 0, 4};
   CHECK(pick_section_scene(state, section, view, {200, 155, 400, 300}, pick_tetrahedra).id == 0);
   CHECK(pick_section_scene(state, section, view, {20, 20, 400, 300}, pick_tetrahedra).kind == Kind::none);
+}
+
+TEST_CASE("what is framed is seen from where nothing of Z hides it") {
+  // A floor that faces up, with a roof over its left half.
+  ZeroSet zero;
+  const auto triangle = [&](Vec3 a, Vec3 b, Vec3 c) {
+    ZeroSet::Polygon polygon;
+    polygon.count = 3;
+    const auto first = static_cast<std::uint32_t>(zero.vertices.size());
+    for (const Vec3& p : {a, b, c}) {
+      ZeroSet::ZeroVertex v;
+      v.position = p;
+      zero.vertices.push_back(v);
+    }
+    polygon.v = {first, first + 1, first + 2, 0};
+    zero.polygons.push_back(polygon);
+  };
+  triangle({-10, -10, 0}, {10, -10, 0}, {0, 15, 0});
+  const Vec3 up{0, 0, 1}, place{0, 0, 0};
+  CHECK(unhidden_direction(zero, place, up, up, 5) == up);
+  CHECK(unhidden_direction(zero, place, -up, up, 5) == up);
+  triangle({-4, -4, 2}, {1, -4, 2}, {-1, 6, 2});
+  CHECK(unhidden_direction(zero, place, up, up, 1) == up); // the roof is farther than the eye
+  const Vec3 side = unhidden_direction(zero, place, up, up, 5);
+  CHECK(side != up);
+  CHECK(side.z > 0.3);
+  CHECK((side.x > 0 || side.y > 0)); // past the right edge of the roof or its tip
+  // All around is a wall: the normal, for want of better.
+  triangle({-40, -40, 1}, {40, -40, 1}, {0, 60, 1});
+  CHECK(unhidden_direction(zero, place, -up, up, 5) == up);
 }

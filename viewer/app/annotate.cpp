@@ -87,6 +87,18 @@ void loops(const TopologyReport& report, const StateSnapshot& s, Annotation& a) 
   }
 }
 
+/// The facet that was left above δ, and how far its farthest point is from the input.
+void refused(const RefusedFacet& f, double delta, Annotation& a) {
+  const bool above = f.distance > delta;
+  const Tone tone = above ? Tone::bad : Tone::good;
+  a.faces.push_back({f.corners, tone, 0.5f});
+  for (std::size_t k = 0; k < 3; ++k)
+    a.lines.push_back({f.corners[k], f.corners[(k + 1) % 3], tone, 2.6f, false});
+  a.lines.push_back({f.farthest, f.closest, tone, 2.0f, true});
+  a.marks.push_back({f.farthest, tone, above ? MarkerShape::cross : MarkerShape::disc, 12});
+  a.marks.push_back({f.closest, Tone::quiet, MarkerShape::ring, 9});
+}
+
 void broken_places(const StateReport& report, Annotation& a) {
   for (const InvariantVerdict& v : report.verdicts)
     if (v.state == InvariantVerdict::State::broken && v.place) {
@@ -97,6 +109,15 @@ void broken_places(const StateReport& report, Annotation& a) {
 
 } // namespace
 
+std::optional<RefusedFacet> shown_refusal(const AppModel& m) {
+  const auto state = m.state();
+  const auto event = m.selected_event();
+  if (!state || !event || !m.run.journal || !m.run.scene || !m.run.scene->index) return std::nullopt;
+  std::optional<std::size_t> sweep;
+  if (m.debug.level == DebugLevel::gate && m.debug.gate_event == event) sweep = m.debug.gate;
+  return refused_facet(*m.run.journal, m.run.journal->events()[*event], *state, *m.run.scene->index, sweep);
+}
+
 Annotation make_annotation(const AppModel& m) {
   Annotation a;
   const auto state = m.state();
@@ -105,6 +126,7 @@ Annotation make_annotation(const AppModel& m) {
   const Pick& picked = m.selection.picked;
   if (picked.kind == Pick::Kind::tet) tet(m, *state, TetId(picked.id), a);
   if (picked.kind == Pick::Kind::sample) sample(*state, SampleId(picked.id), a);
+  if (const auto facet = shown_refusal(m)) refused(*facet, state->criteria.delta, a);
   if (const auto h = i.history(); h && m.settings.panes.tab == history_tab) way(*h, a);
   if (const auto w = i.work()) heat(w->map, a);
   if (const auto t = i.topology()) loops(*t, *state, a);

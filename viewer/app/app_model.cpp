@@ -118,7 +118,10 @@ void AppModel::forget_run() {
 }
 
 void AppModel::take_run() {
-  if (take_snapshot()) forget_run();
+  if (take_snapshot())
+    forget_run();
+  else if (shows_recording() && run.recording->file != bookmarks_recording_)
+    fetch_bookmarks();
   if (moments.journal() != run.journal) moments.reset(run.journal);
   const auto genus = run.scene ? expected_genus(*run.scene) : std::nullopt;
   expected_genus_->store(genus.value_or(std::nan("")));

@@ -128,7 +128,7 @@ class AppModel : public ShownRun {
   ViewHistory history;    ///< undo of view, filter, selection and layout
   bool dragging = false;  ///< a mouse button is held: what it changes is one entry of the history
   Bookmarks bookmarks;
-  std::filesystem::path bookmarks_home; ///< the settings file beside which bookmarks are kept; empty: nowhere
+  std::filesystem::path bookmarks_home; ///< the settings file; empty: bookmarks are not kept
   Moments moments;
   Presenter presenter;
   Settings settings;
@@ -160,7 +160,7 @@ class AppModel : public ShownRun {
   /// What undo would bring back of the present window, and bringing it back.
   ViewMemento memento() const;
   void take(const ViewMemento& memento);
-  /// Writes the bookmarks where they are kept by default, if anywhere; reports what fails.
+  /// Writes the bookmarks beside the input, or where they are kept otherwise; tells what fails.
   void keep_bookmarks();
 
   /// Once a frame: takes what the workers have, moves the play head, asks for what is missing. True when
@@ -221,8 +221,10 @@ class AppModel : public ShownRun {
   void place_view();
   void watch_view();
   void fetch_bookmarks();
-  bool clip_placed_ = false;             ///< by the program, in this update
-  std::filesystem::path bookmarks_file_; ///< of the run that is open
+  bool clip_placed_ = false;                  ///< by the program, in this update
+  BookmarkFiles bookmark_files_;              ///< of the run that is open
+  std::filesystem::path bookmarks_recording_; ///< the recording they belong to, if any
+  bool bookmarks_told_ = false;               ///< that they cannot lie beside it
   void watch_history();
   std::function<void()> notify_;
   std::uint64_t framed_generation_ = 0;

@@ -54,19 +54,21 @@ void AppModel::watch_view() {
 
 // A run that goes on with other parameters keeps the bookmarks it began with.
 void AppModel::fetch_bookmarks() {
-  bookmarks = {};
-  bookmarks_file_ = bookmarks_file(bookmarks_home, run.parameters);
-  std::error_code ignored;
-  if (bookmarks_file_.empty() || !std::filesystem::exists(bookmarks_file_, ignored)) return;
-  if (auto loaded = load_bookmarks(bookmarks_file_))
-    bookmarks = std::move(*loaded);
-  else
-    report(loaded.error());
+  bookmarks_recording_ = shows_recording() ? run.recording->file : std::filesystem::path();
+  bookmark_files_ = bookmark_files(bookmarks_home, bookmarks_recording_, run.parameters);
+  bookmarks_told_ = false;
+  auto kept = kept_bookmarks(bookmark_files_);
+  if (!kept) report(kept.error());
+  bookmarks = kept ? std::move(*kept) : Bookmarks();
 }
 
 void AppModel::keep_bookmarks() {
-  if (bookmarks_file_.empty()) return;
-  if (Status s = save_bookmarks(bookmarks_file_, bookmarks, run.parameters); !s) report(s.error());
+  const auto file = isoscope::keep_bookmarks(bookmark_files_, bookmarks, run.parameters);
+  if (!file) return report(file.error());
+  if (bookmark_files_.beside.empty() || *file == bookmark_files_.beside ||
+      std::exchange(bookmarks_told_, true))
+    return;
+  tell("Nothing can be written beside the input: the bookmarks are kept in " + file->string() + ".");
 }
 
 } // namespace isoscope

@@ -159,9 +159,19 @@ std::string run_key(const RunParameters& p) {
   return text.data();
 }
 
-std::filesystem::path bookmarks_file(const std::filesystem::path& settings, const RunParameters& p) {
-  if (settings.empty() || p.input.empty()) return {};
-  return settings.parent_path() / "bookmarks" / (run_key(p) + ".json");
+BookmarkFiles bookmark_files(const std::filesystem::path& settings, const std::filesystem::path& recording,
+                             const RunParameters& p) {
+  if (settings.empty() || (p.input.empty() && recording.empty())) return {};
+  RunParameters named = p;
+  if (!recording.empty()) named.input = recording.string();
+  const std::string key = run_key(named);
+  BookmarkFiles files{{}, settings.parent_path() / "bookmarks" / (key + ".json")};
+  const std::string ending = ".bookmarks.json";
+  if (!recording.empty())
+    files.beside = recording.string() + ending;
+  else if (is_file(p.input))
+    files.beside = p.input + "." + key.substr(0, 8) + ending;
+  return files;
 }
 
 std::string to_json(const Bookmarks& bookmarks, const RunParameters& parameters) {
@@ -215,6 +225,21 @@ Result<Bookmarks> load_bookmarks(const std::filesystem::path& file) {
   if (trouble || !in) return Error{ErrorCode::io, "The bookmarks " + file.string() + " cannot be read.", ""};
   if (bytes > file_limit) return no_bookmarks("it is too large");
   return bookmarks_from_json(std::string{std::istreambuf_iterator<char>(in), {}});
+}
+
+Result<std::filesystem::path> keep_bookmarks(const BookmarkFiles& files, const Bookmarks& bookmarks,
+                                             const RunParameters& parameters) {
+  if (!files.beside.empty() && save_bookmarks(files.beside, bookmarks, parameters)) return files.beside;
+  if (files.fallback.empty()) return std::filesystem::path();
+  if (Status s = save_bookmarks(files.fallback, bookmarks, parameters); !s) return s.error();
+  return files.fallback;
+}
+
+Result<Bookmarks> kept_bookmarks(const BookmarkFiles& files) {
+  std::error_code ignored;
+  for (const std::filesystem::path& file : {files.beside, files.fallback})
+    if (!file.empty() && std::filesystem::exists(file, ignored)) return load_bookmarks(file);
+  return Bookmarks();
 }
 
 } // namespace isoscope

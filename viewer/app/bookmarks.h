@@ -49,8 +49,16 @@ class Bookmarks {
 /// What tells runs apart: the input (files by absolute path) and every parameter that changes the journal.
 /// 16 hexadecimal digits.
 std::string run_key(const RunParameters& parameters);
-/// Where the bookmarks of a run are kept by default: beside the settings; empty where those have no place.
-std::filesystem::path bookmarks_file(const std::filesystem::path& settings, const RunParameters& parameters);
+/// Where the bookmarks of a run are kept.
+struct BookmarkFiles {
+  /// A sidecar: RUN.isorun.bookmarks.json beside a recording, model.off.KEY.bookmarks.json beside an input
+  /// file (its runs with other parameters have other steps); empty for bundled models.
+  std::filesystem::path beside;
+  std::filesystem::path fallback; ///< among the settings, where nothing can be written beside
+};
+/// Both empty where settings have no place. `recording`: the file shown, empty for a run.
+BookmarkFiles bookmark_files(const std::filesystem::path& settings, const std::filesystem::path& recording,
+                             const RunParameters& parameters);
 
 std::string to_json(const Bookmarks& bookmarks, const RunParameters& parameters);
 /// Fails with bad_input on text that is no list of bookmarks.
@@ -59,5 +67,10 @@ Result<Bookmarks> bookmarks_from_json(const std::string& text);
 Status save_bookmarks(const std::filesystem::path& file, const Bookmarks& bookmarks,
                       const RunParameters& parameters);
 Result<Bookmarks> load_bookmarks(const std::filesystem::path& file);
+/// Saves them in the sidecar, else in the fallback; the file it was, empty where both are. Fails with io.
+Result<std::filesystem::path> keep_bookmarks(const BookmarkFiles& files, const Bookmarks& bookmarks,
+                                             const RunParameters& parameters);
+/// What is kept: of the sidecar, else of the fallback; empty without either.
+Result<Bookmarks> kept_bookmarks(const BookmarkFiles& files);
 
 } // namespace isoscope

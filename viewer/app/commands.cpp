@@ -106,8 +106,9 @@ CommandCall parse_call(std::string_view line) {
   if (line.empty()) return call;
   call.name = word();
   skip();
-  if (call.name == "view" || call.name == "expect" || call.name == "break" || call.name == "filter" ||
-      call.name == "save-filter" || call.name == "next-event" || call.name == "previous-event") {
+  if (call.name == "view" || call.name == "expect" || call.name == "break" || call.name == "break-here" ||
+      call.name == "filter" || call.name == "save-filter" || call.name == "next-event" ||
+      call.name == "previous-event") {
     while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
     if (!line.empty()) call.arguments.emplace_back(line);
     return call;

@@ -3,6 +3,7 @@
 
 #include "app/debug_actions.h"
 #include "app/icons.h"
+#include "app/suggested_breaks.h"
 
 #include <GLFW/glfw3.h>
 
@@ -71,14 +72,18 @@ std::vector<Command> debug_commands() {
        has_run},
       {"break-here",
        "Break on the selection",
-       "",
-       "A breakpoint on the selected edge with its verdict, or vertex, tetrahedron or sample; again takes it "
-       "away.",
+       "[CONDITION]",
+       "A breakpoint on the selected edge with its verdict, or vertex, tetrahedron or sample, on the gate or "
+       "the event shown, or on a condition; again takes it away.",
        "Run",
        icon::dot,
        {{GLFW_KEY_F9}},
        toggle_break_here,
-       has_run},
+       has_run,
+       [](const M& m) {
+         const auto suggested = suggested_breaks(m);
+         return !suggested.empty() && breaks_on(m, suggested.front().condition);
+       }},
       {"break",
        "Add a breakpoint…",
        "CONDITION",
@@ -114,7 +119,7 @@ std::vector<Command> debug_commands() {
       {"range",
        "Limit to a range of steps…",
        "[FIRST LAST]",
-       "Limits the event list, the lanes' numbers and the plots to these steps; without steps to none.",
+       "Limits lanes, plots, events, history, work and heat map to these steps; without steps to none.",
        "",
        nullptr,
        {},

@@ -2,6 +2,7 @@
 #include "app/debug_actions.h"
 
 #include "app/named_values.h"
+#include "app/suggested_breaks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,30 +136,6 @@ std::ptrdiff_t current_event(const AppModel& m) {
              : -1;
 }
 
-std::string condition_of_selection(const AppModel& m) {
-  const Pick& p = m.selection.picked;
-  const std::string id = std::to_string(p.id);
-  switch (p.kind) {
-  case Pick::Kind::edge: {
-    std::string text = "edge(" + id + "," + std::to_string(p.other) + ")";
-    if (const auto index = m.selected_event()) {
-      const Event& e = m.run.journal->events()[*index];
-      text += " && " + std::string(name(e.kind));
-      if (e.reason != Reason::none) text += " && reason == " + std::string(name(e.reason));
-    }
-    return text;
-  }
-  case Pick::Kind::sample:
-    return "sample(" + id + ").class changes";
-  case Pick::Kind::vertex:
-    return "vertex(" + id + ")";
-  case Pick::Kind::tet:
-    return "tet(" + id + ")";
-  default:
-    return {};
-  }
-}
-
 void search_events(AppModel& m, std::vector<std::shared_ptr<const Expression>> expressions,
                    Direction direction, bool goes_on) {
   QueryRequest request;
@@ -182,8 +159,10 @@ Status add_breakpoint(AppModel& m, const Arguments& a) {
   return {};
 }
 
-Status toggle_break_here(AppModel& m, const Arguments&) {
-  const std::string text = condition_of_selection(m);
+Status toggle_break_here(AppModel& m, const Arguments& a) {
+  std::string text = joined(a);
+  if (text.empty())
+    if (const auto suggested = suggested_breaks(m); !suggested.empty()) text = suggested.front().condition;
   if (text.empty())
     return Error{ErrorCode::usage, "Nothing is selected to break on.",
                  "Select an edge, a vertex, a tetrahedron or a sample."};
@@ -193,8 +172,9 @@ Status toggle_break_here(AppModel& m, const Arguments&) {
       m.tell("No breakpoint any more: " + text);
       return {};
     }
-  m.tell("Breakpoint: " + text);
-  return add_breakpoint(m, {text});
+  const Status added = add_breakpoint(m, {text});
+  if (added) m.tell("Breakpoint: " + text + ". F5 goes on to it, Shift+F5 back.");
+  return added;
 }
 
 Status change_breakpoint(AppModel& m, const Arguments& a) {

@@ -29,8 +29,6 @@ void show_event(AppModel& model, std::uint32_t index);
 std::vector<GateView> gates_of(const AppModel& model);
 /// "Z, rejection 123, 4 kernel: failed, 0.2 against 1", with arrows between.
 std::string breadcrumb(const AppModel& model);
-/// The condition that F9 would break on; empty where nothing is selected.
-std::string condition_of_selection(const AppModel& model);
 
 namespace actions {
 

@@ -1,6 +1,7 @@
 // What scripts can expect of the debugger.
 #include "app/debug_actions.h"
 #include "app/named_table.h"
+#include "app/suggested_breaks.h"
 
 namespace isoscope {
 
@@ -15,6 +16,8 @@ void add_debug_readings(NamedTable& t) {
   };
   add("breakpoints", "how many there are",
       [](const AppModel& m) { return std::to_string(m.debug.breakpoints->list().size()); });
+  add("breaks.suggested", "conditions that the inspector offers to stop at",
+      [](const AppModel& m) { return std::to_string(suggested_breaks(m).size()); });
   add("breakpoints.hits", "of all of them in this run", [](const AppModel& m) {
     std::size_t hits = 0;
     for (const BreakpointState& b : m.debug.breakpoints->list()) hits += b.hits;

@@ -173,12 +173,17 @@ void add_repairs(NamedTable& t) {
     });
   };
   of("repair.first", "its largest d after the first sweep",
-     [](const RepairDetail& s, const AppModel&) { return s.front().largest_distance; });
+     [](const RepairDetail& s, const AppModel&) { return s.front().distance_left; });
   of("repair.last", "its largest d after the last",
-     [](const RepairDetail& s, const AppModel&) { return s.back().largest_distance; });
+     [](const RepairDetail& s, const AppModel&) { return s.back().distance_left; });
   of("repair.excess", "the last in units of δ, less one", [](const RepairDetail& s, const AppModel& m) {
-    return s.back().largest_distance / m.run.scene->delta - 1;
+    return s.back().distance_left / m.run.scene->delta - 1;
   });
+  add(t, "refused.distance", "the largest d on the facet that a collapse of the improver left above δ, in δ",
+      [](const AppModel& m) {
+        const auto facet = shown_refusal(m);
+        return facet ? text_of(facet->distance / m.run.scene->delta) : std::string("nan");
+      });
 }
 
 } // namespace

@@ -30,7 +30,7 @@ std::shared_ptr<const ElementHistory> read_history(const HistoryQuestion& q, Run
 std::shared_ptr<const WorkAnswer> measure_work(const WorkQuestion& q, RunControl&) {
   auto answer = std::make_shared<WorkAnswer>();
   answer->map = map_work(*q.journal, q.begin, q.end, q.kind, q.cell);
-  answer->stall = examine_stall(*q.journal, q.stall_end, q.attempts, q.cell);
+  answer->stall = examine_stall(*q.journal, q.stall_end, q.attempts, q.cell, q.begin);
   answer->times = time_by_reason(*q.journal, q.begin, q.end);
   return answer;
 }
@@ -200,14 +200,16 @@ void Investigation::update_work(const AppModel& model) {
   if (!moving || !work_asked_ || work_asked_->journal != model.run.journal) {
     WorkQuestion q;
     q.journal = model.run.journal;
-    const auto [begin, end] = range;
     const std::size_t events = model.index.events();
-    const bool all = end <= begin || end >= model.live_step();
-    q.begin = begin > 0 ? model.index.first_event_at(static_cast<Step>(begin)) : 0;
-    q.end = all ? events : model.index.first_event_at(static_cast<Step>(end));
-    q.stall_end = model.transport.step() >= model.live_step()
-                      ? events
-                      : model.index.first_event_at(model.transport.step() + 1);
+    const auto before = [&](Step step) {
+      return step > model.live_step() ? events : std::min(events, model.index.first_event_at(step));
+    };
+    const auto& range = model.debug.range;
+    q.begin = range ? before(range->begin) : 0;
+    q.end = range ? before(range->end + 1) : events;
+    // The attempts before the play head, within the range.
+    const Step head = model.transport.step();
+    q.stall_end = std::clamp(head >= model.live_step() ? events : before(head + 1), q.begin, q.end);
     q.kind = work_kind;
     q.attempts = stall_attempts;
     q.cell = cell_deltas * model.run.scene->delta;
@@ -273,15 +275,25 @@ struct Investigation::AnnotationKey {
   Pick picked;
   std::optional<double> shrink;
   int tab = 0;
+  std::optional<std::uint32_t> event;
+  std::size_t gate = 0;
   friend bool operator==(const AnnotationKey&, const AnnotationKey&) = default;
 };
 
 Investigation::~Investigation() = default;
 
 void Investigation::annotate(const AppModel& model) {
-  AnnotationKey key{
-      model.state(), model.sample_index(),    history_, work_, topology_, check(), model.selection.picked,
-      shrink,        model.settings.panes.tab};
+  AnnotationKey key{model.state(),
+                    model.sample_index(),
+                    history_,
+                    work_,
+                    topology_,
+                    check(),
+                    model.selection.picked,
+                    shrink,
+                    model.settings.panes.tab,
+                    model.selected_event(),
+                    model.debug.level == DebugLevel::gate ? model.debug.gate + 1 : 0};
   if (annotated_ && *annotated_ == key) return;
   annotated_ = std::make_unique<AnnotationKey>(std::move(key));
   Annotation made = make_annotation(model);

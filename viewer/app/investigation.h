@@ -6,6 +6,7 @@
 #include "journal/history.h"
 #include "run/edge_advice.h"
 #include "run/element_questions.h"
+#include "run/refused_facet.h"
 #include "run/state_check.h"
 #include "run/topology_report.h"
 #include "run/work_map.h"
@@ -87,7 +88,6 @@ class Investigation {
   bool edge_advice = false;    ///< also ask the evaluator of edges over values: it takes a while
   bool topology_shown = false; ///< follow the state shown
   bool reveal_check = false, reveal_topology = false; ///< bring the answer into sight once it is there
-  std::pair<double, double> range{0, 0};              ///< steps that the timeline shows; empty: all
 
   /// Once a frame: asks what is shown and stale. True while something is under way.
   bool update(AppModel& model);
@@ -139,6 +139,9 @@ class Investigation {
 
 /// The selected element as histories and advice know it; nothing for facets and without selection.
 std::optional<ElementRef> selected_element(const AppModel& model);
+/// The facet that the selected event of the improver left above δ; stepping through its sweeps, the worst one
+/// after the sweep shown.
+std::optional<RefusedFacet> shown_refusal(const AppModel& model);
 /// The lines and marks for the state shown and the answers there are.
 Annotation make_annotation(const AppModel& model);
 /// The violations of the kind looked at, in the order in which "next" goes through them.

@@ -113,6 +113,13 @@ void add_history_questions(NamedTable& t) {
   using H = ElementHistory;
   of(t, "history.rows", "lines of the selected element's history", history,
      [](const H& h) { return count(h.rows.size()); });
+  reading(t, "history.shown", "those within the chosen range", [](const AppModel& m) {
+    const auto h = m.investigation.history();
+    if (!h) return std::string("nan");
+    const auto& range = m.debug.range;
+    const auto in = [&](const HistoryRow& row) { return !range || range->holds(row.step); };
+    return std::to_string(std::count_if(h->rows.begin(), h->rows.end(), in));
+  });
   of(t, "history.changes", "those that changed it", history, [](const H& h) { return count(h.changes()); });
   of(t, "history.attempts", "attempts to collapse the edge", history,
      [](const H& h) { return count(h.attempts); });

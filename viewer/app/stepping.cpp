@@ -52,10 +52,11 @@ std::vector<GateView> sweeps_of(const Journal& journal, const Event& e) {
     const RepairSweep& s = sweeps[i];
     GateView gate;
     gate.title = "sweep " + std::to_string(i + 1) + " of " + std::to_string(sweeps.size());
-    gate.failed = s.largest_distance > delta;
+    gate.failed = s.distance_left > delta;
     gate.state = gate.failed ? "above δ" : "below δ";
-    gate.numbers = "largest d = " + number_beside(s.largest_distance / delta, 1) + " δ, moved " +
-                   std::to_string(s.moved) + ", flipped " + std::to_string(s.flipped);
+    gate.numbers = "largest d " + number_beside(s.largest_distance / delta, 1) + " → " +
+                   number_beside(s.distance_left / delta, 1) + " δ, moved " + std::to_string(s.moved) +
+                   ", flipped " + std::to_string(s.flipped);
     gates.push_back(std::move(gate));
   }
   GateView end;
@@ -80,8 +81,13 @@ std::vector<GateView> checks_of(const EdgeXray& x) {
     gate.title = check_title(check);
     gate.failed = v.state == CheckVerdict::State::failed;
     gate.state = v.state == CheckVerdict::State::passed ? "passed" : gate.failed ? "failed" : "not asked";
-    if (v.state != CheckVerdict::State::skipped && (v.value != 0 || v.limit != 0))
-      gate.numbers = number_beside(v.value, v.limit) + " against " + short_number(v.limit);
+    if (v.state != CheckVerdict::State::skipped && (v.value != 0 || v.limit != 0)) {
+      // Lengths are told in δ.
+      const bool length = check == CollapseCheck::kernel || check == CollapseCheck::containment;
+      const double unit = length && x.criteria.delta > 0 ? x.criteria.delta : 1;
+      gate.numbers = number_beside(v.value / unit, v.limit / unit) + (length ? " δ against " : " against ") +
+                     short_number(v.limit / unit) + (length ? " δ" : "");
+    }
     if (gate.failed && squared_length(v.witness) > 0) gate.witness = v.witness;
     gates.push_back(std::move(gate));
   }

@@ -1,6 +1,7 @@
 // The breakpoints tab, and errors of conditions below their fields.
 #include "app/debug_actions.h"
 #include "app/icons.h"
+#include "app/suggested_breaks.h"
 #include "app/words.h"
 #include "panels/timeline_panel.h"
 #include "panels/widgets.h"
@@ -54,10 +55,10 @@ void BreakpointList::draw(Ui& ui) {
     text_[0] = 0;
   }
   ImGui::SameLine(0, ui.px(8));
-  const std::string here = condition_of_selection(m);
-  if (widgets::plain_button(ui, "break on the selection", !here.empty(), 0, ui.px(24)))
+  const auto suggested = suggested_breaks(m);
+  if (widgets::plain_button(ui, "break on the selection", !suggested.empty(), 0, ui.px(24)))
     ui.commands.post("break-here");
-  widgets::tip(ui, "Break on the selection   F9", here);
+  widgets::tip(ui, "Break on the selection   F9", suggested.empty() ? "" : suggested.front().condition);
   ImGui::SameLine(0, ui.px(20));
   widgets::command_button(ui, "reverse-continue", icon::left);
   ImGui::SameLine(0, ui.px(2));

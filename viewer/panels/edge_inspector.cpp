@@ -90,6 +90,7 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
   ImGui::PopID();
   const bool has_witness = witness_of(x, x.attempt, check).has_value();
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (at_gate(ui, static_cast<std::size_t>(check))) gate_ground(ui, at, {width, high});
   if (ImGui::IsItemHovered() && has_witness) {
     list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + high},
                        to_u32(ui.colors.hover), ui.px(4));

@@ -169,6 +169,9 @@ void cost(Ui& ui, const EdgeXray& x) {
   const CollapseAttempt& attempt = x.attempt;
   if (!attempt.kernel || attempt.kernel->empty) return;
   const double delta = delta_of(x), square = delta * delta;
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  if (at_gate(ui, collapse_check_count))
+    gate_ground(ui, {top.x, top.y + ui.px(6)}, {ImGui::GetContentRegionAvail().x, ui.px(26)});
   subtitle(ui, "What the constraints cost");
   const auto study = ui.model.study();
   widgets::value_row(ui, "◇ least error, unconstrained",

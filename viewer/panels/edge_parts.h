@@ -12,6 +12,13 @@ namespace isoscope::panels {
 
 void subtitle(const Ui& ui, const char* text);
 
+/// Whether one steps through gates and stands at this one.
+bool at_gate(const Ui& ui, std::size_t gate);
+/// Once for each gate at which one comes to stand: the wheel stays free afterwards.
+bool gate_reached(const Ui& ui);
+/// The ground of the gate at which one stands; brings it into sight when it is reached.
+void gate_ground(const Ui& ui, ImVec2 low, ImVec2 size);
+
 /// What a number of a reason means: lengths are told in δ.
 struct Measured {
   double value = 0, limit = 0;

@@ -71,7 +71,8 @@ void search_regions(Ui& ui, const EdgeXray& x) {
     ImGui::SameLine();
     ImGui::PushFont(ui.fonts.small);
     const std::string checked =
-        x.pruning.wrong.empty() ? "right: " + grouped(judged) + " points in it judged, all fail"
+        x.pruning.wrong.empty() ? judged == 1 ? std::string("right: the point in it that was judged fails")
+                                              : "right: " + grouped(judged) + " points in it judged, all fail"
                                 : grouped(x.pruning.wrong.size()) + " of " + grouped(judged) + " would pass";
     ImGui::TextUnformatted(checked.c_str());
     ImGui::PopFont();

@@ -186,9 +186,7 @@ void EventList::draw(Ui& ui) {
     ui.commands.post("save-filter");
   ImGui::SameLine(0, ui.px(14));
   const std::vector<std::uint32_t>& rows = m.debug.listed.rows();
-  std::string found = grouped(rows.size()) + " events";
-  if (m.debug.range)
-    found += " of steps " + grouped(m.debug.range->begin) + "–" + grouped(m.debug.range->end);
+  const std::string found = grouped(rows.size()) + (rows.size() == 1 ? " event" : " events");
   widgets::quiet_text(ui, found);
   if (error_) query_error(ui, *error_, text_.data(), left);
   const Journal* journal = m.run.journal.get();

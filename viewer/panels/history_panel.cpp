@@ -42,18 +42,21 @@ std::string summary(const ElementHistory& h) {
   const std::string id = grouped(h.element.id);
   switch (h.element.kind) {
   case ElementRef::Kind::vertex: {
-    std::string text = "Vertex " + id + ": " + grouped(h.absorbed) + " vertices ended in it";
+    std::string text = "Vertex " + id + ": " + grouped(h.absorbed) +
+                       (h.absorbed == 1 ? " vertex" : " vertices") + " ended in it";
     if (h.heir.valid() && h.heir.value != h.element.id)
       text += "; vertex " + grouped(h.heir.value) + " stands for it";
     return text;
   }
   case ElementRef::Kind::edge:
-    return "Edge " + id + " – " + grouped(h.element.other) + ": " + grouped(h.attempts) + " attempts, " +
-           grouped(h.rejections) + " failed";
+    return "Edge " + id + " – " + grouped(h.element.other) + ": " + grouped(h.attempts) +
+           (h.attempts == 1 ? " attempt, " : " attempts, ") + grouped(h.rejections) + " failed";
   case ElementRef::Kind::tet:
-    return "Tetrahedron slot " + id + ": " + grouped(h.changes()) + " changes";
+    return "Tetrahedron slot " + id + ": " + grouped(h.changes()) +
+           (h.changes() == 1 ? " change" : " changes");
   case ElementRef::Kind::sample:
-    return "Sample " + id + ": " + grouped(h.changes()) + " changes of class";
+    return "Sample " + id + ": " + grouped(h.changes()) +
+           (h.changes() == 1 ? " change of class" : " changes of class");
   }
   return {};
 }
@@ -102,15 +105,23 @@ void history_tab(Ui& ui) {
   std::string words = summary(*h);
   if (h->steps < ui.model.live_step()) words += "; up to step " + grouped(h->steps);
   ImGui::TextUnformatted(words.c_str());
-  if (h->rows.empty()) widgets::quiet_text(ui, "Nothing happened to it.");
+  std::vector<std::size_t> shown;
+  const auto& range = ui.model.debug.range;
+  for (std::size_t i = 0; i < h->rows.size(); ++i)
+    if (!range || range->holds(h->rows[i].step)) shown.push_back(i);
+  if (h->rows.empty())
+    widgets::quiet_text(ui, "Nothing happened to it.");
+  else if (shown.size() < h->rows.size())
+    widgets::quiet_text(ui,
+                        grouped(shown.size()) + " of " + grouped(h->rows.size()) + " rows are in the range.");
   if (ImGui::BeginChild("history", {0, 0})) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const float high = ui.px(22);
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(h->rows.size()), high);
+    clipper.Begin(static_cast<int>(shown.size()), high);
     while (clipper.Step())
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        draw_row(ui, *h, static_cast<std::size_t>(i), high);
+        draw_row(ui, *h, shown[static_cast<std::size_t>(i)], high);
     ImGui::PopStyleVar();
   }
   ImGui::EndChild();

@@ -357,10 +357,12 @@ void inspector(Ui& ui) {
     advice(ui);
     ImGui::Dummy({0, ui.px(6)});
     history_buttons(ui);
+    break_rows(ui);
     ImGui::Separator();
     ImGui::Dummy({0, ui.px(4)});
   }
   run_summary(ui, *state);
+  if (picked.kind == Pick::Kind::none) break_rows(ui);
   certificate(ui);
   state_questions(ui, *state);
   if (picked.kind == Pick::Kind::none)

@@ -109,7 +109,9 @@ void skip_chip(const Ui& ui, Stage stage, bool& skipped, float width) {
                      ui.px(5));
   list.AddRect(at, {at.x + width, at.y + high}, to_u32(ui.colors.line), ui.px(5));
   const std::string_view label = stage_title(stage);
+  ImGui::PushFont(ui.fonts.small);
   const ImVec2 extent = widgets::text_size(label);
+  ImGui::PopFont();
   const ImVec2 text{at.x + (width - extent.x) / 2, at.y + (high - extent.y) / 2};
   widgets::draw_text(list, ui.fonts.small, text, to_u32(skipped ? ui.colors.quiet : ui.colors.text), label);
   if (skipped)
@@ -131,10 +133,20 @@ void stages(Ui& ui, RunParameters& p) {
   });
   label(ui, "stages", "Stages", "Those struck through are left out. Needs a restart.", 26);
   constexpr std::array<Stage, 4> optional{Stage::gamma, Stage::zero_set, Stage::all, Stage::improve};
-  const float gap = ui.px(4), each = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
+  const float gap = ui.px(4);
+  // As wide as their titles and the same room around each.
+  std::array<float, optional.size()> widths{};
+  float room = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(optional.size() - 1);
+  ImGui::PushFont(ui.fonts.small);
+  for (std::size_t i = 0; i < optional.size(); ++i) {
+    widths[i] = widgets::text_size(stage_title(optional[i])).x;
+    room -= widths[i];
+  }
+  ImGui::PopFont();
   for (std::size_t i = 0; i < optional.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
-    skip_chip(ui, optional[i], p.skipped.at(static_cast<std::size_t>(optional[i])), each);
+    skip_chip(ui, optional[i], p.skipped.at(static_cast<std::size_t>(optional[i])),
+              widths[i] + room / static_cast<float>(optional.size()));
   }
   label(ui, "target", "Target strategy",
         "How the target of a collapse is looked for in its kernel: the least error alone, again under learnt "

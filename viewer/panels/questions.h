@@ -14,6 +14,8 @@ void sample_questions(Ui& ui, const StateSnapshot& state, std::uint32_t id);
 void advice(Ui& ui);
 /// Buttons for the history and the last change of the selection.
 void history_buttons(Ui& ui);
+/// Breakpoints on the selection, the gate or the event shown.
+void break_rows(Ui& ui);
 /// Of the whole state: violations, topology, validity.
 void state_questions(Ui& ui, const StateSnapshot& state);
 /// The bottom tabs.

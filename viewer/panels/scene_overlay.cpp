@@ -118,6 +118,8 @@ void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double heigh
   const ImVec2 right{low.x + size.x - ui.px(18), low.y + size.y - ui.px(18)};
   const ImU32 color = to_u32(ui.colors.text, 0.9f);
   const float tick = ui.px(4);
+  list.AddRectFilled({right.x - length - ui.px(8), right.y - ui.px(24)},
+                     {right.x + ui.px(8), right.y + ui.px(8)}, to_u32(ui.colors.ground, 0.6f), ui.px(5));
   list.AddLine({right.x - length, right.y}, right, color, ui.px(1.5f));
   list.AddLine({right.x - length, right.y - tick}, {right.x - length, right.y + tick}, color, ui.px(1.5f));
   list.AddLine({right.x, right.y - tick}, {right.x, right.y + tick}, color, ui.px(1.5f));

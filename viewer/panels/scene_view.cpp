@@ -260,12 +260,14 @@ void SceneView::frame_requests(Ui& ui) {
     if (box.empty()) box.add(pick.point);
     if (m.selection.mark) box.add(*m.selection.mark);
     box = box.grown(margin + 0.5 * box.longest_edge());
-    // An edge on the far side of the model would be framed from within.
-    constexpr double facing = 0.3;
+    // What lies on the far side of the model or in a fold of it would be framed from within.
+    const Vec3 now = normalized(m.camera.eye() - m.camera.pose().target);
+    const double reach = 2 * box.longest_edge(); // about the distance of the camera once it is framed
     const Vec3 normal = surface_normal(*state, pick);
-    if (squared_length(normal) > 0 &&
-        dot(normal, normalized(m.camera.eye() - m.camera.pose().target)) < facing)
-      m.camera.look_from(normal, false);
+    const Vec3 from = squared_length(normal) > 0
+                          ? unhidden_direction(state->zero_set, box.center(), now, normal, reach)
+                          : now;
+    if (from != now) m.camera.look_from(from, false);
   }
   m.camera.frame(box, !m.scripted);
   m.camera.mark_set();

@@ -46,6 +46,12 @@ void violations(Ui& ui, const StateSnapshot& s) {
   }
 }
 
+/// One surface has a genus; more than χ = 2 takes several, spheres if there are no more than needed.
+std::string surface_text(const BoundarySide& side) {
+  if (const auto genus = side.genus()) return "genus " + std::to_string(*genus);
+  return std::to_string(side.least_parts()) + " or more parts";
+}
+
 void component(Ui& ui, const ComponentReport& c, std::size_t index, double delta) {
   const auto& n = c.counts;
   ImGui::PushFont(ui.fonts.small);
@@ -61,8 +67,8 @@ void component(Ui& ui, const ComponentReport& c, std::size_t index, double delta
     widgets::value_row(ui,
                        std::string(c.sides[k].label > 0 ? "outer" : "inner") + " boundary " +
                            std::to_string(c.sides[k].boundary),
-                       "χ " + std::to_string(c.sides[k].euler_characteristic) + ", genus " +
-                           std::to_string(c.sides[k].genus()));
+                       "χ " + std::to_string(c.sides[k].euler_characteristic) + ", " +
+                           surface_text(c.sides[k]));
   if (c.sides.size() > most) widgets::quiet_text(ui, "and " + grouped(c.sides.size() - most) + " more");
   if (c.loop) widgets::value_row(ui, "shortest handle loop", short_number(c.loop->length / delta) + " δ");
 }

@@ -69,12 +69,16 @@ void TimelinePane::tabs(Ui& ui) {
     ImGui::SameLine(0, 0);
     left = at.x + width + ui.px(20);
   }
-  // What the colours mean, where no lanes say it.
   ImGui::NewLine();
+  left += range_chip(ui, left, y);
+  // What the colours mean, where no lanes say it.
   if (tab == 0 || tab > 2) return breadcrumb_line(ui, left, y);
   if (tab == 1) return axis_switch(ui, left, y);
   const JournalIndex& index = ui.model.index;
-  const auto counts = index.counts(0, index.steps());
+  const auto& range = ui.model.debug.range;
+  const Step begin = range ? std::min(range->begin, index.steps()) : 0;
+  const auto counts =
+      index.counts(begin, range ? std::clamp(range->end + 1, begin, index.steps()) : index.steps());
   float x = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
 
   for (int c = condition_count - 1; c > 0; --c) {
@@ -296,7 +300,6 @@ void TimelinePane::timeline(Ui& ui) {
 
 void TimelinePane::draw(Ui& ui) {
   if (range_.fits) range_.fit(ui.model.live_step());
-  ui.model.investigation.range = {range_.begin, range_.end};
   tabs(ui);
   switch (ui.model.settings.panes.tab) {
   case 1: {

@@ -76,6 +76,8 @@ class TimelinePane {
   bool scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size);
   /// Chooses a range of steps by a drag with Shift or Ctrl; true while it is drawn.
   bool choose_range(Ui& ui, double step);
+  /// The chosen range with a cross that clears it; its width and the gap after it, 0 without one.
+  float range_chip(Ui& ui, float left, float y) const;
   /// What lies outside of the chosen range steps back.
   void shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const;
   void breadcrumb_line(const Ui& ui, float left, float y) const;

@@ -22,6 +22,32 @@ bool TimelinePane::choose_range(Ui& ui, double step) {
   return true;
 }
 
+float TimelinePane::range_chip(Ui& ui, float left, float y) const {
+  const auto& range = ui.model.debug.range;
+  if (!range) return 0;
+  const std::string text = "range: " + grouped(range->begin) + "–" + grouped(range->end) + "  " + icon::close;
+  ImGui::PushFont(ui.fonts.small);
+  const ImVec2 extent = widgets::text_size(text);
+  ImGui::PopFont();
+  const float width = extent.x + ui.px(20), high = ui.px(22);
+  const ImVec2 before = ImGui::GetCursorScreenPos(), at{left, y + ui.px(3)};
+  ImGui::SetCursorScreenPos(at);
+  if (ImGui::InvisibleButton("range chip", {width, high})) ui.commands.post("range");
+  const bool hovered = ImGui::IsItemHovered();
+  widgets::tip(
+      ui, "Only these steps",
+      "Lanes, plots, events, history, work and heat map count the chosen steps alone. A click or Esc "
+      "counts all again; Shift or Ctrl and a drag on the timeline chooses others.");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.accent, hovered ? 0.36f : 0.22f),
+                     high / 2);
+  list.AddRect(at, {at.x + width, at.y + high}, to_u32(ui.colors.accent), high / 2, 0, ui.px(1));
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(10), at.y + (high - extent.y) / 2},
+                     to_u32(ui.colors.text), text);
+  ImGui::SetCursorScreenPos(before);
+  return width + ui.px(14);
+}
+
 void TimelinePane::shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const {
   const auto& range = ui.model.debug.range;
   if (!range) return;
@@ -39,10 +65,7 @@ void TimelinePane::shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const {
 void TimelinePane::breadcrumb_line(const Ui& ui, float left, float y) const {
   const AppModel& m = ui.model;
   if (!m.run.journal || m.live_step() == 0) return;
-  std::string text = breadcrumb(m);
-  if (m.debug.range)
-    text += "     steps " + grouped(m.debug.range->begin) + "–" + grouped(m.debug.range->end) +
-            " only, Esc for all";
+  const std::string text = breadcrumb(m);
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
                      {left, y + (ui.px(28) - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet),

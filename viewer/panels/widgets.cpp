@@ -19,6 +19,14 @@ bool hovered_at_rest() {
          !ImGui::IsMouseDown(ImGuiMouseButton_Left);
 }
 
+/// A decimal number without the zeros at its end.
+std::string trimmed(std::string number) {
+  if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.') number.pop_back();
+  return number;
+}
+
 /// The time that the last item has been hovered, kept in the window's storage.
 double hover_seconds() {
   const ImGuiID id = ImGui::GetID("hover-clock");
@@ -63,6 +71,24 @@ std::string fitted(std::string_view s, float width) {
     } while (!cut.empty());
   }
   return cut + "…";
+}
+
+void wrapped_text(std::string_view s) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::string lines;
+  std::size_t begin = 0;
+  while (begin < s.size()) {
+    std::size_t end = std::min(s.find(' ', begin), s.size());
+    while (end < s.size()) {
+      const std::size_t next = std::min(s.find(' ', end + 1), s.size());
+      if (text_size(s.substr(begin, next - begin)).x > width) break;
+      end = next;
+    }
+    if (!lines.empty()) lines += '\n';
+    lines += s.substr(begin, end - begin);
+    begin = end + 1;
+  }
+  text(lines);
 }
 
 void tip(const Ui& ui, std::string_view title, std::string_view body) {
@@ -111,7 +137,7 @@ bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit, bool 
     list.AddRectFilled(low, high, to_u32(ui.colors.hover), ui.px(5));
   const Rgb color = lit ? ui.colors.accent_text : ui.colors.text;
   const ImVec2 extent = text_size(icon);
-  draw_text(list, ui.fonts.ui, {low.x + (size.x - extent.x) / 2, low.y + (size.y - extent.y) / 2},
+  draw_text(list, ImGui::GetFont(), {low.x + (size.x - extent.x) / 2, low.y + (size.y - extent.y) / 2},
             to_u32(color, enabled ? (hovered || lit ? 1.0f : 0.85f) : 0.3f), icon);
   ImGui::PopID();
   return pressed && enabled;
@@ -125,6 +151,19 @@ void command_button(const Ui& ui, std::string_view name, const char* icon, Argum
   const std::string id(name);
   if (icon_button(ui, id.c_str(), icon ? icon : command->icon, lit, enabled))
     ui.commands.post(id, std::move(arguments));
+  command_tip(ui, *command);
+}
+
+void key_button(const Ui& ui, std::string_view name, float width) {
+  const Command* command = find_command(name);
+  if (command == nullptr || command->keys.empty()) return;
+  const bool enabled = command->enabled == nullptr || command->enabled(ui.model);
+  const bool lit = command->checked != nullptr && command->checked(ui.model);
+  const std::string id(name),
+      label = std::string(command->icon) + " " + isoscope::text(command->keys.front());
+  ImGui::PushFont(ui.fonts.small);
+  if (icon_button(ui, id.c_str(), label.c_str(), lit, enabled, width)) ui.commands.post(id);
+  ImGui::PopFont();
   command_tip(ui, *command);
 }
 
@@ -177,9 +216,10 @@ bool section(const Ui& ui, const char* title, bool open_at_first) {
 void quiet_text(const Ui& ui, std::string_view s, bool wrapped) {
   ImGui::PushFont(ui.fonts.small);
   ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.quiet));
-  if (wrapped) ImGui::PushTextWrapPos(0);
-  text(s);
-  if (wrapped) ImGui::PopTextWrapPos();
+  if (wrapped)
+    wrapped_text(s);
+  else
+    text(s);
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }
@@ -231,7 +271,8 @@ bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_
 
 void limit_bar(const Ui& ui, std::string_view label, double value, double limit, bool good,
                std::string_view unit, bool limit_is_upper) {
-  std::string shown = number_beside(value, limit);
+  const std::string_view sign = value < limit ? " < " : value > limit ? " > " : " = ";
+  std::string shown = number_beside(value, limit) + std::string(sign) + trimmed(short_number(limit));
   if (!unit.empty()) shown += " " + std::string(unit);
   value_row(ui, label, shown, good ? ui.colors.good_text : ui.colors.bad_text);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -326,9 +367,11 @@ void heading(Ui& ui, const char* icon, const std::string& title, const std::stri
   ImGui::PushFont(ui.fonts.bold);
   ImGui::TextUnformatted((std::string(icon) + "  " + title).c_str());
   ImGui::PopFont();
-  const float buttons = 2 * ui.px(28) + ui.px(4);
+  const float buttons = 2 * ui.px(28) + ui.px(56);
   ImGui::SameLine();
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - buttons, ImGui::GetCursorPosY() - ui.px(5)});
+  key_button(ui, "break-here", ui.px(48));
+  ImGui::SameLine(0, ui.px(4));
   command_button(ui, "frame", isoscope::icon::target);
   ImGui::SameLine(0, ui.px(4));
   command_button(ui, "clear", isoscope::icon::close);

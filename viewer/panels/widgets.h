@@ -20,6 +20,8 @@ bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit = fals
 /// An icon button that posts a command; disabled when the command is.
 void command_button(const Ui& ui, std::string_view command, const char* icon = nullptr,
                     Arguments arguments = {});
+/// The same with the command's key beside its icon.
+void key_button(const Ui& ui, std::string_view command, float width);
 /// A filled button with text in the accent colour.
 bool primary_button(const Ui& ui, const char* label, bool enabled = true, float width = 0);
 /// A button without weight.
@@ -52,6 +54,8 @@ void verdict_glyph(const Ui& ui, bool good);
 /// A mark of the view in a panel; the radius in units of the interface.
 void glyph(const Ui& ui, ImVec2 middle, float radius, Rgb color, MarkerShape shape);
 void quiet_text(const Ui& ui, std::string_view text, bool wrapped = false);
+/// In the present font over the width that is left, broken at blanks alone: never within "1.000".
+void wrapped_text(std::string_view text);
 /// Text cut with an ellipsis to a width.
 std::string fitted(std::string_view text, float width);
 /// A speed of the play head: "¼×", "64×", "auto", "max".

@@ -2,6 +2,7 @@
 #include "app/words.h"
 #include "panels/questions.h"
 #include "panels/widgets.h"
+#include "scene/annotation.h"
 #include "scene/reason_style.h"
 
 #include <algorithm>
@@ -35,6 +36,24 @@ void places(Ui& ui, const WorkMap& map, const char* which) {
   }
 }
 
+/// What the colours of the cells stand for.
+void heat_legend(const Ui& ui, std::size_t most) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, high = ui.px(8), part = width / 3;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i + 1 < heat_stops.size(); ++i) {
+    const ImU32 a = to_u32(heat_stops[i]), b = to_u32(heat_stops[i + 1]);
+    const float x = at.x + part * static_cast<float>(i);
+    list.AddRectFilledMultiColor({x, at.y}, {x + part, at.y + high}, a, b, b, a);
+  }
+  const std::string end = grouped(most) + " in a cell";
+  const float extent = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, end.c_str()).x;
+  const float y = at.y + high + ui.px(2);
+  widgets::draw_text(list, ui.fonts.small, {at.x, y}, to_u32(ui.colors.quiet), "1");
+  widgets::draw_text(list, ui.fonts.small, {at.x + width - extent, y}, to_u32(ui.colors.quiet), end);
+  ImGui::Dummy({width, high + ui.px(4) + ui.fonts.small->FontSize});
+}
+
 void map_column(Ui& ui, const WorkAnswer& w) {
   head(ui, "Busiest places");
   constexpr std::array<const char*, 3> kinds{"insertions", "attempts", "rejections"};
@@ -42,6 +61,7 @@ void map_column(Ui& ui, const WorkAnswer& w) {
   if (widgets::segmented(ui, "kind", kinds, chosen))
     ui.model.investigation.work_kind = static_cast<WorkKind>(chosen);
   widgets::quiet_text(ui, grouped(w.map.total) + " in " + grouped(w.map.cells.size()) + " cells");
+  if (!w.map.cells.empty()) heat_legend(ui, w.map.cells.front().count);
   places(ui, w.map, "work");
 }
 

@@ -4,6 +4,7 @@
 #include "base/geometry.h"
 #include "scene/marker_shape.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -42,5 +43,8 @@ struct Annotation {
   std::vector<Cell> cells;
   bool empty() const { return lines.empty() && marks.empty() && faces.empty() && cells.empty(); }
 };
+
+/// The colours of heat 0 to 1, dark red to light yellow: brightness grows with the heat.
+constexpr std::array<std::uint32_t, 4> heat_stops{0x7A1F3D, 0xC8402F, 0xF08A24, 0xFFE27A};
 
 } // namespace isoscope

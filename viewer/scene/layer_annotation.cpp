@@ -26,20 +26,18 @@ glm::vec3 color_of(Tone tone, const SceneColors& c) {
   return c.accent;
 }
 
-/// From dark red to light yellow: brightness grows with the heat.
 glm::vec3 heat_color(float heat) {
-  constexpr std::array<std::uint32_t, 4> stops{0x7A1F3D, 0xC8402F, 0xF08A24, 0xFFE27A};
-  const float at = std::clamp(heat, 0.0f, 1.0f) * (stops.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+  const float at = std::clamp(heat, 0.0f, 1.0f) * (heat_stops.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(at), heat_stops.size() - 2);
   const float t = at - static_cast<float>(i);
-  return (1 - t) * rgb(stops[i]) + t * rgb(stops[i + 1]);
+  return (1 - t) * rgb(heat_stops[i]) + t * rgb(heat_stops[i + 1]);
 }
 
 void add_cell(const Annotation::Cell& cell, const SceneSpace& space, MeshBuilder& faces,
               std::vector<Marker>& marks) {
   const glm::vec3 middle = space.local(cell.center), color = heat_color(cell.heat);
   const auto half = static_cast<float>(0.5 * cell.size);
-  const Color8 tint = color8(color, 0.08f + 0.3f * cell.heat);
+  const Color8 tint = color8(color, 0.03f + 0.34f * cell.heat * cell.heat);
   for (int axis = 0; axis < 3; ++axis)
     for (const float side : {-1.0f, 1.0f}) {
       glm::vec3 n(0), u(0), v(0);

@@ -10,6 +10,28 @@ namespace isoscope {
 namespace {
 
 constexpr double arrow_pixels = 28; ///< of an enlarged move
+constexpr double facing = 0.3;      ///< cosine to the normal from which a surface is seen well
+
+/// Whether the segment meets the triangle well inside both: not where it starts, on the surface itself.
+bool meets(Vec3 from, Vec3 way, const Triangle3& t) {
+  const Vec3 e1 = t[1] - t[0], e2 = t[2] - t[0], p = cross(way, e2);
+  const double det = dot(e1, p);
+  if (det == 0) return false;
+  const Vec3 s = from - t[0], q = cross(s, e1);
+  const double u = dot(s, p) / det, v = dot(way, q) / det, along = dot(e2, q) / det;
+  constexpr double start = 0.02;
+  return u >= 0 && v >= 0 && u + v <= 1 && along > start && along < 1;
+}
+
+bool hidden(const ZeroSet& zero, Vec3 place, Vec3 way) {
+  for (const ZeroSet::Polygon& p : zero.polygons)
+    for (std::uint8_t i = 2; i < p.count; ++i)
+      if (meets(place, way,
+                {zero.vertices[p.v[0]].position, zero.vertices[p.v[i - 1u]].position,
+                 zero.vertices[p.v[i]].position}))
+        return true;
+  return false;
+}
 
 } // namespace
 
@@ -69,6 +91,22 @@ Vec3 surface_normal(const StateSnapshot& state, const Pick& pick) {
       sum += cross(b - a, c - a);
     }
   return normalized(sum);
+}
+
+Vec3 unhidden_direction(const ZeroSet& zero, Vec3 place, Vec3 now, Vec3 normal, double reach) {
+  const auto sees = [&](Vec3 d) { return dot(d, normal) >= facing && !hidden(zero, place, reach * d); };
+  if (sees(now)) return now;
+  if (sees(normal)) return normal;
+  std::vector<Vec3> others;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (x != 0 || y != 0 || z != 0) others.push_back(normalized(Vec3{double(x), double(y), double(z)}));
+  const auto good = [&](Vec3 d) { return dot(d, now) + dot(d, normal); };
+  std::stable_sort(others.begin(), others.end(), [&](Vec3 a, Vec3 b) { return good(a) > good(b); });
+  for (const Vec3& d : others)
+    if (sees(d)) return d;
+  return dot(now, normal) < facing ? normal : now;
 }
 
 double move_scale(const StateSnapshot& state, double pixels_per_unit) {
