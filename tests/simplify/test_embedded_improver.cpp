@@ -63,9 +63,9 @@ TEST_CASE("inside T every operation leaves T valid and Z certified, and undoes w
       if (e.kind == EventKind::relaxation || e.kind == EventKind::repair)
         CHECK(e.value <= s.bench.volume->thresholds().delta);
       const Complex after = state;
-      state.undo(*operations[k - 1].delta);
+      state.undo(operations[k - 1].delta());
       Complex again = state;
-      again.apply(*operations[k - 1].delta);
+      again.apply(operations[k - 1].delta());
       CHECK(again == after);
     }
     Simplified before(model, {.percent = percent}, inside_t(Stage::all));
