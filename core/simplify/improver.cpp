@@ -13,6 +13,8 @@ constexpr int most_rounds = 20;
 constexpr std::size_t worthwhile = 200;
 /// In δ: up to here edges are collapsed to cheaply placed targets.
 constexpr double thinning_limit = 0.5;
+/// In δ, on the cost of collapses with repair that fold a facet.
+constexpr double folded_surcharge = 0.5;
 
 /// One level of collapse with repair.
 struct RepairLevel {
@@ -47,7 +49,8 @@ class Improver {
     rules.input = &input_;
     const double delta = volume.thresholds().delta;
     if (options_.preserve_normals && samples != nullptr)
-      rules.orientation = OrientationTester{samples, options_.shrink, orientation_reach * delta, &volume.index(), delta};
+      rules.orientation =
+          OrientationTester{samples, options_.shrink, orientation_reach * delta, &volume.index(), delta};
     for (const Witness& w : volume.witnesses()) rules.witnesses.push_back(w.point);
     return rules;
   }
@@ -113,7 +116,8 @@ class Improver {
     options.cost_limit = level.excess * input_.delta();
     options.rings = level.rings;
     options.repair.sweeps = level.sweeps;
-    options.placement = {false, 2};
+    // Flips may unfold what a collapse folds.
+    options.placement = {true, 2, folded_surcharge};
     FailedEdges failed;
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       const std::size_t collapsed = round(options, failed);

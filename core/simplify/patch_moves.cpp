@@ -11,7 +11,6 @@ namespace {
 constexpr double least_gain = 0.995;     ///< of a relocation: new energy over old
 constexpr double least_flip_gain = 0.98; ///< of a flip
 constexpr double flip_from = 0.7;        ///< flips are tried where the largest d exceeds this share of δ
-constexpr double folded_surcharge = 3;   ///< δ, on the cost of a collapse that folds a facet
 
 void store(FacetComplex& complex, std::span<const Wedge> wedges, const Placement& placement) {
   for (std::size_t i = 0; i < wedges.size(); ++i) {
@@ -22,6 +21,22 @@ void store(FacetComplex& complex, std::span<const Wedge> wedges, const Placement
     f.seed = placement.seeds[i];
     f.proven = false;
   }
+}
+
+/// What failed checks have added to a facet goes to that of the flip's new facets onto which it projects.
+void carry_samples(const FacetComplex& complex, const Facet& from, const std::array<Triangle3, 2>& to,
+                   FlipPlan& plan) {
+  const auto place = [&](Vec3 p) {
+    std::array<Barycentric, 2> w{weights_of(p, to[0]), weights_of(p, to[1])};
+    const auto least = [&](std::size_t i) { return std::min({w[i][0], w[i][1], w[i][2]}); };
+    const std::size_t i = least(0) >= least(1) ? 0 : 1;
+    return std::pair(least(i) >= 0 ? i : 2, w[i]);
+  };
+  const Triangle3 t = complex.triangle(from);
+  for (const Barycentric& e : from.extra)
+    if (const auto [i, w] = place(at(e, t)); i < 2) plan.extra[i].push_back(w);
+  for (const SideSample& side : from.sides)
+    if (const std::size_t i = place(side.point).first; i < 2) plan.sides[i].push_back(side);
 }
 
 } // namespace
@@ -45,7 +60,8 @@ std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, c
     best = evaluator.evaluate(best.point);
   }
   evaluator.improve(best, effort.rounds, kernel);
-  return CollapseCandidate{best.point, best.largest + (best.folded ? folded_surcharge * input.delta() : 0)};
+  return CollapseCandidate{best.point,
+                           best.largest + (best.folded ? effort.folded_surcharge * input.delta() : 0)};
 }
 
 void collapse_to(const InputSurface& input, SurfacePatch& patch, std::uint32_t a, std::uint32_t b,
@@ -88,19 +104,27 @@ bool relocate(const InputSurface& input, SurfacePatch& patch, std::uint32_t v, i
 std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
                                   std::size_t k) {
   const Facet& first = complex.facets[f];
-  FlipPlan plan{f, Facet::none, first.v[k], first.v[(k + 1) % 3], first.v[(k + 2) % 3], 0, {}, {}};
+  FlipPlan plan;
+  plan.f = f;
+  plan.a = first.v[k];
+  plan.b = first.v[(k + 1) % 3];
+  plan.c = first.v[(k + 2) % 3];
   plan.g = complex.facet_left_of(plan.b, plan.a);
   if (plan.g == Facet::none) return std::nullopt;
   const Facet& second = complex.facets[plan.g];
-  if (std::max(first.largest, second.largest) < flip_from * input.delta()) return std::nullopt;
+  if (!first.folded && !second.folded && std::max(first.largest, second.largest) < flip_from * input.delta())
+    return std::nullopt;
   plan.d = second.v[(second.corner(plan.a) + 1) % 3];
   const double allowed = least_flip_gain * (first.energy + second.energy);
   const auto& p = complex.points;
   plan.seeds = {first.seed, first.seed};
-  plan.quality[0] = measure_facet(input, {p[plan.a], p[plan.d], p[plan.c]}, {}, {}, plan.seeds[0]);
+  const std::array<Triangle3, 2> after{Triangle3{p[plan.a], p[plan.d], p[plan.c]},
+                                       Triangle3{p[plan.d], p[plan.b], p[plan.c]}};
+  for (const Facet* facet : {&first, &second}) carry_samples(complex, *facet, after, plan);
+  plan.quality[0] = measure_facet(input, after[0], plan.extra[0], plan.sides[0], plan.seeds[0]);
   if (plan.quality[0].folded || plan.quality[0].energy > allowed) return std::nullopt;
   plan.seeds[1] = plan.seeds[0];
-  plan.quality[1] = measure_facet(input, {p[plan.d], p[plan.b], p[plan.c]}, {}, {}, plan.seeds[1]);
+  plan.quality[1] = measure_facet(input, after[1], plan.extra[1], plan.sides[1], plan.seeds[1]);
   if (plan.quality[1].folded || plan.quality[0].energy + plan.quality[1].energy > allowed)
     return std::nullopt;
   return plan;
@@ -116,6 +140,8 @@ void apply_flip(FacetComplex& complex, const FlipPlan& plan) {
     facet.largest = plan.quality[i].largest;
     facet.folded = plan.quality[i].folded;
     facet.seed = plan.seeds[i];
+    facet.extra = plan.extra[i];
+    facet.sides = plan.sides[i];
   }
 }
 

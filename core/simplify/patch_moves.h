@@ -11,13 +11,14 @@ namespace isoscope {
 /// Where the merged vertex of an edge should lie and what its star would be like.
 struct CollapseCandidate {
   Vec3 target;
-  double cost = 0; ///< largest sampled d of the star; 3 δ more when a facet would be folded
+  double cost = 0; ///< largest sampled d of the star; more when a facet would be folded
 };
 
 /// How much work goes into a target.
 struct PlacementEffort {
   bool three_starts = true; ///< the best of the midpoint and both ends, or the midpoint alone
   int rounds = 4;
+  double folded_surcharge = 3; ///< δ, on the cost where a facet would be folded
 };
 
 /// Places the merged vertex of ab, within the kernel if one is given; nothing where the link condition fails.
@@ -35,15 +36,17 @@ bool relocate(const InputSurface& input, SurfacePatch& patch, std::uint32_t v, i
 
 /// Two facets abc and bad that become adc and dbc.
 struct FlipPlan {
-  std::uint32_t f, g;
-  std::uint32_t a, b, c, d;
+  std::uint32_t f = Facet::none, g = Facet::none;
+  std::uint32_t a = 0, b = 0, c = 0, d = 0;
   std::array<FacetQuality, 2> quality;
+  std::array<std::vector<Barycentric>, 2> extra; ///< where certificates of f and g failed, on the new facets
+  std::array<std::vector<SideSample>, 2> sides;
   std::array<TriangleId, 2> seeds;
 };
 
 /// Whether flipping the edge of f from its k-th to its next corner lowers the energy; asked only where a
-/// facet comes near the limit. Connectivity is the caller's: c and d must not be joined, a and b must keep
-/// three facets.
+/// facet comes near the limit or is folded. Connectivity is the caller's: c and d must not be joined, a and b
+/// must keep three facets.
 std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
                                   std::size_t k);
 void apply_flip(FacetComplex& complex, const FlipPlan& plan);

@@ -27,6 +27,7 @@ SurfacePatch take(const FacetComplex& surface, std::vector<std::uint32_t> slots,
     for (std::uint32_t& v : facet.v) v = patch.local_vertex(v);
     patch.start_facets.push_back(facet.v);
     patch.start_misoriented += facet.misoriented;
+    patch.start_folded += facet.folded ? 1u : 0u;
     patch.complex.facets.push_back(std::move(facet));
   }
   patch.complex.build_stars();

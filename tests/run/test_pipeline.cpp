@@ -21,7 +21,7 @@ using namespace isoscope::test;
 namespace {
 
 constexpr std::string_view golden_model = "sphere";
-constexpr std::uint64_t golden_digest = 0x8dd74ad801252d33;
+constexpr std::uint64_t golden_digest = 0xe715be2af36ee2cd;
 
 } // namespace
 
