@@ -14,10 +14,11 @@ namespace fs = std::filesystem;
 const fs::path results = ISOSCOPE_RESULTS;
 
 /// A run that outlasts the session, which ends it: δ is small, so that there is much to simplify.
-const std::string long_run = "gallery:knot --tolerance 0.7% --sigma 0.95 --effort 3 --paused";
+const std::string long_run = "gallery:knot --tolerance 1.5% --sigma 0.95 --effort 3 --paused";
 
 /// Lets the run go on from where it held, with thousands of events to look at already.
 const std::string begin_gamma_live = R"(
+wait settled
 break stage_begin && stage == gamma
 key F5
 wait settled
@@ -42,13 +43,13 @@ TEST_CASE("the play head goes to and fro while the run goes on and is recorded")
   fs::create_directories(results);
   fs::remove(file);
   std::string scrubs;
-  for (const int step : {10, 700, 350, 0, 1200, 5, 900})
+  for (const int step : {10, 700, 350, 0, 800, 5, 600})
     scrubs += "seek " + std::to_string(step) +
               "\nwait answers\nexpect state_step == " + std::to_string(step) + "\n";
   REQUIRE(run_window("scrub", "record " + file + begin_gamma_live + scrubs + R"(
 back 3
 wait answers
-expect state_step == 897
+expect state_step == 597
 play
 hands 0.4
 play
@@ -134,8 +135,7 @@ clip-next
 set layer.samples off
 hands 0.1
 undo
-undo
-redo
+hands 0.1
 work
 wait answers
 topology
