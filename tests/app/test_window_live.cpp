@@ -16,10 +16,11 @@ const fs::path results = ISOSCOPE_RESULTS;
 /// A run that outlasts the session, which ends it: δ is small, so that there is much to simplify.
 const std::string long_run = "gallery:knot --tolerance 1.5% --sigma 0.95 --effort 3 --paused";
 
-/// Lets the run go on from where it held, with thousands of events to look at already.
+/// Lets the run go on from where it held: there are collapses and rejections to look at already.
 const std::string begin_gamma_live = R"(
 wait settled
-break stage_begin && stage == gamma
+break collapse && stage == gamma
+breakpoint 1 ignore 30
 key F5
 wait settled
 expect phase == paused and hit.id == 1
@@ -143,17 +144,15 @@ wait answers
 check
 wait answers
 tab breakpoints
-break reject && reason == outside_tolerance
+break insertion && stage == improve
 hands 0.2
-breakpoint 1 off
-hold
-hands 0.2
+breakpoint 2 off
 end
 )" + stop_run + "quit\n",
                      long_run) == 0);
 }
 
-TEST_CASE("a run is branched and restarted while it goes on") {
+TEST_CASE("a run is restarted and replaced while it goes on") {
   CHECK(run_window("restarts", begin_gamma_live + R"(
 first
 next-event collapse && stage == gamma
@@ -161,11 +160,6 @@ wait answers
 expect xray.verdict == possible
 what-if optimum
 wait answers
-do-it
-hands 0.3
-other-run
-hands 0.2
-other-run
 restart
 hands 0.3
 open gallery:sphere
