@@ -65,7 +65,7 @@ range 0 0
 wait settled
 expect history.shown < history.rows
 tab timeline
-click 600 663
+click 640 663
 expect range.begin == none
 quit
 )",
