@@ -21,7 +21,7 @@ using namespace isoscope::test;
 namespace {
 
 constexpr std::string_view golden_model = "sphere";
-constexpr std::uint64_t golden_digest = 0x3de0a5486862b0fd;
+constexpr std::uint64_t golden_digest = 0x29454b9a1e16d00f;
 
 } // namespace
 
