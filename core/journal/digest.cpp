@@ -125,6 +125,14 @@ std::uint64_t digest(const Complex& complex) {
   return d.value();
 }
 
+std::uint64_t digest(const Delta& delta) {
+  Digest d;
+  d.add(delta);
+  d.add(delta.slots_before);
+  d.add(delta.facet_slots_before);
+  return d.value();
+}
+
 std::string digest_text(std::uint64_t digest) {
   char text[24];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(digest));

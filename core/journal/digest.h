@@ -41,6 +41,8 @@ class Digest {
 
 /// Of the whole state, dead slots included.
 std::uint64_t digest(const Complex& complex);
+/// Of all that it changes, with the counts of slots before it.
+std::uint64_t digest(const Delta& delta);
 /// Sixteen hexadecimal digits.
 std::string digest_text(std::uint64_t digest);
 

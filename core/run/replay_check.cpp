@@ -18,14 +18,6 @@ namespace {
 /// States of up to so many tetrahedra and vertices are compared after every operation.
 constexpr std::size_t small_state = 5000;
 
-std::uint64_t digest_of(const Delta& delta) {
-  Digest d;
-  d.add(delta);
-  d.add(delta.slots_before);
-  d.add(delta.facet_slots_before);
-  return d.value();
-}
-
 std::uint64_t digest_of(const Event& event) {
   Digest d;
   d.add(event);
@@ -122,7 +114,7 @@ class ComparingGate : public Gate {
     if (was.kind == EventKind::parameter_change) ++changes_;
     if (was.operation) {
       const Operation &a = recorded_->operations()[was.step], &b = journal.operations()[is.step];
-      if (digest_of(a.delta()) != digest_of(b.delta())) return differ(journal, "what it changed");
+      if (digest(a.delta()) != digest(b.delta())) return differ(journal, "what it changed");
       if (!same_figures(a.figures, b.figures)) return differ(journal, "the figures after it");
       if (const auto set = a.delta().sample_set;
           set && !same_samples(*recorded_->sample_sets()[set->after], *journal.sample_sets()[set->after]))

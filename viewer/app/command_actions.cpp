@@ -2,6 +2,7 @@
 #include "app/command_actions.h"
 
 #include "app/named_values.h"
+#include "app/usage.h"
 #include "app/view_state.h"
 #include "app/words.h"
 #include "input/mesh_io.h"
@@ -19,12 +20,6 @@
 
 namespace isoscope::actions {
 namespace {
-
-Error usage(const std::string& name, const std::string& what) {
-  const Command* command = find_command(name);
-  const std::string form = command ? name + " " + std::string(command->usage) : name;
-  return {ErrorCode::usage, what, "It is used so: " + form};
-}
 
 /// The first argument as a count >= 1, or 1.
 Result<long> count_of(const std::string& name, const Arguments& a) {

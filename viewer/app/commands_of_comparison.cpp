@@ -3,6 +3,7 @@
 
 #include "app/debug_actions.h"
 #include "app/icons.h"
+#include "app/usage.h"
 
 #include <GLFW/glfw3.h>
 
@@ -13,10 +14,6 @@ namespace {
 
 using M = AppModel;
 using A = Arguments;
-
-Error usage(const std::string& what) {
-  return {ErrorCode::usage, what, ""};
-}
 
 bool has_other(const M& m) {
   return m.comparison.other() != nullptr;

@@ -3,6 +3,7 @@
 #include "app/command_groups.h"
 #include "app/icons.h"
 #include "app/named_values.h"
+#include "app/usage.h"
 #include "app/words.h"
 
 #include <GLFW/glfw3.h>
@@ -19,10 +20,6 @@ namespace {
 
 using A = Arguments;
 using M = AppModel;
-
-Error usage(const std::string& name, const std::string& what) {
-  return {ErrorCode::usage, what, "It is used so: " + name + " " + std::string(find_command(name)->usage)};
-}
 
 /// What the words of a call say, whatever their order; the rest is told by its place.
 struct Words {

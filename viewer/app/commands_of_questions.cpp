@@ -1,6 +1,7 @@
 // Commands that ask about the selected element, the work done, the topology and the validity of a step.
 #include "app/command_groups.h"
 #include "app/icons.h"
+#include "app/usage.h"
 
 #include <algorithm>
 
@@ -9,10 +10,6 @@ namespace {
 
 using M = AppModel;
 using A = Arguments;
-
-Error usage(const std::string& what) {
-  return {ErrorCode::usage, what, ""};
-}
 
 bool has_state(const M& m) {
   return m.state() != nullptr;

@@ -3,16 +3,13 @@
 
 #include "app/named_values.h"
 #include "app/suggested_breaks.h"
+#include "app/usage.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace isoscope {
 namespace {
-
-Error usage(const std::string& name, const std::string& what) {
-  return {ErrorCode::usage, what, "It is used so: " + name + " " + std::string(find_command(name)->usage)};
-}
 
 std::string joined(const Arguments& a) {
   std::string text;

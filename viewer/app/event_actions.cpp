@@ -1,6 +1,7 @@
 // Commands on the events of the journal: going to them, filtering them, showing their witnesses.
 #include "app/debug_actions.h"
 #include "app/named_values.h"
+#include "app/usage.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,10 +9,6 @@
 namespace isoscope {
 namespace actions {
 namespace {
-
-Error usage(const std::string& name, const std::string& what) {
-  return {ErrorCode::usage, what, "It is used so: " + name + " " + std::string(find_command(name)->usage)};
-}
 
 /// The condition that the words of a command make.
 Result<std::shared_ptr<const Expression>> condition_of(const Arguments& a) {

@@ -1,13 +1,10 @@
 // What commands do that are made for scripts: values, expectations, waiting, mouse and keys.
 #include "app/command_actions.h"
 #include "app/named_values.h"
+#include "app/usage.h"
 
 namespace isoscope::actions {
 namespace {
-
-Error usage(const std::string& name, const std::string& what) {
-  return {ErrorCode::usage, what, "It is used so: " + name + " " + std::string(find_command(name)->usage)};
-}
 
 /// The first `count` arguments as numbers.
 Result<std::vector<float>> numbers(const std::string& name, const Arguments& a, std::size_t count) {

@@ -1,6 +1,7 @@
 // What the commands on bookmarks, undo and the presenter mode do.
 #include "app/command_actions.h"
 #include "app/named_values.h"
+#include "app/usage.h"
 #include "app/words.h"
 
 #include <algorithm>
@@ -8,10 +9,6 @@
 
 namespace isoscope::actions {
 namespace {
-
-Error usage(const std::string& name, const std::string& what) {
-  return {ErrorCode::usage, what, "It is used so: " + name + " " + std::string(find_command(name)->usage)};
-}
 
 std::string joined(const Arguments& a, std::size_t from) {
   std::string text;
