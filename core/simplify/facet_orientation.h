@@ -9,8 +9,9 @@
 
 namespace isoscope {
 
-/// What facets are tested against. Samples lie at δ', a little inside of ∂Ω; facets may come as far as δ, so
-/// each test asks for the point of ∂Ω beyond its sample.
+/// What facets are tested against. The test is about the points of ∂Ω nearest to the shrunk copy. Samples
+/// stand for them, up to σ beside and a little inside of ∂Ω; where a sample fails, the way from it to the
+/// nearest point of ∂Ω is gone, and that point decides.
 struct OrientationTester {
   const NearestSample* samples = nullptr;
   double shrink = 0.7; ///< size of the copy about the centroid
@@ -23,7 +24,10 @@ struct OrientationTester {
   std::vector<SideSample> failures(const Triangle3& facet) const;
 
  private:
-  Vec3 on_boundary(Vec3 sample) const;
+  /// The point with d = δ on the ray from the input through x; x near ∂Ω.
+  Vec3 on_boundary(Vec3 x) const;
+  /// The point of ∂Ω to which sliding from the sample towards x leads.
+  Vec3 nearest_on_boundary(Vec3 x, Vec3 sample) const;
 };
 
 } // namespace isoscope
