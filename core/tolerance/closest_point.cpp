@@ -4,6 +4,7 @@
 #include "tolerance/bvh_builder.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace isoscope {
@@ -20,10 +21,30 @@ constexpr float float_slack = 4 * std::numeric_limits<float>::epsilon();
 /// planes whose normal is exact to less than a tenth of this.
 constexpr double plane_rounding = 1e-12;
 
-struct Pending {
-  float bound; ///< lower bound of the squared distance, in the normalised frame
-  std::uint32_t child;
-  std::uint8_t count;
+/// Children that wait in a search, the one with the smallest bound on top of those pushed together. Entries
+/// are single words: bounds are not negative, so that their bits have their order.
+class WaitingChildren {
+ public:
+  bool empty() const { return top_ == 0; }
+  /// Where the children of another node begin.
+  void begin_node() { first_ = top_; }
+  /// `bound`: of the squared distance, in the normalised frame.
+  void push(float bound, std::uint32_t child, std::uint8_t count) {
+    const std::uint64_t key = std::uint64_t{std::bit_cast<std::uint32_t>(bound)} << 32 | child;
+    std::size_t at = top_++;
+    for (; at > first_ && keys_[at - 1] < key; --at) keys_[at] = keys_[at - 1], counts_[at] = counts_[at - 1];
+    keys_[at] = key;
+    counts_[at] = count;
+  }
+  void pop() { --top_; }
+  float bound() const { return std::bit_cast<float>(static_cast<std::uint32_t>(keys_[top_ - 1] >> 32)); }
+  std::uint32_t child() const { return static_cast<std::uint32_t>(keys_[top_ - 1]); }
+  std::uint32_t count() const { return counts_[top_ - 1]; }
+
+ private:
+  std::uint64_t keys_[stack_size];
+  std::uint32_t counts_[stack_size];
+  std::size_t top_ = 0, first_ = 0;
 };
 
 /// Four floats that the compiler keeps in one register: branches for each of them cost more than the sums.
@@ -85,6 +106,8 @@ ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared
     reach = std::max(reach, std::abs(q[a]));
   }
   const float slack = float_slack * reach;
+  const float from_below[3] = {q[0] + slack, q[1] + slack, q[2] + slack};
+  const float from_above[3] = {q[0] - slack, q[1] - slack, q[2] - slack};
   const double plane_slack =
       plane_rounding * (largest_coordinate_ + std::abs(p.x) + std::abs(p.y) + std::abs(p.z));
   const double to_frame = inverse_scale_ * inverse_scale_;
@@ -93,14 +116,15 @@ ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared
   };
   float limit = frame_bound(best.squared_distance);
 
-  Pending stack[stack_size];
-  std::size_t top = 0;
-  stack[top++] = {0, 0, 0};
-  while (top > 0) {
-    const Pending next = stack[--top];
-    if (next.bound > limit) continue;
-    if (next.count > 0) {
-      for (std::uint32_t slot = next.child; slot < next.child + next.count; ++slot) {
+  WaitingChildren waiting;
+  waiting.push(0, 0, 0);
+  while (!waiting.empty()) {
+    const float next_bound = waiting.bound();
+    const std::uint32_t child = waiting.child(), count = waiting.count();
+    waiting.pop();
+    if (next_bound > limit) continue;
+    if (count > 0) {
+      for (std::uint32_t slot = child; slot < child + count; ++slot) {
         const double height = std::abs(dot(planes_[slot].normal, p) - planes_[slot].offset) - plane_slack;
         if (height > 0 && height * height > best.squared_distance) continue;
         const Vec3 c = closest_point_on_triangle(p, triangles_[slot]);
@@ -112,21 +136,17 @@ ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared
       limit = frame_bound(best.squared_distance);
       continue;
     }
-    const Node& n = nodes_[next.child];
+    const Node& n = nodes_[child];
     Lanes bound{};
     for (unsigned a = 0; a < 3; ++a) {
-      const Lanes below = lanes(n.lo[a]) - q[a], above = q[a] - lanes(n.hi[a]);
-      Lanes d = (below > above ? below : above) - slack;
-      d = d > 0 ? d : Lanes{};
+      const Lanes below = lanes(n.lo[a]) - from_below[a], above = from_above[a] - lanes(n.hi[a]);
+      Lanes d = below > 0 ? below : Lanes{};
+      d = above > d ? above : d;
       bound += d * d;
     }
-    const std::size_t first = top;
-    for (unsigned k = 0; k < width; ++k) {
-      if (n.count[k] == empty_child || bound[k] > limit) continue;
-      std::size_t at = top++;
-      for (; at > first && stack[at - 1].bound < bound[k]; --at) stack[at] = stack[at - 1];
-      stack[at] = {bound[k], n.child[k], n.count[k]};
-    }
+    waiting.begin_node();
+    for (unsigned k = 0; k < width; ++k)
+      if (bound[k] <= limit && n.count[k] != empty_child) waiting.push(bound[k], n.child[k], n.count[k]);
   }
   return best;
 }
