@@ -9,8 +9,8 @@ namespace {
 
 constexpr int sweeps_after_round = 2;
 constexpr int most_rounds = 20;
-/// A round of repairs that takes fewer than one vertex in this many is the last of its level.
-constexpr std::size_t worthwhile = 200;
+/// A round that takes fewer than one vertex in this many is the last of its level.
+constexpr std::size_t worthwhile = 100;
 /// In δ: up to here edges are collapsed to cheaply placed targets.
 constexpr double thinning_limit = 0.5;
 /// In δ, on the cost of collapses with repair that fold a facet.
@@ -33,7 +33,7 @@ class Improver {
 
   ImproverOutcome run() {
     shrink_greedily();
-    if (options_.effort >= 2) repair({2, 14, 1.8});
+    if (options_.effort >= 2) repair({2, 14, 1.5});
     if (options_.effort >= 3) {
       repair({3, 18, 1.4});
       repair({3, 18, 2});
@@ -94,6 +94,8 @@ class Improver {
     if (room_->embedding.clock() > before) surface_.room_changed(room_->embedding.changed_since(before));
   }
 
+  bool is_worthwhile(std::size_t collapsed) const { return collapsed * worthwhile > surface_.vertex_count(); }
+
   void shrink_greedily() {
     CollapseRoundOptions options;
     FailedEdges failed;
@@ -106,8 +108,9 @@ class Improver {
     failed.clear();
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       const std::size_t collapsed = round(options, failed);
-      if (options_.effort == 0 || (r > 0 && collapsed == 0)) return;
+      if (options_.effort == 0) return;
       relax_all();
+      if (r > 0 && !is_worthwhile(collapsed)) return;
     }
   }
 
@@ -122,7 +125,7 @@ class Improver {
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       const std::size_t collapsed = round(options, failed);
       relax_all();
-      if (collapsed * worthwhile <= surface_.vertex_count()) return;
+      if (!is_worthwhile(collapsed)) return;
     }
   }
 
