@@ -49,7 +49,8 @@ class Round {
 
   CollapseRoundFigures run() {
     push_all();
-    while (!queue_.empty() && !figures_.stopped && !control_.cancelled()) {
+    while (!queue_.empty() && figures_.attempts < options_.most_attempts && !figures_.stopped &&
+           !control_.cancelled()) {
       gather();
       parallel_for(attempts_.size(), 1, [&](std::size_t i) { evaluate(attempts_[i]); });
       for (const Attempt& attempt : attempts_)

@@ -5,6 +5,8 @@
 #include "simplify/collapse_queue.h"
 #include "simplify/live_surface.h"
 
+#include <limits>
+
 namespace isoscope {
 
 /// Hears of everything that is committed or rolled back.
@@ -18,7 +20,8 @@ class ImproverObserver {
 };
 
 struct CollapseRoundOptions {
-  double cost_limit = 0;     ///< edges are tried up to this cost, absolute
+  double cost_limit = 0; ///< edges are tried up to this cost, absolute
+  std::size_t most_attempts = std::numeric_limits<std::size_t>::max(); ///< after these no batch is begun
   int rings = 0;             ///< free vertices: this many edges from the edge's ends
   RepairOptions repair;      ///< repair.sweeps 0: without repair
   PlacementEffort placement; ///< of the targets

@@ -20,7 +20,12 @@ constexpr double folded_surcharge = 0.5;
 struct RepairLevel {
   int rings, sweeps;
   double excess; ///< cost limit in δ
+  std::array<double, 3> funnel = RepairOptions::impatient;
+  std::size_t most_attempts = std::numeric_limits<std::size_t>::max(); ///< in a round
 };
+/// Three edges a vertex: all edges of a surface of 350 vertices. On larger ones the time goes to the
+/// cheapest.
+constexpr std::size_t most_patient_attempts = 1000;
 
 class Improver {
  public:
@@ -33,7 +38,10 @@ class Improver {
 
   ImproverOutcome run() {
     shrink_greedily();
-    if (options_.effort >= 2) repair({2, 14, 1.5});
+    if (options_.effort >= 2) {
+      repair({2, 14, 1.5});
+      repair({2, 20, 2.5, RepairOptions::patient, most_patient_attempts});
+    }
     if (options_.effort >= 3) {
       repair({3, 18, 1.4});
       repair({3, 18, 2});
@@ -118,7 +126,9 @@ class Improver {
     CollapseRoundOptions options;
     options.cost_limit = level.excess * input_.delta();
     options.rings = level.rings;
+    options.most_attempts = level.most_attempts;
     options.repair.sweeps = level.sweeps;
+    options.repair.funnel = level.funnel;
     // Flips may unfold what a collapse folds.
     options.placement = {true, 2, folded_surcharge};
     FailedEdges failed;

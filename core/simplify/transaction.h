@@ -6,6 +6,7 @@
 #include "simplify/patch_moves.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 
 namespace isoscope {
@@ -24,6 +25,14 @@ struct SurfaceRules {
 struct RepairOptions {
   int sweeps = 0;       ///< of relocations and flips over the patch; 0: the merged vertex alone is relocated
   int certificates = 8; ///< rounds of certificates, each of which adds the violating points to the samples
+  /// What the largest d may be after two, three and four sweeps, as a share of what it has to come to.
+  std::array<double, 3> funnel = impatient;
+
+  /// Gives up most repairs that will fail, and a few that would succeed.
+  static constexpr std::array<double, 3> impatient{1.1, std::numeric_limits<double>::infinity(),
+                                                   std::numeric_limits<double>::infinity()};
+  /// Keeps those that begin far above and come down fast, as rings of vertices around a hole do.
+  static constexpr std::array<double, 3> patient{1.3, 1.13, 1.05};
 };
 
 /// The outcome for the patch: accepted, or the first reason against it with its figures.

@@ -21,7 +21,7 @@ using namespace isoscope::test;
 namespace {
 
 constexpr std::string_view golden_model = "sphere";
-constexpr std::uint64_t golden_digest = 0xc97c01bd56f729b8;
+constexpr std::uint64_t golden_digest = 0x7109c0b8730229e2;
 
 } // namespace
 

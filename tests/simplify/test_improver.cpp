@@ -1,6 +1,7 @@
 // Whole runs: valid results, fewer vertices with more effort, the same bits on any number of threads.
 #include "base/parallel.h"
 #include "input/gallery.h"
+#include "simplify/collapse_round.h"
 #include "simplify/support.h"
 #include "tolerance/boundary_sampler.h"
 #include "tolerance/shapes.h"
@@ -8,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -187,6 +189,32 @@ TEST_CASE("an input whose triangles run both ways is no obstacle") {
     if (turned == 0) straight = mesh.points.size();
     CHECK(mesh.points.size() <= straight + straight / 10 + 1);
   }
+}
+
+TEST_CASE("a round makes no more attempts than it may, to the rest of its batch, the cheapest first") {
+  const Start start(sphere(24), 4);
+  const InputSurface input(start.volume->index(), start.delta(), start.mesh);
+  SurfaceRules rules;
+  rules.input = &input;
+  std::size_t all = 0;
+  for (const std::size_t most : {std::numeric_limits<std::size_t>::max(), std::size_t{1}, std::size_t{40}}) {
+    LiveSurface surface(start.mesh, rules);
+    const std::size_t before = surface.vertex_count();
+    CollapseRoundOptions options;
+    options.cost_limit = rules.sampled_limit();
+    options.most_attempts = most;
+    FailedEdges failed;
+    Listener listener;
+    const CollapseRoundFigures figures =
+        collapse_round(surface, rules, options, failed, RunControl(), listener);
+    CHECK(figures.collapses == before - surface.vertex_count());
+    if (all == 0) all = figures.attempts;
+    if (most > all) continue;
+    CHECK(figures.attempts >= most);
+    CHECK(figures.attempts < most + 16);
+    CHECK(figures.collapses > 0);
+  }
+  REQUIRE(all > 56);
 }
 
 TEST_CASE("preserved normals cost little and leave no failed test of condition 3") {
