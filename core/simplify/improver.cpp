@@ -4,6 +4,9 @@
 #include "criteria/orientation.h"
 #include "simplify/relaxation.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace isoscope {
 namespace {
 
@@ -16,16 +19,18 @@ constexpr double thinning_limit = 0.5;
 /// In δ, on the cost of collapses with repair that fold a facet.
 constexpr double folded_surcharge = 0.5;
 
+constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
 /// One level of collapse with repair.
 struct RepairLevel {
   int rings, sweeps;
   double excess; ///< cost limit in δ
   std::array<double, 3> funnel = RepairOptions::impatient;
-  std::size_t most_attempts = std::numeric_limits<std::size_t>::max(); ///< in a round
+  std::size_t most_attempts = unlimited;
 };
-/// Three edges a vertex: all edges of a surface of 350 vertices. On larger ones the time goes to the
-/// cheapest.
-constexpr std::size_t most_patient_attempts = 1000;
+/// Bounds of the default effort: large surfaces spend them on their cheapest edges. The first lets a surface
+/// of some 2,000 vertices try all its edges, the second one of 500.
+constexpr std::size_t most_repairs = 6000, most_patient_repairs = 1500;
 
 class Improver {
  public:
@@ -39,8 +44,9 @@ class Improver {
   ImproverOutcome run() {
     shrink_greedily();
     if (options_.effort >= 2) {
-      repair({2, 14, 1.5});
-      repair({2, 20, 2.5, RepairOptions::patient, most_patient_attempts});
+      const bool bounded = options_.effort < 3;
+      repair({2, 14, 1.5, RepairOptions::impatient, bounded ? most_repairs : unlimited});
+      repair({2, 20, 2.5, RepairOptions::patient, bounded ? most_patient_repairs : unlimited});
     }
     if (options_.effort >= 3) {
       repair({3, 18, 1.4});
@@ -126,13 +132,14 @@ class Improver {
     CollapseRoundOptions options;
     options.cost_limit = level.excess * input_.delta();
     options.rings = level.rings;
-    options.most_attempts = level.most_attempts;
     options.repair.sweeps = level.sweeps;
     options.repair.funnel = level.funnel;
     // Flips may unfold what a collapse folds.
     options.placement = {true, 2, folded_surcharge};
     FailedEdges failed;
+    const std::size_t before = outcome_.attempts;
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
+      options.most_attempts = level.most_attempts - std::min(level.most_attempts, outcome_.attempts - before);
       const std::size_t collapsed = round(options, failed);
       relax_all();
       if (!is_worthwhile(collapsed)) return;
