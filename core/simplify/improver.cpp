@@ -29,8 +29,8 @@ struct RepairLevel {
   std::size_t most_attempts = unlimited;
 };
 /// Bounds of the default effort: large surfaces spend them on their cheapest edges. The first lets a surface
-/// of some 2,000 vertices try all its edges, the second one of 500.
-constexpr std::size_t most_repairs = 6000, most_patient_repairs = 1500;
+/// of some 1,300 vertices try all its edges, the second one of 350.
+constexpr std::size_t most_repairs = 4000, most_patient_repairs = 1000;
 
 class Improver {
  public:

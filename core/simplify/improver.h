@@ -12,7 +12,7 @@ namespace isoscope {
 
 struct ImproverOptions {
   /// 0: greedy collapses to minimax targets; 1: with relaxation between rounds; 2: then collapses with repair
-  /// of the 2-ring, at most 7,500 tries; 3: as many as there are edges, then of the 3-ring and to a higher
+  /// of the 2-ring, at most 5,000 tries; 3: as many as there are edges, then of the 3-ring and to a higher
   /// excess.
   int effort = 2;
   bool preserve_normals = true; ///< condition 3 is preserved (§2.4); needs samples
