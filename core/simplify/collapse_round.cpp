@@ -48,7 +48,7 @@ class Round {
         observer_(observer), claims_(surface.complex().points.size()) {}
 
   CollapseRoundFigures run() {
-    push_all();
+    if (options_.most_attempts > 0) push_all();
     while (!queue_.empty() && figures_.attempts < options_.most_attempts && !figures_.stopped &&
            !control_.cancelled()) {
       gather();
