@@ -47,7 +47,8 @@ std::string ranking(const StageStatistics::ReasonCounts& counts) {
 
 std::string repairs(const StageStatistics& s) {
   if (s.relaxations + s.repairs + s.failed_repairs == 0) return {};
-  return "relaxation sweeps " + grouped(s.relaxations) + ", made " + grouped(s.repairs) + " in " +
+  const std::string shaken = s.shakes > 0 ? ", shaken " + grouped(s.shakes) + " times" : "";
+  return "relaxation sweeps " + grouped(s.relaxations) + shaken + ", made " + grouped(s.repairs) + " in " +
          grouped(s.repair_sweeps) + " sweeps, rolled back " + grouped(s.failed_repairs) + " in " +
          grouped(s.failed_repair_sweeps) + " sweeps";
 }

@@ -235,6 +235,10 @@ std::string describe(const Journal& journal, const Event& e) {
     sentence = std::to_string(e.count) +
                " vertices relocated in a sweep over Z, largest d = " + in_delta(e.value, criteria.delta);
     break;
+  case EventKind::shake:
+    sentence = "Z shaken: edges flipped against the energy and " + std::to_string(e.count) +
+               " vertices relocated around them, largest d = " + in_delta(e.value, criteria.delta);
+    break;
   case EventKind::repair:
     sentence = edge_words(e) + " collapses, repaired in " +
                std::to_string(e.detail < journal.repairs().size() ? journal.repairs()[e.detail].size() : 0) +

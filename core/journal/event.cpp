@@ -23,9 +23,9 @@ std::string_view name(Stage stage) {
 
 std::string_view name(EventKind kind) {
   static constexpr std::array<std::string_view, event_kind_count> names{
-      "stage-begin",    "stage-end",        "insertion", "relabel",    "exhausted",
-      "topology-check", "parameter-change", "warning",   "stopped",    "collapse",
-      "rejection",      "tessellation",     "departure", "relaxation", "repair"};
+      "stage-begin",      "stage-end",  "insertion", "relabel",  "exhausted", "topology-check",
+      "parameter-change", "warning",    "stopped",   "collapse", "rejection", "tessellation",
+      "departure",        "relaxation", "repair",    "shake"};
   return name_of(names, kind);
 }
 

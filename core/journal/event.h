@@ -39,9 +39,10 @@ enum class EventKind : std::uint8_t {
   tessellation,     ///< Z went into T (an operation)
   departure,        ///< Z left T: its facets are free from here on (an operation)
   relaxation,       ///< a sweep of relocations and flips over Z (an operation)
-  repair            ///< an edge was collapsed and its neighbourhood repaired (an operation)
+  repair,           ///< an edge was collapsed and its neighbourhood repaired (an operation)
+  shake             ///< edges of Z were flipped against the energy, with repair (an operation)
 };
-constexpr int event_kind_count = 15;
+constexpr int event_kind_count = 16;
 
 /// Which criterion asked for it (§2.3).
 enum class Condition : std::uint8_t {
@@ -102,7 +103,7 @@ constexpr Reason last_rejection = Reason::stays_above;
 /// A fixed-size record; numbers mean what `condition` says (ε against 1 − α, height against 2σ/α, d against δ
 /// ...). For collapses: `vertex` stays, `other` goes, `point` is the target, `value` the error of the order
 /// (squared length), `count` the candidates that were judged. For rejections: `value` against `limit` as
-/// `reason` says, at `witness`. For relaxations and repairs: `value` is the largest d over the facets they
+/// `reason` says, at `witness`. For relaxations, repairs and shakes: `value` is the largest d over the facets they
 /// touched, `limit` δ, `count` the vertices moved.
 struct Event {
   EventKind kind = EventKind::warning;

@@ -169,6 +169,9 @@ std::string plain_words(const Journal& journal, const Event& e) {
     text = counted(e.count, "vertex moves", "vertices move") +
            " to better places, farthest d = " + lengths(e.value, criteria.delta);
     break;
+  case EventKind::shake:
+    text = "edges of Z are turned to make room for further collapses";
+    break;
   case EventKind::repair:
     text = "an edge collapses and its neighbours are moved back into the tolerance";
     break;

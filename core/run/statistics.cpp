@@ -48,6 +48,9 @@ void count(const Journal& journal, const Event& e, StageStatistics& s) {
   case EventKind::relaxation:
     ++s.relaxations;
     break;
+  case EventKind::shake:
+    ++s.shakes;
+    break;
   case EventKind::rejection:
     ++s.rejected[reason];
     if (e.detail == 0) break;

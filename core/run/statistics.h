@@ -22,6 +22,7 @@ struct StageStatistics {
   std::size_t failed_repairs = 0;                        ///< rolled back: among `rejected`
   std::size_t failed_repair_sweeps = 0;                  ///< inside those
   std::size_t relaxations = 0;                           ///< sweeps over the whole of Z
+  std::size_t shakes = 0;                                ///< passes of flips against the energy
   ReasonCounts found{};    ///< collapses, with repair or without, by how their target was found
   ReasonCounts rejected{}; ///< edges not collapsed, and exhausted tetrahedra, by reason; the same one may
                            ///< come again

@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "simplify/patch_claims.h"
 
 #include <algorithm>
 #include <queue>
@@ -61,15 +62,10 @@ class Round {
   }
 
  private:
-  struct Claim {
-    std::uint32_t write = 0, read = 0; ///< number of the batch that holds the vertex
-  };
-
   const FacetComplex& complex() const { return surface_.complex(); }
   void push_all();
   void push(std::vector<Edge>& edges);
   void gather();
-  bool claim(const SurfacePatch& patch);
   bool is_current(const Entry& e) const {
     return e.stamp >= std::max(surface_.stamp(e.a), surface_.stamp(e.b));
   }
@@ -88,8 +84,7 @@ class Round {
   std::priority_queue<Entry> queue_;
   std::vector<Attempt> attempts_;
   std::vector<Edge> stale_; ///< edges whose cost has to be computed before the next batch
-  std::vector<Claim> claims_;
-  std::uint32_t batch_ = 0;
+  PatchClaims claims_;
   CollapseRoundFigures figures_;
 };
 
@@ -140,27 +135,9 @@ bool Round::failed_before(std::uint32_t a, std::uint32_t b) const {
   return true;
 }
 
-bool Round::claim(const SurfacePatch& patch) {
-  std::span<const std::uint32_t> looked_at;
-  if (patch.in_t) looked_at = patch.in_t->looked_at;
-  for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
-    const Claim& c = claims_[patch.vertices[i]];
-    if (c.write == batch_ || (patch.free[i] && c.read == batch_)) return false;
-  }
-  for (const std::uint32_t v : looked_at)
-    if (claims_[v].write == batch_) return false;
-  for (const std::uint32_t v : looked_at) claims_[v].read = batch_;
-  for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
-    Claim& c = claims_[patch.vertices[i]];
-    c.read = batch_;
-    if (patch.free[i]) c.write = batch_;
-  }
-  return true;
-}
-
 void Round::gather() {
   attempts_.clear();
-  ++batch_;
+  claims_.begin_batch();
   const std::size_t size = std::clamp<std::size_t>(surface_.vertex_count() / 32, 1, most_batch);
   std::vector<Entry> aside;
   for (std::size_t looked = 0; looked < most_looked_at && !queue_.empty(); ++looked) {
@@ -174,12 +151,12 @@ void Round::gather() {
       continue;
     }
     if (failed_before(e.a, e.b)) continue;
-    if (claims_[e.a].read == batch_ || claims_[e.b].read == batch_) {
+    if (claims_.is_read(e.a) || claims_.is_read(e.b)) {
       aside.push_back(e);
       continue;
     }
     Attempt attempt{e, surface_.patch(vertices_around(complex(), {e.a, e.b}, options_.rings)), {}};
-    if (claim(attempt.patch)) {
+    if (claims_.claim(attempt.patch)) {
       attempts_.push_back(std::move(attempt));
     } else {
       aside.push_back(e);

@@ -3,6 +3,7 @@
 
 #include "criteria/orientation.h"
 #include "simplify/relaxation.h"
+#include "simplify/shake_round.h"
 
 #include <algorithm>
 #include <limits>
@@ -32,6 +33,28 @@ struct RepairLevel {
 /// of some 1,300 vertices try all its edges, the second one of 350.
 constexpr std::size_t most_repairs = 4000, most_patient_repairs = 1000;
 
+/// Flips against the energy, then collapses with repair of what has become cheap.
+struct ShakeLevel {
+  std::uint32_t most_passes;              ///< in all
+  std::uint32_t patience;                 ///< passes in a row without a collapse
+  std::size_t most_flips, most_collapses; ///< tries
+};
+constexpr ShakeLevel thorough_shakes{100, 10, unlimited, unlimited};
+
+/// Of the default effort. A pass takes time in proportion to the vertices, which larger surfaces do not have:
+/// up to 122 vertices 4,000 flips are tried, of 240 a quarter of these, from 346 on 500.
+ShakeLevel bounded_shakes(std::size_t vertices) {
+  const double n = static_cast<double>(std::max<std::size_t>(vertices, 1));
+  const auto flips = static_cast<std::size_t>(std::clamp(60e6 / (n * n), 500.0, 4000.0));
+  return {30, 8, flips, flips / 5};
+}
+
+/// Sweeps after a flip.
+constexpr int shake_sweeps = 6;
+/// The collapses between two passes: in δ, what an edge may cost, and sweeps.
+constexpr double shaken_excess = 1.05;
+constexpr int shaken_sweeps = 14;
+
 class Improver {
  public:
   Improver(const TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
@@ -46,6 +69,7 @@ class Improver {
     if (options_.effort >= 2) {
       const bool bounded = options_.effort < 3;
       repair({2, 14, 1.5, RepairOptions::impatient, bounded ? most_repairs : unlimited});
+      shake_and_repair(bounded ? bounded_shakes(surface_.vertex_count()) : thorough_shakes);
       repair({2, 20, 2.5, RepairOptions::patient, bounded ? most_patient_repairs : unlimited});
     }
     if (options_.effort >= 3) {
@@ -80,25 +104,65 @@ class Improver {
     return figures.collapses;
   }
 
+  /// Runs a pass of many small commits over Z, which says what it did, and reports it as one operation; false
+  /// where nothing changed.
+  template <class Pass> bool report_pass(EventKind kind, const Pass& pass) {
+    const FacetComplex before = surface_.complex();
+    const Complex before_in_t = room_ != nullptr ? room_->embedding.complex() : Complex{};
+    const auto figures = pass();
+    if (figures.moved + figures.flipped == 0) return false;
+    ImproverVerdict verdict;
+    verdict.kind = kind;
+    verdict.moved = figures.moved;
+    verdict.flipped = figures.flipped;
+    verdict.value = figures.largest;
+    verdict.limit = input_.delta();
+    SurfaceChange change = difference(before, surface_.complex(), kind);
+    if (room_ != nullptr) change.tetrahedra = difference(before_in_t, room_->embedding.complex());
+    stopped_ = !observer_.accepted(change, verdict);
+    return true;
+  }
+
   void relax_all() {
     for (int s = 0; s < sweeps_after_round && !stopped_ && !control_.cancelled(); ++s) {
-      const FacetComplex before = surface_.complex();
-      const Complex before_in_t = room_ != nullptr ? room_->embedding.complex() : Complex{};
-      const RelaxationFigures figures = relax(surface_, rules_, best_places_, control_);
-      if (figures.moved + figures.flipped == 0) break;
-      outcome_.moved += figures.moved;
-      outcome_.flipped += figures.flipped;
-      ImproverVerdict verdict;
-      verdict.kind = EventKind::relaxation;
-      verdict.moved = figures.moved;
-      verdict.flipped = figures.flipped;
-      verdict.value = figures.largest;
-      verdict.limit = input_.delta();
-      SurfaceChange change = difference(before, surface_.complex(), EventKind::relaxation);
-      if (room_ != nullptr) change.tetrahedra = difference(before_in_t, room_->embedding.complex());
-      stopped_ = !observer_.accepted(change, verdict);
+      const bool changed = report_pass(EventKind::relaxation, [&] {
+        const RelaxationFigures figures = relax(surface_, rules_, best_places_, control_);
+        outcome_.moved += figures.moved;
+        outcome_.flipped += figures.flipped;
+        return figures;
+      });
+      if (!changed) break;
     }
     make_room();
+  }
+
+  /// Passes go on from one another: which edges collapse is chance, and more of it finds more.
+  void shake_and_repair(const ShakeLevel& level) {
+    CollapseRoundOptions options;
+    options.cost_limit = shaken_excess * input_.delta();
+    options.rings = 2;
+    options.repair.sweeps = shaken_sweeps;
+    options.placement = {true, 2, folded_surcharge};
+    FailedEdges failed;
+    std::size_t flips_left = level.most_flips, collapses_left = level.most_collapses;
+    std::uint32_t in_vain = 0;
+    for (std::uint32_t pass = 0; pass < level.most_passes && in_vain < level.patience; ++pass) {
+      if (flips_left == 0 || collapses_left == 0 || stopped_ || control_.cancelled()) return;
+      const bool changed = report_pass(EventKind::shake, [&] {
+        const ShakeFigures figures =
+            shake(surface_, rules_, {pass, flips_left, {.sweeps = shake_sweeps}}, control_);
+        flips_left -= std::min(flips_left, figures.attempts);
+        outcome_.shaken_edges += figures.flipped;
+        return figures;
+      });
+      if (!changed) return;
+      ++outcome_.shakes;
+      options.most_attempts = collapses_left;
+      const std::size_t before = outcome_.attempts, collapsed = round(options, failed);
+      collapses_left -= std::min(collapses_left, outcome_.attempts - before);
+      relax_all();
+      in_vain = collapsed > 0 ? 0 : in_vain + 1;
+    }
   }
 
   void make_room() {

@@ -12,8 +12,8 @@ namespace isoscope {
 
 struct ImproverOptions {
   /// 0: greedy collapses to minimax targets; 1: with relaxation between rounds; 2: then collapses with repair
-  /// of the 2-ring, at most 5,000 tries; 3: as many as there are edges, then of the 3-ring and to a higher
-  /// excess.
+  /// of the 2-ring, at most 5,000 tries, and passes of flips against the energy with collapses after each,
+  /// within a bound; 3: all of these without bounds, then collapses with repair of the 3-ring.
   int effort = 2;
   bool preserve_normals = true; ///< condition 3 is preserved (§2.4); needs samples
   double shrink = 0.7;          ///< of the facet's copy for condition 3, in (0, 1]
@@ -26,6 +26,7 @@ struct ImproverOutcome {
   enum class End { finished, stopped };
   End end = End::finished;
   std::size_t attempts = 0, collapses = 0, repairs = 0; ///< repairs: collapses with repair
+  std::size_t shakes = 0, shaken_edges = 0;             ///< passes of flips against the energy; flips
   std::size_t moved = 0, flipped = 0;                   ///< in relaxation sweeps
 };
 

@@ -22,7 +22,7 @@ struct SurfaceChange {
     std::uint32_t vertex;
     Vec3 before, after;
   };
-  EventKind kind = EventKind::collapse; ///< collapse, relaxation or repair
+  EventKind kind = EventKind::collapse; ///< collapse, relaxation, repair or shake
   std::vector<Facet> removed, added;    ///< ascending by slot; a facet with other corners is in both
   std::vector<Move> moves;              ///< ascending by vertex
   std::vector<std::uint32_t> killed_vertices;
@@ -41,8 +41,8 @@ struct SurfaceChange {
 ///   same
 ///                        ends
 struct ImproverVerdict : Refusal {
-  EventKind kind = EventKind::collapse; ///< collapse, relaxation or repair
-  std::uint32_t a = 0, b = 0;           ///< the edge; b is merged into a. Both 0 for a relaxation
+  EventKind kind = EventKind::collapse; ///< collapse, relaxation, repair or shake
+  std::uint32_t a = 0, b = 0;           ///< the edge; b is merged into a. Both 0 for a relaxation or a shake
   Vec3 target;                          ///< where the merged vertex was put first
   double cost = 0;                      ///< largest sampled d of the merged vertex's star at its target
   std::optional<std::array<std::uint32_t, 3>> facet; ///< refused: the facet that the reason speaks of

@@ -39,6 +39,12 @@ void carry_samples(const FacetComplex& complex, const Facet& from, const std::ar
     if (const std::size_t i = place(side.point).first; i < 2) plan.sides[i].push_back(side);
 }
 
+/// What a flip makes of its two facets.
+std::array<Triangle3, 2> flipped_triangles(const FacetComplex& complex, const FlipPlan& plan) {
+  const auto& p = complex.points;
+  return {Triangle3{p[plan.a], p[plan.d], p[plan.c]}, Triangle3{p[plan.d], p[plan.b], p[plan.c]}};
+}
+
 } // namespace
 
 std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, const FacetComplex& complex,
@@ -101,8 +107,7 @@ bool relocate(const InputSurface& input, SurfacePatch& patch, std::uint32_t v, i
   return true;
 }
 
-std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
-                                  std::size_t k) {
+std::optional<FlipPlan> flip_corners(const FacetComplex& complex, std::uint32_t f, std::size_t k) {
   const Facet& first = complex.facets[f];
   FlipPlan plan;
   plan.f = f;
@@ -112,14 +117,21 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
   plan.g = complex.facet_left_of(plan.b, plan.a);
   if (plan.g == Facet::none) return std::nullopt;
   const Facet& second = complex.facets[plan.g];
+  plan.d = second.v[(second.corner(plan.a) + 1) % 3];
+  return plan;
+}
+
+std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
+                                  std::size_t k) {
+  std::optional<FlipPlan> corners = flip_corners(complex, f, k);
+  if (!corners) return std::nullopt;
+  FlipPlan& plan = *corners;
+  const Facet &first = complex.facets[f], &second = complex.facets[plan.g];
   if (!first.folded && !second.folded && std::max(first.largest, second.largest) < flip_from * input.delta())
     return std::nullopt;
-  plan.d = second.v[(second.corner(plan.a) + 1) % 3];
   const double allowed = least_flip_gain * (first.energy + second.energy);
-  const auto& p = complex.points;
   plan.seeds = {first.seed, first.seed};
-  const std::array<Triangle3, 2> after{Triangle3{p[plan.a], p[plan.d], p[plan.c]},
-                                       Triangle3{p[plan.d], p[plan.b], p[plan.c]}};
+  const std::array<Triangle3, 2> after = flipped_triangles(complex, plan);
   for (const Facet* facet : {&first, &second}) carry_samples(complex, *facet, after, plan);
   plan.quality[0] = measure_facet(input, after[0], plan.extra[0], plan.sides[0], plan.seeds[0]);
   if (plan.quality[0].folded || plan.quality[0].energy > allowed) return std::nullopt;
@@ -127,6 +139,32 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
   plan.quality[1] = measure_facet(input, after[1], plan.extra[1], plan.sides[1], plan.seeds[1]);
   if (plan.quality[1].folded || plan.quality[0].energy + plan.quality[1].energy > allowed)
     return std::nullopt;
+  return corners;
+}
+
+std::optional<FlipPlan> force_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t a,
+                                   std::uint32_t b, double most_distance) {
+  FacetComplex& complex = patch.complex;
+  if (patch.valence(a) <= 3 || patch.valence(b) <= 3) return std::nullopt;
+  const std::uint32_t f = complex.facet_left_of(a, b);
+  if (f == Facet::none) return std::nullopt;
+  std::optional<FlipPlan> plan = flip_corners(complex, f, complex.facets[f].corner(a));
+  if (!plan || complex.has_edge(plan->c, plan->d)) return std::nullopt;
+  std::optional<std::uint32_t> tet;
+  if (patch.in_t) {
+    const auto& in_t = patch.in_t->vertices;
+    tet = patch.in_t->tets.tet_between({in_t[a], in_t[b], in_t[plan->c], in_t[plan->d]});
+    if (!tet) return std::nullopt;
+  }
+  plan->seeds = {complex.facets[f].seed, complex.facets[plan->g].seed};
+  const std::array<Triangle3, 2> after = flipped_triangles(complex, *plan);
+  for (std::size_t i = 0; i < 2; ++i) {
+    plan->quality[i] = measure_facet(input, after[i], {}, {}, plan->seeds[i]);
+    if (plan->quality[i].largest > most_distance) return std::nullopt;
+  }
+  apply_flip(complex, *plan);
+  for (const std::uint32_t changed : {plan->f, plan->g}) complex.facets[changed].proven = false;
+  if (tet) patch.in_t->tets.change_side(*tet);
   return plan;
 }
 

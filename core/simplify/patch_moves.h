@@ -44,12 +44,19 @@ struct FlipPlan {
   std::array<TriangleId, 2> seeds;
 };
 
+/// Two facets and their edge, from f's k-th corner to its next, as a flip without samples or quality; nothing
+/// where the edge has one facet only.
+std::optional<FlipPlan> flip_corners(const FacetComplex& complex, std::uint32_t f, std::size_t k);
 /// Whether flipping the edge of f from its k-th to its next corner lowers the energy; asked only where a
 /// facet comes near the limit or is folded. Connectivity is the caller's: c and d must not be joined, a and b
 /// must keep three facets.
 std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
                                   std::size_t k);
 void apply_flip(FacetComplex& complex, const FlipPlan& plan);
+/// Flips the edge ab whatever the energy becomes, and measures both facets, if the connectivity and T allow
+/// it and no sample of them is farther away than `most_distance`. a, b and what is opposite must be free.
+std::optional<FlipPlan> force_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t a,
+                                   std::uint32_t b, double most_distance);
 /// Flips an edge of a patch if that lowers the energy and the connectivity allows it; in T that takes a
 /// tetrahedron between the two facets, which changes sides. An edge between two unproven facets is left to
 /// the side that runs from the smaller to the larger id.

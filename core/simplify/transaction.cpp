@@ -18,8 +18,9 @@ constexpr double reject_from = 0.998;
 constexpr std::size_t most_extra = 40;    ///< samples a facet may gather
 constexpr std::size_t most_witnesses = 6; ///< of which one certificate
 constexpr int relocation_rounds = 2;
-constexpr int collapse_retries = 4;   ///< of a collapse without repair whose certificate failed
-constexpr int relocation_retries = 2; ///< of a relocation whose certificate failed
+constexpr int collapse_retries = 4;      ///< of a collapse without repair whose certificate failed
+constexpr double most_flip_excess = 1.3; ///< in δ, of a flip against the energy, before its repair
+constexpr int relocation_retries = 2;    ///< of a relocation whose certificate failed
 
 struct Proof {
   std::uint32_t failures = 0;
@@ -151,9 +152,13 @@ void unsettle(const Facet& facet, Settled& settled) {
   for (const std::uint32_t v : facet.v) settled[v] = 0;
 }
 
+/// An edge by its ends, ascending.
+using EdgeOfPatch = std::pair<std::uint32_t, std::uint32_t>;
+
 /// Relocates all free vertices, those with the worst facet first, then tries to flip the edges of facets
-/// that changed.
-void sweep(const InputSurface& input, SurfacePatch& patch, Settled& settled, RepairSweep& record) {
+/// that changed, but not `kept`.
+void sweep(const InputSurface& input, SurfacePatch& patch, const std::optional<EdgeOfPatch>& kept,
+           Settled& settled, RepairSweep& record) {
   FacetComplex& complex = patch.complex;
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t v = 0; v < complex.points.size(); ++v)
@@ -167,12 +172,15 @@ void sweep(const InputSurface& input, SurfacePatch& patch, Settled& settled, Rep
     ++record.moved;
   }
   for (std::uint32_t f = 0; f < complex.facets.size(); ++f)
-    for (std::size_t k = 0; k < 3 && complex.facets[f].alive() && !complex.facets[f].proven; ++k)
+    for (std::size_t k = 0; k < 3 && complex.facets[f].alive() && !complex.facets[f].proven; ++k) {
+      const auto& v = complex.facets[f].v;
+      if (kept && EdgeOfPatch(std::minmax(v[k], v[(k + 1) % 3])) == *kept) continue;
       if (const auto plan = try_flip(input, patch, f, k)) {
-        for (const std::uint32_t v : {plan->a, plan->b, plan->c, plan->d}) settled[v] = 0;
+        for (const std::uint32_t w : {plan->a, plan->b, plan->c, plan->d}) settled[w] = 0;
         ++record.flipped;
         break;
       }
+    }
 }
 
 /// Whether samples were added because of this reason, so that moving vertices may help.
@@ -206,7 +214,8 @@ bool is_hopeless(const Progress& p, double largest, double limit, const RepairOp
                         (p.sweeps > 2 && excess > 1.6 * gain * (options.sweeps - p.sweeps)));
 }
 
-PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const RepairOptions& options) {
+PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const RepairOptions& options,
+                    const std::optional<EdgeOfPatch>& kept = {}) {
   const double limit = rules.sampled_limit();
   PatchVerdict verdict;
   std::vector<RepairSweep> sweeps;
@@ -236,7 +245,7 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
       if (progress.sweeps >= options.sweeps || is_hopeless(progress, level.largest, limit, options)) break;
     }
     progress.last = level.largest;
-    sweep(*rules.input, patch, settled, record);
+    sweep(*rules.input, patch, kept, settled, record);
     progress.changing = record.moved + record.flipped > 0;
     sweeps.push_back(record);
   }
@@ -266,6 +275,13 @@ PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch
   collapse_to(*rules.input, patch, a, b, target);
   if (options.sweeps > 0) return repair(rules, patch, options);
   return settle(rules, patch, a, collapse_retries);
+}
+
+std::optional<PatchVerdict> flip_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
+                                             std::uint32_t b, const RepairOptions& options) {
+  const auto plan = force_flip(*rules.input, patch, a, b, most_flip_excess * rules.input->delta());
+  if (!plan) return std::nullopt;
+  return repair(rules, patch, options, EdgeOfPatch(std::minmax(plan->c, plan->d)));
 }
 
 std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v) {

@@ -1,4 +1,4 @@
-// A collapse with repair as a pure function on a patch: the outcome is committed or forgotten.
+// A collapse or a flip with repair as a pure function on a patch: the outcome is committed or forgotten.
 #pragma once
 
 #include "simplify/facet_orientation.h"
@@ -51,6 +51,11 @@ struct PatchVerdict : Refusal {
 /// checked but intersections with facets outside of the patch, which need the whole surface.
 PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
                                   std::uint32_t b, Vec3 target, const RepairOptions& options);
+/// Flips the edge ab (local ids) against the energy and repairs the patch without flipping it back; nothing
+/// where the flip cannot be made or begins too far above δ. Everything is checked but intersections, as
+/// above.
+std::optional<PatchVerdict> flip_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
+                                             std::uint32_t b, const RepairOptions& options);
 /// Relocates a free vertex (local id) and checks the patch; nothing when it is at its best place.
 std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v);
 /// Certificates, fold, orientation and witnesses of the patch's changed facets.

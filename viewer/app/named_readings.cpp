@@ -52,8 +52,8 @@ void add_run_readings(NamedTable& t) {
                   return begin ? std::to_string(*begin) : std::string("nan");
                 });
   }
-  for (const EventKind kind :
-       {EventKind::insertion, EventKind::collapse, EventKind::repair, EventKind::relaxation})
+  for (const EventKind kind : {EventKind::insertion, EventKind::collapse, EventKind::repair,
+                               EventKind::relaxation, EventKind::shake})
     add_reading(
         t, "count." + std::string(name(kind)), "operations of that kind so far",
         [kind](const AppModel& m) { return std::to_string(m.index.count(kind, 0, m.index.steps())); });

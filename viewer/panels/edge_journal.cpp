@@ -167,7 +167,8 @@ void event_details(Ui& ui, const Journal& journal, std::uint32_t index) {
   ImGui::PushFont(ui.fonts.small);
   widgets::wrapped_text(describe(journal, e));
   ImGui::PopFont();
-  const bool repaired = e.kind == EventKind::repair || e.kind == EventKind::relaxation;
+  const bool repaired =
+      e.kind == EventKind::repair || e.kind == EventKind::relaxation || e.kind == EventKind::shake;
   const Reason reason = repaired ? Reason::stays_above : e.reason;
   if (e.kind == EventKind::rejection || repaired)
     measured_row(ui, repaired ? "largest d" : reason_style(reason).title,

@@ -33,6 +33,7 @@ EventStyle style_of(const Ui& ui, const Event& e) {
   case EventKind::repair:
     return {ui.colors.warning, MarkerShape::triangle};
   case EventKind::relaxation:
+  case EventKind::shake:
     return {ui.colors.accent, MarkerShape::diamond};
   case EventKind::stage_begin:
   case EventKind::stage_end:
@@ -52,7 +53,8 @@ std::string_view kind_title(EventKind kind) {
   constexpr std::array<std::string_view, event_kind_count> words{
       "stage begins",    "stage ends",   "insertions", "relabelling",       "exhausted",
       "topology checks", "parameters",   "warnings",   "stopped",           "collapses",
-      "rejections",      "tessellation", "departure",  "relocation sweeps", "collapses with repair"};
+      "rejections",      "tessellation", "departure",  "relocation sweeps", "collapses with repair",
+      "shakes"};
   return words.at(static_cast<std::size_t>(kind));
 }
 

@@ -44,6 +44,8 @@ std::string operation_words(const Event& e) {
     return "collapse with repair";
   case EventKind::relaxation:
     return "relocation sweep";
+  case EventKind::shake:
+    return "shake";
   case EventKind::tessellation:
     return "mutual tessellation";
   case EventKind::departure:

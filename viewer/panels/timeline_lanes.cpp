@@ -17,12 +17,14 @@ struct KindLane {
   Rgb color;
   MarkerShape shape;
 };
-constexpr std::array<KindLane, 3> kinds{
+constexpr std::array<KindLane, 4> kinds{
     {{EventKind::collapse, "collapses", "Edges that were collapsed. §2.4", 0x009E73, MarkerShape::disc},
      {EventKind::relaxation, "relocation sweeps", "Sweeps of relocations and flips over Z.", 0x3D8FD1,
       MarkerShape::diamond},
      {EventKind::repair, "collapses with repair",
-      "Edges that were collapsed with their neighbourhood repaired.", 0xD9A02B, MarkerShape::triangle}}};
+      "Edges that were collapsed with their neighbourhood repaired.", 0xD9A02B, MarkerShape::triangle},
+     {EventKind::shake, "shakes", "Edges of Z flipped against the energy, to leave a minimum.", 0xCC79A7,
+      MarkerShape::square}}};
 
 } // namespace
 

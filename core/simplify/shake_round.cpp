@@ -1,0 +1,103 @@
+// Batches of forced flips.
+#include "simplify/shake_round.h"
+
+#include "base/parallel.h"
+#include "simplify/patch_claims.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t most_batch = 16;
+/// Edges looked at while a batch is filled: bounds what is set aside because of overlaps.
+constexpr std::size_t most_looked_at = 64;
+/// Free vertices of a flip: this many edges from its ends.
+constexpr int rings = 1;
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Mixes the bits of an edge and a pass (the finalizer of SplitMix64).
+std::uint64_t scrambled(Edge edge, std::uint32_t pass) {
+  std::uint64_t h = (std::uint64_t{edge.first} << 32 | edge.second) + 0x9E3779B97F4A7C15u * (pass + 1u);
+  h = (h ^ (h >> 30)) * 0xBF58476D1CE4E5B9u;
+  h = (h ^ (h >> 27)) * 0x94D049BB133111EBu;
+  return h ^ (h >> 31);
+}
+
+std::deque<Edge> edges_in_order(const FacetComplex& complex, std::uint32_t pass) {
+  std::vector<std::pair<std::uint64_t, Edge>> keyed;
+  for (const Facet& f : complex.facets) {
+    if (!f.alive()) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const Edge e{f.v[k], f.v[(k + 1) % 3]}; e.first < e.second)
+        keyed.emplace_back(scrambled(e, pass), e);
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::deque<Edge> edges;
+  for (const auto& [key, edge] : keyed) edges.push_back(edge);
+  return edges;
+}
+
+struct Attempt {
+  Edge edge;
+  SurfacePatch patch;
+  std::optional<PatchVerdict> verdict;
+};
+
+/// Takes edges from the front whose patches are apart; those that overlap go back in their order.
+std::vector<Attempt> gather(const LiveSurface& surface, std::deque<Edge>& edges, PatchClaims& claims) {
+  const std::size_t size = std::clamp<std::size_t>(surface.vertex_count() / 32, 1, most_batch);
+  std::vector<Attempt> attempts;
+  std::vector<Edge> aside;
+  claims.begin_batch();
+  for (std::size_t looked = 0; looked < most_looked_at && !edges.empty() && attempts.size() < size;
+       ++looked) {
+    const Edge e = edges.front();
+    edges.pop_front();
+    if (!surface.complex().has_edge(e.first, e.second)) continue;
+    if (claims.is_read(e.first) || claims.is_read(e.second)) {
+      aside.push_back(e);
+      continue;
+    }
+    Attempt attempt{e, surface.patch(vertices_around(surface.complex(), {e.first, e.second}, rings)), {}};
+    if (claims.claim(attempt.patch)) {
+      attempts.push_back(std::move(attempt));
+    } else {
+      aside.push_back(e);
+    }
+  }
+  edges.insert(edges.begin(), aside.begin(), aside.end());
+  return attempts;
+}
+
+} // namespace
+
+ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeOptions& options,
+                   const RunControl& control) {
+  ShakeFigures figures;
+  std::deque<Edge> edges = edges_in_order(surface.complex(), options.pass);
+  PatchClaims claims(surface.complex().points.size());
+  while (!edges.empty() && figures.attempts < options.most_attempts && !control.cancelled()) {
+    std::vector<Attempt> attempts = gather(surface, edges, claims);
+    parallel_for(attempts.size(), 1, [&](std::size_t i) {
+      Attempt& a = attempts[i];
+      a.verdict = flip_with_repair(rules, a.patch, a.patch.local_vertex(a.edge.first),
+                                   a.patch.local_vertex(a.edge.second), options.repair);
+    });
+    for (const Attempt& a : attempts) {
+      if (!a.verdict) continue;
+      ++figures.attempts;
+      if (!a.verdict->accepted() || !surface.check(a.patch).accepted()) continue;
+      // What failed by much is not worth another try after this.
+      surface.commit(a.patch, EventKind::relaxation);
+      ++figures.flipped;
+      figures.moved += a.verdict->moved;
+      figures.largest = std::max(figures.largest, a.patch.largest_distance(rules.input->delta()));
+    }
+  }
+  return figures;
+}
+
+} // namespace isoscope
