@@ -48,7 +48,7 @@ struct Attempt {
 
 /// Takes edges from the front whose patches are apart; those that overlap go back in their order.
 std::vector<Attempt> gather(const LiveSurface& surface, std::deque<Edge>& edges, PatchClaims& claims) {
-  const std::size_t size = std::clamp<std::size_t>(surface.vertex_count() / 32, 1, most_batch);
+  const std::size_t size = std::clamp<std::size_t>(surface.vertex_count() / 16, 1, most_batch);
   std::vector<Attempt> attempts;
   std::vector<Edge> aside;
   claims.begin_batch();
