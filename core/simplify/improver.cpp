@@ -111,13 +111,15 @@ class Improver {
     const Complex before_in_t = room_ != nullptr ? room_->embedding.complex() : Complex{};
     const auto figures = pass();
     if (figures.moved + figures.flipped == 0) return false;
+    SurfaceChange change = difference(before, surface_.complex(), kind);
     ImproverVerdict verdict;
     verdict.kind = kind;
-    verdict.moved = figures.moved;
+    // Neighbouring flips of a shake move the same vertices.
+    verdict.moved =
+        kind == EventKind::shake ? static_cast<std::uint32_t>(change.moves.size()) : figures.moved;
     verdict.flipped = figures.flipped;
     verdict.value = figures.largest;
     verdict.limit = input_.delta();
-    SurfaceChange change = difference(before, surface_.complex(), kind);
     if (room_ != nullptr) change.tetrahedra = difference(before_in_t, room_->embedding.complex());
     stopped_ = !observer_.accepted(change, verdict);
     return true;

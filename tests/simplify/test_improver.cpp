@@ -102,8 +102,13 @@ TEST_CASE("the changes replay the run, and every decision names its reason") {
   const Start start(torus(12), 3);
   TriangleMesh mesh = start.mesh;
   Listener listener;
-  improve(mesh, *start.volume, nullptr, with_effort(2), RunControl(), listener);
+  const auto outcome = improve(mesh, *start.volume, nullptr, with_effort(2), RunControl(), listener);
   check_valid(mesh, start, 0);
+  const auto shakes = std::count_if(listener.changes.begin(), listener.changes.end(),
+                                    [](const SurfaceChange& c) { return c.kind == EventKind::shake; });
+  CHECK(shakes > 0);
+  CHECK(outcome.shakes == static_cast<std::size_t>(shakes));
+  CHECK(outcome.shaken_edges >= outcome.shakes);
   Replay replay(start.mesh);
   for (const SurfaceChange& change : listener.changes) replay.apply(change);
   CHECK(replay.triangles() == triangles(mesh));
