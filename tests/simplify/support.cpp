@@ -2,6 +2,7 @@
 #include "simplify/support.h"
 
 #include "run/certificate.h"
+#include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
 
@@ -44,6 +45,12 @@ TriangleSoup octahedron(double r) {
   TriangleSoup soup;
   soup.points = {{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}};
   soup.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  return soup;
+}
+
+TriangleSoup sphere(unsigned n) {
+  TriangleSoup soup;
+  add_sphere(soup, {0, 0, 0}, 1, n);
   return soup;
 }
 

@@ -30,6 +30,20 @@ struct Start {
   double delta() const { return volume->thresholds().delta; }
 };
 
+/// A start with the rules that its surface has to keep; `rules` points into it.
+struct Bench {
+  Start start;
+  InputSurface input;
+  SurfaceRules rules;
+
+  Bench(const TriangleSoup& soup, double percent)
+      : start(soup, percent), input(start.volume->index(), start.delta(), start.mesh) {
+    rules.input = &input;
+  }
+  Bench(const Bench&) = delete;
+  Bench& operator=(const Bench&) = delete;
+};
+
 /// Keeps everything it hears; may stop the improver or cancel the control after a number of calls.
 class Listener : public ImproverObserver {
  public:
@@ -52,5 +66,7 @@ void check_valid(const TriangleMesh& mesh, const Start& start, long euler_charac
 
 /// A regular octahedron of radius r with outward facets: vertices ±x, ±y, ±z.
 TriangleSoup octahedron(double r);
+/// A sphere of radius 1 around the origin, of n segments.
+TriangleSoup sphere(unsigned n);
 
 } // namespace isoscope::testing

@@ -16,15 +16,10 @@
 using namespace isoscope;
 using isoscope::testing::check_valid;
 using isoscope::testing::Listener;
+using isoscope::testing::sphere;
 using isoscope::testing::Start;
 
 namespace {
-
-TriangleSoup sphere(unsigned n) {
-  TriangleSoup soup;
-  testing::add_sphere(soup, {0, 0, 0}, 1, n);
-  return soup;
-}
 
 TriangleSoup torus(unsigned n) {
   TriangleSoup soup;

@@ -11,34 +11,17 @@
 #include <algorithm>
 
 using namespace isoscope;
+using isoscope::testing::Bench;
 using isoscope::testing::check_valid;
-using isoscope::testing::Start;
 
 namespace {
-
-struct Bench {
-  Start start;
-  InputSurface input;
-  SurfaceRules rules;
-
-  Bench(const TriangleSoup& soup, double percent)
-      : start(soup, percent), input(start.volume->index(), start.delta(), start.mesh) {
-    rules.input = &input;
-  }
-};
-
-TriangleSoup sphere() {
-  TriangleSoup soup;
-  testing::add_sphere(soup, {0, 0, 0}, 1, 12);
-  return soup;
-}
 
 constexpr int sweeps = 6;
 
 } // namespace
 
 TEST_CASE("a pass flips edges of a sphere, keeps its vertices and all that holds of it") {
-  const Bench bench(sphere(), 2);
+  const Bench bench(testing::sphere(12), 2);
   LiveSurface surface(bench.start.mesh, bench.rules);
   const std::size_t vertices = surface.vertex_count();
   const ShakeFigures figures = shake(surface, bench.rules, {0, 10000, {.sweeps = sweeps}}, RunControl());
@@ -52,7 +35,7 @@ TEST_CASE("a pass flips edges of a sphere, keeps its vertices and all that holds
 }
 
 TEST_CASE("a pass depends on its number, not on the number of threads") {
-  const Bench bench(sphere(), 2);
+  const Bench bench(testing::sphere(12), 2);
   const auto shaken = [&](std::uint32_t pass, unsigned threads) {
     const ThreadLimit limit(threads);
     LiveSurface surface(bench.start.mesh, bench.rules);
@@ -66,7 +49,7 @@ TEST_CASE("a pass depends on its number, not on the number of threads") {
 }
 
 TEST_CASE("a pass ends with its tries, and at once when cancelled") {
-  const Bench bench(sphere(), 2);
+  const Bench bench(testing::sphere(12), 2);
   LiveSurface surface(bench.start.mesh, bench.rules);
   const ShakeFigures figures = shake(surface, bench.rules, {0, 1, {.sweeps = sweeps}}, RunControl());
   CHECK(figures.attempts >= 1);
@@ -79,7 +62,7 @@ TEST_CASE("a pass ends with its tries, and at once when cancelled") {
 }
 
 TEST_CASE("a flip with repair leaves the edge gone and every facet proven") {
-  const Bench bench(sphere(), 2);
+  const Bench bench(testing::sphere(12), 2);
   const LiveSurface surface(bench.start.mesh, bench.rules);
   std::size_t accepted = 0;
   for (const Facet& f : surface.complex().facets) {
@@ -110,7 +93,7 @@ TEST_CASE("no edge of a tetrahedron can be flipped") {
 }
 
 TEST_CASE("patches of one batch do not read what another changes") {
-  const Bench bench(sphere(), 2);
+  const Bench bench(testing::sphere(12), 2);
   const LiveSurface surface(bench.start.mesh, bench.rules);
   PatchClaims claims(surface.complex().points.size());
   const SurfacePatch first = surface.patch(std::array{0u});

@@ -10,28 +10,7 @@
 #include <map>
 
 using namespace isoscope;
-using isoscope::testing::Start;
-
-namespace {
-
-struct Bench {
-  Start start;
-  InputSurface input;
-  SurfaceRules rules;
-
-  Bench(const TriangleSoup& soup, double percent)
-      : start(soup, percent), input(start.volume->index(), start.delta(), start.mesh) {
-    rules.input = &input;
-  }
-};
-
-TriangleSoup sphere() {
-  TriangleSoup soup;
-  testing::add_sphere(soup, {0, 0, 0}, 1, 14);
-  return soup;
-}
-
-} // namespace
+using isoscope::testing::Bench;
 
 TEST_CASE("a collapse that would move the surface across a witness is refused for that reason") {
   Bench bench(testing::octahedron(1), 10);
@@ -53,7 +32,7 @@ TEST_CASE("a collapse that would move the surface across a witness is refused fo
 }
 
 TEST_CASE("every edge of a sphere: accepted patches are proven, refused ones say why, the surface stays") {
-  const Bench bench(sphere(), 4);
+  const Bench bench(testing::sphere(14), 4);
   const LiveSurface surface(bench.start.mesh, bench.rules);
   std::map<Reason, std::size_t> reasons;
   for (const Facet& f : surface.complex().facets) {
