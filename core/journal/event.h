@@ -103,8 +103,8 @@ constexpr Reason last_rejection = Reason::stays_above;
 /// A fixed-size record; numbers mean what `condition` says (ε against 1 − α, height against 2σ/α, d against δ
 /// ...). For collapses: `vertex` stays, `other` goes, `point` is the target, `value` the error of the order
 /// (squared length), `count` the candidates that were judged. For rejections: `value` against `limit` as
-/// `reason` says, at `witness`. For relaxations, repairs and shakes: `value` is the largest d over the facets they
-/// touched, `limit` δ, `count` the vertices moved.
+/// `reason` says, at `witness`. For relaxations, repairs and shakes: `value` is the largest d over the facets
+/// they touched, `limit` δ, `count` the vertices moved.
 struct Event {
   EventKind kind = EventKind::warning;
   Stage stage = Stage::refinement;

@@ -11,10 +11,6 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t most_batch = 16;
-/// Entries looked at while a batch is filled: bounds what is set aside because of overlaps.
-constexpr std::size_t most_looked_at = 64;
-
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 struct Entry {
@@ -89,12 +85,7 @@ class Round {
 };
 
 void Round::push_all() {
-  std::vector<Edge> edges;
-  for (const Facet& f : complex().facets) {
-    if (!f.alive()) continue;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (f.v[k] < f.v[(k + 1) % 3]) edges.emplace_back(f.v[k], f.v[(k + 1) % 3]);
-  }
+  std::vector<Edge> edges = complex().edges();
   push(edges);
 }
 
@@ -151,13 +142,8 @@ void Round::gather() {
       continue;
     }
     if (failed_before(e.a, e.b)) continue;
-    if (claims_.is_read(e.a) || claims_.is_read(e.b)) {
-      aside.push_back(e);
-      continue;
-    }
-    Attempt attempt{e, surface_.patch(vertices_around(complex(), {e.a, e.b}, options_.rings)), {}};
-    if (claims_.claim(attempt.patch)) {
-      attempts_.push_back(std::move(attempt));
+    if (auto patch = claims_.take(surface_, e.a, e.b, options_.rings)) {
+      attempts_.push_back({e, std::move(*patch), {}});
     } else {
       aside.push_back(e);
     }

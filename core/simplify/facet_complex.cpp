@@ -47,6 +47,16 @@ std::uint32_t FacetComplex::facet_left_of(std::uint32_t from, std::uint32_t to) 
   return Facet::none;
 }
 
+std::vector<std::pair<std::uint32_t, std::uint32_t>> FacetComplex::edges() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Facet& f : facets) {
+    if (!f.alive()) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (f.v[k] < f.v[(k + 1) % 3]) edges.emplace_back(f.v[k], f.v[(k + 1) % 3]);
+  }
+  return edges;
+}
+
 void FacetComplex::replace_facet(std::uint32_t f, std::array<std::uint32_t, 3> v) {
   Facet& facet = facets[f];
   if (facet.alive())

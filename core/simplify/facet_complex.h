@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace isoscope {
@@ -59,6 +60,8 @@ struct FacetComplex {
   bool alive_vertex(std::uint32_t v) const { return !stars[v].empty(); }
   /// Fills `stars` from `facets`.
   void build_stars();
+  /// Every edge once, its smaller end first, in the order of the facets; all facets must have neighbours.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges() const;
   /// Vertices that share a facet with v, ascending.
   std::vector<std::uint32_t> neighbors(std::uint32_t v) const;
   bool has_edge(std::uint32_t a, std::uint32_t b) const;

@@ -51,9 +51,8 @@ ShakeLevel bounded_shakes(std::size_t vertices) {
 
 /// After a flip. More of both makes a few more flips come below δ, at half as much time again.
 constexpr RepairOptions shake_repair{.sweeps = 4, .certificates = 2};
-/// The collapses between two passes: in δ, what an edge may cost, and sweeps.
-constexpr double shaken_excess = 1.05;
-constexpr int shaken_sweeps = 14;
+/// The collapses between two passes.
+constexpr RepairLevel between_shakes{2, 14, 1.05};
 
 class Improver {
  public:
@@ -104,19 +103,28 @@ class Improver {
     return figures.collapses;
   }
 
+  CollapseRoundOptions round_options(const RepairLevel& level) const {
+    CollapseRoundOptions options;
+    options.cost_limit = level.excess * input_.delta();
+    options.rings = level.rings;
+    options.repair.sweeps = level.sweeps;
+    options.repair.funnel = level.funnel;
+    // Flips may unfold what a collapse folds.
+    options.placement = {true, 2, folded_surcharge};
+    return options;
+  }
+
   /// Runs a pass of many small commits over Z, which says what it did, and reports it as one operation; false
   /// where nothing changed.
-  template <class Pass> bool report_pass(EventKind kind, const Pass& pass) {
+  bool report_pass(EventKind kind, const std::function<RelaxationFigures()>& pass) {
     const FacetComplex before = surface_.complex();
     const Complex before_in_t = room_ != nullptr ? room_->embedding.complex() : Complex{};
-    const auto figures = pass();
+    const RelaxationFigures figures = pass();
     if (figures.moved + figures.flipped == 0) return false;
     SurfaceChange change = difference(before, surface_.complex(), kind);
     ImproverVerdict verdict;
     verdict.kind = kind;
-    // Neighbouring flips of a shake move the same vertices.
-    verdict.moved =
-        kind == EventKind::shake ? static_cast<std::uint32_t>(change.moves.size()) : figures.moved;
+    verdict.moved = static_cast<std::uint32_t>(change.moves.size());
     verdict.flipped = figures.flipped;
     verdict.value = figures.largest;
     verdict.limit = input_.delta();
@@ -140,11 +148,7 @@ class Improver {
 
   /// Passes go on from one another: which edges collapse is chance, and more of it finds more.
   void shake_and_repair(const ShakeLevel& level) {
-    CollapseRoundOptions options;
-    options.cost_limit = shaken_excess * input_.delta();
-    options.rings = 2;
-    options.repair.sweeps = shaken_sweeps;
-    options.placement = {true, 2, folded_surcharge};
+    CollapseRoundOptions options = round_options(between_shakes);
     FailedEdges failed;
     std::size_t flips_left = level.most_flips, collapses_left = level.most_collapses;
     std::uint32_t in_vain = 0;
@@ -154,7 +158,7 @@ class Improver {
         const ShakeFigures figures = shake(surface_, rules_, {pass, flips_left, shake_repair}, control_);
         flips_left -= std::min(flips_left, figures.attempts);
         outcome_.shaken_edges += figures.flipped;
-        return figures;
+        return RelaxationFigures{0, figures.flipped, figures.largest};
       });
       if (!changed) return;
       ++outcome_.shakes;
@@ -194,13 +198,7 @@ class Improver {
   }
 
   void repair(const RepairLevel& level) {
-    CollapseRoundOptions options;
-    options.cost_limit = level.excess * input_.delta();
-    options.rings = level.rings;
-    options.repair.sweeps = level.sweeps;
-    options.repair.funnel = level.funnel;
-    // Flips may unfold what a collapse folds.
-    options.placement = {true, 2, folded_surcharge};
+    CollapseRoundOptions options = round_options(level);
     FailedEdges failed;
     const std::size_t before = outcome_.attempts;
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {

@@ -1,6 +1,8 @@
 // Hit and run with a generator of its own: the standard distributions differ between libraries.
 #include "simplify/kernel_walk.h"
 
+#include "base/scramble.h"
+
 #include <algorithm>
 
 namespace isoscope {
@@ -13,11 +15,8 @@ class Random {
   explicit Random(std::uint64_t seed) : state_(seed) {}
   /// In [0, 1).
   double uniform() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    state_ += golden_step;
+    return static_cast<double>(scrambled(state_) >> 11) * 0x1p-53;
   }
   /// Uniform on the unit sphere.
   Vec3 direction() {

@@ -21,4 +21,12 @@ bool PatchClaims::claim(const SurfacePatch& patch) {
   return true;
 }
 
+std::optional<SurfacePatch> PatchClaims::take(const LiveSurface& surface, std::uint32_t a, std::uint32_t b,
+                                              int rings) {
+  if (is_read(a) || is_read(b)) return std::nullopt;
+  SurfacePatch patch = surface.patch(vertices_around(surface.complex(), {a, b}, rings));
+  if (!claim(patch)) return std::nullopt;
+  return patch;
+}
+
 } // namespace isoscope

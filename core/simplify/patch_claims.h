@@ -1,9 +1,14 @@
 // Which vertices the patches of one batch read and change, so that they can be evaluated side by side.
 #pragma once
 
-#include "simplify/surface_patch.h"
+#include "simplify/live_surface.h"
 
 namespace isoscope {
+
+/// Patches of a batch at most.
+constexpr std::size_t most_batch = 16;
+/// Edges looked at while a batch is filled: bounds what is set aside because of overlaps.
+constexpr std::size_t most_looked_at = 64;
 
 /// Vertices held by the patches of the present batch.
 class PatchClaims {
@@ -15,6 +20,9 @@ class PatchClaims {
   /// Holds the patch's vertices; false, with nothing held, where another patch changes what this one reads or
   /// reads what this one may change.
   bool claim(const SurfacePatch& patch);
+  /// Takes and claims the patch whose free vertices are at most `rings` edges from a and b; nothing where
+  /// that fails.
+  std::optional<SurfacePatch> take(const LiveSurface& surface, std::uint32_t a, std::uint32_t b, int rings);
   /// Whether a patch of the batch has the vertex.
   bool is_read(std::uint32_t vertex) const { return claims_[vertex].read == batch_; }
 

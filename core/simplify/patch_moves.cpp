@@ -45,6 +45,13 @@ std::array<Triangle3, 2> flipped_triangles(const FacetComplex& complex, const Fl
   return {Triangle3{p[plan.a], p[plan.d], p[plan.c]}, Triangle3{p[plan.d], p[plan.b], p[plan.c]}};
 }
 
+/// The tetrahedron of T between the two facets of a flip; nothing without T or where there is none.
+std::optional<std::uint32_t> tet_of(const SurfacePatch& patch, const FlipPlan& plan) {
+  if (!patch.in_t) return std::nullopt;
+  const auto& in_t = patch.in_t->vertices;
+  return patch.in_t->tets.tet_between({in_t[plan.a], in_t[plan.b], in_t[plan.c], in_t[plan.d]});
+}
+
 } // namespace
 
 std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, const FacetComplex& complex,
@@ -150,12 +157,8 @@ std::optional<FlipPlan> force_flip(const InputSurface& input, SurfacePatch& patc
   if (f == Facet::none) return std::nullopt;
   std::optional<FlipPlan> plan = flip_corners(complex, f, complex.facets[f].corner(a));
   if (!plan || complex.has_edge(plan->c, plan->d)) return std::nullopt;
-  std::optional<std::uint32_t> tet;
-  if (patch.in_t) {
-    const auto& in_t = patch.in_t->vertices;
-    tet = patch.in_t->tets.tet_between({in_t[a], in_t[b], in_t[plan->c], in_t[plan->d]});
-    if (!tet) return std::nullopt;
-  }
+  const std::optional<std::uint32_t> tet = tet_of(patch, *plan);
+  if (patch.in_t && !tet) return std::nullopt;
   plan->seeds = {complex.facets[f].seed, complex.facets[plan->g].seed};
   const std::array<Triangle3, 2> after = flipped_triangles(complex, *plan);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -163,7 +166,6 @@ std::optional<FlipPlan> force_flip(const InputSurface& input, SurfacePatch& patc
     if (plan->quality[i].largest > most_distance) return std::nullopt;
   }
   apply_flip(complex, *plan);
-  for (const std::uint32_t changed : {plan->f, plan->g}) complex.facets[changed].proven = false;
   if (tet) patch.in_t->tets.change_side(*tet);
   return plan;
 }
@@ -185,22 +187,16 @@ void apply_flip(FacetComplex& complex, const FlipPlan& plan) {
 
 std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t f,
                                  std::size_t k) {
-  const Facet& facet = patch.complex.facets[f];
-  const std::uint32_t a = facet.v[k], b = facet.v[(k + 1) % 3], c = facet.v[(k + 2) % 3];
-  const std::uint32_t g = patch.complex.facet_left_of(b, a);
-  if (g == Facet::none || patch.valence(a) <= 3 || patch.valence(b) <= 3) return std::nullopt;
-  const Facet& other = patch.complex.facets[g];
-  if (a > b && !other.proven) return std::nullopt;
-  const std::uint32_t d = other.v[(other.corner(a) + 1) % 3];
+  const auto corners = flip_corners(patch.complex, f, k);
+  if (!corners) return std::nullopt;
+  const auto [a, b, c, d] = std::array{corners->a, corners->b, corners->c, corners->d};
+  if (patch.valence(a) <= 3 || patch.valence(b) <= 3) return std::nullopt;
+  if (a > b && !patch.complex.facets[corners->g].proven) return std::nullopt;
   // Between two fixed vertices there may be an edge outside of the patch.
   if (!patch.free[c] && !patch.free[d]) return std::nullopt;
   if (patch.complex.has_edge(patch.free[c] ? c : d, patch.free[c] ? d : c)) return std::nullopt;
-  std::optional<std::uint32_t> tet;
-  if (patch.in_t) {
-    const auto& in_t = patch.in_t->vertices;
-    tet = patch.in_t->tets.tet_between({in_t[a], in_t[b], in_t[c], in_t[d]});
-    if (!tet) return std::nullopt;
-  }
+  const std::optional<std::uint32_t> tet = tet_of(patch, *corners);
+  if (patch.in_t && !tet) return std::nullopt;
   const auto plan = plan_flip(input, patch.complex, f, k);
   if (!plan) return std::nullopt;
   apply_flip(patch.complex, *plan);

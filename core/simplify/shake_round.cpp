@@ -2,6 +2,7 @@
 #include "simplify/shake_round.h"
 
 #include "base/parallel.h"
+#include "base/scramble.h"
 #include "simplify/patch_claims.h"
 
 #include <algorithm>
@@ -10,30 +11,15 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t most_batch = 16;
-/// Edges looked at while a batch is filled: bounds what is set aside because of overlaps.
-constexpr std::size_t most_looked_at = 64;
 /// Free vertices of a flip: this many edges from its ends.
 constexpr int rings = 1;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Mixes the bits of an edge and a pass (the finalizer of SplitMix64).
-std::uint64_t scrambled(Edge edge, std::uint32_t pass) {
-  std::uint64_t h = (std::uint64_t{edge.first} << 32 | edge.second) + 0x9E3779B97F4A7C15u * (pass + 1u);
-  h = (h ^ (h >> 30)) * 0xBF58476D1CE4E5B9u;
-  h = (h ^ (h >> 27)) * 0x94D049BB133111EBu;
-  return h ^ (h >> 31);
-}
-
 std::deque<Edge> edges_in_order(const FacetComplex& complex, std::uint32_t pass) {
   std::vector<std::pair<std::uint64_t, Edge>> keyed;
-  for (const Facet& f : complex.facets) {
-    if (!f.alive()) continue;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (const Edge e{f.v[k], f.v[(k + 1) % 3]}; e.first < e.second)
-        keyed.emplace_back(scrambled(e, pass), e);
-  }
+  for (const Edge& e : complex.edges())
+    keyed.emplace_back(scrambled((std::uint64_t{e.first} << 32 | e.second) + golden_step * (pass + 1u)), e);
   std::sort(keyed.begin(), keyed.end());
   std::deque<Edge> edges;
   for (const auto& [key, edge] : keyed) edges.push_back(edge);
@@ -57,13 +43,8 @@ std::vector<Attempt> gather(const LiveSurface& surface, std::deque<Edge>& edges,
     const Edge e = edges.front();
     edges.pop_front();
     if (!surface.complex().has_edge(e.first, e.second)) continue;
-    if (claims.is_read(e.first) || claims.is_read(e.second)) {
-      aside.push_back(e);
-      continue;
-    }
-    Attempt attempt{e, surface.patch(vertices_around(surface.complex(), {e.first, e.second}, rings)), {}};
-    if (claims.claim(attempt.patch)) {
-      attempts.push_back(std::move(attempt));
+    if (auto patch = claims.take(surface, e.first, e.second, rings)) {
+      attempts.push_back({e, std::move(*patch), {}});
     } else {
       aside.push_back(e);
     }
@@ -93,7 +74,6 @@ ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeO
       // What failed by much is not worth another try after this.
       surface.commit(a.patch, EventKind::relaxation);
       ++figures.flipped;
-      figures.moved += a.verdict->moved;
       figures.largest = std::max(figures.largest, a.patch.largest_distance(rules.input->delta()));
     }
   }

@@ -16,9 +16,8 @@ struct ShakeOptions {
 
 struct ShakeFigures {
   std::size_t attempts = 0;
-  std::uint32_t flipped = 0,
-                moved = 0; ///< flips against the energy that were committed; vertices moved by repairs
-  double largest = 0;      ///< sampled d of the changed facets
+  std::uint32_t flipped = 0; ///< flips against the energy that were committed
+  double largest = 0;        ///< sampled d of the changed facets
 };
 
 /// Tries every edge once in an order that follows from ids and `pass`: flips it whatever the energy becomes,

@@ -1,6 +1,8 @@
 // Fixed random numbers and point sets.
 #include "mesh/support.h"
 
+#include "base/scramble.h"
+
 #include <algorithm>
 
 namespace isoscope::test {
@@ -15,11 +17,8 @@ void shuffle(std::vector<Vec3>& points, std::uint64_t seed) {
 } // namespace
 
 std::uint64_t Random::next() {
-  state_ += 0x9e3779b97f4a7c15u;
-  std::uint64_t z = state_;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
+  state_ += golden_step;
+  return scrambled(state_);
 }
 
 Vec3 Random::in(const Box3& box) {
