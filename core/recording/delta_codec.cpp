@@ -11,8 +11,9 @@ constexpr std::uint64_t part_vertices = 1, part_killed = 2, part_values = 4, par
                         part_removed_facets = 256, part_added_facets = 512, part_facet_slots = 1024,
                         part_sample_set = 2048, part_form = 4096;
 
-/// No slot of a real run lies beyond; bytes that say so are damaged.
-constexpr std::uint32_t largest_slot = 1u << 28;
+/// Slots are handed out densely and each is told with some bytes: what lies beyond this many and so many more
+/// a byte is damage, and must not ask for memory.
+constexpr std::size_t slots_at_first = 4096, slots_per_byte = 16;
 
 /// A number that is a difference to the one before, with flags below it.
 class IdWriter {
@@ -257,7 +258,7 @@ void write_added(ByteWriter& out, const std::vector<TetRecord>& added, DeltaMirr
   }
 }
 
-void read_added(ByteReader& in, std::vector<TetRecord>& added, DeltaMirror& mirror) {
+void read_added(ByteReader& in, std::vector<TetRecord>& added, DeltaMirror& mirror, std::size_t slots) {
   added.resize(in.count(5));
   IdReader ids(in);
   VertexId last(0u);
@@ -266,7 +267,7 @@ void read_added(ByteReader& in, std::vector<TetRecord>& added, DeltaMirror& mirr
     t.id = TetId(ids.get(2, &side));
     t.side = static_cast<std::int8_t>(unfold_sign(side));
     read_corners(in, t.v, last);
-    if (in.failed() || t.id.value > largest_slot) return in.fail();
+    if (in.failed() || t.id.value >= slots) return in.fail();
     mirror.put(t);
   }
 }
@@ -310,14 +311,15 @@ void write_added_facets(ByteWriter& out, const std::vector<FacetRecord>& added, 
   }
 }
 
-void read_added_facets(ByteReader& in, std::vector<FacetRecord>& added, DeltaMirror& mirror) {
+void read_added_facets(ByteReader& in, std::vector<FacetRecord>& added, DeltaMirror& mirror,
+                       std::size_t slots) {
   added.resize(in.count(4));
   IdReader ids(in);
   VertexId last(0u);
   for (FacetRecord& f : added) {
     f.id = FacetId(ids.get());
     read_corners(in, f.v, last);
-    if (in.failed() || f.id.value > largest_slot) return in.fail();
+    if (in.failed() || f.id.value >= slots) return in.fail();
     mirror.put(f);
   }
 }
@@ -381,6 +383,8 @@ std::string_view DeltaEncoder::encode(const Delta& d) {
 
 bool DeltaDecoder::decode(std::string_view bytes, Delta& d) {
   d = {};
+  bytes_ += bytes.size();
+  const std::size_t slots = slots_at_first + slots_per_byte * bytes_;
   ByteReader in(bytes);
   const std::uint64_t parts = in.number();
   if ((parts & part_vertices) != 0) read_vertices(in, d.added_vertices);
@@ -390,10 +394,10 @@ bool DeltaDecoder::decode(std::string_view bytes, Delta& d) {
   if ((parts & part_moves) != 0) read_moves(in, d.moves, mirror_);
   if ((parts & part_sides) != 0) read_sides(in, d.sides, mirror_);
   if ((parts & part_removed) != 0) read_removed(in, d.removed, mirror_);
-  if ((parts & part_added) != 0) read_added(in, d.added, mirror_);
+  if ((parts & part_added) != 0) read_added(in, d.added, mirror_, slots);
   if ((parts & part_slots) != 0) d.slots_before = static_cast<std::uint32_t>(in.number());
   if ((parts & part_removed_facets) != 0) read_removed_facets(in, d.removed_facets, mirror_);
-  if ((parts & part_added_facets) != 0) read_added_facets(in, d.added_facets, mirror_);
+  if ((parts & part_added_facets) != 0) read_added_facets(in, d.added_facets, mirror_, slots);
   if ((parts & part_facet_slots) != 0) d.facet_slots_before = static_cast<std::uint32_t>(in.number());
   if ((parts & part_sample_set) != 0) {
     Delta::SampleSetChange change;
@@ -408,7 +412,7 @@ bool DeltaDecoder::decode(std::string_view bytes, Delta& d) {
       in.fail();
     d.form = Delta::FormChange{static_cast<ZeroForm>(before), static_cast<ZeroForm>(after)};
   }
-  return in.exhausted();
+  return in.exhausted() && d.slots_before <= slots && d.facet_slots_before <= slots;
 }
 
 } // namespace isoscope

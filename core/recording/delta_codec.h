@@ -46,6 +46,7 @@ class DeltaDecoder {
 
  private:
   DeltaMirror mirror_;
+  std::size_t bytes_ = 0; ///< of all deltas so far
 };
 
 } // namespace isoscope

@@ -1,60 +1,17 @@
 // Damaged files of every format either read soundly or are refused by name; nothing else happens.
 #include "input/mesh_io.h"
 #include "input/temporary_folder.h"
+#include "support/mutations.h"
 
 #include <doctest/doctest.h>
 
-#include <cstdint>
+#include <array>
 #include <string>
 #include <vector>
 
 using namespace isoscope;
 
 namespace {
-
-/// A multiplicative congruence with output mixing: the same mutations everywhere.
-class Generator {
- public:
-  std::uint32_t below(std::size_t n) {
-    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<std::uint32_t>((state_ >> 33) % n);
-  }
-
- private:
-  std::uint64_t state_ = 42;
-};
-
-std::string mutated(std::string bytes, Generator& random) {
-  const std::uint32_t edits = 1 + random.below(3);
-  for (std::uint32_t i = 0; i < edits && !bytes.empty(); ++i) {
-    const std::size_t at = random.below(bytes.size());
-    switch (random.below(7)) {
-    case 0:
-      bytes[at] = static_cast<char>(random.below(256));
-      break;
-    case 1:
-      bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.below(8)));
-      break;
-    case 2:
-      bytes.resize(at);
-      break;
-    case 3:
-      bytes.erase(at, 1 + random.below(8));
-      break;
-    case 4:
-      bytes.insert(at, bytes.substr(random.below(bytes.size()), random.below(40)));
-      break;
-    case 5:
-      bytes.insert(at, std::vector<std::string>{"-", "9999999999", "nan", " ", "\n", "1e400", "/",
-                                                "#"}[random.below(8)]);
-      break;
-    default:
-      bytes[at] = static_cast<char>('0' + random.below(10));
-      break;
-    }
-  }
-  return bytes;
-}
 
 TriangleMesh small_mesh() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.25, 1.5, -3}},
@@ -81,13 +38,14 @@ TEST_CASE("thousands of damaged files") {
     REQUIRE(write_mesh(file, small_mesh()).ok());
     seeds.push_back(bytes_of(file));
   }
-  Generator random;
+  constexpr std::array<std::string_view, 8> words{"-", "9999999999", "nan", " ", "\n", "1e400", "/", "#"};
+  test::Draws draws(42);
   int read = 0, refused = 0;
   for (const std::string& seed : seeds) {
     for (int i = 0; i < 700; ++i) {
-      const std::string bytes = mutated(seed, random);
+      const std::string bytes = test::edited(seed, draws, words);
       const auto file = folder.file(
-          std::vector<std::string>{"m", "m.off", "m.obj", "m.ply", "m.stl"}[random.below(5)], bytes);
+          std::vector<std::string>{"m", "m.off", "m.obj", "m.ply", "m.stl"}[draws.below(5)], bytes);
       const auto mesh = read_mesh(file);
       if (!mesh) {
         ++refused;

@@ -109,6 +109,18 @@ TEST_CASE("What the state does not hold, and odd numbers, come back too") {
   CHECK(!fresh.decode(bytes + '\0', back));
 }
 
+TEST_CASE("A slot far beyond what the bytes can fill is damage") {
+  for (const std::uint32_t id : {4000u, 1000000u}) {
+    Delta delta;
+    delta.added = {{TetId(id), {VertexId(0u), VertexId(1u), VertexId(2u), VertexId(3u)}, 1}};
+    delta.added_facets = {{FacetId(id), {VertexId(0u), VertexId(1u), VertexId(2u)}}};
+    DeltaEncoder encoder;
+    DeltaDecoder decoder;
+    Delta back;
+    CHECK(decoder.decode(encoder.encode(delta), back) == (id < 5000));
+  }
+}
+
 TEST_CASE("Random bytes are no delta, or a harmless one") {
   std::mt19937_64 random(7);
   for (int round = 0; round < 2000; ++round) {

@@ -4,12 +4,12 @@
 #include "recording/recorded.h"
 #include "run/parameters_json.h"
 #include "run/recorded_run.h"
+#include "support/mutations.h"
 
 #include <sqlite3.h>
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <random>
 
 #include <unistd.h>
@@ -132,33 +132,10 @@ TEST_CASE("A whole run in a file that was damaged in several places is read soun
   const auto whole = folder / "whole.isorun";
   REQUIRE(write_recording(whole, whole_run().journal, true, 200).ok());
   const std::string bytes = bytes_of(whole);
-  std::mt19937_64 random(23);
-  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-  const auto damage = [&](std::string& text) {
-    const std::size_t at = below(text.size()), length = std::min(1 + below(64), text.size() - at);
-    switch (below(5)) {
-    case 0:
-      text[at] = static_cast<char>(below(256));
-      break;
-    case 1: // what numbers of variable length go on with
-      std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(at), length, '\xff');
-      break;
-    case 2:
-      text.replace(at, length, text, below(text.size() - length), length);
-      break;
-    case 3:
-      text.replace(at, length, length, '\0');
-      break;
-    default: // digits stay digits: the texts in JSON go on being JSON
-      for (std::size_t i = at; i < text.size() && i < at + 400; ++i)
-        if (text[i] >= '0' && text[i] <= '9') text[i] = "0123456789-.eE"[below(14)];
-    }
-  };
+  Draws draws(23);
   int refused = 0;
   for (int round = 0; round < 200; ++round) {
-    std::string damaged = bytes;
-    for (std::size_t i = 0, n = 1 + below(4); i < n; ++i) damage(damaged);
-    const ReadBack back = read_back(folder.file("damaged.isorun", damaged));
+    const ReadBack back = read_back(folder.file("damaged.isorun", damaged(bytes, draws)));
     check_prefix(*back.journal, journal);
     if (!back.reader) {
       ++refused;
