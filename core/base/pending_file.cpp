@@ -28,6 +28,18 @@ Error io_error(const fs::path& file, const std::string& what, int error) {
 
 } // namespace
 
+fs::path behind_links(const fs::path& file) {
+  constexpr int most = 40; // as the system itself follows
+  fs::path at = file;
+  std::error_code failure;
+  for (int i = 0; i < most && fs::is_symlink(at, failure); ++i) {
+    const fs::path next = fs::read_symlink(at, failure);
+    if (failure) break;
+    at = next.is_absolute() ? next : at.parent_path() / next;
+  }
+  return at;
+}
+
 std::string printable(std::string_view text, std::size_t limit) {
   std::string shown;
   for (const char c : text.substr(0, limit)) shown += (c >= ' ' && c <= '~') ? c : '?';
@@ -38,11 +50,8 @@ Status PendingFile::open(const fs::path& target, WriteTarget allowed) {
   static std::atomic<unsigned> serial{0};
   std::error_code ignored;
   named_ = target;
-  target_ = target;
-  if (fs::is_symlink(target, ignored)) {
-    const fs::path real = fs::canonical(target, ignored);
-    if (!ignored) target_ = real;
-  }
+  target_ = behind_links(target);
+  if (fs::is_symlink(target_, ignored)) return io_error(named_, "cannot be written", ELOOP);
   if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
     if (allowed == WriteTarget::file || fs::is_directory(target_, ignored))
       return Error{ErrorCode::io, printable(target.native(), path_limit) + ": exists and is not a file.",

@@ -16,6 +16,10 @@ enum class WriteTarget {
   file_or_device ///< also a device or a pipe, which is then written itself: nothing may take its place
 };
 
+/// What a chain of symbolic links points to in the end, also where nothing is there yet; what is no link, or
+/// links in a circle, as far as they go.
+std::filesystem::path behind_links(const std::filesystem::path& file);
+
 /// A new file beside the target that takes its place on commit and vanishes otherwise.
 class PendingFile {
  public:
@@ -24,8 +28,8 @@ class PendingFile {
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
-  /// Fails with io when nothing can be created beside `target`; a link is followed, so that what it points to
-  /// is replaced.
+  /// Fails with io when nothing can be created beside `target`; links are followed, so that what they point
+  /// to is replaced or made.
   Status open(const std::filesystem::path& target, WriteTarget allowed = WriteTarget::file);
   void append(const void* data, std::size_t size);
   void append(std::string_view text) { append(text.data(), text.size()); }

@@ -3,6 +3,7 @@
 
 #include "cli/comparison_text.h"
 #include "cli/exit_status.h"
+#include "cli/options.h"
 #include "cli/recorded_file.h"
 #include "run/compare_runs.h"
 
@@ -30,8 +31,9 @@ int diff(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return answer(app, e);
   }
+  if (Status whole = check_values(app); !whole) return fail(whole.error(), 2);
   const auto a = read_recorded_run(file_a);
   if (!a) return fail(a.error(), 2);
   const auto b = read_recorded_run(file_b);

@@ -1,7 +1,12 @@
 // One line an error.
 #include "cli/exit_status.h"
 
+#include <CLI/CLI.hpp>
+
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <sstream>
 
 namespace isoscope {
 
@@ -32,6 +37,21 @@ int fail(const Error& error) {
 Status print(const std::string& text) {
   if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return {};
   return Error{ErrorCode::io, "Cannot write to standard output.", "Is the disk full, or the reader gone?"};
+}
+
+int answer(const std::string& text) {
+  std::signal(SIGPIPE, SIG_IGN);
+  const Status printed = print(text);
+  if (printed || errno == EPIPE) return 0;
+  return fail(printed.error(), 1);
+}
+
+int answer(const CLI::App& app, const CLI::ParseError& said) {
+  std::ostringstream text, complaint;
+  const int status = app.exit(said, text, complaint);
+  if (status == 0) return answer(text.str());
+  std::fputs(complaint.str().c_str(), stderr);
+  return 2;
 }
 
 } // namespace isoscope

@@ -5,6 +5,11 @@
 
 #include <string>
 
+namespace CLI {
+class App;
+class ParseError;
+} // namespace CLI
+
 namespace isoscope {
 
 /// 2 usage, 3 bad input, 4 stopped, 1 anything else.
@@ -15,5 +20,10 @@ int fail(const Error& error, int status);
 int fail(const Error& error);
 /// Writes to standard output and makes sure that it arrived.
 Status print(const std::string& text);
+/// Prints what alone was asked for (help, the version, a list); the exit status. A reader that has had
+/// enough, as `head` has, is no failure; a full disk is.
+int answer(const std::string& text);
+/// Prints what CLI11 has to say after parse(): help or the version with status 0, wrong usage with 2.
+int answer(const CLI::App& app, const CLI::ParseError& said);
 
 } // namespace isoscope

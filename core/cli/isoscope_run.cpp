@@ -34,17 +34,40 @@ namespace {
 
 using namespace isoscope;
 
-/// The control of the run under way: a signal handler can reach nothing but a global. Null before the run and
-/// after the first signal.
+/// The control of the run under way: a signal handler can reach nothing but a global. Null before and after
+/// the run.
 std::atomic<RunControl*> interruptible{nullptr};
-static_assert(std::atomic<RunControl*>::is_always_lock_free);
+/// Somebody has asked for the end already.
+std::atomic<bool> asked_to_end{false};
+static_assert(std::atomic<RunControl*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-/// The first signal stops the run cleanly; the second one finds nothing to stop and ends the program.
+/// The first signal stops the run cleanly, the second ends the program.
 extern "C" void on_signal(int) {
-  RunControl* control = interruptible.exchange(nullptr);
-  if (control == nullptr) _exit(4);
-  control->cancel();
+  if (asked_to_end.exchange(true)) _exit(4);
+  if (RunControl* control = interruptible.load()) control->cancel();
 }
+
+/// The terminal is gone: stops the run cleanly. The shell and the system may both tell it, so that being told
+/// twice means no more.
+extern "C" void on_hangup(int) {
+  if (RunControl* control = interruptible.load()) control->cancel();
+}
+
+/// Lets signals reach the control for as long as this lives.
+class Interruptible {
+ public:
+  explicit Interruptible(RunControl& control) {
+    interruptible = &control;
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+    if (std::signal(SIGHUP, on_hangup) == SIG_IGN) std::signal(SIGHUP, SIG_IGN); // as under nohup
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+  ~Interruptible() { interruptible = nullptr; }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+};
 
 /// Follows the run into its recording; without --record it does nothing. Destroyed, it closes the file.
 class Recording {
@@ -159,12 +182,9 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return answer(app, e);
   }
-  if (list_gallery) {
-    const Status printed = print(gallery_table());
-    return printed.ok() ? 0 : fail(printed.error(), 1);
-  }
+  if (list_gallery) return answer(gallery_table());
   BreakpointSet breakpoints;
   if (Status added = add_breakpoints(options.breakpoints(), breakpoints); !added)
     return fail(added.error(), 2);
@@ -188,13 +208,9 @@ int run(int argc, char** argv) {
 
   const ThreadLimit threads(parameters->threads);
   RunControl control;
-  interruptible = &control;
+  const Interruptible signals(control);
   ProgressLine progress(!quiet);
   control.on_progress([&](std::string_view part, double fraction) { progress.part(part, fraction); });
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
 
   auto journal = std::make_shared<Journal>();
   journal->keep_within(static_cast<std::size_t>(history_limit * 1048576.0));

@@ -24,6 +24,7 @@ struct RunOptions::Raw {
   int effort = 2, cost_ring = 1;
   std::string record;
   std::vector<std::string> breakpoints;
+  const CLI::App* app = nullptr; ///< on which they are registered
 };
 
 namespace {
@@ -52,6 +53,7 @@ std::optional<TargetStrategy> strategy_named(const std::string& text) {
 
 RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_unique<Raw>()) {
   Raw& r = *raw_;
+  r.app = &app;
   auto* input = app.add_option("INPUT", r.input,
                                "a mesh file (OFF, OBJ, PLY, STL), or gallery:NAME for a bundled model");
   if (input_required) input->required();
@@ -103,6 +105,7 @@ const std::string& RunOptions::recording() const {
 
 Result<RunParameters> RunOptions::finish() const {
   const Raw& r = *raw_;
+  if (Status whole = check_values(*r.app); !whole) return whole.error();
 
   RunParameters p;
   p.input = r.input;
@@ -186,6 +189,15 @@ Result<RunParameters> RunOptions::finish() const {
 
 const std::vector<std::string>& RunOptions::breakpoints() const {
   return raw_->breakpoints;
+}
+
+Status check_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& value : option->results())
+      if (value.empty())
+        return Error{ErrorCode::usage, option->get_name() + " has an empty value.",
+                     "Give one, or leave the option out."};
+  return {};
 }
 
 Status add_breakpoints(const std::vector<std::string>& texts, BreakpointSet& set) {

@@ -33,6 +33,9 @@ class RunOptions {
   std::unique_ptr<Raw> raw_;
 };
 
+/// Fails with usage on an option or argument whose value is empty: a name or number that a script left out.
+Status check_values(const CLI::App& app);
+
 /// Fails with usage on the first text that is no condition, with a picture of the place.
 Status add_breakpoints(const std::vector<std::string>& texts, BreakpointSet& set);
 

@@ -1,6 +1,7 @@
 // Tries each output's folder, since a run of an hour must not end at a missing one.
 #include "cli/outputs.h"
 
+#include "base/pending_file.h"
 #include "input/mesh_io.h"
 #include "run/report.h"
 
@@ -17,7 +18,7 @@ bool same_file(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return false;
   std::error_code failure;
   if (fs::equivalent(a, b, failure)) return true;
-  return fs::weakly_canonical(a, failure) == fs::weakly_canonical(b, failure);
+  return fs::weakly_canonical(behind_links(a), failure) == fs::weakly_canonical(behind_links(b), failure);
 }
 
 Error clash(const std::string& option, const std::string& file, const std::string& what) {
@@ -30,7 +31,7 @@ Status check_writable(const std::string& file) {
     return Error{ErrorCode::io, "Cannot write " + file + ": it is a folder.", "Give a file in it."};
   }
   if (fs::exists(file, failure) && !fs::is_regular_file(file, failure)) return {}; // a device or a pipe
-  const std::string probe = file + ".probe";
+  const std::string probe = behind_links(file).string() + ".probe";
   if (!write_text_file(probe, "").ok()) {
     return Error{ErrorCode::io, "Cannot write " + file + ": its folder is missing or not writable.",
                  "Make the folder, or give another file."};

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "cli/compare_table.h"
 #include "cli/exit_status.h"
+#include "cli/options.h"
 #include "cli/progress_line.h"
 #include "cli/recorded_file.h"
 #include "input/mesh_io.h"
@@ -107,8 +108,9 @@ int replay(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return answer(app, e);
   }
+  if (Status whole = check_values(app); !whole) return fail(whole.error(), 2);
   if (!options.mesh.empty())
     if (Status writable = check_writable_mesh(options.mesh); !writable) return fail(writable.error(), 2);
   const ThreadLimit threads(options.threads);

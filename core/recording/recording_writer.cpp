@@ -1,6 +1,7 @@
 // One transaction a commit: rows of the journal, then how far it went and the checksum.
 #include "recording/recording_writer.h"
 
+#include "base/pending_file.h"
 #include "recording/database.h"
 #include "recording/delta_codec.h"
 #include "recording/geometry_codec.h"
@@ -356,7 +357,8 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const fs::path&
   return create(file, Options());
 }
 
-Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const fs::path& file, Options options) {
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const fs::path& named, Options options) {
+  const fs::path file = behind_links(named); // a link stays where it is
   if (Status cleared = clear_place(file); !cleared) return cleared.error();
   auto database = Database::open(file, Database::Access::create);
   if (!database) return database.error();

@@ -86,6 +86,27 @@ TEST_CASE("a link stays a link, and what it points to is replaced") {
   CHECK(content(real) == "new");
 }
 
+TEST_CASE("a link to what is not there yet makes it") {
+  const Folder folder("dangling");
+  const fs::path link = folder.path / "link.off", next = folder.path / "next.off";
+  fs::create_symlink("next.off", link);
+  fs::create_symlink(folder.path / "real.off", next);
+  CHECK(behind_links(link) == folder.path / "real.off");
+  PendingFile file;
+  REQUIRE(file.open(link).ok());
+  file.append("new");
+  CHECK(file.commit().ok());
+  CHECK(fs::is_symlink(link));
+  CHECK(fs::is_symlink(next));
+  CHECK(content(folder.path / "real.off") == "new");
+  // Links in a circle lead nowhere; they are refused, not replaced.
+  fs::create_symlink("b.off", folder.path / "a.off");
+  fs::create_symlink("a.off", folder.path / "b.off");
+  PendingFile circle;
+  CHECK(!circle.open(folder.path / "a.off").ok());
+  CHECK(fs::is_symlink(folder.path / "a.off"));
+}
+
 TEST_CASE("targets that cannot be written are refused with a remedy") {
   const Folder folder("refused");
   PendingFile missing, occupied, device;

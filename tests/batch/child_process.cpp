@@ -3,9 +3,12 @@
 
 #include "input/temporary_folder.h"
 
+#include <doctest/doctest.h>
+
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <utility>
 
 #include <fcntl.h>
 #include <signal.h>
@@ -38,15 +41,15 @@ void redirect(const std::filesystem::path& file, int descriptor) {
   if (opened < 0 || dup2(opened, descriptor) < 0) _exit(126);
 }
 
-} // namespace
-
-Ended run_batch(const std::vector<std::string>& arguments) {
+/// Runs what never returns in a child of ours.
+template <class Act> Ended run_child(const Act& act) {
   const TemporaryFolder folder;
   const pid_t process = fork();
   if (process == 0) {
     redirect(folder / "out", STDOUT_FILENO);
     redirect(folder / "error", STDERR_FILENO);
-    execute(arguments);
+    act();
+    _exit(127);
   }
   Ended ended;
   ended.status = wait_for(process);
@@ -55,13 +58,38 @@ Ended run_batch(const std::vector<std::string>& arguments) {
   return ended;
 }
 
+} // namespace
+
+Ended run_batch(const std::vector<std::string>& arguments) {
+  return run_child([&] { execute(arguments); });
+}
+
+Ended run_shell(const std::string& line) {
+  return run_child([&] {
+    setenv("PROGRAM", ISOSCOPE_RUN_PROGRAM, 1);
+    execl("/bin/bash", "bash", "-c", line.c_str(), nullptr);
+  });
+}
+
+bool TerminalRun::possible() {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  const char* name =
+      terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0 ? ptsname(terminal) : nullptr;
+  const int other_side = name != nullptr ? open(name, O_RDWR | O_NOCTTY | O_CLOEXEC) : -1;
+  if (other_side >= 0) close(other_side);
+  if (terminal >= 0) close(terminal);
+  if (other_side < 0) MESSAGE("SKIPPED: no pseudoterminal can be opened here.");
+  return other_side >= 0;
+}
+
 TerminalRun::TerminalRun(const std::vector<std::string>& arguments) {
   terminal_ = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (terminal_ < 0 || grantpt(terminal_) != 0 || unlockpt(terminal_) != 0) return;
   const std::string name = ptsname(terminal_);
   process_ = fork();
   if (process_ == 0) {
-    const int other_side = open(name.c_str(), O_RDWR | O_NOCTTY);
+    setsid(); // so that the terminal opened next is the one that it has
+    const int other_side = open(name.c_str(), O_RDWR);
     const int nowhere = open("/dev/null", O_WRONLY);
     if (dup2(other_side, STDERR_FILENO) < 0 || dup2(nowhere, STDOUT_FILENO) < 0) _exit(126);
     close(other_side);
@@ -78,6 +106,7 @@ TerminalRun::~TerminalRun() {
 }
 
 bool TerminalRun::read_some() {
+  if (terminal_ < 0) return false;
   std::array<char, 4096> buffer;
   const ssize_t count = read(terminal_, buffer.data(), buffer.size());
   if (count <= 0) return false; // the last descriptor of the other side is closed
@@ -93,13 +122,18 @@ bool TerminalRun::read_until(const std::string& part) {
 }
 
 void TerminalRun::signal(int number) const {
-  kill(process_, number);
+  if (process_ > 0) kill(process_, number);
+}
+
+Ended TerminalRun::hang_up() {
+  close(std::exchange(terminal_, -1));
+  return finish();
 }
 
 Ended TerminalRun::finish() {
   while (read_some()) {}
   Ended ended;
-  ended.status = wait_for(process_);
+  if (process_ > 0) ended.status = wait_for(process_);
   process_ = -1;
   ended.error = shown_;
   return ended;

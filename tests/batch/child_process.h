@@ -19,9 +19,14 @@ struct Ended {
 /// Runs isoscope-run with these arguments to its end.
 Ended run_batch(const std::vector<std::string>& arguments);
 
-/// A run of isoscope-run whose standard error is a terminal of ours.
+/// Runs a line of the shell, in which $PROGRAM is isoscope-run.
+Ended run_shell(const std::string& line);
+
+/// A run of isoscope-run whose terminal is ours: its standard error, and what hangs up on it.
 class TerminalRun {
  public:
+  /// Whether pseudoterminals can be opened here. Where none can, it says that the test case is skipped.
+  static bool possible();
   explicit TerminalRun(const std::vector<std::string>& arguments);
   ~TerminalRun();
   TerminalRun(const TerminalRun&) = delete;
@@ -30,6 +35,8 @@ class TerminalRun {
   /// Reads until the terminal has shown `part`; false when the program ended before.
   bool read_until(const std::string& part);
   void signal(int number) const;
+  /// Closes the terminal under the program, as closing its window would, and waits for the end.
+  Ended hang_up();
   /// Reads on to the end; `error` holds all that the terminal has shown.
   Ended finish();
 

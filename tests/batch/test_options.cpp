@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,20 @@ TEST_CASE("Questions are answered on standard output with status 0") {
   CHECK(list.error.empty());
 }
 
+TEST_CASE("Answers into a pipe that nobody reads are no failure, those onto a full disk are") {
+  for (const char* question : {"--help", "--version", "--list-gallery", "replay --help", "diff --help"}) {
+    CAPTURE(question);
+    // The reader has gone before the first byte comes.
+    const Ended piped =
+        run_shell("{ sleep 0.2; \"$PROGRAM\" " + std::string(question) + "; echo $? >&2; } | true");
+    CHECK(piped.error == "0\n");
+    if (!std::filesystem::exists("/dev/full")) continue;
+    const Ended full = run_shell("exec \"$PROGRAM\" " + std::string(question) + " > /dev/full");
+    CHECK(full.status == 1);
+    CHECK(full.error.find("standard output") != std::string::npos);
+  }
+}
+
 TEST_CASE("Wrong usage is named on one line with status 2") {
   struct Case {
     std::vector<std::string> arguments;
@@ -40,6 +55,14 @@ TEST_CASE("Wrong usage is named on one line with status 2") {
       {{"gallery:sphere", "--tolerance", "0"}, "--tolerance"},
       {{"gallery:sphere", "--tolerance", "-1%"}, "--tolerance"},
       {{"gallery:sphere", "--tolerance", "much"}, "--tolerance"},
+      {{"gallery:sphere", "--tolerance", ""}, "--tolerance"},
+      {{"gallery:sphere", "-o", ""}, "--output"},
+      {{"gallery:sphere", "--report", ""}, "--report"},
+      {{"gallery:sphere", "--record", ""}, "--record"},
+      {{"gallery:sphere", "--until", ""}, "--until"},
+      {{""}, "INPUT"},
+      {{"replay", ""}, "RUN"},
+      {{"diff", "a.isorun", ""}, "B"},
       {{"gallery:sphere", "--sigma", "0"}, "--sigma"},
       {{"gallery:sphere", "--sigma", "2"}, "--sigma"},
       {{"gallery:sphere", "--sigma", "fine"}, "--sigma"},

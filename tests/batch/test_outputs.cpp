@@ -107,6 +107,30 @@ TEST_CASE("Outputs that cannot be written are found before the input is read") {
   }
 }
 
+TEST_CASE("Links stay links, and what they point to is written, also where nothing is yet") {
+  const TemporaryFolder folder;
+  for (const char* suffix : {".off", ".json", ".isorun"}) {
+    std::filesystem::create_symlink(std::string("next") + suffix, folder / (std::string("first") + suffix));
+    std::filesystem::create_symlink(std::string("real") + suffix, folder / (std::string("next") + suffix));
+  }
+  for (int time = 0; time < 2; ++time) { // the second time over what the first one has written
+    const Ended ended = run_batch(
+        {"gallery:sphere", "--tolerance", "12%", "--quiet", "-o", (folder / "first.off").string(), "--report",
+         (folder / "first.json").string(), "--record", (folder / "first.isorun").string()});
+    CAPTURE(ended.error);
+    CHECK(ended.status == 0);
+    for (const char* suffix : {".off", ".json", ".isorun"}) {
+      CAPTURE(suffix);
+      CHECK(std::filesystem::is_symlink(folder / (std::string("first") + suffix)));
+      CHECK(std::filesystem::is_symlink(folder / (std::string("next") + suffix)));
+      CHECK(std::filesystem::is_regular_file(folder / (std::string("real") + suffix)));
+    }
+  }
+  const Ended clash = run_batch(
+      {"gallery:sphere", "-o", (folder / "first.off").string(), "--report", (folder / "real.off").string()});
+  CHECK(clash.status == 2);
+}
+
 TEST_CASE("A full disk is reported") {
   if (!std::filesystem::exists("/dev/full")) return;
   const Ended ended = run_batch({"gallery:sphere", "--quiet", "--report", "/dev/full"});

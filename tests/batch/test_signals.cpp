@@ -15,7 +15,8 @@ using namespace isoscope::test;
 using Json = nlohmann::json;
 
 TEST_CASE("An interrupt during the refinement ends it cleanly and writes what is there") {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  if (!TerminalRun::possible()) return;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
     TerminalRun run({"gallery:rings", "--tolerance", "0.8%", "-o", (folder / "z.off").string(), "--report",
                      (folder / "z.json").string()});
@@ -29,7 +30,26 @@ TEST_CASE("An interrupt during the refinement ends it cleanly and writes what is
   }
 }
 
+TEST_CASE("A terminal that is closed ends the run cleanly, although both shell and system tell it") {
+  if (!TerminalRun::possible()) return;
+  const TemporaryFolder folder;
+  TerminalRun run({"gallery:rings", "--tolerance", "0.8%", "-o", (folder / "z.off").string()});
+  REQUIRE(run.read_until("refinement"));
+  run.signal(SIGHUP);
+  run.signal(SIGHUP);
+  const Ended ended = run.hang_up();
+  CHECK(ended.status == 4);
+  CHECK(read_mesh(folder / "z.off").ok());
+}
+
+TEST_CASE("Under nohup a closed terminal ends nothing") {
+  const Ended ended = run_shell("trap '' HUP; \"$PROGRAM\" gallery:sphere --tolerance 12% --quiet & "
+                                "kill -HUP $!; wait $!");
+  CHECK(ended.status == 0);
+}
+
 TEST_CASE("An interrupt before the refinement ends the program without a mesh") {
+  if (!TerminalRun::possible()) return;
   const TemporaryFolder folder;
   TerminalRun run({"gallery:rings", "--tolerance", "0.3%", "-o", (folder / "z.off").string()});
   REQUIRE(run.read_until("s")); // some part has begun
@@ -41,6 +61,7 @@ TEST_CASE("An interrupt before the refinement ends the program without a mesh") 
 }
 
 TEST_CASE("A second interrupt ends the program at once") {
+  if (!TerminalRun::possible()) return;
   TerminalRun run({"gallery:rings", "--tolerance", "0.5%"});
   REQUIRE(run.read_until("s"));
   run.signal(SIGINT);
@@ -55,6 +76,7 @@ TEST_CASE("A time limit ends a run with status 4") {
 }
 
 TEST_CASE("A terminal sees one line a part, rewritten in place") {
+  if (!TerminalRun::possible()) return;
   TerminalRun run({"gallery:sphere"});
   const Ended ended = run.finish();
   CHECK(ended.status == 0);

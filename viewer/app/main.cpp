@@ -2,12 +2,15 @@
 // and an exit status.
 #include "app/app.h"
 #include "app/options.h"
+#include "cli/exit_status.h"
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 
 namespace {
 
-int exit_status(isoscope::ErrorCode code) {
+int status_of(isoscope::ErrorCode code) {
   switch (code) {
   case isoscope::ErrorCode::bad_input:
   case isoscope::ErrorCode::unsupported:
@@ -25,7 +28,7 @@ int exit_status(isoscope::ErrorCode code) {
 
 int complain(const isoscope::Error& error) {
   std::fprintf(stderr, "isoscope: %s\n", error.line().c_str());
-  return exit_status(error.code);
+  return status_of(error.code);
 }
 
 } // namespace
@@ -34,11 +37,13 @@ int main(int argc, char** argv) {
   const auto parsed = isoscope::parse_options(argc, argv);
   if (!parsed) {
     complain(parsed.error());
-    return exit_status(isoscope::ErrorCode::usage);
+    return status_of(isoscope::ErrorCode::usage);
   }
   if (parsed->print) {
-    std::fputs(parsed->print->c_str(), stdout);
-    return 0;
+    std::signal(SIGPIPE, SIG_IGN);
+    const isoscope::Status printed = isoscope::print(*parsed->print);
+    // A reader that has had enough, as `head` has, is no failure.
+    return printed || errno == EPIPE ? 0 : complain(printed.error());
   }
   const auto app = isoscope::App::create(parsed->options);
   if (!app) return complain(app.error());
