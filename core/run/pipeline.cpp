@@ -5,6 +5,8 @@
 #include "input/mesh_io.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
+#include "run/closing_tolerance.h"
+#include "tolerance/region_labels.h"
 
 #include <sys/resource.h>
 
@@ -97,6 +99,18 @@ struct Pipeline::Impl {
   std::unique_ptr<Simplification> simplification;
   double seconds = 0; ///< of all parts so far
   std::string branched;
+  const RunParameters* parameters = nullptr;
+
+  ToleranceVolume::Options volume_options(double delta) const {
+    return {delta, parameters->containment == Containment::certified ? certified_boundary_ratio : 1.0};
+  }
+  /// What is wrong with the input; when it is open, with the tolerance that would close it.
+  Error refused(Error error, const Scene& at, const ToleranceVolume::Options& options) const {
+    if (!is_open_surface(error)) return error;
+    control->report("tolerance that closes the input", -1);
+    return with_closing_tolerance(std::move(error), {at.index, at.input_topology, at.input->area(), options},
+                                  *parameters, *control);
+  }
 
   void record_warning(const std::string& text) {
     Event e;
@@ -129,15 +143,16 @@ struct Pipeline::Impl {
         current_samples = *samples;
       }
       refined = refinement->run();
-      if (refined.end == RefinementOutcome::End::open_input) return open_surface_near(refined.open_at);
+      if (refined.end == RefinementOutcome::End::open_input)
+        return refused(open_surface_near(refined.open_at), *scene, volume_options(scene->delta));
       if (!resampling->resample_pending()) return {};
     }
   }
 
   /// T goes from the refinement, which is not needed any more, to the simplification.
-  void begin_simplification(const SimplificationParameters& parameters) {
+  void begin_simplification(const SimplificationParameters& wanted) {
     simplification = std::make_unique<Simplification>(*volume, current_samples, refinement->criteria(),
-                                                      parameters, *recorder, *control, refinement->complex());
+                                                      wanted, *recorder, *control, refinement->complex());
     refinement.reset();
   }
 
@@ -154,6 +169,7 @@ Pipeline::Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, G
   impl_->journal = std::move(journal);
   impl_->gate = &gate;
   impl_->control = &control;
+  impl_->parameters = &parameters_;
 }
 
 Pipeline::~Pipeline() = default;
@@ -184,10 +200,12 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   scene->input_seconds = watch.seconds();
   if (m.control->cancelled()) return cancelled_error(*m.control);
 
-  const bool certified = parameters_.containment == Containment::certified;
-  const ToleranceVolume::Options options{scene->delta, certified ? certified_boundary_ratio : 1.0};
+  const ToleranceVolume::Options options = m.volume_options(scene->delta);
   auto volume = ToleranceVolume::build(scene->index, scene->input_topology, options, *m.control);
-  if (!volume) return m.control->cancelled() ? cancelled_error(*m.control) : volume.error();
+  if (!volume) {
+    if (m.control->cancelled()) return cancelled_error(*m.control);
+    return m.refused(volume.error(), *scene, options);
+  }
   m.volume.emplace(std::move(*volume));
   if (parameters_.topology == TopologyMode::separate) {
     if (Status both = m.volume->check_insides(); !both) return both.error();
@@ -199,7 +217,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   auto samples = m.sample(criteria.sigma);
   if (m.control->cancelled()) return cancelled_error(*m.control);
   if (!samples) return samples.error();
-  if (Status closed = m.volume->check_passages(); !closed) return closed.error();
+  if (Status closed = m.volume->check_passages(); !closed) return m.refused(closed.error(), *scene, options);
   scene->samples = *samples;
   scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;
 

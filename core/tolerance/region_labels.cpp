@@ -15,6 +15,7 @@ constexpr unsigned ballot_size = 16;
 /// Triangles from which the thickness of a part is measured.
 constexpr std::size_t thickness_probes = 2000;
 constexpr int place_digits = 6;
+const std::string open_surface_words = "The input is an open surface near ";
 /// Triangles whose sides are compared, how far from the plane in units of δ', and the share of them with one
 /// region on both sides from which on the surface counts as open.
 constexpr std::size_t side_probes = 4000;
@@ -146,9 +147,13 @@ std::optional<Vec3> one_sided_place(const ToleranceVolume& volume) {
 
 Error open_surface_near(Vec3 p) {
   return {ErrorCode::unsupported,
-          "The input is an open surface near " + place(p, place_digits) +
+          open_surface_words + place(p, place_digits) +
               ": both its sides are connected outside of the tolerance volume.",
           "A larger tolerance closes gaps; approximating open surfaces comes with a later version."};
+}
+
+bool is_open_surface(const Error& error) {
+  return error.code == ErrorCode::unsupported && error.message.starts_with(open_surface_words);
 }
 
 std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component) {

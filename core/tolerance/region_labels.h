@@ -16,6 +16,9 @@ int pocket_label(const ToleranceVolume& volume, Vec3 p);
 /// Fails with unsupported, naming the place, where a component of Ω' of a labelled volume has nothing inside.
 Status check_both_sides(const ToleranceVolume& volume);
 
+/// Whether it is what open_surface_near() says.
+bool is_open_surface(const Error& error);
+
 /// Labels for soups: alternating sides from the unbounded region. Where three regions or more meet a
 /// component of Ω', as they do at pockets, rays decide if they agree. Fails with unsupported on open and
 /// non-manifold surfaces.

@@ -1,0 +1,143 @@
+// From half of the longest edge downwards, then between the last that closes and the first that does not.
+#include "run/closing_tolerance.h"
+
+#include "journal/recorder.h"
+#include "refine/refinement.h"
+#include "tolerance/parameter_check.h"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace isoscope {
+
+namespace {
+
+/// Between the tolerances that are tried first, and how near the answer has to be.
+constexpr double step = 1.25, precision = 1.03;
+/// The largest tolerance, in longest edges: beyond it nothing has an inside.
+constexpr double largest_share = 0.5;
+/// Cells of an octree for each δ'² of the input's area, about, and how many all trials may take together.
+constexpr double cells_by_area = 40, most_cells = 3e6;
+/// Vertices after which a refinement has shown that it runs.
+constexpr std::size_t trial_insertions = 3000;
+
+class OpenGate : public Gate {
+ public:
+  explicit OpenGate(const CriteriaParameters& criteria) : criteria_(criteria) {}
+  Verdict pass(const Journal&, const Event&) override { return Verdict::go_on; }
+  CriteriaParameters wanted_parameters() const override { return criteria_; }
+
+ private:
+  CriteriaParameters criteria_;
+};
+
+class Trials {
+ public:
+  Trials(const OpenInput& input, const RunParameters& parameters, const RunControl& control)
+      : input_(&input), parameters_(&parameters), control_(&control) {}
+
+  double longest_edge() const { return input_->index->bounds().longest_edge(); }
+  /// Whether one more trial is within what all may take; counts it.
+  bool affords(double delta) {
+    cells_ += cells_by_area * input_->area / (delta * delta);
+    return cells_ <= most_cells && !control_->cancelled();
+  }
+  bool closes(double delta) const { return build(delta).ok(); }
+  /// Whether a run at this tolerance comes to its refinement and stays in it.
+  bool begins(double delta) const {
+    auto volume = build(delta);
+    if (!volume) return false;
+    const CriteriaParameters criteria =
+        parameters_->criteria(delta, default_sigma_ratio(input_->area, delta));
+    auto samples = sample_boundary(*volume, criteria.sigma, *control_);
+    if (!samples || !volume->check_passages()) return false;
+    auto journal = std::make_shared<Journal>();
+    const auto shared = std::make_shared<const BoundarySamples>(std::move(*samples));
+    journal->add_sample_set(shared);
+    journal->add_parameters(criteria);
+    OpenGate gate(criteria);
+    Recorder recorder(*journal, gate);
+    Refinement refinement(*volume, shared, criteria, expected_topology(*volume, parameters_->topology),
+                          {trial_insertions, trial_insertions}, recorder, *control_);
+    const RefinementOutcome outcome = refinement.run();
+    return outcome.end == RefinementOutcome::End::finished || outcome.end == RefinementOutcome::End::limit;
+  }
+
+ private:
+  Result<ToleranceVolume> build(double delta) const {
+    ToleranceVolume::Options options = input_->options;
+    options.delta = delta;
+    auto volume = ToleranceVolume::build(input_->index, input_->topology, options, *control_);
+    if (volume && parameters_->topology == TopologyMode::separate)
+      if (Status both = volume->check_insides(); !both) return both.error();
+    return volume;
+  }
+
+  const OpenInput* input_;
+  const RunParameters* parameters_;
+  const RunControl* control_;
+  double cells_ = 0;
+};
+
+/// The next percentage with three digits that is not below.
+double rounded_up(double percent) {
+  const double unit = std::pow(10.0, std::floor(std::log10(percent)) - 2);
+  return std::ceil(percent / unit - 1e-9) * unit;
+}
+
+std::string percent_text(double percent) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3g%%", percent);
+  return text;
+}
+
+} // namespace
+
+Error with_closing_tolerance(Error open, const OpenInput& input, const RunParameters& parameters,
+                             const RunControl& control) {
+  const std::string later = " approximating open surfaces comes with a later version.";
+  Trials trials(input, parameters, control);
+  const double edge = trials.longest_edge();
+  double tried = largest_share * edge; // the smallest so far
+  double closing = 0, open_below = 0;  // 0: none yet
+  for (double delta = tried; delta > input.options.delta * precision && trials.affords(delta);
+       delta /= step) {
+    if (trials.closes(delta)) {
+      closing = delta;
+    } else if (closing > 0) { // gaps do not close again at less
+      open_below = delta;
+      break;
+    }
+    tried = delta;
+  }
+  const bool all = tried <= input.options.delta * precision * step;
+  if (all && closing > 0 && open_below == 0) open_below = input.options.delta;
+  while (closing > 0 && open_below > 0 && closing > open_below * precision) {
+    const double middle = std::sqrt(closing * open_below);
+    if (!trials.affords(middle)) break;
+    (trials.closes(middle) ? closing : open_below) = middle;
+  }
+  // What octrees took for closed, samples and the refinement may find to be open by a hair.
+  std::optional<double> percent;
+  for (int attempt = 0; closing > 0 && !percent && attempt < 4 && !control.cancelled(); ++attempt) {
+    const double candidate = rounded_up(100 * closing / edge * (1 + 0.05 * attempt));
+    if (trials.begins(candidate / 100 * edge)) percent = candidate;
+  }
+  if (control.cancelled()) return open;
+  if (percent) {
+    const bool smallest = open_below > 0 && closing <= open_below * precision;
+    const Tolerance tolerance{*percent, true};
+    char length[40];
+    std::snprintf(length, sizeof length, "%.4g", tolerance.absolute(edge));
+    open.remedy =
+        (smallest ? "The smallest tolerance that closes it is about " : "It is closed by a tolerance of ") +
+        percent_text(*percent) + " of the longest edge (" + length + ");" + later;
+  } else {
+    open.remedy = "No tolerance " + (all ? std::string("up") : "from " + percent_text(100 * tried / edge)) +
+                  " to " + percent_text(100 * largest_share) + " of the longest edge closes it;" + later;
+  }
+  return open;
+}
+
+} // namespace isoscope

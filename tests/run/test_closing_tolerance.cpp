@@ -1,0 +1,113 @@
+// Refusals of open input name the smallest tolerance that closes it: a run begins there, and does not below.
+#include "run/complete_run.h"
+#include "tolerance/shapes.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+/// A sphere of radius 1 with a round hole at a pole.
+TriangleSoup bowl(double hole_radius) {
+  TriangleSoup soup;
+  testing::add_sphere(soup, {0, 0, 0}, 1, 16);
+  const double height = std::sqrt(1 - hole_radius * hole_radius);
+  std::erase_if(soup.triangles, [&](const auto& t) {
+    return soup.points[t[0]].z > height || soup.points[t[1]].z > height || soup.points[t[2]].z > height;
+  });
+  return soup;
+}
+
+/// The radius of what it lacks: facets go with the pole, so that it is more than asked for.
+double hole_in(const TriangleSoup& bowl) {
+  double radius = 1;
+  for (const auto& t : bowl.triangles)
+    for (const auto v : t)
+      if (const Vec3 p = bowl.points[v]; p.z > 0) radius = std::min(radius, std::hypot(p.x, p.y));
+  return radius;
+}
+
+/// A hilly sheet: whatever the tolerance, one walks around it.
+TriangleSoup sheet() {
+  constexpr std::uint32_t n = 12;
+  TriangleSoup soup;
+  for (std::uint32_t y = 0; y <= n; ++y)
+    for (std::uint32_t x = 0; x <= n; ++x)
+      soup.points.push_back({1.0 * x, 1.0 * y, 0.3 * ((x * 7 + y * 3) % 5)});
+  for (std::uint32_t y = 0; y < n; ++y)
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const std::uint32_t a = y * (n + 1) + x;
+      soup.triangles.push_back({a, a + 1, a + n + 2});
+      soup.triangles.push_back({a, a + n + 2, a + n + 1});
+    }
+  return soup;
+}
+
+std::unique_ptr<CompleteRun> refined(const TriangleSoup& soup, double percent) {
+  RunParameters parameters;
+  parameters.input = "soup";
+  parameters.tolerance = {percent, true};
+  parameters.until = Stage::refinement;
+  auto run = std::make_unique<CompleteRun>(parameters);
+  run->soup = std::make_shared<const TriangleSoup>(soup);
+  return run;
+}
+
+/// The percentage after these words; 0 where they are missing.
+double percentage_after(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  return at == std::string::npos ? 0 : std::stod(text.substr(at + words.size()));
+}
+
+} // namespace
+
+TEST_CASE("A hole is closed by the tolerance that the refusal names, and by none clearly below") {
+  for (const double hole : {0.25, 0.45}) {
+    CAPTURE(hole);
+    const TriangleSoup soup = bowl(hole);
+    const auto open = refined(soup, 5);
+    REQUIRE_FALSE(open->run());
+    REQUIRE(open->error.has_value());
+    CHECK(open->error->code == ErrorCode::unsupported);
+    CHECK(open->error->message.find("open surface near (") != std::string::npos);
+    CAPTURE(open->error->remedy);
+    const double named =
+        percentage_after(open->error->remedy, "The smallest tolerance that closes it is about ");
+    REQUIRE(named > 5);
+    // δ' has to reach the middle of the hole.
+    const double reach = named / 100 * 2 * 0.95;
+    CHECK(reach > 0.95 * hole_in(soup));
+    CHECK(reach < 1.15 * hole_in(soup));
+    CHECK(refined(soup, named)->run());
+    CHECK_FALSE(refined(soup, 0.93 * named)->run());
+  }
+}
+
+TEST_CASE("A sheet is said to be closed by nothing") {
+  const auto open = refined(sheet(), 3);
+  REQUIRE_FALSE(open->run());
+  REQUIRE(open->error.has_value());
+  CHECK(open->error->remedy.starts_with("No tolerance up to 50% of the longest edge closes it;"));
+}
+
+TEST_CASE("The search ends when it is told to") {
+  const auto open = refined(bowl(0.45), 5);
+  bool searching = false;
+  std::size_t afterwards = 0;
+  open->control.on_progress([&](std::string_view part, double) {
+    if (searching) ++afterwards;
+    if (part != "tolerance that closes the input") return;
+    searching = true;
+    open->control.cancel();
+  });
+  REQUIRE_FALSE(open->run());
+  REQUIRE(open->error.has_value());
+  CHECK(searching);
+  CHECK(afterwards < 5);
+  CHECK(open->error->message.find("open surface near (") != std::string::npos);
+  CHECK(open->error->remedy.find("A larger tolerance closes gaps") == 0);
+}
