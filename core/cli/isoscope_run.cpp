@@ -81,7 +81,7 @@ class Recording {
     return {};
   }
   void start(const RunParameters& parameters, const Scene& scene, std::shared_ptr<const Journal> journal) {
-    if (writer_) writer_->start(recording_header(parameters, scene.input), std::move(journal));
+    if (writer_) writer_->start(recording_header(parameters, scene.input, scene.notes), std::move(journal));
   }
   /// Says at once, and once, that nothing more can be written; the run goes on without its recording. From
   /// the run's thread.
@@ -229,6 +229,9 @@ int run(int argc, char** argv) {
   const auto result = pipeline.run();
   progress.finish();
   if (!result) return fail(result.error(), exit_status(result.error().code));
+
+  if (const std::string crumbs = crumbs_note(result->crumbs, result->mesh); !quiet && !crumbs.empty())
+    note(crumbs);
 
   constexpr int stopped_at_breakpoint = 5;
   int status = gate.hit() ? stopped_at_breakpoint : result->exit_status();

@@ -15,7 +15,7 @@ namespace isoscope {
 struct RunOptions::Raw {
   std::string input;
   std::string tolerance;
-  std::optional<double> sigma, alpha, shrink, time_limit;
+  std::optional<double> sigma, alpha, shrink, time_limit, drop_small;
   std::optional<unsigned> threads;
   std::string until, containment = "certified", topology = "keep", target, improver = "free";
   std::vector<std::string> skip;
@@ -81,6 +81,9 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
   app.add_option("--effort", r.effort, "of the improver: 0 (least) to 3 (fewest vertices); default 2");
   app.add_option("--improver", r.improver,
                  "where it works: free (Z leaves T, fewest vertices) or embedded (inside T); default free");
+  app.add_option(
+      "--drop-small", r.drop_small,
+      "leave out connected components of the input whose box is smaller than so many δ; default 0: none");
   app.add_option("--threads", r.threads,
                  "number of threads, 0 for all cores; the result does not depend on it");
   app.add_option("--containment", r.containment,
@@ -163,6 +166,7 @@ Result<RunParameters> RunOptions::finish() const {
   p.alpha = r.alpha.value_or(p.alpha);
   p.shrink = r.shrink.value_or(p.shrink);
   p.threads = r.threads.value_or(p.threads);
+  p.drop_small = r.drop_small.value_or(p.drop_small);
   p.time_limit = r.time_limit.value_or(p.time_limit);
   p.condition_3 = !r.no_normals;
   for (const int condition : r.off) {

@@ -61,6 +61,10 @@ std::string summary(const ReplayOptions& options, const RecordedRun& r, const Tr
                             counted(header.input->triangles.size(), "triangle") + ", digest " +
                             digest_text(r.reader->input_digest()) + "; tolerance " +
                             r.parameters.tolerance.text());
+  for (std::size_t i = 0; i < j.events().size(); ++i) {
+    const Event& e = j.events()[i];
+    if (e.kind == EventKind::warning && e.stage == Stage::setup) text += line("Note", j.texts()[e.text]);
+  }
   text += line("Run", end_words(r));
   text +=
       line("Journal", counted(j.events().size(), "event") + ", " +
@@ -73,8 +77,8 @@ int check_it(const ReplayOptions& options, const RecordedRun& r) {
   RunControl control;
   ProgressLine progress(!options.quiet);
   control.on_progress([&](std::string_view part, double fraction) { progress.part(part, fraction); });
-  const auto verdict =
-      check_replay(r.parameters, r.reader->header().input, *r.journal, r.end.has_value(), control);
+  const auto verdict = check_replay(r.parameters, r.reader->header().input, *r.journal, r.end.has_value(),
+                                    control, r.reader->header().notes);
   progress.finish();
   if (!verdict) return fail(verdict.error());
   if (!verdict->same) {

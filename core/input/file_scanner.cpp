@@ -18,9 +18,22 @@ namespace {
 
 constexpr std::size_t buffer_size = 1 << 18;
 constexpr std::size_t head_size = 1 << 12;
+constexpr std::size_t byte_order_mark = 2; ///< bytes in front of UTF-16
 
 bool is_blank(int c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+bool is_line_end(int c) {
+  return c == '\n' || c == '\r';
+}
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool begins_with_word(std::string_view text, std::string_view word) {
+  return text.size() >= word.size() && same_word(text.substr(0, word.size()), word);
 }
 
 const char* kind_of(mode_t mode) {
@@ -42,7 +55,8 @@ std::uint64_t physical_memory() {
 
 } // namespace
 
-FileScanner::FileScanner(const std::filesystem::path& file) : file_(file) {
+FileScanner::FileScanner(const std::filesystem::path& file, const RunControl& control)
+    : file_(file), control_(&control) {
   struct stat info {};
   const std::string give = "Give the path of an OFF, OBJ, PLY or STL file.";
   // Asked before opening, since opening a pipe or a device may wait or have effects.
@@ -58,6 +72,7 @@ FileScanner::FileScanner(const std::filesystem::path& file) : file_(file) {
     ::close(descriptor_);
     fail("is empty", give);
   }
+  unread_ = size_;
   buffer_.resize(buffer_size);
 }
 
@@ -66,19 +81,65 @@ FileScanner::~FileScanner() {
 }
 
 bool FileScanner::refill() {
-  base_ += filled_;
+  if (control_->cancelled()) fail("was left while it was read", {}, ErrorCode::cancelled);
+  block_ += block_bytes_;
   position_ = filled_ = 0;
-  ssize_t got = 0;
-  do got = ::read(descriptor_, buffer_.data(), buffer_.size());
-  while (got < 0 && errno == EINTR);
-  if (got < 0) fail("cannot be read on (" + reason(errno) + ")", "Check the disk or the network share.");
-  filled_ = static_cast<std::size_t>(got);
-  return got > 0;
+  block_bytes_ = 0;
+  // Whole blocks, so that no character of two bytes is cut in half.
+  while (block_bytes_ < buffer_.size()) {
+    const ssize_t got = ::read(descriptor_, buffer_.data() + block_bytes_, buffer_.size() - block_bytes_);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail("cannot be read on (" + reason(errno) + ")", "Check the disk or the network share.");
+    if (got == 0) break;
+    block_bytes_ += static_cast<std::size_t>(got);
+  }
+  unread_ -= std::min(unread_, block_bytes_);
+  filled_ = static_cast<std::size_t>(block_bytes_);
+  if (encoding_ != Encoding::bytes) {
+    if (block_ == 0) position_ = std::min(byte_order_mark, filled_);
+    decode_buffer(position_);
+  }
+  return filled_ > position_;
+}
+
+void FileScanner::decode_buffer(std::size_t from) {
+  const std::size_t high = encoding_ == Encoding::utf16_big_endian ? 0 : 1;
+  std::size_t to = from;
+  for (std::size_t i = from; i + 1 < filled_; i += 2) {
+    const char letter = buffer_[i + 1 - high];
+    const bool ascii = buffer_[i + high] == 0 && static_cast<unsigned char>(letter) < 0x80;
+    buffer_[to++] = ascii ? letter : '?';
+  }
+  filled_ = to;
 }
 
 std::string_view FileScanner::head() {
   peek();
-  return {buffer_.data(), std::min(filled_, head_size)};
+  const std::string_view bytes(buffer_.data() + position_, std::min(filled_ - position_, head_size));
+  const std::size_t end = bytes.find_first_of("\r\n");
+  lone_cr_ =
+      end != std::string_view::npos && bytes[end] == '\r' && end + 1 < bytes.size() && bytes[end + 1] != '\n';
+  return bytes;
+}
+
+void FileScanner::decode_utf16(bool big_endian) {
+  peek();
+  encoding_ = big_endian ? Encoding::utf16_big_endian : Encoding::utf16_little_endian;
+  position_ = std::min(byte_order_mark, filled_);
+  decode_buffer(position_);
+}
+
+void FileScanner::return_to(const Mark& mark) {
+  if (mark.block != block_) {
+    if (::lseek(descriptor_, static_cast<off_t>(mark.block), SEEK_SET) < 0)
+      fail("cannot be read again (" + reason(errno) + ")", "Check the disk or the network share.");
+    unread_ = size_ - std::min(size_, mark.block);
+    block_ = mark.block;
+    block_bytes_ = 0;
+    refill();
+  }
+  position_ = std::min(mark.position, filled_);
+  line_ = mark.line;
 }
 
 bool FileScanner::read(void* target, std::size_t count) {
@@ -107,16 +168,26 @@ bool FileScanner::skip(std::uint64_t count) {
 void FileScanner::skip_blanks(char comment) {
   while (is_blank(peek())) ++position_;
   if (comment != 0 && peek() == comment)
-    while (peek() != '\n' && peek() != end_of_file) ++position_;
+    while (!is_line_end(peek()) && peek() != end_of_file) ++position_;
 }
 
 bool FileScanner::at_line_end(char comment) {
   skip_blanks(comment);
-  return peek() == '\n' || peek() == end_of_file;
+  return is_line_end(peek()) || peek() == end_of_file;
+}
+
+bool FileScanner::at_word_end() {
+  const int c = peek();
+  return c == end_of_file || is_line_end(c) || is_blank(c);
 }
 
 void FileScanner::next_line() {
-  for (int c = get(); c != '\n' && c != end_of_file; c = get()) {}
+  while (!is_line_end(peek()) && peek() != end_of_file) ++position_;
+  if (peek() == end_of_file) return;
+  const bool cr = peek() == '\r';
+  ++position_;
+  ++line_;
+  if (cr && !lone_cr_ && peek() == '\n') ++position_;
 }
 
 void FileScanner::skip_empty_lines(char comment) {
@@ -126,7 +197,7 @@ void FileScanner::skip_empty_lines(char comment) {
 std::string_view FileScanner::word(char comment) {
   skip_blanks(comment);
   std::size_t length = 0;
-  for (int c = peek(); c != end_of_file && c != '\n' && !is_blank(c) && !(comment != 0 && c == comment);
+  for (int c = peek(); c != end_of_file && !is_line_end(c) && !is_blank(c) && !(comment != 0 && c == comment);
        c = peek()) {
     if (length == word_.size())
       fail_here("a word of more than 200 characters stands where a number or keyword is expected",
@@ -168,6 +239,16 @@ double FileScanner::to_number(std::string_view text) const {
   return value;
 }
 
+double FileScanner::to_attribute(std::string_view text) const {
+  std::string_view name = text;
+  if (!name.empty() && (name[0] == '+' || name[0] == '-')) name.remove_prefix(1);
+  for (const std::string_view spelling : {"nan", "1.#ind", "1.#qnan", "1.#snan"})
+    if (begins_with_word(name, spelling)) return std::nan("");
+  for (const std::string_view spelling : {"inf", "1.#inf"})
+    if (begins_with_word(name, spelling)) return text[0] == '-' ? -HUGE_VAL : HUGE_VAL;
+  return to_number(text);
+}
+
 std::int64_t FileScanner::to_integer(std::string_view text) const {
   std::string_view digits = text;
   if (!digits.empty() && digits[0] == '+') digits.remove_prefix(1);
@@ -196,6 +277,11 @@ void FileScanner::check_count(std::uint64_t count, std::string_view things, std:
          "It seems cut off or damaged: get it again or export it anew.");
   if (memory_each > 0 && count > physical_memory() / 2 / memory_each)
     fail(announced + ", more than this machine's memory can hold", "Simplify or split the model.");
+}
+
+bool same_word(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
 }
 
 } // namespace isoscope

@@ -1,8 +1,8 @@
 // The bracket: flat faces with holes, cut into as few triangles as a CAD program would, and the walls between
 // them.
+#include "input/ear_clipping.h"
 #include "input/exact_circle.h"
 #include "input/gallery_shapes.h"
-#include "input/polygon.h"
 
 #include <algorithm>
 #include <map>
@@ -35,7 +35,7 @@ class Workpiece {
   /// A flat face: the outline counter-clockwise seen from outside, the holes clockwise.
   void face(Loop outline, const std::vector<Loop>& holes) {
     for (const Loop& hole : holes) bridge(outline, hole);
-    triangulate_polygon(model_.points, outline, model_.triangles);
+    clip_ears(model_.points, outline, model_.triangles);
   }
 
   /// The wall between two loops of equal length, seen from outside `lower` running to the right under

@@ -1,11 +1,13 @@
-// Tells formats apart, reads polygons and makes a sound triangle soup of them.
+// Reads polygons and makes a sound triangle soup of them.
 #include "input/mesh_io.h"
 
+#include "base/grouped.h"
+#include "input/input_mesh.h"
+#include "input/mesh_format.h"
 #include "input/mesh_readers.h"
 #include "input/polygon.h"
 
 #include <algorithm>
-#include <cctype>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -14,114 +16,88 @@ namespace isoscope {
 
 namespace {
 
-const std::string known_formats = "Isoscope reads OFF, OBJ, PLY and STL.";
-const std::string points_remedy =
-    "Point sets come with a later version of Isoscope; give a triangle mesh as OFF, OBJ, PLY or STL.";
-
-enum class Format { off, obj, ply, stl_ascii, stl_binary };
-
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string e = file.extension().string();
-  for (char& c : e) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return e;
-}
-
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
-}
-
-/// The first word of the first line that is neither empty nor a comment, and that line.
-struct FirstLine {
-  std::string_view word, line;
-};
-
-FirstLine first_line(std::string_view head) {
-  while (!head.empty()) {
-    const std::size_t end = std::min(head.find('\n'), head.size());
-    std::string_view line = head.substr(0, end);
-    head.remove_prefix(std::min(end + 1, head.size()));
-    while (!line.empty() && is_space(line.front())) line.remove_prefix(1);
-    if (line.empty() || line.front() == '#') continue;
-    const auto* stop = std::find_if(line.begin(), line.end(), is_space);
-    return {line.substr(0, static_cast<std::size_t>(stop - line.begin())), line};
-  }
-  return {};
-}
-
-bool is_off_keyword(std::string_view word) {
-  const std::size_t at = word.find("OFF");
-  if (at == std::string_view::npos) return false;
-  const std::string_view before = word.substr(0, at), after = word.substr(at + 3);
-  return before.find_first_not_of("STCN4n") == std::string_view::npos &&
-         after.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-bool is_obj_keyword(std::string_view word) {
-  constexpr std::string_view keywords[] = {"v", "vn", "vt", "vp", "f",      "g",
-                                           "o", "s",  "l",  "p",  "mtllib", "usemtl"};
-  return std::find(std::begin(keywords), std::end(keywords), word) != std::end(keywords);
-}
-
-bool looks_like_points(std::string_view line) {
-  return !line.empty() && line.find_first_not_of("0123456789+-.,;eE \t\r") == std::string_view::npos;
-}
-
-/// Binary STL has no mark of its own, but its size follows from its count.
-bool is_binary_stl(std::string_view head, std::uint64_t size) {
-  if (head.size() < 84) return false;
-  std::uint64_t count = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    count |= std::uint64_t{static_cast<unsigned char>(head[80 + i])} << (8 * i);
-  return size == 84 + 50 * count;
-}
-
-Format detect(FileScanner& in) {
-  std::string_view head = in.head();
-  if (head.starts_with("\xef\xbb\xbf")) { // the byte order mark that some editors put in front of text
-    in.skip(3);
-    head.remove_prefix(3);
-  }
-  const std::string extension = lower_extension(in.file());
-  const FirstLine first = first_line(head);
-  if (head.starts_with("ply") && head.size() > 3 && is_space(head[3])) return Format::ply;
-  if (is_off_keyword(first.word)) return Format::off;
-  if (is_binary_stl(head, in.size())) return Format::stl_binary;
-  if (first.word == "solid") return Format::stl_ascii;
-  if (is_obj_keyword(first.word)) return Format::obj;
-  const bool text = head.find('\0') == std::string_view::npos;
-  if (looks_like_points(first.line))
-    in.fail("holds a list of numbers, which looks like a point set", points_remedy, ErrorCode::unsupported);
-  if (extension == ".stl" && !text) return Format::stl_binary;
-  if (extension == ".obj" && text) return Format::obj;
-  if (extension == ".off") in.fail("does not begin with the word OFF", "Is it an OFF file? Export it anew.");
-  if (extension == ".ply") in.fail("does not begin with the word ply", "Is it a PLY file? Export it anew.");
-  in.fail(text ? "is in no format that we know" : "holds binary data in no format that we know",
-          known_formats + " Export it in one of them.");
-}
+/// Faces whose corners leave their plane by less than this part of the longest edge are called flat: so much
+/// may be rounding.
+constexpr double flat_enough = 1e-6;
 
 PolygonFile read_polygons(FileScanner& in) {
-  switch (detect(in)) {
-  case Format::off:
+  switch (detect_format(in)) {
+  case MeshFormat::off:
     return read_off(in);
-  case Format::obj:
+  case MeshFormat::obj:
     return read_obj(in);
-  case Format::ply:
+  case MeshFormat::ply:
     return read_ply(in);
-  case Format::stl_ascii:
+  case MeshFormat::stl_ascii:
     return read_stl_ascii(in);
-  case Format::stl_binary:
+  case MeshFormat::stl_binary:
     return read_stl_binary(in);
   }
-  in.fail("is in no format that we know", known_formats);
+  in.fail("is in no format that we know");
 }
 
 bool has_area(const Triangle3& t) {
   return cross(t[1] - t[0], t[2] - t[0]) != Vec3{};
 }
 
+/// Faces of more than three corners, and what had to be decided about them.
+struct PolygonFigures {
+  std::size_t polygons = 0, bent = 0, crossing = 0;
+  double largest_deviation = 0;
+
+  std::vector<InputNote> notes() const {
+    std::vector<InputNote> notes;
+    if (bent > 0)
+      notes.push_back(
+          {grouped(bent) + " of " + grouped(polygons) + " faces of more than three corners " +
+               (bent == 1 ? "is" : "are") +
+               " not flat. Each is cut inside its outline, the shortest diagonals first (beyond " +
+               std::to_string(most_clipped_corners) +
+               " corners by a Delaunay triangulation); corners leave their face's plane by up to",
+           largest_deviation});
+    if (crossing > 0)
+      notes.push_back({grouped(crossing) + (crossing == 1 ? " face" : " faces") + " of more than " +
+                       std::to_string(most_clipped_corners) + " corners " +
+                       (crossing == 1 ? "crosses itself and is" : "cross themselves and are") +
+                       " cut into strips, which may leave the outline."});
+    return notes;
+  }
+};
+
+/// The box of all corners of faces.
+Box3 box_of(const PolygonFile& polygons) {
+  Box3 box;
+  for (const std::uint32_t v : polygons.corners) box.add(polygons.points[v]);
+  return box;
+}
+
+PolygonFigures triangulate_all(const FileScanner& in, const PolygonFile& polygons, TriangleSoup& soup) {
+  PolygonFigures figures;
+  const double flat = flat_enough * box_of(polygons).longest_edge();
+  std::span<const std::uint32_t> corners = polygons.corners;
+  for (const std::uint32_t n : polygons.corner_count) {
+    const auto face = corners.first(n);
+    corners = corners.subspan(n);
+    if (n == 3) {
+      soup.triangles.push_back({face[0], face[1], face[2]});
+      continue;
+    }
+    if (n < 3) continue;
+    ++figures.polygons;
+    if (const double deviation = flatness_deviation(polygons.points, face); deviation > flat) {
+      ++figures.bent;
+      figures.largest_deviation = std::max(figures.largest_deviation, deviation);
+    }
+    if (!triangulate_polygon(polygons.points, face, in.control(), soup.triangles)) ++figures.crossing;
+    if (in.control().cancelled()) in.fail("was left while its faces were cut", {}, ErrorCode::cancelled);
+  }
+  return figures;
+}
+
 /// Triangulates, drops triangles that name a vertex twice, and refuses what is no surface at all.
-TriangleSoup make_soup(const FileScanner& in, PolygonFile&& polygons) {
-  TriangleSoup soup;
+InputMesh make_soup(const FileScanner& in, PolygonFile&& polygons) {
+  InputMesh mesh;
+  TriangleSoup& soup = mesh.soup;
   soup.name = in.file().stem().string();
   if (polygons.corner_count.empty() && polygons.points.empty())
     in.fail("holds neither vertices nor faces", "Give a file with triangles.");
@@ -129,12 +105,9 @@ TriangleSoup make_soup(const FileScanner& in, PolygonFile&& polygons) {
     in.fail("holds " + std::to_string(polygons.points.size()) + " points but no faces", points_remedy,
             ErrorCode::unsupported);
 
+  mesh.notes = std::move(polygons.notes);
+  for (InputNote& note : triangulate_all(in, polygons, soup).notes()) mesh.notes.push_back(std::move(note));
   soup.points = std::move(polygons.points);
-  std::span<const std::uint32_t> corners = polygons.corners;
-  for (const std::uint32_t n : polygons.corner_count) {
-    triangulate_polygon(soup.points, corners.first(n), soup.triangles);
-    corners = corners.subspan(n);
-  }
   std::erase_if(soup.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
 
   const Box3 box = soup.bounds();
@@ -150,7 +123,7 @@ TriangleSoup make_soup(const FileScanner& in, PolygonFile&& polygons) {
   bool any_area = false;
   for (std::size_t i = 0; i < soup.triangles.size() && !any_area; ++i) any_area = has_area(soup.triangle(i));
   if (!any_area) in.fail("holds only degenerate faces, all without area", "Give a surface with area.");
-  return soup;
+  return mesh;
 }
 
 Error too_much_memory(const std::filesystem::path& file) {
@@ -160,9 +133,9 @@ Error too_much_memory(const std::filesystem::path& file) {
 
 } // namespace
 
-Result<TriangleSoup> read_mesh(const std::filesystem::path& file) {
+Result<InputMesh> read_input_mesh(const std::filesystem::path& file, const RunControl& control) {
   try {
-    FileScanner in(file);
+    FileScanner in(file, control);
     return make_soup(in, read_polygons(in));
   } catch (const MeshFileFailure& failure) {
     return failure.error;
@@ -171,6 +144,12 @@ Result<TriangleSoup> read_mesh(const std::filesystem::path& file) {
   } catch (const std::length_error&) {
     return too_much_memory(file);
   }
+}
+
+Result<TriangleSoup> read_mesh(const std::filesystem::path& file) {
+  auto mesh = read_input_mesh(file, RunControl{});
+  if (!mesh) return mesh.error();
+  return std::move(mesh->soup);
 }
 
 } // namespace isoscope

@@ -3,6 +3,7 @@
 
 #include "base/geometry.h"
 #include "input/file_scanner.h"
+#include "input/input_note.h"
 
 #include <cstdint>
 #include <span>
@@ -15,6 +16,7 @@ struct PolygonFile {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> corners;      ///< of all faces, one after the other
   std::vector<std::uint32_t> corner_count; ///< of each face
+  std::vector<InputNote> notes;            ///< what had to be guessed
 
   void add_face(std::span<const std::uint32_t> face) {
     corners.insert(corners.end(), face.begin(), face.end());
@@ -22,13 +24,15 @@ struct PolygonFile {
   }
 };
 
-/// The most corners a face may have: bounds the time that triangulating it takes.
-constexpr std::size_t max_face_corners = 10000;
-
 PolygonFile read_off(FileScanner& in);
 PolygonFile read_obj(FileScanner& in);
 PolygonFile read_ply(FileScanner& in);
 PolygonFile read_stl_ascii(FileScanner& in);
 PolygonFile read_stl_binary(FileScanner& in);
+
+/// Whether the word begins an OFF file: OFF in any case, perhaps with letters before and a count behind it.
+bool is_off_keyword(std::string_view word);
+/// Whether the size of a file fits the count in its head, which nothing but binary STL does.
+bool is_whole_binary_stl(std::string_view head, std::uint64_t size);
 
 } // namespace isoscope

@@ -36,14 +36,18 @@ class ObjReader {
   }
 
  private:
-  /// The next word of the statement; a backslash at a line's end continues it on the next line.
+  /// The next word of the statement; a backslash at a line's end, also one glued to a word, continues it on
+  /// the next line.
   std::string_view next_word() {
-    std::string_view w = in_.word();
-    while (w == "\\") {
-      in_.next_line();
-      w = in_.word();
+    for (;;) {
+      if (continued_) in_.next_line();
+      continued_ = false;
+      std::string_view w = in_.word();
+      if (!w.ends_with('\\') || !in_.at_line_end()) return w;
+      continued_ = true;
+      w.remove_suffix(1);
+      if (!w.empty()) return w;
     }
-    return w;
   }
 
   void read_vertex() {
@@ -53,7 +57,8 @@ class ObjReader {
       if (w.empty()) in_.fail_here("a vertex has fewer than three coordinates", export_anew);
       p[i] = in_.to_number(w);
     }
-    for (std::string_view w = next_word(); !w.empty(); w = next_word()) in_.to_number(w); // weight or colour
+    for (std::string_view w = next_word(); !w.empty(); w = next_word())
+      in_.to_attribute(w); // weight or colour
     mesh_.points.push_back(p);
   }
 
@@ -74,9 +79,6 @@ class ObjReader {
         largest_line_ = in_.line();
       }
       face_.push_back(index);
-      if (face_.size() > max_face_corners)
-        in_.fail_here("a face of more than " + std::to_string(max_face_corners) + " corners",
-                      "Triangulate the model first.");
     }
     mesh_.add_face(face_);
   }
@@ -86,6 +88,7 @@ class ObjReader {
   std::vector<std::uint32_t> face_;
   std::uint32_t largest_ = 0;
   std::uint64_t largest_line_ = 0;
+  bool continued_ = false; ///< the statement goes on on the next line
 };
 
 } // namespace

@@ -47,7 +47,35 @@ struct Element {
   std::string name;
   std::uint64_t count = 0;
   std::vector<Property> properties;
+
+  bool vertices() const { return same_word(name, "vertex") || same_word(name, "vertices"); }
+  bool faces() const { return same_word(name, "face") || same_word(name, "faces"); }
 };
+
+bool is_real(Scalar type) {
+  return type == Scalar::f32 || type == Scalar::f64;
+}
+
+bool names_corners(const std::string& name) {
+  constexpr std::string_view names[] = {"vertex_indices", "vertex_index", "vertex_ids",    "vertex_id",
+                                        "vertex_indexes", "vertices",     "vertexindices", "vertexids",
+                                        "vertex_list",    "indices",      "index"};
+  return std::any_of(std::begin(names), std::end(names), [&](auto n) { return same_word(n, name); });
+}
+
+/// The list of a face's corners: by its name, or the only list of whole numbers; null when there is none.
+const Property* corner_list(const Element& element) {
+  const Property* only = nullptr;
+  int lists = 0;
+  for (const Property& p : element.properties) {
+    if (!p.list_count) continue;
+    if (names_corners(p.name)) return &p;
+    if (is_real(p.type)) continue;
+    only = &p;
+    ++lists;
+  }
+  return lists == 1 ? only : nullptr;
+}
 
 class PlyReader {
  public:
@@ -56,7 +84,7 @@ class PlyReader {
   PolygonFile read() {
     read_header();
     for (const Element& element : elements_)
-      if (element.name == "vertex") vertex_count_ = element.count;
+      if (element.vertices()) vertex_count_ = element.count;
     for (const Element& element : elements_) read_element(element);
     return std::move(mesh_);
   }
@@ -147,7 +175,8 @@ class PlyReader {
 
   void read_element(const Element& element) {
     if (element.properties.empty()) return; // nothing is stored for it, whatever its count
-    const bool vertices = element.name == "vertex", faces = element.name == "face";
+    const bool vertices = element.vertices();
+    const Property* corners = element.faces() ? corner_list(element) : nullptr;
     in_.check_count(element.count, "rows of element " + printable(element.name), row_bytes(element),
                     vertices ? sizeof(Vec3) : 0);
     if (vertices) check_coordinates(element);
@@ -157,9 +186,7 @@ class PlyReader {
       Vec3 point;
       for (const Property& property : element.properties) {
         if (property.list_count) {
-          const bool corners =
-              faces && (property.name == "vertex_indices" || property.name == "vertex_index");
-          read_list(property, corners);
+          read_list(property, &property == corners);
           continue;
         }
         const double value = read_scalar(property.type);
@@ -189,9 +216,6 @@ class PlyReader {
     if (length > static_cast<double>(in_.remaining() / bytes + 1))
       fail_row("has a list longer than the file", cut_off);
     const auto n = static_cast<std::uint64_t>(length);
-    if (corners && n > max_face_corners)
-      fail_row("has more than " + std::to_string(max_face_corners) + " corners",
-               "Triangulate the model first.");
     face_.clear();
     for (std::uint64_t i = 0; i < n; ++i) {
       const double value = read_scalar(property.type);
@@ -207,11 +231,9 @@ class PlyReader {
 
   double read_scalar(Scalar type) {
     if (encoding_ == Encoding::ascii) {
-      const std::string_view w = in_.word_across_lines("the last element", 0);
       // Other numbers of a row, as colours or qualities, may well be "nan"; coordinates are checked by their
       // row.
-      if (w == "nan" || w == "-nan" || w == "NaN") return std::nan("");
-      return in_.to_number(w);
+      return in_.to_attribute(in_.word_across_lines("the last element", 0));
     }
     switch (type) {
     case Scalar::i8:

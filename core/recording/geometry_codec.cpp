@@ -28,7 +28,7 @@ bool all_multiples(const BoundarySamples& samples) {
 
 } // namespace
 
-std::string encode(const TriangleSoup& soup) {
+std::string encode(const TriangleSoup& soup, const std::vector<InputNote>& notes) {
   ByteWriter out;
   out.number(soup.points.size());
   for (const Vec3& p : soup.points)
@@ -40,10 +40,17 @@ std::string encode(const TriangleSoup& soup) {
       out.signed_number(std::int64_t{v} - last);
       last = v;
     }
+  if (notes.empty()) return out.take();
+  out.number(notes.size());
+  for (const InputNote& note : notes) {
+    out.number(note.text.size());
+    for (const char c : note.text) out.byte(static_cast<std::uint8_t>(c));
+    out.real(note.deviation);
+  }
   return out.take();
 }
 
-std::optional<TriangleSoup> decode_soup(std::string_view bytes) {
+std::optional<TriangleSoup> decode_soup(std::string_view bytes, std::vector<InputNote>* notes) {
   ByteReader in(bytes);
   TriangleSoup soup;
   soup.points.resize(in.count(24));
@@ -59,7 +66,15 @@ std::optional<TriangleSoup> decode_soup(std::string_view bytes) {
       if (last < 0 || last >= static_cast<std::int64_t>(soup.points.size())) return std::nullopt;
       v = static_cast<std::uint32_t>(last);
     }
+  if (in.exhausted()) return soup; // without notes, as most are
+  std::vector<InputNote> stored(in.count(9));
+  for (InputNote& note : stored) {
+    note.text.resize(in.count(1));
+    for (char& c : note.text) c = static_cast<char>(in.byte());
+    note.deviation = in.real();
+  }
   if (!in.exhausted()) return std::nullopt;
+  if (notes != nullptr) *notes = std::move(stored);
   return soup;
 }
 

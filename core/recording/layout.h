@@ -1,6 +1,7 @@
 // The tables of a recording (.isorun) and what both of its sides agree on (architecture D8).
 #pragma once
 
+#include "input/input_note.h"
 #include "input/triangle_soup.h"
 #include "journal/digest.h"
 #include "journal/journal.h"
@@ -9,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace isoscope {
 
@@ -22,6 +24,7 @@ struct RecordingHeader {
   std::string program;                       ///< "isoscope 0.1.0"
   std::string parameters;                    ///< JSON, as asked for when the run began
   std::shared_ptr<const TriangleSoup> input; ///< so that no other file is needed
+  std::vector<InputNote> notes = {};         ///< on reading it
 };
 
 /// How a recorded run ended.

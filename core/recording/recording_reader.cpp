@@ -153,7 +153,7 @@ struct RecordingReader::Impl {
     if (!*row)
       return Error{ErrorCode::bad_input, file.string() + " holds no run: it ended before the run began.",
                    "If the run is still being prepared, open it again in a moment."};
-    auto soup = decode_soup(input->bytes(2));
+    auto soup = decode_soup(input->bytes(2), &header.notes);
     if (!soup || digest_text(digest(*soup)) != input->text(1))
       return damaged(file, "its input does not match the checksum");
     soup->name = input->text(0);

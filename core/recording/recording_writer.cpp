@@ -181,7 +181,7 @@ struct RecordingWriter::Impl {
     if (!input) return input.error();
     const TriangleSoup& soup = *header.input;
     return input->run(soup.name, soup.points.size(), soup.triangles.size(), digest_text(digest(soup)),
-                      Blob{encode(soup)});
+                      Blob{encode(soup, header.notes)});
   }
 
   Status write_event(std::size_t i) {

@@ -151,6 +151,7 @@ std::vector<ParameterDifference> differing_parameters(const RunParameters& a, co
       b.cost_ring == CostRing::one ? "1-ring" : "2-ring");
   add("effort", std::to_string(a.effort), std::to_string(b.effort));
   add("improver", text(name(a.improver)), text(name(b.improver)));
+  add("drop small", number(a.drop_small) + " δ", number(b.drop_small) + " δ");
   add("time limit", number(a.time_limit) + " s", number(b.time_limit) + " s");
   return rows;
 }

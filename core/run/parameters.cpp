@@ -95,6 +95,10 @@ Status check(const RunParameters& p) {
     return Error{ErrorCode::usage, "--time-limit is " + shortest(p.time_limit) + ", which is no time.",
                  "Give seconds, at least 0; 0 means none."};
   }
+  if (Status s = in_range("--drop-small", p.drop_small, 0, true, 1e6, true,
+                          "It is in δ: 4 leaves out parts with a box smaller than 4 δ; 0 leaves out none.");
+      !s)
+    return s;
   if (p.effort < 0 || p.effort > 3) {
     return Error{ErrorCode::usage, "--effort is " + std::to_string(p.effort) + ", which is not 0, 1, 2 or 3.",
                  "2 is the default; 3 takes longest and gives the fewest vertices."};

@@ -44,6 +44,8 @@ struct RunParameters {
   CostRing cost_ring = CostRing::one;                  ///< facets of Z whose planes make the error (§2.4)
   int effort = 2;                                      ///< of the improver, 0 to 3
   ImproverPlace improver = ImproverPlace::free;        ///< on Z alone or inside T
+  /// Components of the input whose box has a longest edge below so many δ are left out; 0: none.
+  double drop_small = 0;
   unsigned threads = 0;                                ///< 0: all cores
   double time_limit = 0;                               ///< seconds, 0 none
   /// `by_default`: what certified mode takes when nothing is given (Scene::default_sigma).

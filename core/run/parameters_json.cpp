@@ -46,6 +46,7 @@ void read_parameters(const Json& json, RunParameters& p) {
   p.cost_ring = whole(json.value("cost_ring", Json(1))) == 2 ? CostRing::two : CostRing::one;
   p.effort = static_cast<int>(whole(json.value("effort", Json(p.effort))));
   p.improver = json.value("improver", "free") == "embedded" ? ImproverPlace::embedded : ImproverPlace::free;
+  p.drop_small = json.value("drop_small", p.drop_small);
   p.threads = static_cast<unsigned>(whole(json.value("threads", Json(p.threads))));
   p.time_limit = json.value("time_limit", p.time_limit);
 }
@@ -70,6 +71,7 @@ std::string parameters_json(const RunParameters& p) {
             {"cost_ring", p.cost_ring == CostRing::one ? 1 : 2},
             {"effort", p.effort},
             {"improver", name(p.improver)},
+            {"drop_small", p.drop_small},
             {"threads", p.threads},
             {"time_limit", p.time_limit}};
   if (p.until) json["until"] = name(*p.until);

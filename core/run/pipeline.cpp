@@ -2,7 +2,7 @@
 #include "run/pipeline.h"
 
 #include "input/gallery.h"
-#include "input/mesh_io.h"
+#include "input/input_mesh.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
 #include "run/closing_tolerance.h"
@@ -43,6 +43,13 @@ Error cancelled_error(const RunControl& control) {
           ""};
 }
 
+Result<InputMesh> load(const std::string& input, const RunControl& control) {
+  if (!input.starts_with(gallery_prefix)) return read_input_mesh(input, control);
+  auto soup = make_gallery_model(input.substr(gallery_prefix.size()));
+  if (!soup) return soup.error();
+  return InputMesh{std::move(*soup), {}};
+}
+
 /// Lets the refinement end when σ changed, so that S can be replaced before it goes on.
 class ResamplingGate : public Gate {
  public:
@@ -81,8 +88,9 @@ int RunResult::exit_status() const {
 }
 
 Result<TriangleSoup> load_input(const std::string& input) {
-  if (input.starts_with(gallery_prefix)) return make_gallery_model(input.substr(gallery_prefix.size()));
-  return read_mesh(input);
+  auto mesh = load(input, RunControl{});
+  if (!mesh) return mesh.error();
+  return std::move(mesh->soup);
 }
 
 struct Pipeline::Impl {
@@ -174,7 +182,8 @@ Pipeline::Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, G
 
 Pipeline::~Pipeline() = default;
 
-Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const TriangleSoup> soup) {
+Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const TriangleSoup> soup,
+                                                       std::vector<InputNote> notes) {
   Impl& m = *impl_;
   if (Status valid = check(parameters_); !valid) return valid.error();
   m.control->cancel_after(parameters_.time_limit);
@@ -183,9 +192,10 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
 
   m.control->report("input", -1);
   if (!soup) {
-    auto loaded = load_input(parameters_.input);
-    if (!loaded) return loaded.error();
-    soup = std::make_shared<const TriangleSoup>(std::move(*loaded));
+    auto loaded = load(parameters_.input, *m.control);
+    if (!loaded) return m.control->cancelled() ? cancelled_error(*m.control) : loaded.error();
+    soup = std::make_shared<const TriangleSoup>(std::move(loaded->soup));
+    notes = std::move(loaded->notes);
   }
   scene->input = soup;
   scene->longest_edge = soup->bounds().longest_edge();
@@ -195,6 +205,13 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
                  "--tolerance " + parameters_.tolerance.text() + " does not fit the size of the input.",
                  "Its longest edge is " + std::to_string(scene->longest_edge) + "."};
   }
+  scene->notes = std::move(notes);
+  for (const InputNote& note : scene->notes) scene->warnings.push_back({told(note, scene->delta), 0});
+  auto rest = without_crumbs(soup, parameters_.drop_small, scene->delta, *m.control);
+  if (m.control->cancelled()) return cancelled_error(*m.control);
+  if (!rest) return rest.error();
+  if (!rest->note.empty()) scene->warnings.push_back({rest->note, 0});
+  soup = rest->soup;
   scene->index = std::make_shared<const ClosestPointIndex>(*soup);
   scene->input_topology = analyse_input(*soup);
   scene->input_seconds = watch.seconds();
@@ -228,8 +245,9 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
                                     m.volume->boundary_components().end());
   scene->expected = expected_topology(*m.volume, parameters_.topology);
   scene->thickening_note = m.volume->thickening_note();
-  scene->warnings = check_parameters(criteria.sigma, criteria.alpha, criteria.delta,
-                                     criteria.condition_2 && !criteria.certified);
+  for (ParameterWarning& warning : check_parameters(criteria.sigma, criteria.alpha, criteria.delta,
+                                                    criteria.condition_2 && !criteria.certified))
+    scene->warnings.push_back(std::move(warning));
   if (criteria.certified && parameters_.sigma == 0 && criteria.sigma > 0.5 * scene->delta) {
     char text[160];
     std::snprintf(text, sizeof text,
@@ -305,6 +323,7 @@ Result<RunResult> Pipeline::run() {
   result.form = m.complex().form;
   result.mesh = triangulate(extract_zero_set(m.complex()));
   result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control);
+  result.crumbs = count_small_parts(result.mesh, crumb_size * m.scene->delta);
   result.normals = measure_normal_deviation(result.mesh, *m.volume);
   m.seconds += watch.seconds();
   result.seconds = m.seconds;

@@ -4,11 +4,13 @@
 
 #include "base/run_control.h"
 #include "base/status.h"
+#include "input/input_note.h"
 #include "input/triangle_soup.h"
 #include "journal/recorder.h"
 #include "refine/refinement.h"
 #include "run/branch.h"
 #include "run/certificate.h"
+#include "run/crumbs.h"
 #include "run/normal_deviation.h"
 #include "run/parameters.h"
 #include "tolerance/parameter_check.h"
@@ -22,7 +24,8 @@ namespace isoscope {
 
 /// What is known about a run before its first operation; immutable once published.
 struct Scene {
-  std::shared_ptr<const TriangleSoup> input;
+  std::shared_ptr<const TriangleSoup> input; ///< as given, with the parts that the run leaves out
+  std::vector<InputNote> notes;              ///< on reading it; `warnings` has them in words
   std::shared_ptr<const ClosestPointIndex> index;
   double delta = 0; ///< absolute
   double longest_edge = 0;
@@ -52,6 +55,7 @@ struct RunResult {
   ZeroForm form = ZeroForm::interpolated; ///< free: the last stage ran on Z alone
   Certificate certificate;
   NormalDeviation normals;
+  SmallParts crumbs; ///< of Z, smaller than crumb_size δ
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
   std::string branch;      ///< where it left another run and how; empty: it began at the beginning
@@ -64,8 +68,10 @@ class Pipeline {
   Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, Gate& gate, RunControl& control);
   ~Pipeline();
 
-  /// Reads (or takes `soup`), builds Ω and S. Fails with bad_input, unsupported or cancelled.
-  Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr);
+  /// Reads (or takes `soup` and the notes on it), builds Ω and S. Fails with bad_input, unsupported or
+  /// cancelled.
+  Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr,
+                                               std::vector<InputNote> notes = {});
   /// After prepare() and instead of the refinement: writes to `journal`, which holds the branch's prefix, and
   /// collapses its edge; run() goes on from there. Fails with usage where that cannot be.
   Status branch(const BranchPoint& branch, std::shared_ptr<Journal> journal);

@@ -66,8 +66,10 @@ void read_report(const Json& json, RunResult& result) {
 
 } // namespace
 
-RecordingHeader recording_header(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> input) {
-  return {"isoscope " + std::string(version()), parameters_json(parameters), std::move(input)};
+RecordingHeader recording_header(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> input,
+                                 std::vector<InputNote> notes) {
+  return {"isoscope " + std::string(version()), parameters_json(parameters), std::move(input),
+          std::move(notes)};
 }
 
 RecordingEnd recording_end(const RunParameters& parameters, const Scene& scene, const RunResult& result,
@@ -81,12 +83,13 @@ RecordingEnd recording_end(const RunParameters& parameters, const Scene& scene, 
 
 Result<std::shared_ptr<const Scene>> rebuild_scene(const RunParameters& parameters,
                                                    std::shared_ptr<const TriangleSoup> input,
-                                                   const Journal& journal, RunControl& control) {
+                                                   const Journal& journal, RunControl& control,
+                                                   std::vector<InputNote> notes) {
   RunParameters unlimited = parameters;
   unlimited.time_limit = 0;
   NoGate gate;
   Pipeline pipeline(unlimited, std::make_shared<Journal>(), gate, control);
-  auto prepared = pipeline.prepare(std::move(input));
+  auto prepared = pipeline.prepare(std::move(input), std::move(notes));
   if (!prepared) return prepared.error();
   auto scene = std::make_shared<Scene>(**prepared);
   if (!journal.sample_sets().empty()) scene->samples = journal.sample_sets()[0];
@@ -115,6 +118,8 @@ Result<RunResult> recorded_result(const RecordingEnd& end, const Journal& journa
   const Complex complex = final_state(journal);
   result.form = complex.form;
   result.mesh = triangulate(extract_zero_set(complex));
+  if (!journal.parameters().empty())
+    result.crumbs = count_small_parts(result.mesh, crumb_size * journal.parameters()[0].criteria.delta);
   return result;
 }
 

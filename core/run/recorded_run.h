@@ -9,7 +9,8 @@
 namespace isoscope {
 
 /// For a run that begins with these parameters on this input.
-RecordingHeader recording_header(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> input);
+RecordingHeader recording_header(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> input,
+                                 std::vector<InputNote> notes = {});
 /// For a run that has ended: its report and certificate.
 RecordingEnd recording_end(const RunParameters& parameters, const Scene& scene, const RunResult& result,
                            const Journal& journal);
@@ -18,7 +19,8 @@ RecordingEnd recording_end(const RunParameters& parameters, const Scene& scene, 
 /// recording's own. Fails as Pipeline::prepare() does.
 Result<std::shared_ptr<const Scene>> rebuild_scene(const RunParameters& parameters,
                                                    std::shared_ptr<const TriangleSoup> input,
-                                                   const Journal& journal, RunControl& control);
+                                                   const Journal& journal, RunControl& control,
+                                                   std::vector<InputNote> notes = {});
 /// The state after the last operation.
 Complex final_state(const Journal& journal);
 /// How the recorded run ended, Z from the journal, the certificate from the report. Fails with bad_input.

@@ -197,9 +197,9 @@ class Check {
     gate_.set_ended(ended);
   }
 
-  Result<ReplayVerdict> run(std::shared_ptr<const TriangleSoup> input,
+  Result<ReplayVerdict> run(std::shared_ptr<const TriangleSoup> input, std::vector<InputNote> notes,
                             const std::vector<RecordedBranch>& branches) {
-    const auto scene = pipeline_.prepare(std::move(input));
+    const auto scene = pipeline_.prepare(std::move(input), std::move(notes));
     if (!scene) return scene.error();
     if (!recorded_.sample_sets().empty() && !same_samples(*recorded_.sample_sets()[0], *(*scene)->samples)) {
       verdict_.same = false;
@@ -286,11 +286,12 @@ RunParameters parameters_at_start(RunParameters parameters, const Journal& recor
 } // namespace
 
 Result<ReplayVerdict> check_replay(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> input,
-                                   const Journal& recorded, bool ended, RunControl& control) {
+                                   const Journal& recorded, bool ended, RunControl& control,
+                                   std::vector<InputNote> notes) {
   const std::vector<RecordedBranch> branches = branches_of(recorded);
   RunParameters unlimited = branches.empty() ? parameters : parameters_at_start(parameters, recorded);
   unlimited.time_limit = 0;
-  return Check(unlimited, recorded, ended, control).run(std::move(input), branches);
+  return Check(unlimited, recorded, ended, control).run(std::move(input), std::move(notes), branches);
 }
 
 } // namespace isoscope

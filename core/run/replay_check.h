@@ -19,11 +19,12 @@ struct ReplayVerdict {
   Step step = 0;              ///< at which it is
 };
 
-/// Runs `parameters` on `input` and compares with the recorded journal; `ended`: the recorded run came to its
-/// end, so that its final Z is compared too. Parameters that were changed during the run are changed at the
-/// same event. States are compared at every operation while they are small, and so often that the cost stays
-/// linear in the work of the operations. Fails as a run does.
+/// Runs `parameters` on `input`, of which reading told `notes`, and compares with the recorded journal;
+/// `ended`: the recorded run came to its end, so that its final Z is compared too. Parameters that were
+/// changed during the run are changed at the same event. States are compared at every operation while they
+/// are small, and so often that the cost stays linear in the work of the operations. Fails as a run does.
 Result<ReplayVerdict> check_replay(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> input,
-                                   const Journal& recorded, bool ended, RunControl& control);
+                                   const Journal& recorded, bool ended, RunControl& control,
+                                   std::vector<InputNote> notes = {});
 
 } // namespace isoscope

@@ -86,6 +86,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
   Json warnings = Json::array();
   for (const ParameterWarning& w : scene.warnings) warnings.push_back(w.message);
   if (!scene.thickening_note.empty()) warnings.push_back(scene.thickening_note);
+  if (const std::string note = crumbs_note(result.crumbs, result.mesh); !note.empty())
+    warnings.push_back(note);
   const long chi = c.euler_characteristic;
 
   Json report{
@@ -110,6 +112,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"conditions", {p.condition_1, p.condition_2, p.condition_3, p.condition_4}},
         {"until", name(p.last_stage())},
         {"improver", name(p.improver)},
+        {"drop_small", p.drop_small},
         {"threads", p.threads}}},
       {"samples",
        {{"count", scene.samples->size()},
@@ -138,6 +141,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"components", c.components},
         {"euler_characteristic", chi},
         {"genus", static_cast<long>(c.components) - chi / 2},
+        {"crumbs", {{"components", result.crumbs.components}, {"vertices", result.crumbs.vertices}}},
         {"embedding", result.form == ZeroForm::free ? "Z alone" : "T"}}},
       {"normals", normals_json(result.normals)},
       {"certificate",

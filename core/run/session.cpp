@@ -154,7 +154,8 @@ struct Session::Impl : public Gate {
   /// Starts the writer once the run is prepared, and tells it the end once there is one. Under the mutex.
   void serve_writer() {
     if (!writer || !shown.scene) return;
-    if (!writer->started()) writer->start(recording_header(started, shown.scene->input), shown.journal);
+    if (!writer->started())
+      writer->start(recording_header(started, shown.scene->input, shown.scene->notes), shown.journal);
     if (shown.phase == SessionPhase::finished && shown.result)
       writer->end([parameters = started, scene = shown.scene, result = shown.result,
                    journal = shown.journal] { return recording_end(parameters, *scene, *result, *journal); });
@@ -172,11 +173,12 @@ struct Session::Impl : public Gate {
   }
 
   void run_pipeline(const RunParameters& parameters, std::shared_ptr<const TriangleSoup> soup,
-                    std::shared_ptr<Journal> journal, const std::optional<BranchPoint>& branch) {
+                    std::vector<InputNote> notes, std::shared_ptr<Journal> journal,
+                    const std::optional<BranchPoint>& branch) {
     const ThreadLimit threads(parameters.threads);
     // A branch's journal has its beginning already: what preparing says goes to one that nobody reads.
     Pipeline pipeline(parameters, branch ? std::make_shared<Journal>() : journal, *this, control);
-    auto prepared = pipeline.prepare(std::move(soup));
+    auto prepared = pipeline.prepare(std::move(soup), std::move(notes));
     if (!prepared) return fail(prepared.error());
     const std::shared_ptr<const Scene> scene = *prepared;
     publish([&](SessionSnapshot& s) {
@@ -268,7 +270,8 @@ struct Session::Impl : public Gate {
     publish([&](SessionSnapshot& s) { s.parameters = *parameters; });
     control.report("the recording", -1);
     const bool sound = read_on(*reader, *journal);
-    const auto scene = rebuild_scene(*parameters, reader->header().input, *journal, control);
+    const auto scene =
+        rebuild_scene(*parameters, reader->header().input, *journal, control, reader->header().notes);
     if (!scene) return fail(scene.error());
     publish([&](SessionSnapshot& s) {
       s.scene = *scene;
@@ -359,16 +362,17 @@ Session& Session::operator=(Session&& other) noexcept {
   return *this;
 }
 
-void Session::start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup, bool paused) {
+void Session::start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup, bool paused,
+                    std::vector<InputNote> notes) {
   Impl& m = *impl_;
   auto journal = m.begin(parameters, false);
   if (paused) {
     const std::lock_guard lock(m.mutex);
     m.steps_left = 1; // the first operation puts the box there
   }
-  m.launch([&m, parameters = std::move(parameters), soup = std::move(soup), journal = std::move(journal)] {
-    m.run_pipeline(parameters, soup, journal, std::nullopt);
-  });
+  m.launch(
+      [&m, parameters = std::move(parameters), soup = std::move(soup), notes = std::move(notes),
+       journal = std::move(journal)] { m.run_pipeline(parameters, soup, notes, journal, std::nullopt); });
 }
 
 void Session::start_branch(const BranchPoint& branch, RunParameters parameters, const Scene& scene,
@@ -376,8 +380,8 @@ void Session::start_branch(const BranchPoint& branch, RunParameters parameters, 
   Impl& m = *impl_;
   auto journal = m.begin(parameters, false, after);
   journal->take_prefix(*branch.from, branch.step);
-  m.launch([&m, branch, parameters = std::move(parameters), soup = scene.input,
-            journal = std::move(journal)] { m.run_pipeline(parameters, soup, journal, branch); });
+  m.launch([&m, branch, parameters = std::move(parameters), soup = scene.input, notes = scene.notes,
+            journal = std::move(journal)] { m.run_pipeline(parameters, soup, notes, journal, branch); });
 }
 
 void Session::open_recording(const std::filesystem::path& file) {

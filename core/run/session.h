@@ -63,10 +63,10 @@ class Session {
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
-  /// Starts a run, cancelling the present one. `soup` overrides parameters.input when given. `paused`: stop
-  /// before the first Steiner point.
+  /// Starts a run, cancelling the present one. `soup`, with the notes on reading it, overrides
+  /// parameters.input when given. `paused`: stop before the first Steiner point.
   void start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup = nullptr,
-             bool paused = false);
+             bool paused = false, std::vector<InputNote> notes = {});
   /// Starts a run that goes on from a step of another one; its journal holds what was before. The input is
   /// taken from `scene`; the generation is one more than `after`.
   void start_branch(const BranchPoint& branch, RunParameters parameters, const Scene& scene,

@@ -21,7 +21,8 @@ TEST_CASE("Questions are answered on standard output with status 0") {
   for (const char* option :
        {"--tolerance",  "--sigma",        "--alpha", "--shrink", "--until",     "--threads", "--containment",
         "--topology",   "--time-limit",   "-o",      "--report", "--quiet",     "--compare", "--no-condition",
-        "--no-normals", "--list-gallery", "--skip",  "--target", "--cost-ring", "--effort",  "--improver"}) {
+        "--no-normals", "--list-gallery", "--skip",  "--target", "--cost-ring", "--effort",  "--improver",
+        "--drop-small"}) {
     CAPTURE(option);
     CHECK(help.out.find(option) != std::string::npos);
   }
@@ -78,6 +79,7 @@ TEST_CASE("Wrong usage is named on one line with status 2") {
       {{"gallery:sphere", "--target", "luck"}, "--target"},
       {{"gallery:sphere", "--cost-ring", "3"}, "--cost-ring"},
       {{"gallery:sphere", "--effort", "4"}, "--effort"},
+      {{"gallery:sphere", "--drop-small", "-1"}, "--drop-small"},
       {{"gallery:sphere", "--improver", "outside"}, "--improver"},
       {{"gallery:sphere", "--wrong"}, "--wrong"},
       {{"gallery:sphere", "gallery:torus"}, "gallery:torus"},

@@ -59,7 +59,8 @@ TEST_CASE("garbage is named by what it lacks") {
   check_bad(folder, "a.ply", "hello world\n", "ply");
   check_bad(folder, "a.obj", "hello world\n", "neither");
   check_bad(folder, "a.stl", "hello world\n", "format");
-  check_bad(folder, "a.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), "binary");
+  check_bad(folder, "a.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), "PNG");
+  check_bad(folder, "a.bin", std::string("\x01\0\x02", 3), "binary");
   check_bad(folder, "a.obj", "v 0 0 0\n\x01\x02\x03\n", "line 2");
 }
 

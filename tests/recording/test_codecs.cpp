@@ -166,6 +166,15 @@ TEST_CASE("Soups and samples come back") {
   CHECK(back->points == soup->points);
   CHECK(back->triangles == soup->triangles);
   CHECK(!decode_soup(encode(*soup) + "x"));
+  const std::vector<InputNote> notes{{"Something was guessed.", 0}, {"by up to", 0.125}};
+  const std::string bytes = encode(*soup, notes);
+  std::vector<InputNote> read;
+  const auto with_notes = decode_soup(bytes, &read);
+  REQUIRE(with_notes.has_value());
+  CHECK(with_notes->triangles == soup->triangles);
+  CHECK(read == notes);
+  CHECK(!decode_soup(bytes.substr(0, bytes.size() - 1)));
+  CHECK(!decode_soup(bytes + "x"));
 
   BoundarySamples samples = *whole_run().scene->samples;
   const std::string snapped = encode(samples);

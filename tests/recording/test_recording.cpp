@@ -139,6 +139,7 @@ TEST_CASE("Parameters come back from JSON") {
   p.cost_ring = CostRing::two;
   p.effort = 3;
   p.improver = ImproverPlace::embedded;
+  p.drop_small = 3.5;
   p.threads = 2;
   p.time_limit = 12.5;
   const auto back = parse_parameters(parameters_json(p));
@@ -150,12 +151,13 @@ TEST_CASE("Parameters come back from JSON") {
   CHECK(back->skipped == p.skipped);
   CHECK(back->target == p.target);
   CHECK(back->improver == p.improver);
+  CHECK(back->drop_small == p.drop_small);
   CHECK(back->condition_1);
   CHECK(!back->condition_4);
   CHECK(!parse_parameters("{").ok());
   CHECK(!parse_parameters(R"({"alpha": 7})").ok());
   CHECK(!parse_parameters(R"({"alpha": "x"})").ok());
-  for (const char* wrong :
-       {R"({"effort": 1e300})", R"({"threads": 2.5})", R"({"threads": -1})", "[1]", "null"})
+  for (const char* wrong : {R"({"effort": 1e300})", R"({"drop_small": -1})", R"({"threads": 2.5})",
+                            R"({"threads": -1})", "[1]", "null"})
     CHECK(!parse_parameters(wrong).ok());
 }

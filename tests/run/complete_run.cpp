@@ -7,7 +7,7 @@ namespace isoscope::test {
 
 bool CompleteRun::prepare() {
   pipeline = std::make_unique<Pipeline>(parameters, journal, gate, control);
-  auto prepared = pipeline->prepare(soup);
+  auto prepared = pipeline->prepare(soup, notes);
   if (!prepared) {
     error = prepared.error();
     return false;

@@ -24,6 +24,7 @@ class TestGate : public Gate {
 struct CompleteRun {
   RunParameters parameters;
   std::shared_ptr<const TriangleSoup> soup; ///< instead of parameters.input, where set
+  std::vector<InputNote> notes = {};        ///< on reading it
   std::shared_ptr<Journal> journal = std::make_shared<Journal>();
   TestGate gate;
   RunControl control;

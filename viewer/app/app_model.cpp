@@ -62,7 +62,10 @@ void AppModel::restart() {
   transport.restart();
   // The input of a recording may be on another machine: the recording holds it.
   const bool stored = shows_recording() && run.scene && draft.input == run.parameters.input;
-  session.start(draft, stored ? run.scene->input : nullptr);
+  if (stored)
+    session.start(draft, run.scene->input, false, run.scene->notes);
+  else
+    session.start(draft);
 }
 
 void AppModel::apply() {
@@ -76,7 +79,7 @@ bool AppModel::draft_needs_restart() const {
          draft.tolerance.percent != p.tolerance.percent || draft.containment != p.containment ||
          draft.topology != p.topology || draft.until != p.until || draft.skipped != p.skipped ||
          draft.target != p.target || draft.cost_ring != p.cost_ring || draft.effort != p.effort ||
-         draft.improver != p.improver;
+         draft.improver != p.improver || draft.drop_small != p.drop_small;
 }
 
 bool AppModel::draft_differs() const {

@@ -152,6 +152,7 @@ std::string run_key(const RunParameters& p) {
         << static_cast<int>(p.last_stage()) << '|';
   for (const bool skipped : p.skipped) words << skipped;
   words << '|' << static_cast<int>(p.target) << '|' << static_cast<int>(p.cost_ring) << '|' << p.effort;
+  if (p.drop_small != 0) words << "|drop small " << p.drop_small;
   std::uint64_t hash = 14695981039346656037ull;
   for (const char c : words.str()) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
   std::array<char, 20> text{};

@@ -79,6 +79,9 @@ void add_parameters(Table& t) {
                  m.draft.tolerance = *tolerance;
                  return {};
                }});
+  add_number(
+      t, "drop-small", "components of the input smaller than so many δ are left out; 0: none",
+      [](auto& m) -> auto& { return m.draft.drop_small; }, 0, 1e6);
   add_choice(
       t, "containment", "how Z is kept inside Ω", {"certified", "sampled"},
       [](auto& m) -> auto& { return m.draft.containment; });

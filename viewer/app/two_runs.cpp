@@ -18,7 +18,10 @@ Status AppModel::run_beside() {
   if (!run.scene) return Error{ErrorCode::usage, "There is no run yet.", "Open a model first."};
   auto second = std::make_unique<ShownRun>(notify_);
   // The input may be on another machine, or changed meanwhile: the run has it.
-  second->session.start(draft, draft.input == run.parameters.input ? run.scene->input : nullptr);
+  if (draft.input == run.parameters.input)
+    second->session.start(draft, run.scene->input, false, run.scene->notes);
+  else
+    second->session.start(draft);
   draft = run.parameters;
   show_second(std::move(second));
   return {};

@@ -317,6 +317,8 @@ void certificate(Ui& ui) {
     widgets::limit_bar(ui, "proven distance", c.max_distance / ui.model.run.scene->delta, 1,
                        c.within_tolerance, "δ", true);
   for (const std::string& failure : c.failures) widgets::quiet_text(ui, failure, true);
+  if (const std::string crumbs = crumbs_note(result->crumbs, result->mesh); !crumbs.empty())
+    widgets::quiet_text(ui, crumbs, true);
 }
 
 } // namespace

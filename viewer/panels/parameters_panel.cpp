@@ -54,6 +54,21 @@ void tolerance(Ui& ui, RunParameters& p) {
   widgets::tip(ui, "Unit of δ", "Percent of the longest edge, or a length in the input's units.");
 }
 
+void small_parts(Ui& ui, RunParameters& p) {
+  constexpr const char* tip = "Connected components of the input whose bounding box is smaller than so many "
+                              "δ are left out; 0 leaves out "
+                              "none. Needs a restart.";
+  label(ui, "drop small", "Small parts of the input", tip);
+  ImGui::SetNextItemWidth(-1);
+  ImGui::PushFont(ui.fonts.mono);
+  double value = p.drop_small;
+  if (ImGui::InputDouble("##drop-small", &value, 0, 0, "%.6g") && std::isfinite(value) && value >= 0 &&
+      value <= 1e6)
+    p.drop_small = value;
+  ImGui::PopFont();
+  widgets::tip(ui, "Small parts of the input", tip);
+}
+
 void conditions(Ui& ui, RunParameters& p) {
   struct Row {
     const char* name;
@@ -263,6 +278,7 @@ void parameters(Ui& ui) {
   number(ui, "##shrink", p.shrink, 0.05f, 1.0f, "%.2f");
   widgets::tip(ui, "Shrink factor of condition 3", "No unit, in (0, 1]; 0.7 in the paper. §2.3");
   tolerance(ui, p);
+  small_parts(ui, p);
   ImGui::Dummy({0, ui.px(2)});
   ImGui::PushFont(ui.fonts.small);
   constexpr std::array<const char*, 2> containment{"certified", "sampled"}, topology{"keep", "separate"};
