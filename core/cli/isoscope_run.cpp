@@ -3,9 +3,11 @@
 #include "cli/compare_table.h"
 #include "cli/diff.h"
 #include "cli/exit_status.h"
+#include "cli/interruptible.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
 #include "cli/progress_line.h"
+#include "cli/recover.h"
 #include "cli/replay.h"
 #include "cli/summary.h"
 #include "input/mesh_io.h"
@@ -17,8 +19,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -28,46 +28,9 @@
 #include <string_view>
 #include <vector>
 
-#include <unistd.h>
-
 namespace {
 
 using namespace isoscope;
-
-/// The control of the run under way: a signal handler can reach nothing but a global. Null before and after
-/// the run.
-std::atomic<RunControl*> interruptible{nullptr};
-/// Somebody has asked for the end already.
-std::atomic<bool> asked_to_end{false};
-static_assert(std::atomic<RunControl*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
-
-/// The first signal stops the run cleanly, the second ends the program.
-extern "C" void on_signal(int) {
-  if (asked_to_end.exchange(true)) _exit(4);
-  if (RunControl* control = interruptible.load()) control->cancel();
-}
-
-/// The terminal is gone: stops the run cleanly. The shell and the system may both tell it, so that being told
-/// twice means no more.
-extern "C" void on_hangup(int) {
-  if (RunControl* control = interruptible.load()) control->cancel();
-}
-
-/// Lets signals reach the control for as long as this lives.
-class Interruptible {
- public:
-  explicit Interruptible(RunControl& control) {
-    interruptible = &control;
-    std::signal(SIGINT, on_signal);
-    std::signal(SIGTERM, on_signal);
-    if (std::signal(SIGHUP, on_hangup) == SIG_IGN) std::signal(SIGHUP, SIG_IGN); // as under nohup
-    std::signal(SIGXFSZ, SIG_IGN);
-    std::signal(SIGPIPE, SIG_IGN);
-  }
-  ~Interruptible() { interruptible = nullptr; }
-  Interruptible(const Interruptible&) = delete;
-  Interruptible& operator=(const Interruptible&) = delete;
-};
 
 /// Follows the run into its recording; without --record it does nothing. Destroyed, it closes the file.
 class Recording {
@@ -172,13 +135,16 @@ int run(int argc, char** argv) {
   app.add_flag("--list-gallery", list_gallery, "list the bundled models");
   app.set_version_flag("--version", std::string("isoscope-run ") + std::string(version()));
   app.footer("isoscope-run replay RUN.isorun reads a recording; replay --help tells more.\n"
-             "isoscope-run diff A.isorun B.isorun tells what differs between two; diff --help tells more.\n\n"
+             "isoscope-run diff A.isorun B.isorun tells what differs between two; diff --help tells more.\n"
+             "isoscope-run recover BROKEN.isorun -o OUT.isorun saves what is sound in a damaged one; recover "
+             "--help tells more.\n\n"
              "Exit status: 0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 "
              "stopped by a limit "
              "or by the user; 5 stopped at a breakpoint.");
   const std::string_view verb = argc > 1 ? argv[1] : "";
   if (verb == "replay") return replay(argc - 1, argv + 1);
   if (verb == "diff") return diff(argc - 1, argv + 1);
+  if (verb == "recover") return recover(argc - 1, argv + 1);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

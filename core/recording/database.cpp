@@ -2,6 +2,7 @@
 #include "recording/database.h"
 
 #include "recording/bytes.h"
+#include "recording/page_scan.h"
 
 #include <sqlite3.h>
 
@@ -21,10 +22,11 @@ Error error_of(sqlite3* connection, const std::string& file, int code) {
     return {ErrorCode::io, "The disk is full: " + file + " could not be written further.",
             "What was committed before is safe; free some space and record again."};
   case SQLITE_NOTADB:
-    return {ErrorCode::bad_input, file + " is not a recording.", "Give a file that --record has written."};
+    return {ErrorCode::bad_input, file + " is not a recording.",
+            "Give a file that --record has written; if it is one that was damaged: " + recover_hint(file)};
   case SQLITE_CORRUPT:
     return {ErrorCode::bad_input, file + " is damaged: " + sqlite3_errmsg(connection) + ".",
-            "Take another copy, or record the run again."};
+            recover_hint(file)};
   case SQLITE_BUSY:
   case SQLITE_LOCKED:
     return {ErrorCode::io, file + " is in use by another program.", "Wait until it has ended."};
@@ -42,7 +44,7 @@ Error error_of(sqlite3* connection, const std::string& file, int code) {
   default:
     return {ErrorCode::bad_input,
             file + " does not hold what a recording holds: " + sqlite3_errmsg(connection) + ".",
-            "Take another copy, or record the run again."};
+            recover_hint(file)};
   }
 }
 
@@ -62,6 +64,10 @@ std::string frozen_uri(const std::string& file) {
 }
 
 } // namespace
+
+std::string recover_hint(const std::string& file) {
+  return "isoscope-run recover " + file + " -o OUT.isorun saves what is sound.";
+}
 
 void Query::Close::operator()(sqlite3_stmt* statement) const {
   sqlite3_finalize(statement);
@@ -100,6 +106,38 @@ bool Query::bind(int place, std::nullptr_t) {
 bool Query::bind(int place, Blob blob) {
   return sqlite3_bind_blob64(statement_.get(), place, blob.bytes.data(), blob.bytes.size(),
                              SQLITE_TRANSIENT) == SQLITE_OK;
+}
+
+Status Query::run(const std::vector<StoredValue>& values, const std::int64_t* number) {
+  reset();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const StoredValue& v = values[i];
+    const int place = static_cast<int>(i) + 1;
+    bool good = false;
+    if (i == 0 && number != nullptr) {
+      good = bind_integer(place, *number);
+    } else {
+      switch (v.kind) {
+      case StoredValue::Kind::null:
+        good = bind(place, nullptr);
+        break;
+      case StoredValue::Kind::integer:
+        good = bind_integer(place, v.integer);
+        break;
+      case StoredValue::Kind::real:
+        good = bind(place, v.real);
+        break;
+      case StoredValue::Kind::text:
+        good = bind(place, std::string_view(v.bytes));
+        break;
+      case StoredValue::Kind::blob:
+        good = bind(place, Blob{v.bytes});
+        break;
+      }
+    }
+    if (!good) return failure();
+  }
+  return finish();
 }
 
 Error Query::failure() const {

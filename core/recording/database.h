@@ -10,11 +10,17 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace isoscope {
+
+struct StoredValue;
+
+/// What to do with a damaged recording, as a sentence.
+std::string recover_hint(const std::string& file);
 
 /// Bytes that are no text.
 struct Blob {
@@ -30,6 +36,8 @@ class Query {
   template <class... Values> Status run(const Values&... values) {
     return bound(values...) ? finish() : failure();
   }
+  /// Binds values as another file had them; `number`: what stands for the first one.
+  Status run(const std::vector<StoredValue>& values, const std::int64_t* number);
   /// Binds and makes ready for next().
   template <class... Values> void start(const Values&... values) { good_ = bound(values...); }
   /// The next row, if there is one; fails when the file cannot be read.
@@ -79,6 +87,7 @@ class Database {
     read,   ///< an existing one that cannot be written
     frozen  ///< the same where not even a lock can be taken; nobody may be writing it
   };
+  /// An empty name makes a new file that vanishes with the connection.
   static Result<Database> open(const std::filesystem::path& file, Access access);
 
   Status execute(const char* statements);

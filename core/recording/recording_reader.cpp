@@ -31,8 +31,7 @@ Error not_a_recording(const fs::path& file, const std::string& why) {
 }
 
 Error damaged(const fs::path& file, const std::string& what) {
-  return {ErrorCode::bad_input, file.string() + " is damaged: " + what + ".",
-          "Take another copy, or record the run again."};
+  return {ErrorCode::bad_input, file.string() + " is damaged: " + what + ".", recover_hint(file.string())};
 }
 
 /// What can be told without SQLite.
@@ -49,7 +48,12 @@ Status check_head(const fs::path& file) {
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
   if (in.gcount() == 0)
     return not_a_recording(file, "it is empty; perhaps the program was killed before the run began");
-  if (head != magic) return not_a_recording(file, "it begins with other bytes");
+  if (head != magic) {
+    Error foreign = not_a_recording(file, "it begins with other bytes");
+    if (is_recording_name(file))
+      foreign.remedy += " If it is one that was damaged: " + recover_hint(file.string());
+    return foreign;
+  }
   return {};
 }
 
@@ -386,6 +390,72 @@ struct RecordingReader::Impl {
     return true;
   }
 
+  /// Whether a query over a range of ids has the row of this one.
+  bool has_row(Query& query, std::size_t id) {
+    query.start(id, id + 1);
+    const auto row = query.next();
+    return row.ok() && *row;
+  }
+
+  /// Everything that events speak of, behind the last commit.
+  void read_unproven_rest(Journal& journal, Batch& rest) {
+    for (std::size_t i = read.texts; has_row(texts, i); ++i)
+      if (i >= journal.texts().size()) journal.add_text(texts.text(0));
+    for (std::size_t i = read.sample_sets; has_row(sample_sets, i); ++i) {
+      auto samples = decode_samples(sample_sets.bytes(0));
+      if (!samples) break;
+      journal.add_sample_set(std::make_shared<const BoundarySamples>(std::move(*samples)));
+    }
+    for (std::size_t i = read.criteria; has_row(criteria, i); ++i) take_criteria(rest);
+    waiting.insert(waiting.end(), rest.criteria.begin(), rest.criteria.end());
+    for (std::size_t i = read.marks; has_row(marks, i); ++i)
+      rest.marks.push_back({static_cast<std::uint32_t>(marks.integer(0)), marks.real(1)});
+    for (;; ++read.repairs) {
+      rest.repairs.clear();
+      if (!read_repairs(rest, read.repairs + 1)) break;
+      if (read.repairs >= journal.repairs().size()) journal.add_repair(std::move(rest.repairs.front()));
+    }
+  }
+
+  void read_unproven(Journal& journal) {
+    if (journal.events().size() != read.events) return; // a commit stopped in its middle
+    Batch rest;
+    read_unproven_rest(journal, rest);
+    std::size_t mark = 0;
+    for (std::size_t i = read.events; has_row(events, i); ++i) {
+      rest.events.clear();
+      add_criteria(journal);
+      if (!take_event(rest)) break;
+      const Event& e = rest.events.front();
+      const std::size_t step = journal.steps();
+      if (e.step != step || e.text >= journal.texts().size() || e.detail >= journal.repairs().size()) break;
+      if (!e.operation) {
+        while (mark < rest.marks.size() && rest.marks[mark].event < i) ++mark;
+        std::optional<double> seconds;
+        if (mark < rest.marks.size() && rest.marks[mark].event == i) seconds = rest.marks[mark++].seconds;
+        journal.add_event(e, seconds);
+        continue;
+      }
+      rest.deltas.clear();
+      rest.figures.clear();
+      Delta delta;
+      if (!has_row(operations, step) || !take_operation(rest) || !deltas.decode(rest.deltas.front(), delta))
+        break;
+      if (delta.sample_set && delta.sample_set->after >= journal.sample_sets().size()) break;
+      journal.add_operation(e, std::move(delta), rest.figures.front());
+    }
+    add_criteria(journal);
+    broken = Error{ErrorCode::internal, "What lies behind the last commit has been read already.", ""};
+  }
+
+  std::size_t events_behind(std::size_t event) {
+    auto query = database.prepare("SELECT count(*) FROM event_rows WHERE id>=?");
+    if (!query) return 0;
+    query->start(event);
+    const auto row = query->next();
+    return row.ok() && *row ? static_cast<std::size_t>(query->integer(0)) : 0;
+  }
+
   /// Nothing is read after an error; it tells how much is sound.
   Error fail(Error error, const Journal& journal) {
     if (error.code == ErrorCode::bad_input)
@@ -445,6 +515,15 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const fs::path& f
                    "-wal beside it, if there is one, to a folder where you may write."};
 }
 
+Result<std::unique_ptr<RecordingReader>> RecordingReader::over(Database database, const fs::path& file) {
+  auto impl = std::make_unique<Impl>(std::move(database));
+  impl->file = file;
+  impl->access = Access::frozen;
+  if (Status ready = impl->read_header(); !ready) return ready.error();
+  if (Status ready = impl->prepare(); !ready) return ready.error();
+  return std::unique_ptr<RecordingReader>(new RecordingReader(std::move(impl)));
+}
+
 const RecordingHeader& RecordingReader::header() const {
   return impl_->header;
 }
@@ -463,6 +542,14 @@ std::uint64_t RecordingReader::file_bytes() const {
 
 Result<bool> RecordingReader::read_commit(Journal& journal) {
   return impl_->read_commit(journal);
+}
+
+void RecordingReader::read_unproven(Journal& journal) {
+  impl_->read_unproven(journal);
+}
+
+std::size_t RecordingReader::events_behind(std::size_t event) {
+  return impl_->events_behind(event);
 }
 
 Result<std::optional<RecordingEnd>> RecordingReader::end() {

@@ -12,6 +12,8 @@
 
 namespace isoscope {
 
+class Database;
+
 /// An open recording; used by one thread at a time. Everything is checked against the checksums of the
 /// commits: a damaged file gives what is sound before the damage, then an error.
 class RecordingReader {
@@ -19,6 +21,8 @@ class RecordingReader {
   /// Fails with bad_input on a file that is missing, foreign, damaged or holds no input yet, with unsupported
   /// on one of a newer version, with io when it cannot be read.
   static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
+  /// The same for a database that nobody else uses; `file` is what messages call it.
+  static Result<std::unique_ptr<RecordingReader>> over(Database database, const std::filesystem::path& file);
   ~RecordingReader();
 
   const RecordingHeader& header() const;
@@ -28,6 +32,11 @@ class RecordingReader {
   /// Appends the next commit to the journal, which must have been filled by this reader alone; false when
   /// there is none yet. Fails with bad_input where the file is damaged.
   Result<bool> read_commit(Journal& journal);
+  /// Appends what lies behind the last commit that was read, event by event, up to the first that is missing
+  /// or makes no sense. No checksum proves it.
+  void read_unproven(Journal& journal);
+  /// Rows of events with this number or a higher one.
+  std::size_t events_behind(std::size_t event);
   /// How the run ended; nothing while it has not, or when it was cut short.
   Result<std::optional<RecordingEnd>> end();
   /// Whether a program is still writing it (or another one follows it). When nobody is, the write-ahead log

@@ -104,3 +104,35 @@ TEST_CASE("A run whose history goes to the disk ends and replays as one without"
   CHECK(run_batch({"replay", run, "--check"}).status == 0);
   CHECK(run_batch({"gallery:torus", "--history-limit", "0"}).status == 2);
 }
+
+TEST_CASE("A damaged recording is saved up to the damage, by the command that the refusal names") {
+  const TemporaryFolder folder;
+  const std::string run = (folder / "run.isorun").string(), saved = (folder / "saved.isorun").string();
+  REQUIRE(run_batch({"gallery:sphere", "--tolerance", "12%", "--quiet", "--record", run}).status == 0);
+  const std::string bytes = bytes_of(run);
+  const std::string cut =
+      folder.file("cut.isorun", std::string_view(bytes).substr(0, bytes.size() * 9 / 10)).string();
+  const Ended refused = run_batch({"replay", cut});
+  CHECK(refused.status == 3);
+  CHECK(refused.says("isoscope-run recover " + cut));
+  const Ended recovered = run_batch({"recover", cut, "-o", saved});
+  CAPTURE(recovered.error);
+  REQUIRE(recovered.status == 0);
+  CHECK(recovered.says("Saved"));
+  CHECK(recovered.says("Lost"));
+  CHECK(bytes_of(cut) == bytes.substr(0, bytes.size() * 9 / 10));
+  CHECK(run_batch({"replay", saved}).status == 4); // it ended without finishing
+  CHECK(run_batch({"replay", saved, "--check"}).status == 0);
+  const Ended quick = run_batch({"recover", cut, "-o", saved, "--quick", "--quiet"});
+  // On a fast machine all is one commit, and nothing of it is proven without running again.
+  CHECK((quick.status == 0 || quick.status == 3));
+  CHECK(quick.out.empty());
+  CHECK(run_batch({"replay", saved, "--check"}).status == 0);
+
+  CHECK(run_batch({"recover", run, "-o", saved}).says("nothing that the file holds"));
+  CHECK(run_batch({"replay", saved}).says("finished, certified"));
+  CHECK(run_batch({"recover", cut, "-o", cut}).status == 2);
+  CHECK(run_batch({"recover", cut}).status == 2);
+  CHECK(run_batch({"recover", cut, "-o", (folder / "none" / "x.isorun").string()}).status == 1);
+  CHECK(run_batch({"recover", (folder / "missing.isorun").string(), "-o", saved}).status == 3);
+}
