@@ -131,7 +131,7 @@ int run(int argc, char** argv) {
   app.add_option("--history-limit", history_limit,
                  "of the journal in memory, MiB; what is older goes to the disk; default 2048")
       ->check(CLI::Range(1.0, 1048576.0));
-  app.add_flag("--quiet", quiet, "print nothing but errors");
+  app.add_flag("--quiet", quiet, "print nothing but warnings and errors");
   app.add_flag("--list-gallery", list_gallery, "list the bundled models");
   app.set_version_flag("--version", std::string("isoscope-run ") + std::string(version()));
   app.footer("isoscope-run replay RUN.isorun reads a recording; replay --help tells more.\n"
@@ -187,10 +187,8 @@ int run(int argc, char** argv) {
   if (!scene) return fail(scene.error(), exit_status(scene.error().code));
   gate.set(parameters->criteria((*scene)->delta, (*scene)->default_sigma));
   breakpoints.set_expected([&] { return expected_genus(**scene); });
-  if (!quiet) {
-    for (const ParameterWarning& w : (*scene)->warnings) note(w.message);
-    if (!(*scene)->thickening_note.empty()) note((*scene)->thickening_note);
-  }
+  for (const ParameterWarning& w : (*scene)->warnings) note(w.message);
+  if (!(*scene)->thickening_note.empty()) note((*scene)->thickening_note);
   recording.start(*parameters, **scene, journal);
   const auto result = pipeline.run();
   progress.finish();
@@ -208,7 +206,10 @@ int run(int argc, char** argv) {
   if (Status recorded = recording.finish(*parameters, **scene, *result, *journal); !recorded) {
     status = recording.told() ? 1 : fail(recorded.error(), 1);
   }
-  if (!outputs.mesh.empty()) {
+  if (!outputs.mesh.empty() && result->mesh.triangles.empty()) {
+    note("There is no Z yet: " + outputs.mesh + " is not written.");
+    if (status == 0) status = 1;
+  } else if (!outputs.mesh.empty()) {
     if (Status written = write_mesh(outputs.mesh, result->mesh); !written) status = fail(written.error(), 1);
   }
   const std::vector<StageStatistics> stages = gather_statistics(*journal);

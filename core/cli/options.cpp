@@ -17,10 +17,10 @@ struct RunOptions::Raw {
   std::string tolerance;
   std::optional<double> sigma, alpha, shrink, time_limit, drop_small;
   std::optional<unsigned> threads;
-  std::string until, containment = "certified", topology = "keep", target, improver = "free";
+  std::string until, containment = "certified", topology = "keep", cover = "3", target, improver = "free";
   std::vector<std::string> skip;
   std::vector<int> off;
-  bool no_normals = false;
+  bool no_normals = false, drop_thin = false;
   int effort = 2, cost_ring = 1;
   std::string record;
   std::vector<std::string> breakpoints;
@@ -89,6 +89,12 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
   app.add_option("--containment", r.containment,
                  "certified (facets proven inside the volume) or sampled (the paper to the letter)");
   app.add_option("--topology", r.topology, "keep (the input's) or separate (only the sides)");
+  app.add_option("--cover", r.cover,
+                 "how far from the result a point of the input may be, in δ, or off; default 3");
+  app.add_flag(
+      "--drop-thin", r.drop_thin,
+      "leave out parts of the input that are thinner than twice the tolerance everywhere, and say so; "
+      "without it they are refused");
   app.add_option("--no-condition", r.off,
                  "switch a condition of the refinement off: 1, 2, 3 or 4; repeatable");
   app.add_flag("--no-normals", r.no_normals, "the same as --no-condition 3");
@@ -168,6 +174,10 @@ Result<RunParameters> RunOptions::finish() const {
   p.threads = r.threads.value_or(p.threads);
   p.drop_small = r.drop_small.value_or(p.drop_small);
   p.time_limit = r.time_limit.value_or(p.time_limit);
+  p.drop_thin = r.drop_thin;
+  const auto cover = parse_cover(r.cover);
+  if (!cover) return cover.error();
+  p.cover = *cover;
   p.condition_3 = !r.no_normals;
   for (const int condition : r.off) {
     switch (condition) {

@@ -1,9 +1,11 @@
 // The summary's lines, aligned.
 #include "cli/summary.h"
 
+#include "base/place.h"
 #include "cli/progress_line.h"
 
 #include <cstdio>
+#include <limits>
 
 namespace isoscope {
 
@@ -40,6 +42,17 @@ std::string normal_words(const NormalDeviation& n) {
          " % beyond 90°" + (n.oriented ? "" : " (without a sign: the input is not oriented)");
 }
 
+std::string holds_words(const Certificate& c, double delta) {
+  using Topology = Certificate::Topology;
+  std::string words =
+      "holds: closed, oriented, free of intersections, d <= " + number("%.4f", c.max_distance / delta) +
+      " δ everywhere, sides separated";
+  if (c.cover_limit && c.cover_note.empty())
+    words += ", the input covered within " + number("%.4g", *c.cover_limit) + " δ";
+  if (c.topology == Topology::as_expected) words += ", topology as expected";
+  return words;
+}
+
 std::string end_words(RunResult::End end) {
   switch (end) {
   case RunResult::End::finished:
@@ -72,18 +85,20 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                              ", χ = " + std::to_string(c.euler_characteristic) +
                              (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
   if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));
-  text += line("Certificate", c.holds() ? "holds: closed, oriented, free of intersections, d <= " +
-                                              number("%.4f", c.max_distance / scene.delta) +
-                                              " δ everywhere, sides separated" +
-                                              (c.topology_note.empty() ? ", topology as expected" : "")
-                                        : "does NOT hold");
-  if (c.holds()) {
+  text += line("Certificate", c.holds() ? holds_words(c, scene.delta) : "does NOT hold");
+  if (c.input_distance.upper < std::numeric_limits<double>::infinity()) {
     text += line("", "the input is at most " + number("%.4f", c.input_distance.upper / scene.delta) +
                          " δ away from it, somewhere " +
                          number("%.4f", c.input_distance.lower / scene.delta) + " δ");
   }
   if (!c.topology_note.empty()) text += line("", c.topology_note);
+  if (!c.cover_note.empty()) text += line("", c.cover_note);
   for (const std::string& failure : c.failures) text += line("", failure);
+  for (const UncoveredPlace& p : c.uncovered)
+    text += line("", "  " + number("%.4g", p.distance / scene.delta) + " δ at " + place(p.point, 6) + ", " +
+                         number("%.3g", p.size) + " long (" + number("%.3g", p.size / scene.delta) + " δ)");
+  if (c.uncovered_count > c.uncovered.size())
+    text += line("", "  and " + counted(c.uncovered_count - c.uncovered.size(), "nearer place"));
   text += line("Run", (stopped_at.empty() ? end_words(result.end) : "stopped at " + stopped_at) + ", " +
                           number("%.2f", result.seconds) + " s, " +
                           number("%.0f", static_cast<double>(result.peak_memory_bytes) / 1e6) + " MB");

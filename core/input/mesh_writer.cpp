@@ -117,6 +117,8 @@ Status check_mesh(const fs::path& file, const TriangleMesh& mesh, Format format)
 Status write_mesh(const fs::path& file, const TriangleMesh& mesh) {
   const Result<Format> format = format_of(file);
   if (!format) return format.error();
+  if (mesh.triangles.empty())
+    return Error{ErrorCode::io, printable(file.native(), 1000) + " is not written: the mesh is empty.", ""};
   if (Status sound = check_mesh(file, mesh, *format); !sound) return sound;
   PendingFile out;
   if (Status opened = out.open(file); !opened) return opened;

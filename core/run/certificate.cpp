@@ -5,6 +5,7 @@
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/place.h"
+#include "run/exposed_input.h"
 #include "tolerance/facet_certificate.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,6 +13,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -26,7 +28,9 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr std::size_t piece_budget = 200000;
 constexpr int place_digits = 9;
+constexpr std::string_view nothing = "nothing: "; ///< how a source begins that expects nothing
 constexpr double input_distance_precision = 0.01; ///< in units of δ
+constexpr double finest_piece = 0.05;             ///< of the input along crossings, in units of δ
 
 Triangle3 corners(const TriangleMesh& mesh, std::size_t f) {
   const auto& t = mesh.triangles[f];
@@ -190,11 +194,52 @@ void check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
   }
 }
 
-void measure_input_distance(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
-                            const RunControl& control) {
+/// "the input is farther than 3 δ from the mesh in 2 places, the farthest 33.2 δ at (0, 1, 2)"
+std::string uncovered_words(const Certificate& c, double delta) {
+  char limit[32], distance[32];
+  std::snprintf(limit, sizeof limit, "%.4g", *c.cover_limit);
+  std::snprintf(distance, sizeof distance, "%.4g", c.uncovered.front().distance / delta);
+  return "the input is farther than " + std::string(limit) + " δ from the mesh in " +
+         (c.uncovered_count == 1 ? "one place, "
+                                 : std::to_string(c.uncovered_count) + " places, the farthest ") +
+         std::string(distance) + " δ at " + place(c.uncovered.front().point, place_digits);
+}
+
+void check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, const CoverTest& test,
+                    Certificate& c, const RunControl& control) {
+  c.cover_limit = test.limit;
+  c.covers = !test.measure || !test.limit;
+  if (!test.measure) return;
+  const double delta = volume.thresholds().delta;
   const ClosestPointIndex index({mesh.points, mesh.triangles, {}});
-  c.input_distance =
-      bound_distance(volume.index(), index, input_distance_precision * volume.thresholds().delta, control);
+  const auto input = exposed_input(volume, finest_piece * delta, control);
+  c.input_distance = bound_distance(*input, index, input_distance_precision * delta, control);
+  if (!test.limit) return;
+  const Coverage coverage =
+      judge_coverage(*input, index, c.input_distance, *test.limit * delta, delta, control);
+  c.uncovered = coverage.places;
+  c.uncovered_count = coverage.count;
+  switch (coverage.verdict) {
+  case Coverage::Verdict::covered:
+    c.covers = true;
+    return;
+  case Coverage::Verdict::undecided:
+    if (!control.abandoned())
+      c.failures.emplace_back("Whether the mesh covers the input could not be decided.");
+    return;
+  case Coverage::Verdict::uncovered:
+    break;
+  }
+  if (c.uncovered.empty()) return;
+  std::string words = uncovered_words(c, delta);
+  if (test.thin_may_go) {
+    c.covers = true;
+    c.cover_note = "Only the sides had to be separated: " + words +
+                   ", where something thinner than 2 δ was closed over or cut.";
+  } else {
+    words.front() = 'T';
+    c.failures.push_back(words + ".");
+  }
 }
 
 /// Winding number of the mesh around p.
@@ -230,12 +275,24 @@ void check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, C
 }
 
 void check_expectation(const ExpectedTopology& expected, Certificate& c) {
-  c.topology_as_expected = true;
-  if (!expected.required) {
-    const bool met =
-        expected.euler_characteristic.value_or(c.euler_characteristic) == c.euler_characteristic &&
-        expected.components.value_or(c.components) == c.components;
-    if (met) return;
+  using Topology = Certificate::Topology;
+  const bool asked = expected.euler_characteristic || expected.components;
+  const bool met = expected.euler_characteristic.value_or(c.euler_characteristic) == c.euler_characteristic &&
+                   expected.components.value_or(c.components) == c.components;
+  c.topology = !asked              ? Topology::not_asked
+               : met               ? Topology::as_expected
+               : expected.required ? Topology::wrong
+                                   : Topology::missed;
+  switch (c.topology) {
+  case Topology::as_expected:
+    return;
+  case Topology::not_asked:
+    c.topology_note =
+        expected.source.starts_with(nothing)
+            ? "Nothing is expected of the topology: " + expected.source.substr(nothing.size()) + "."
+            : "Asked for was the " + expected.source + ": any topology will do.";
+    return;
+  case Topology::missed:
     c.topology_note = "The topology is not guaranteed, as Ω is no thickening: the output has χ = " +
                       std::to_string(c.euler_characteristic) + " in " + std::to_string(c.components) +
                       (c.components == 1 ? " component" : " components") + ", ";
@@ -244,24 +301,27 @@ void check_expectation(const ExpectedTopology& expected, Certificate& c) {
     c.topology_note += std::to_string(expected.components.value_or(c.components)) + " from " +
                        expected.source + " was aimed at.";
     return;
+  case Topology::wrong:
+    break;
   }
-  if (expected.euler_characteristic && *expected.euler_characteristic != c.euler_characteristic) {
-    c.topology_as_expected = false;
+  if (expected.euler_characteristic && *expected.euler_characteristic != c.euler_characteristic)
     c.failures.push_back("The Euler characteristic is " + std::to_string(c.euler_characteristic) +
                          " instead of " + std::to_string(*expected.euler_characteristic) + ", that of " +
                          expected.source + ".");
-  }
-  if (expected.components && *expected.components != c.components) {
-    c.topology_as_expected = false;
+  if (expected.components && *expected.components != c.components)
     c.failures.push_back("There are " + std::to_string(c.components) + " components instead of " +
                          std::to_string(*expected.components) + ".");
-  }
 }
 
 } // namespace
 
+std::string_view name(Certificate::Topology topology) {
+  constexpr std::array<std::string_view, 4> names{"as expected", "wrong", "missed", "not asked"};
+  return names[static_cast<std::size_t>(topology)];
+}
+
 Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
-                    const RunControl& control, InputDistance input_distance) {
+                    const RunControl& control, const CoverTest& cover) {
   Certificate c;
   control.report("certificate", 0);
   check_connectivity(mesh, c);
@@ -270,7 +330,7 @@ Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, con
   control.report("certificate", 0.3);
   check_containment(mesh, volume, c, control);
   control.report("certificate", 0.7);
-  if (input_distance == InputDistance::measure) measure_input_distance(mesh, volume, c, control);
+  check_coverage(mesh, volume, cover, c, control);
   control.report("certificate", 0.8);
   if (!control.abandoned()) check_separation(mesh, volume, c);
   check_expectation(expected, c);

@@ -4,6 +4,7 @@
 #include "journal/recorder.h"
 #include "refine/refinement.h"
 #include "tolerance/parameter_check.h"
+#include "tolerance/thin_parts.h"
 
 #include <cmath>
 #include <cstdio>
@@ -69,8 +70,10 @@ class Trials {
     ToleranceVolume::Options options = input_->options;
     options.delta = delta;
     auto volume = ToleranceVolume::build(input_->index, input_->topology, options, *control_);
-    if (volume && parameters_->topology == TopologyMode::separate)
-      if (Status both = volume->check_insides(); !both) return both.error();
+    if (!volume) return volume;
+    const std::vector<ThinPart> thin = find_thin_parts(*volume);
+    const bool all = thin.size() == volume->volume_component_count();
+    if (!thin.empty() && (all || !parameters_->drop_thin)) return thin_parts_error(*volume, thin, {});
     return volume;
   }
 

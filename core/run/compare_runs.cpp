@@ -125,6 +125,10 @@ std::string sigma(const RunParameters& p, const Journal& journal) {
   return number(c.delta > 0 ? c.sigma / c.delta : p.sigma);
 }
 
+std::string cover(const RunParameters& p) {
+  return p.cover ? number(*p.cover) + " δ" : "off";
+}
+
 } // namespace
 
 std::vector<ParameterDifference> differing_parameters(const RunParameters& a, const Journal& journal_a,
@@ -152,6 +156,8 @@ std::vector<ParameterDifference> differing_parameters(const RunParameters& a, co
   add("effort", std::to_string(a.effort), std::to_string(b.effort));
   add("improver", text(name(a.improver)), text(name(b.improver)));
   add("drop small", number(a.drop_small) + " δ", number(b.drop_small) + " δ");
+  add("thin parts", a.drop_thin ? "left out" : "refused", b.drop_thin ? "left out" : "refused");
+  add("cover", cover(a), cover(b));
   add("time limit", number(a.time_limit) + " s", number(b.time_limit) + " s");
   return rows;
 }

@@ -71,6 +71,18 @@ Result<Tolerance> parse_tolerance(std::string_view text) {
   return tolerance;
 }
 
+Result<std::optional<double>> parse_cover(std::string_view text) {
+  if (text == "off") return std::optional<double>();
+  double value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || value <= 0) {
+    return Error{ErrorCode::usage,
+                 "--cover is '" + std::string(text) + "', which is neither a positive number nor off.",
+                 "It is in δ: 3 lets no point of the input be farther than 3 δ from the result."};
+  }
+  return std::optional<double>(value);
+}
+
 Status check(const RunParameters& p) {
   if (!std::isfinite(p.tolerance.value) || p.tolerance.value <= 0) {
     return Error{ErrorCode::usage,
@@ -91,6 +103,10 @@ Status check(const RunParameters& p) {
   if (Status s = in_range("--alpha", p.alpha, 0, false, 1, false, "The paper takes 0.2 everywhere."); !s)
     return s;
   if (Status s = in_range("--shrink", p.shrink, 0, false, 1, true, "The paper takes 0.7."); !s) return s;
+  if (p.cover && !(std::isfinite(*p.cover) && *p.cover > 0)) {
+    return Error{ErrorCode::usage, "--cover is " + shortest(*p.cover) + ", which is not above 0.",
+                 "It is in δ; off takes the limit away."};
+  }
   if (!std::isfinite(p.time_limit) || p.time_limit < 0) {
     return Error{ErrorCode::usage, "--time-limit is " + shortest(p.time_limit) + ", which is no time.",
                  "Give seconds, at least 0; 0 means none."};

@@ -36,6 +36,11 @@ struct RunParameters {
   double shrink = 0.7; ///< in (0, 1]
   Containment containment = Containment::certified;
   TopologyMode topology = TopologyMode::keep;
+  /// Whether parts that are thinner than 2δ everywhere are left out of the input instead of refused.
+  bool drop_thin = false;
+  /// How far from the result a point of the input may be, in δ, > 0; absent: as far as it likes, as in the
+  /// paper, whose bound is one-sided.
+  std::optional<double> cover = 3;
   bool condition_1 = true, condition_2 = true, condition_3 = true, condition_4 = true;
   /// The last stage; absent: improve in certified mode, all in sampled mode, where the paper ends.
   std::optional<Stage> until;
@@ -61,6 +66,8 @@ struct RunParameters {
 
 /// Reads "0.6%" or "0.012"; fails with usage on anything that is not a positive finite number.
 Result<Tolerance> parse_tolerance(std::string_view text);
+/// Reads "3" or "off"; fails with usage on anything else.
+Result<std::optional<double>> parse_cover(std::string_view text);
 /// Checks every range; the error names the option, the value and the range.
 Status check(const RunParameters& parameters);
 

@@ -30,6 +30,10 @@ void read_parameters(const Json& json, RunParameters& p) {
   p.containment =
       json.value("containment", "certified") == "sampled" ? Containment::sampled : Containment::certified;
   p.topology = json.value("topology", "keep") == "separate" ? TopologyMode::separate : TopologyMode::keep;
+  p.drop_thin = json.value("drop_thin", p.drop_thin);
+  // Older recordings did not judge it.
+  p.cover.reset();
+  if (json.contains("cover") && !json.at("cover").is_null()) p.cover = json.at("cover").get<double>();
   const auto conditions = json.value("conditions", std::array<bool, 4>{true, true, true, true});
   p.condition_1 = conditions[0];
   p.condition_2 = conditions[1];
@@ -65,6 +69,8 @@ std::string parameters_json(const RunParameters& p) {
             {"shrink", p.shrink},
             {"containment", p.containment == Containment::certified ? "certified" : "sampled"},
             {"topology", p.topology == TopologyMode::keep ? "keep" : "separate"},
+            {"drop_thin", p.drop_thin},
+            {"cover", p.cover ? Json(*p.cover) : Json(nullptr)},
             {"conditions", {p.condition_1, p.condition_2, p.condition_3, p.condition_4}},
             {"skip", skipped},
             {"target", name(p.target)},

@@ -105,7 +105,8 @@ struct Pipeline::Impl {
   std::unique_ptr<Refinement> refinement; ///< until the simplification begins
   RefinementOutcome refined;              ///< what came out of it
   std::unique_ptr<Simplification> simplification;
-  double seconds = 0; ///< of all parts so far
+  double seconds = 0;   ///< of all parts so far
+  double kept_area = 0; ///< of the input without what is left out
   std::string branched;
   const RunParameters* parameters = nullptr;
 
@@ -116,7 +117,7 @@ struct Pipeline::Impl {
   Error refused(Error error, const Scene& at, const ToleranceVolume::Options& options) const {
     if (!is_open_surface(error)) return error;
     control->report("tolerance that closes the input", -1);
-    return with_closing_tolerance(std::move(error), {at.index, at.input_topology, at.input->area(), options},
+    return with_closing_tolerance(std::move(error), {at.index, at.input_topology, kept_area, options},
                                   *parameters, *control);
   }
 
@@ -164,6 +165,32 @@ struct Pipeline::Impl {
     refinement.reset();
   }
 
+  /// Ω of what is kept of the input; without its thin parts, one after the other, where they are to be
+  /// dropped.
+  Status build_volume(Scene& made, std::shared_ptr<const TriangleSoup> kept,
+                      const ToleranceVolume::Options& options, ThinParts thin) {
+    const bool drop = parameters->drop_thin;
+    for (;;) {
+      kept_area = kept->area();
+      auto built = ToleranceVolume::build(made.index, made.input_topology, options, *control);
+      if (!built) return built.error();
+      const std::vector<ThinPart> parts = find_thin_parts(*built);
+      const bool all = parts.size() == built->volume_component_count();
+      if (!parts.empty() && thin == ThinParts::refuse && (!drop || all)) {
+        const auto keeping = find_keeping_tolerance(*built, parts, *control);
+        return keeping ? thin_parts_error(*built, parts, *keeping) : keeping.error();
+      }
+      if (parts.empty() || !drop || all) {
+        volume.emplace(std::move(*built));
+        return {};
+      }
+      kept = std::make_shared<const TriangleSoup>(without_parts(*kept, *built, parts));
+      made.index = std::make_shared<const ClosestPointIndex>(*kept);
+      made.input_topology = analyse_input(*kept);
+      made.left_out.insert(made.left_out.end(), parts.begin(), parts.end());
+    }
+  }
+
   Result<std::shared_ptr<const BoundarySamples>> sample(double sigma) {
     auto samples = sample_boundary(*volume, sigma, *control);
     if (!samples) return samples.error();
@@ -183,7 +210,7 @@ Pipeline::Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, G
 Pipeline::~Pipeline() = default;
 
 Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const TriangleSoup> soup,
-                                                       std::vector<InputNote> notes) {
+                                                       std::vector<InputNote> notes, ThinParts thin) {
   Impl& m = *impl_;
   if (Status valid = check(parameters_); !valid) return valid.error();
   m.control->cancel_after(parameters_.time_limit);
@@ -218,18 +245,13 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (m.control->cancelled()) return cancelled_error(*m.control);
 
   const ToleranceVolume::Options options = m.volume_options(scene->delta);
-  auto volume = ToleranceVolume::build(scene->index, scene->input_topology, options, *m.control);
-  if (!volume) {
+  if (Status built = m.build_volume(*scene, soup, options, thin); !built) {
     if (m.control->cancelled()) return cancelled_error(*m.control);
-    return m.refused(volume.error(), *scene, options);
-  }
-  m.volume.emplace(std::move(*volume));
-  if (parameters_.topology == TopologyMode::separate) {
-    if (Status both = m.volume->check_insides(); !both) return both.error();
+    return m.refused(built.error(), *scene, options);
   }
   scene->volume_seconds = watch.seconds() - scene->input_seconds;
 
-  scene->default_sigma = default_sigma_ratio(soup->area(), scene->delta);
+  scene->default_sigma = default_sigma_ratio(m.kept_area, scene->delta);
   const CriteriaParameters criteria = parameters_.criteria(scene->delta, scene->default_sigma);
   auto samples = m.sample(criteria.sigma);
   if (m.control->cancelled()) return cancelled_error(*m.control);
@@ -256,6 +278,8 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
                   scene->default_sigma);
     scene->warnings.push_back({text, 0});
   }
+
+  if (!scene->left_out.empty()) scene->warnings.push_back({left_out_words(scene->left_out), 0});
 
   m.journal->add_sample_set(scene->samples);
   m.journal->add_parameters(criteria);
@@ -322,7 +346,8 @@ Result<RunResult> Pipeline::run() {
   result.last_stage = m.last_stage();
   result.form = m.complex().form;
   result.mesh = triangulate(extract_zero_set(m.complex()));
-  result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control);
+  result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control,
+                               {parameters_.cover, parameters_.topology == TopologyMode::separate, true});
   result.crumbs = count_small_parts(result.mesh, crumb_size * m.scene->delta);
   result.normals = measure_normal_deviation(result.mesh, *m.volume);
   m.seconds += watch.seconds();

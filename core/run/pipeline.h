@@ -14,6 +14,7 @@
 #include "run/normal_deviation.h"
 #include "run/parameters.h"
 #include "tolerance/parameter_check.h"
+#include "tolerance/thin_parts.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <memory>
@@ -24,17 +25,18 @@ namespace isoscope {
 
 /// What is known about a run before its first operation; immutable once published.
 struct Scene {
-  std::shared_ptr<const TriangleSoup> input; ///< as given, with the parts that the run leaves out
-  std::vector<InputNote> notes;              ///< on reading it; `warnings` has them in words
-  std::shared_ptr<const ClosestPointIndex> index;
-  double delta = 0; ///< absolute
+  std::shared_ptr<const TriangleSoup> input;      ///< as given, with the parts that the run leaves out
+  std::vector<InputNote> notes;                   ///< on reading it; `warnings` has them in words
+  std::shared_ptr<const ClosestPointIndex> index; ///< of the input without them
+  double delta = 0;                               ///< absolute
   double longest_edge = 0;
   std::shared_ptr<const ToleranceVolume> volume; ///< without its octree: what evaluations ask
   double default_sigma = 0.5;                    ///< σ/δ of this input in certified mode when none is given
   ToleranceThresholds thresholds;
   std::vector<Region> regions;
   std::vector<BoundaryComponent> boundary_components;
-  InputTopology input_topology;
+  std::vector<ThinPart> left_out; ///< parts of the input that Ω does not hold (RunParameters::drop_thin)
+  InputTopology input_topology;   ///< without them
   ExpectedTopology expected;
   std::shared_ptr<const BoundarySamples> samples;
   std::string thickening_note;
@@ -62,6 +64,10 @@ struct RunResult {
   int exit_status() const; ///< 0 finished and certified, 1 not certified, 4 stopped
 };
 
+/// What becomes of parts that are thinner than 2δ everywhere where the parameters do not leave them out. A
+/// recorded run is read as it was.
+enum class ThinParts : std::uint8_t { refuse, accept };
+
 class Pipeline {
  public:
   /// The journal starts empty and is filled by run().
@@ -71,7 +77,8 @@ class Pipeline {
   /// Reads (or takes `soup` and the notes on it), builds Ω and S. Fails with bad_input, unsupported or
   /// cancelled.
   Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr,
-                                               std::vector<InputNote> notes = {});
+                                               std::vector<InputNote> notes = {},
+                                               ThinParts thin = ThinParts::refuse);
   /// After prepare() and instead of the refinement: writes to `journal`, which holds the branch's prefix, and
   /// collapses its edge; run() goes on from there. Fails with usage where that cannot be.
   Status branch(const BranchPoint& branch, std::shared_ptr<Journal> journal);

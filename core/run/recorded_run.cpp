@@ -26,6 +26,20 @@ template <class T> T whole(const Json& json) {
   return static_cast<T>(json.get_ref<const Json::number_integer_t&>());
 }
 
+/// Reports older than the limit say nothing of it: they did not judge it.
+void read_coverage(const Json& json, Certificate& c) {
+  c.covers = json.value("covers", true);
+  if (json.contains("cover_limit") && json.at("cover_limit").is_number())
+    c.cover_limit = json.at("cover_limit").get<double>();
+  for (const Json& place : json.value("uncovered", Json::array())) {
+    const auto p = place.at("point").get<std::array<double, 3>>();
+    c.uncovered.push_back(
+        {{p[0], p[1], p[2]}, place.at("distance").get<double>(), place.at("size").get<double>()});
+  }
+  c.uncovered_count = whole<std::size_t>(json.value("uncovered_places", Json(0)));
+  c.cover_note = json.value("cover_note", "");
+}
+
 void read_certificate(const Json& json, Certificate& c) {
   c.closed_manifold = json.at("closed_manifold").get<bool>();
   c.oriented = json.at("oriented").get<bool>();
@@ -37,7 +51,17 @@ void read_certificate(const Json& json, Certificate& c) {
   if (distance.at("lower").is_number()) c.input_distance.lower = distance.at("lower").get<double>();
   if (distance.at("upper").is_number()) c.input_distance.upper = distance.at("upper").get<double>();
   c.separates = json.at("separates").get<bool>();
-  c.topology_as_expected = json.at("topology_as_expected").get<bool>();
+  const bool as_expected = json.at("topology_as_expected").get<bool>();
+  c.topology_note = json.value("topology_note", "");
+  // Older reports called as expected what was not required.
+  using Topology = Certificate::Topology;
+  c.topology = !as_expected              ? Topology::wrong
+               : c.topology_note.empty() ? Topology::as_expected
+                                         : Topology::missed;
+  const std::string topology = json.value("topology", "");
+  for (const Topology t : {Topology::as_expected, Topology::wrong, Topology::missed, Topology::not_asked})
+    if (name(t) == topology) c.topology = t;
+  read_coverage(json, c);
   c.failures = json.at("failures").get<std::vector<std::string>>();
 }
 
@@ -89,7 +113,7 @@ Result<std::shared_ptr<const Scene>> rebuild_scene(const RunParameters& paramete
   unlimited.time_limit = 0;
   NoGate gate;
   Pipeline pipeline(unlimited, std::make_shared<Journal>(), gate, control);
-  auto prepared = pipeline.prepare(std::move(input), std::move(notes));
+  auto prepared = pipeline.prepare(std::move(input), std::move(notes), ThinParts::accept);
   if (!prepared) return prepared.error();
   auto scene = std::make_shared<Scene>(**prepared);
   if (!journal.sample_sets().empty()) scene->samples = journal.sample_sets()[0];

@@ -199,7 +199,7 @@ class Check {
 
   Result<ReplayVerdict> run(std::shared_ptr<const TriangleSoup> input, std::vector<InputNote> notes,
                             const std::vector<RecordedBranch>& branches) {
-    const auto scene = pipeline_.prepare(std::move(input), std::move(notes));
+    const auto scene = pipeline_.prepare(std::move(input), std::move(notes), ThinParts::accept);
     if (!scene) return scene.error();
     if (!recorded_.sample_sets().empty() && !same_samples(*recorded_.sample_sets()[0], *(*scene)->samples)) {
       verdict_.same = false;

@@ -44,6 +44,32 @@ Json stage_json(const StageStatistics& s) {
           {"zero_set_vertices", s.zero_set_vertices}};
 }
 
+Json point_json(Vec3 p) {
+  return {p.x, p.y, p.z};
+}
+
+Json left_out_json(const std::vector<ThinPart>& parts) {
+  Json list = Json::array();
+  for (const ThinPart& part : parts) {
+    list.push_back({{"place", point_json(part.place)},
+                    {"thickness", part.thickness},
+                    {"size", part.box.longest_edge()},
+                    {"triangles", part.triangles}});
+  }
+  return list;
+}
+
+Json uncovered_json(const std::vector<UncoveredPlace>& places, double delta) {
+  Json list = Json::array();
+  for (const UncoveredPlace& p : places) {
+    list.push_back({{"point", point_json(p.point)},
+                    {"distance", p.distance},
+                    {"distance_in_delta", p.distance / delta},
+                    {"size", p.size}});
+  }
+  return list;
+}
+
 Json normals_json(const NormalDeviation& n) {
   return {{"oriented", n.oriented},
           {"points", n.points},
@@ -100,7 +126,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"closed_manifold", scene.input_topology.closed_manifold},
         {"self_intersection_free", scene.input_topology.self_intersection_free},
         {"consistently_oriented", scene.input_topology.consistently_oriented},
-        {"euler_characteristic", optional_number(scene.input_topology.euler_characteristic)}}},
+        {"euler_characteristic", optional_number(scene.input_topology.euler_characteristic)},
+        {"left_out", left_out_json(scene.left_out)}}},
       {"parameters",
        {{"tolerance", scene.delta},
         {"tolerance_given", p.tolerance.text()},
@@ -109,6 +136,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"shrink", p.shrink},
         {"containment", p.containment == Containment::certified ? "certified" : "sampled"},
         {"topology", p.topology == TopologyMode::keep ? "keep" : "separate"},
+        {"drop_thin", p.drop_thin},
+        {"cover", p.cover ? Json(*p.cover) : Json(nullptr)},
         {"conditions", {p.condition_1, p.condition_2, p.condition_3, p.condition_4}},
         {"until", name(p.last_stage())},
         {"improver", name(p.improver)},
@@ -142,7 +171,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"euler_characteristic", chi},
         {"genus", static_cast<long>(c.components) - chi / 2},
         {"crumbs", {{"components", result.crumbs.components}, {"vertices", result.crumbs.vertices}}},
-        {"embedding", result.form == ZeroForm::free ? "Z alone" : "T"}}},
+        {"embedding", result.form == ZeroForm::free ? "Z alone" : "T"},
+        {"empty", result.mesh.triangles.empty()}}},
       {"normals", normals_json(result.normals)},
       {"certificate",
        {{"holds", c.holds()},
@@ -151,9 +181,16 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"intersection_free", c.intersection_free},
         {"within_tolerance", c.within_tolerance},
         {"max_distance", c.max_distance},
+        {"covers", c.covers},
+        {"cover_limit", c.cover_limit ? Json(*c.cover_limit) : Json(nullptr)},
+        {"max_input_distance", c.input_distance.upper},
+        {"uncovered", uncovered_json(c.uncovered, scene.delta)},
+        {"uncovered_places", c.uncovered_count},
+        {"cover_note", c.cover_note},
         {"input_distance", {{"lower", c.input_distance.lower}, {"upper", c.input_distance.upper}}},
         {"separates", c.separates},
-        {"topology_as_expected", c.topology_as_expected},
+        {"topology_as_expected", c.topology_as_expected()},
+        {"topology", name(c.topology)},
         {"topology_note", c.topology_note},
         {"failures", c.failures}}},
       {"branch", result.branch.empty() ? Json(nullptr) : Json(result.branch)},

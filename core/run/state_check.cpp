@@ -75,7 +75,7 @@ void check_zero_set(const StateSnapshot& s, const Scene& scene, bool due, bool c
                     const RunControl& control) {
   const TriangleMesh mesh = triangulate(s.zero_set);
   if (mesh.triangles.empty()) return;
-  const Certificate c = certify(mesh, *scene.volume, scene.expected, control, InputDistance::leave_out);
+  const Certificate c = certify(mesh, *scene.volume, scene.expected, control, {std::nullopt, false, false});
   const auto set = [&](Invariant invariant, bool good, bool goal) {
     InvariantVerdict& v = report.verdicts[static_cast<std::size_t>(invariant)];
     v.state = good ? State::holds : goal && !due ? State::not_due : State::broken;
@@ -88,7 +88,9 @@ void check_zero_set(const StateSnapshot& s, const Scene& scene, bool due, bool c
   InvariantVerdict& contained = report.verdicts[static_cast<std::size_t>(Invariant::contained)];
   if (!certified && contained.state == State::broken) contained.state = State::not_due;
   set(Invariant::separating, c.separates, true);
-  set(Invariant::topology, c.topology_as_expected, true);
+  // What nothing binds can neither hold nor break.
+  if (c.topology == Certificate::Topology::as_expected || c.topology == Certificate::Topology::wrong)
+    set(Invariant::topology, c.topology == Certificate::Topology::as_expected, true);
   const auto holds = [&](Invariant i) { return report[i].state == State::holds; };
   const auto words = [&](Invariant i) -> std::string& {
     return report.verdicts[static_cast<std::size_t>(i)].words;

@@ -60,7 +60,12 @@ std::string words_of(const TopologyReport& r) {
   if (r.components.empty()) return "There is no Z yet.";
   std::string words;
   const std::string source = r.expected.source.empty() ? "" : " of " + r.expected.source;
-  if (r.verdict.as_expected) {
+  if (!r.expected.euler_characteristic && !r.expected.components) {
+    words = "Z has " + std::to_string(r.verdict.components) +
+            (r.verdict.components == 1 ? " component" : " components") +
+            " and χ = " + std::to_string(r.verdict.euler_characteristic) + "; none is expected (" +
+            r.expected.source + ").";
+  } else if (r.verdict.as_expected) {
     words = "Components and χ of Z are those" + source + ".";
   } else {
     words = "Z has " + std::to_string(r.verdict.components) +

@@ -16,6 +16,8 @@ constexpr unsigned ballot_size = 16;
 constexpr std::size_t thickness_probes = 2000;
 constexpr int place_digits = 6;
 const std::string open_surface_words = "The input is an open surface near ";
+/// Places between its walls that are asked whether a part is closed.
+constexpr std::size_t thin_part_probes = 16;
 /// Triangles whose sides are compared, how far from the plane in units of δ', and the share of them with one
 /// region on both sides from which on the surface counts as open.
 constexpr std::size_t side_probes = 4000;
@@ -38,27 +40,6 @@ std::vector<TriangleId> triangles_of(const ToleranceVolume& volume, std::uint32_
 
 Vec3 centroid(const Triangle3& t) {
   return (t[0] + t[1] + t[2]) / 3.0;
-}
-
-Error nothing_inside(const ToleranceVolume& volume, std::uint32_t component) {
-  const std::vector<TriangleId> part = triangles_of(volume, component);
-  const ToleranceThresholds& t = volume.thresholds();
-  Error error{ErrorCode::unsupported,
-              "The input is thinner than twice the tolerance everywhere around " +
-                  place(centroid(volume.index().triangle(part.front())), place_digits) +
-                  ": nothing is left inside of it there.",
-              "Choose a smaller tolerance."};
-  double depth = 0;
-  for (const ThicknessProbe& probe : probe_thickness(volume, component))
-    if (probe.distance > depth && volume.index().inside_by_parity(probe.middle)) depth = probe.distance;
-  if (depth > 0) {
-    const double largest = 0.95 * depth * t.delta / t.boundary;
-    char text[160];
-    std::snprintf(text, sizeof text, "Choose a tolerance of at most about %.2g (%.2g%% of the longest edge).",
-                  largest, 100 * largest / volume.index().bounds().longest_edge());
-    error.remedy = text;
-  }
-  return error;
 }
 
 Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
@@ -118,13 +99,15 @@ bool is_open_at_border(const ToleranceVolume& volume) {
 
 /// A triangle with the same region on both sides, where so many are so that the surface does not separate:
 /// pockets along an open surface would pass for its other side.
-std::optional<Vec3> one_sided_place(const ToleranceVolume& volume) {
+/// Thin parts, by component of Ω', have one region all around them and count neither way.
+std::optional<Vec3> one_sided_place(const ToleranceVolume& volume, const std::vector<bool>& thin) {
   const ClosestPointIndex& index = volume.index();
   const double reach = side_reach * volume.thresholds().boundary;
   const std::size_t stride = index.size() / side_probes + 1;
   std::size_t compared = 0, same = 0;
   std::optional<Vec3> first;
   for (std::size_t i = 0; i < index.size(); i += stride) {
+    if (thin[volume.volume_component(TriangleId(i))]) continue;
     const Triangle3& t = index.triangle(TriangleId(i));
     const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
     if (n == Vec3{}) continue;
@@ -141,6 +124,18 @@ std::optional<Vec3> one_sided_place(const ToleranceVolume& volume) {
     if (!first) first = centroid(t);
   }
   return static_cast<double>(same) > open_share * static_cast<double>(compared) ? first : std::nullopt;
+}
+
+/// Whether a component of Ω' with one region around it is a closed part that is thinner than Ω is thick, and
+/// no open surface: between its walls is a place that every ray takes for inside.
+bool is_thin_part(const ToleranceVolume& volume, std::uint32_t component) {
+  std::vector<ThicknessProbe> probes = probe_thickness(volume, component);
+  std::stable_sort(probes.begin(), probes.end(),
+                   [](const auto& a, const auto& b) { return a.distance > b.distance; });
+  probes.resize(std::min(probes.size(), thin_part_probes));
+  return std::any_of(probes.begin(), probes.end(), [&](const ThicknessProbe& probe) {
+    return unanimous_parity(volume.index(), probe.middle).value_or(false);
+  });
 }
 
 } // namespace
@@ -171,10 +166,27 @@ std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::
       const std::vector<double> hits = index.crossings(start, end);
       if (hits.empty()) continue;
       const Vec3 middle = start + (0.5 * hits.front()) * (end - start);
-      probes.push_back({middle, index.distance(middle)});
+      probes.push_back({middle, index.distance(middle), part[i]});
     }
   }
   return probes;
+}
+
+ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double enough) {
+  double step = 0.99 * from.distance;
+  const double least_step = 1e-3 * from.distance;
+  while (step > least_step && from.distance < enough) {
+    step = std::min(step, 0.99 * from.distance);
+    ThicknessProbe best = from;
+    for (int k = 0; k < 27; ++k) {
+      const Vec3 p = from.middle + step * normalized({k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0});
+      const double d = index.distance(p);
+      if (d > best.distance) best.middle = p, best.distance = d;
+    }
+    if (best.distance < from.distance + 0.05 * step) step *= 0.5;
+    from = best;
+  }
+  return from;
 }
 
 int pocket_label(const ToleranceVolume& volume, Vec3 p) {
@@ -190,26 +202,18 @@ std::vector<int> label_by_parity(const ToleranceVolume& volume) {
   return labels;
 }
 
-Status check_both_sides(const ToleranceVolume& volume) {
-  const auto sides = regions_by_component(volume);
-  for (std::size_t c = 0; c < sides.size(); ++c) {
-    const auto is = [&](int label) {
-      return std::any_of(sides[c].begin(), sides[c].end(),
-                         [&](RegionId r) { return volume.regions()[r.index()].label == label; });
-    };
-    if (!is(+1) || !is(-1)) return nothing_inside(volume, static_cast<std::uint32_t>(c));
-  }
-  return {};
-}
-
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume) {
   const auto sides = regions_by_component(volume);
   std::vector<std::vector<std::uint32_t>> components(volume.regions().size());
   for (const BoundaryComponent& c : volume.boundary_components())
     components[c.region.index()].push_back(c.volume_component);
-  for (std::size_t c = 0; c < sides.size(); ++c)
-    if (sides[c].size() < 2) return open_surface(volume, static_cast<std::uint32_t>(c));
-  if (const auto p = one_sided_place(volume)) return open_surface_near(*p);
+  std::vector<bool> thin(sides.size());
+  for (std::size_t c = 0; c < sides.size(); ++c) {
+    if (sides[c].size() > 1) continue;
+    thin[c] = is_thin_part(volume, static_cast<std::uint32_t>(c));
+    if (!thin[c]) return open_surface(volume, static_cast<std::uint32_t>(c));
+  }
+  if (const auto p = one_sided_place(volume, thin)) return open_surface_near(*p);
 
   std::vector<int> labels(volume.regions().size(), 0);
   labels[0] = +1;

@@ -13,8 +13,6 @@ namespace isoscope {
 std::vector<int> label_by_parity(const ToleranceVolume& volume);
 /// The side of a small region around p: by one ray in closed input, elsewhere by the most of many.
 int pocket_label(const ToleranceVolume& volume, Vec3 p);
-/// Fails with unsupported, naming the place, where a component of Ω' of a labelled volume has nothing inside.
-Status check_both_sides(const ToleranceVolume& volume);
 
 /// Whether it is what open_surface_near() says.
 bool is_open_surface(const Error& error);
@@ -28,10 +26,15 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume);
 struct ThicknessProbe {
   Vec3 middle;
   double distance = 0; ///< d(middle)
+  TriangleId wall;     ///< the triangle that it was looked for from
 };
 
 /// Probes on both sides of at most 2000 triangles of a component of Ω', in the order of their ids; walls
 /// farther apart than 8 δ are not seen.
 std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component);
+
+/// Where d is locally largest, reached by steps that stay within the ball around the probe and so on its
+/// side; ends where d is `enough`.
+ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double enough);
 
 } // namespace isoscope

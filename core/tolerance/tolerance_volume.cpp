@@ -4,6 +4,7 @@
 #include "tolerance/boundary_topology.h"
 #include "tolerance/region_labels.h"
 #include "tolerance/regions.h"
+#include "tolerance/thin_parts.h"
 #include "tolerance/volume_components.h"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ constexpr std::size_t most_pocket_cells = 5000;
 constexpr std::size_t pocket_budget = 20000;
 constexpr std::size_t most_refined_cells = 6'000'000;
 constexpr std::size_t most_components = 0xffff;
+/// Places between opposite walls of a component from which a region that the main cells miss is climbed to.
+constexpr std::size_t most_climbs = 64;
 
 /// The side of the octree's main cells, in units of δ': half, and where that would take more than about 30
 /// million cells and parity tells the sides anyway, one, which takes a quarter of them. Regions that only
@@ -113,8 +116,10 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   v.volume_component_count_ = components.count;
   v.collect_regions();
   v.collect_boundary_components();
-  v.find_thin_regions();
+  // Parity tells the sides that are missing; soups must know all regions before they can be coloured.
+  if (!input.closed_manifold) v.find_thin_regions();
   if (Status s = v.label_regions(); !s.ok()) return s.error();
+  if (input.closed_manifold) v.find_thin_regions();
   for (BoundaryComponent& c : v.boundary_components_) c.label = v.regions_[c.region.index()].label;
 
   auto characteristics = boundary_characteristics(v, 0, control);
@@ -205,18 +210,53 @@ void ToleranceVolume::collect_boundary_components() {
     boundary_components_.push_back({RegionId(region), component, +1, 0});
 }
 
+/// Whether the way from p, at distance d from the input, to the nearest triangle of a component of Ω' stays
+/// in the region of p: the component is as near as any.
+bool ToleranceVolume::touches(Vec3 p, double d, std::uint32_t component) const {
+  const double reach = d * (1 + 1e-3);
+  const Vec3 corner{reach, reach, reach};
+  const std::vector<TriangleId> near = index_->triangles_in({p - corner, p + corner});
+  return std::any_of(near.begin(), near.end(), [&](TriangleId t) {
+    return volume_component(t) == component &&
+           distance(p, closest_point_on_triangle(p, index_->triangle(t))) <= reach;
+  });
+}
+
 /// Where a component of Ω' seems to have one side only, the other may be too thin for the main cells: looks
 /// for it midway between opposite walls.
 void ToleranceVolume::find_thin_regions() {
-  std::vector<std::size_t> sides(volume_component_count_, 0);
-  for (const BoundaryComponent& c : boundary_components_) ++sides[c.volume_component];
-  for (std::uint32_t component = 0; component < sides.size(); ++component) {
-    if (sides[component] > 1) continue;
-    const std::size_t known = regions_.size();
-    for (const ThicknessProbe& probe : probe_thickness(*this, component))
-      if (probe.distance > thresholds_.reject) region_at(probe.middle);
-    for (std::size_t r = known; r < regions_.size(); ++r)
-      boundary_components_.push_back({regions_[r].id, component, +1, 0});
+  std::vector<std::array<bool, 2>> has(
+      volume_component_count_); // before labels are known: one, more than one
+  for (const BoundaryComponent& c : boundary_components_) {
+    auto& sides = has[c.volume_component];
+    const bool second = input_.closed_manifold ? regions_[c.region.index()].label < 0 : sides[0];
+    sides[second ? 1 : 0] = true;
+  }
+  for (std::uint32_t component = 0; component < has.size(); ++component) {
+    if (has[component][0] && has[component][1]) continue;
+    std::vector<RegionId> found;
+    const auto look = [&](const ThicknessProbe& probe) {
+      const RegionId r = region_at(probe.middle);
+      if (!r.valid() || std::find(found.begin(), found.end(), r) != found.end()) return;
+      if (!touches(probe.middle, probe.distance, component)) return;
+      found.push_back(r);
+    };
+    std::vector<ThicknessProbe> probes = probe_thickness(*this, component);
+    for (const ThicknessProbe& probe : probes)
+      if (probe.distance > thresholds_.reject) look(probe);
+    if (found.empty()) {
+      std::stable_sort(probes.begin(), probes.end(),
+                       [](const auto& a, const auto& b) { return a.distance > b.distance; });
+      probes.resize(std::min(probes.size(), most_climbs));
+      for (const ThicknessProbe& probe : probes)
+        if (const auto top = climb(*index_, probe, 1.01 * thresholds_.reject);
+            top.distance > thresholds_.reject)
+          look(top);
+    }
+    for (const RegionId r : found)
+      if (std::none_of(boundary_components_.begin(), boundary_components_.end(),
+                       [&](const auto& c) { return c.region == r && c.volume_component == component; }))
+        boundary_components_.push_back({r, component, +1, 0});
   }
   std::sort(boundary_components_.begin(), boundary_components_.end(), [](const auto& a, const auto& b) {
     return std::pair{a.region, a.volume_component} < std::pair{b.region, b.volume_component};
@@ -241,11 +281,7 @@ Status ToleranceVolume::label_regions() {
   auto labels = input_.closed_manifold ? label_by_parity(*this) : label_by_two_colouring(*this);
   if (!labels.ok()) return labels.error();
   for (std::size_t i = 0; i < regions_.size(); ++i) regions_[i].label = (*labels)[i];
-  return input_.closed_manifold && !input_.sides_known() ? check_both_sides(*this) : Status();
-}
-
-Status ToleranceVolume::check_insides() const {
-  return check_both_sides(*this);
+  return {};
 }
 
 Status ToleranceVolume::check_passages() const {

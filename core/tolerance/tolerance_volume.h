@@ -82,8 +82,8 @@ class ToleranceVolume {
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
   /// Fails with unsupported on open surfaces (a component of Ω that touches one region only) and on
-  /// non-manifold ones (three regions or more), and on parts that are thinner than 2δ' everywhere unless
-  /// input.sides_known(), naming the place; with cancelled when told to.
+  /// non-manifold ones (three regions or more), naming the place; with cancelled when told to. Parts that are
+  /// thinner than 2δ' everywhere are built: find_thin_parts() tells them.
   static Result<ToleranceVolume> build(std::shared_ptr<const ClosestPointIndex> index,
                                        const InputTopology& input, const Options& options,
                                        const RunControl& control);
@@ -110,9 +110,6 @@ class ToleranceVolume {
   /// Regions that no boundary component counts: they were too small to be seen before somebody asked for a
   /// point in them.
   std::size_t pockets() const;
-  /// Fails with unsupported, naming the place, where a component of Ω' has nothing inside, or nothing
-  /// outside: then its boundaries ask for no surface, and only the topology of the input does.
-  Status check_insides() const;
   /// Fails with unsupported, naming the place, where questions asked since create() found regions of
   /// different sides to be one: a passage between them is wider than 2 δ' but narrower than the main cells
   /// show.
@@ -159,6 +156,7 @@ class ToleranceVolume {
   void collect_regions();
   void collect_boundary_components();
   void find_thin_regions();
+  bool touches(Vec3 p, double d, std::uint32_t component) const;
   void deepen(Region& region) const;
   Status label_regions();
   RegionId add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume);

@@ -19,10 +19,11 @@ TEST_CASE("Questions are answered on standard output with status 0") {
   const Ended help = run_batch({"--help"});
   CHECK(help.status == 0);
   for (const char* option :
-       {"--tolerance",  "--sigma",        "--alpha", "--shrink", "--until",     "--threads", "--containment",
-        "--topology",   "--time-limit",   "-o",      "--report", "--quiet",     "--compare", "--no-condition",
-        "--no-normals", "--list-gallery", "--skip",  "--target", "--cost-ring", "--effort",  "--improver",
-        "--drop-small"}) {
+       {"--tolerance",    "--sigma",       "--alpha",    "--shrink",       "--until",
+        "--threads",      "--containment", "--topology", "--time-limit",   "-o",
+        "--report",       "--quiet",       "--compare",  "--no-condition", "--no-normals",
+        "--list-gallery", "--skip",        "--target",   "--cost-ring",    "--effort",
+        "--improver",     "--drop-small",  "--cover",    "--drop-thin"}) {
     CAPTURE(option);
     CHECK(help.out.find(option) != std::string::npos);
   }

@@ -141,6 +141,8 @@ TEST_CASE("Parameters come back from JSON") {
   p.improver = ImproverPlace::embedded;
   p.drop_small = 3.5;
   p.threads = 2;
+  p.drop_thin = true;
+  p.cover = 1.5;
   p.time_limit = 12.5;
   const auto back = parse_parameters(parameters_json(p));
   REQUIRE(back.ok());
@@ -152,6 +154,11 @@ TEST_CASE("Parameters come back from JSON") {
   CHECK(back->target == p.target);
   CHECK(back->improver == p.improver);
   CHECK(back->drop_small == p.drop_small);
+  CHECK(back->drop_thin);
+  CHECK(back->cover == 1.5);
+  p.cover.reset();
+  CHECK(!parse_parameters(parameters_json(p))->cover);
+  CHECK(!parse_parameters(R"({"cover": 0})").ok());
   CHECK(back->condition_1);
   CHECK(!back->condition_4);
   CHECK(!parse_parameters("{").ok());

@@ -147,7 +147,7 @@ TEST_CASE("Two layers wind twice around the inside, intersect or not") {
   const Certificate c = sphere().judge(nested);
   CHECK(c.intersection_free);
   CHECK(!c.separates);
-  CHECK(!c.topology_as_expected);
+  CHECK(!c.topology_as_expected());
   CHECK(c.components == 2);
   CHECK(c.euler_characteristic == 4);
 
@@ -170,13 +170,20 @@ TEST_CASE("A degenerate facet is a failure") {
 TEST_CASE("An expectation that is not met is a failure, one that is absent is not") {
   ExpectedTopology expected = sphere().expected;
   expected.euler_characteristic = 0;
-  CHECK(!certify(sphere().mesh(), sphere().volume, expected, RunControl()).topology_as_expected);
+  CHECK(!certify(sphere().mesh(), sphere().volume, expected, RunControl()).topology_as_expected());
   expected.required = false;
-  CHECK(certify(sphere().mesh(), sphere().volume, expected, RunControl()).topology_as_expected);
+  const Certificate missed = certify(sphere().mesh(), sphere().volume, expected, RunControl());
+  CHECK(!missed.topology_as_expected());
+  CHECK(missed.topology == Certificate::Topology::missed);
+  CHECK(missed.topology_note.find("was aimed at") != std::string::npos);
+  CHECK(missed.holds());
   expected.required = true;
   expected.euler_characteristic.reset();
   expected.components.reset();
-  CHECK(certify(sphere().mesh(), sphere().volume, expected, RunControl()).topology_as_expected);
+  const Certificate not_asked = certify(sphere().mesh(), sphere().volume, expected, RunControl());
+  CHECK(not_asked.topology == Certificate::Topology::not_asked);
+  CHECK(not_asked.topology_note.find("any topology will do") != std::string::npos);
+  CHECK(not_asked.holds());
 }
 
 TEST_CASE("A cancelled control does not keep a mesh from being judged, an abandoned one does") {

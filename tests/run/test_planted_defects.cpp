@@ -162,7 +162,7 @@ TEST_CASE("A swallowed component is missed, by its number and by its side") {
   CHECK(judge(both).holds());
   const Certificate swallowed = judge(cube());
   CHECK(swallowed.within_tolerance);
-  CHECK(!swallowed.topology_as_expected);
+  CHECK(!swallowed.topology_as_expected());
   CHECK(!swallowed.separates);
   // How far the mesh leaves the input behind is told too: the lost box ends at x = 4.
   CHECK(swallowed.input_distance.lower > 2.9);
@@ -177,7 +177,7 @@ TEST_CASE("A component taken twice in place of another has the right numbers and
   CHECK(c.closed_manifold);
   CHECK(c.intersection_free);
   CHECK(c.within_tolerance);
-  CHECK(c.topology_as_expected);
+  CHECK(c.topology_as_expected());
   CHECK(!c.separates);
   CHECK(!c.holds());
 }
@@ -190,7 +190,7 @@ TEST_CASE("Two components with exchanged sides do not separate what they should"
   CHECK(c.oriented);
   CHECK(c.intersection_free);
   CHECK(c.within_tolerance);
-  CHECK(c.topology_as_expected);
+  CHECK(c.topology_as_expected());
   CHECK(!c.separates);
   CHECK(!c.holds());
 }

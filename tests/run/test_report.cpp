@@ -54,7 +54,8 @@ TEST_CASE("The report of a finished run is one JSON object with the promised key
                                  "percentile_99", "above_30", "above_90"});
   check_keys(report["certificate"],
              {"closed_manifold", "oriented", "intersection_free", "within_tolerance", "max_distance",
-              "input_distance", "separates", "topology_as_expected", "topology_note"});
+              "input_distance", "covers", "cover_limit", "max_input_distance", "uncovered", "separates",
+              "topology_as_expected", "topology_note"});
 
   CHECK(report["version"] == version());
   CHECK(report["input"]["path"] == "gallery:torus");

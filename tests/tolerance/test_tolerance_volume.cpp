@@ -137,43 +137,6 @@ TEST_CASE("a gap barely wide enough for the reject distance is joined to the out
   CHECK(v->regions().size() == 3);
 }
 
-TEST_CASE(
-    "closed input thinner than twice the tolerance has no inside, and a tolerance that works is named") {
-  TriangleSoup soup;
-  testing::add_box(soup, {0, 0, 0}, {1, 1, 0.1});
-  auto v = build(soup, 0.06);
-  REQUIRE(v.ok());
-  CHECK(v->regions().size() == 1);
-  const Status both = v->check_insides();
-  REQUIRE_FALSE(both.ok());
-  CHECK(both.error().code == ErrorCode::unsupported);
-  CHECK(both.error().message.find("thinner") != std::string::npos);
-  CHECK(both.error().remedy.find("0.05") != std::string::npos);
-  auto thin = build(soup, 0.047);
-  REQUIRE(thin.ok());
-  CHECK(thin->regions().size() == 2);
-  CHECK(thin->label_at({0.5, 0.5, 0.05}) == -1);
-  CHECK(thin->check_insides().ok());
-}
-
-TEST_CASE("without an inside, parts that intersect each other are refused") {
-  TriangleSoup soup;
-  testing::add_box(soup, {0, 0, 0}, {1, 1, 0.1});
-  testing::add_box(soup, {0.5, 0.5, 0.02}, {1.5, 1.5, 0.12});
-  const auto v = build(soup, 0.08);
-  REQUIRE_FALSE(v.ok());
-  CHECK(v.error().message.find("thinner") != std::string::npos);
-}
-
-TEST_CASE("a thin shell has no inside either") {
-  TriangleSoup soup;
-  testing::add_sphere(soup, {0, 0, 0}, 1, 24);
-  testing::add_sphere(soup, {0, 0, 0}, 0.95, 24);
-  const auto v = build(soup, 0.05);
-  REQUIRE(v.ok());
-  CHECK_FALSE(v->check_insides().ok());
-}
-
 TEST_CASE("open surfaces are named with a place on their border") {
   TriangleSoup soup;
   testing::add_sphere(soup, {0, 0, 0}, 1, 24);

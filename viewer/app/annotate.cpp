@@ -107,6 +107,14 @@ void broken_places(const StateReport& report, Annotation& a) {
     }
 }
 
+/// Where the finished mesh leaves the input behind.
+void uncovered(const std::vector<UncoveredPlace>& places, Annotation& a) {
+  for (const UncoveredPlace& p : places) {
+    a.marks.push_back({p.point, Tone::bad, MarkerShape::cross, 12});
+    a.marks.push_back({p.point, Tone::bad, MarkerShape::ring, 20});
+  }
+}
+
 } // namespace
 
 std::optional<RefusedFacet> shown_refusal(const AppModel& m) {
@@ -131,6 +139,7 @@ Annotation make_annotation(const AppModel& m) {
   if (const auto w = i.work()) heat(w->map, a);
   if (const auto t = i.topology()) loops(*t, *state, a);
   if (const auto c = i.check(); c && c->report.step == state->step) broken_places(c->report, a);
+  if (m.run.result && m.transport.step() >= m.live_step()) uncovered(m.run.result->certificate.uncovered, a);
   return a;
 }
 

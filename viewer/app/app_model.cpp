@@ -79,7 +79,8 @@ bool AppModel::draft_needs_restart() const {
          draft.tolerance.percent != p.tolerance.percent || draft.containment != p.containment ||
          draft.topology != p.topology || draft.until != p.until || draft.skipped != p.skipped ||
          draft.target != p.target || draft.cost_ring != p.cost_ring || draft.effort != p.effort ||
-         draft.improver != p.improver || draft.drop_small != p.drop_small;
+         draft.improver != p.improver || draft.drop_thin != p.drop_thin || draft.cover != p.cover ||
+         draft.drop_small != p.drop_small;
 }
 
 bool AppModel::draft_differs() const {

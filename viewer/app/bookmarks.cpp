@@ -153,6 +153,8 @@ std::string run_key(const RunParameters& p) {
   for (const bool skipped : p.skipped) words << skipped;
   words << '|' << static_cast<int>(p.target) << '|' << static_cast<int>(p.cost_ring) << '|' << p.effort;
   if (p.drop_small != 0) words << "|drop small " << p.drop_small;
+  if (p.drop_thin) words << "|drop-thin";
+  if (p.cover != RunParameters().cover) words << "|cover" << p.cover.value_or(0);
   std::uint64_t hash = 14695981039346656037ull;
   for (const char c : words.str()) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
   std::array<char, 20> text{};

@@ -72,9 +72,20 @@ Status check(M& m, bool search) {
   return {};
 }
 
+/// The places of the input that the finished mesh leaves behind.
+Status look_at_uncovered(M& m, std::size_t index) {
+  if (!m.run.result || m.run.result->certificate.uncovered.empty())
+    return usage("The finished mesh leaves nothing of the input behind.");
+  const auto& places = m.run.result->certificate.uncovered;
+  if (index >= places.size()) return usage("There are only " + std::to_string(places.size()) + " places.");
+  const UncoveredPlace& p = places[index];
+  m.selection.pick({});
+  m.selection.mark = p.point;
+  m.camera.frame(Box3{p.point, p.point}.grown(std::max(0.5 * p.size, p.distance)), !m.scripted);
+  return {};
+}
+
 Status look_at(M& m, const A& a) {
-  const auto work = m.investigation.work();
-  if (!work) return usage("The places are listed under Work.");
   std::size_t index = 0;
   const bool stall = !a.empty() && a[0] == "stall";
   if (!a.empty()) {
@@ -82,6 +93,9 @@ Status look_at(M& m, const A& a) {
     if (last.find_first_not_of("0123456789") == std::string::npos && last.size() < 9)
       index = static_cast<std::size_t>(std::stoul(last));
   }
+  if (!a.empty() && a[0] == "uncovered") return look_at_uncovered(m, index);
+  const auto work = m.investigation.work();
+  if (!work) return usage("The places are listed under Work.");
   const auto& cells = stall ? work->stall.places.cells : work->map.cells;
   if (index >= cells.size()) return usage("There are only " + std::to_string(cells.size()) + " places.");
   m.camera.frame(Box3{cells[index].center, cells[index].center}.grown(2 * work->map.cell_size), !m.scripted);
@@ -184,9 +198,10 @@ std::vector<Command> question_commands() {
        },
        has_state},
       {"look-at-place",
-       "Look at a busy place",
-       "[work | stall] [N]",
-       "Moves the camera to the busiest places of the heat map or of the last attempts; 0 is the busiest.",
+       "Look at a busy or uncovered place",
+       "[work | stall | uncovered] [N]",
+       "Moves the camera to the busiest places of the heat map or of the last attempts, or to those of the "
+       "input that the finished mesh leaves behind, and marks it; 0 is the first.",
        "",
        nullptr,
        {},

@@ -271,7 +271,7 @@ bool Investigation::idle() const {
 
 /// What the annotation depends on.
 struct Investigation::AnnotationKey {
-  std::shared_ptr<const void> state, index, history, work, topology, check;
+  std::shared_ptr<const void> state, index, history, work, topology, check, result;
   Pick picked;
   std::optional<double> shrink;
   int tab = 0;
@@ -289,6 +289,7 @@ void Investigation::annotate(const AppModel& model) {
                     work_,
                     topology_,
                     check(),
+                    model.run.result,
                     model.selection.picked,
                     shrink,
                     model.settings.panes.tab,

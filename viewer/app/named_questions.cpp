@@ -223,6 +223,23 @@ void add_state_questions(NamedTable& t) {
     return shortest < std::numeric_limits<double>::infinity() ? text_of(shortest / delta_of(m)) : none;
   });
 
+  const auto result = [](const AppModel& m) { return m.run.result; };
+  of(t, "covers", "whether the finished mesh is near enough to every point of the input", result,
+     [](const RunResult& r) { return r.certificate.covers ? "on" : "off"; });
+  of(t, "uncovered.places", "places of the input that it leaves behind", result,
+     [](const RunResult& r) { return count(r.certificate.uncovered_count); });
+  reading(t, "uncovered.distance", "of the farthest of them, in δ", [](const AppModel& m) {
+    if (!m.run.result || m.run.result->certificate.uncovered.empty()) return none;
+    return text_of(m.run.result->certificate.uncovered[0].distance / delta_of(m));
+  });
+  reading(t, "uncovered.marked", "the one that is marked", [](const AppModel& m) {
+    if (!m.run.result || !m.selection.mark) return none;
+    const auto& places = m.run.result->certificate.uncovered;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i].point == *m.selection.mark) return count(i);
+    return none;
+  });
+
   const auto checked = [](const AppModel& m) { return m.investigation.check(); };
   using C = CheckAnswer;
   of(t, "check.step", "the step that was checked last", checked,

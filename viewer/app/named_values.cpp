@@ -118,6 +118,17 @@ void add_stages(Table& t) {
     add_switch(t, "skip." + std::string(name(stage)), "the stage is left out",
                [i](auto& m) -> decltype(auto) { return (m.draft.skipped[i]); });
   }
+  t.push_back({"cover", "how far the input may be from the result, in δ, or off",
+               [](const AppModel& m) { return m.draft.cover ? text_of(*m.draft.cover) : std::string("off"); },
+               [](AppModel& m, const std::string& text) -> Status {
+                 const auto cover = parse_cover(text);
+                 if (!cover) return cover.error();
+                 m.draft.cover = *cover;
+                 return {};
+               }});
+  add_switch(
+      t, "drop-thin", "parts thinner than twice the tolerance everywhere are left out",
+      [](auto& m) -> auto& { return m.draft.drop_thin; });
   add_choice(
       t, "target", "how targets of collapses are looked for",
       {"optimum", "constraints", "sampling", "octree"}, [](auto& m) -> auto& { return m.draft.target; });

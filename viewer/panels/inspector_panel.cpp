@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
 
 namespace isoscope::panels {
 namespace {
@@ -286,6 +289,61 @@ void run_summary(Ui& ui, const StateSnapshot& s) {
   ImGui::Dummy({0, ui.px(6)});
 }
 
+/// A line of the certificate; open: neither proven nor asked for.
+enum class RowVerdict : std::uint8_t { good, bad, open };
+struct CertificateRow {
+  std::string name;
+  RowVerdict verdict;
+  const char* tip;
+};
+
+/// Green only where the topology is what was expected.
+CertificateRow topology_row(Certificate::Topology topology) {
+  switch (topology) {
+  case Certificate::Topology::as_expected:
+    return {"topology as expected", RowVerdict::good, "Components and Euler characteristic."};
+  case Certificate::Topology::wrong:
+    return {"topology not as expected", RowVerdict::bad, "Components and Euler characteristic."};
+  case Certificate::Topology::missed:
+    return {"topology not what was aimed at", RowVerdict::open,
+            "Components and Euler characteristic. Ω is no thickening: nothing guarantees them."};
+  case Certificate::Topology::not_asked:
+    break;
+  }
+  return {"no topology asked for", RowVerdict::open, "Only the sides had to be separated."};
+}
+
+CertificateRow cover_row(const Certificate& c) {
+  if (!c.cover_limit)
+    return {"cover not judged", RowVerdict::open,
+            "The bound is one-sided, as in the paper: no limit was given."};
+  if (!c.cover_note.empty())
+    return {"thin parts cut or closed over", RowVerdict::open,
+            "The input is farther than the limit in places, which separating the sides alone allows."};
+  return {"covers the input within " + short_number(*c.cover_limit) + " δ",
+          c.covers ? RowVerdict::good : RowVerdict::bad,
+          "Every point of the input is proven to be so near to the mesh."};
+}
+
+/// The places of the input that the mesh leaves behind; a click goes there.
+void uncovered_places(Ui& ui, const Certificate& c, double delta) {
+  if (c.uncovered.empty()) return;
+  widgets::quiet_text(ui, "Left behind, farthest first");
+  for (std::size_t i = 0; i < c.uncovered.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    const UncoveredPlace& p = c.uncovered[i];
+    if (widgets::link_row(
+            ui, "uncovered", std::to_string(i + 1) + "  " + short_number(p.distance / delta) + " δ away",
+            short_number(p.size / delta) + " δ long",
+            "A part of the input that is farther from the mesh than the limit. The camera goes to "
+            "its farthest point and marks it."))
+      ui.commands.post("look-at-place", {"uncovered", std::to_string(i)});
+    ImGui::PopID();
+  }
+  if (c.uncovered_count > c.uncovered.size())
+    widgets::quiet_text(ui, "and " + grouped(c.uncovered_count - c.uncovered.size()) + " nearer");
+}
+
 void certificate(Ui& ui) {
   const auto& result = ui.model.run.result;
   if (!result || ui.model.transport.step() < ui.model.live_step()) return;
@@ -293,32 +351,44 @@ void certificate(Ui& ui) {
   ImGui::PushFont(ui.fonts.bold);
   ImGui::TextUnformatted(c.holds() ? "Certified" : "Not certified");
   ImGui::PopFont();
-  struct Row {
-    const char* name;
-    bool good;
-    const char* tip;
-  };
-  const std::array<Row, 6> rows{
-      {{"closed 2-manifold", c.closed_manifold, "Every edge has two triangles, every vertex one fan."},
-       {"oriented", c.oriented, "Neighbours agree on which side is outside."},
-       {"free of self-intersections", c.intersection_free, "By exact predicates."},
-       {"within Ω", c.within_tolerance, "Every triangle is proven nearer than δ to the input."},
-       {"separates the boundaries", c.separates, "The winding number is right in every region."},
-       {"topology as expected", c.topology_as_expected, "Components and Euler characteristic."}}};
+  const auto judged = [](bool good) { return good ? RowVerdict::good : RowVerdict::bad; };
+  const double delta = ui.model.run.scene ? ui.model.run.scene->delta : 0;
+  const std::array<CertificateRow, 7> rows{
+      {{"closed 2-manifold", judged(c.closed_manifold),
+        "Every edge has two triangles, every vertex one fan."},
+       {"oriented", judged(c.oriented), "Neighbours agree on which side is outside."},
+       {"free of self-intersections", judged(c.intersection_free), "By exact predicates."},
+       {"within Ω", judged(c.within_tolerance), "Every triangle is proven nearer than δ to the input."},
+       cover_row(c),
+       {"separates the boundaries", judged(c.separates), "The winding number is right in every region."},
+       topology_row(c.topology)}};
   ImGui::PushFont(ui.fonts.small);
-  for (const Row& row : rows) {
-    widgets::verdict_glyph(ui, row.good);
+  for (const CertificateRow& row : rows) {
+    if (row.verdict == RowVerdict::open) {
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      const float side = ImGui::GetTextLineHeight();
+      widgets::glyph(ui, {at.x + side / 2, at.y + side / 2}, 4.5f, ui.colors.warning,
+                     MarkerShape::hollow_diamond);
+      ImGui::Dummy({side, side});
+    } else {
+      widgets::verdict_glyph(ui, row.verdict == RowVerdict::good);
+    }
     ImGui::SameLine();
-    ImGui::TextUnformatted(row.name);
+    ImGui::TextUnformatted(row.name.c_str());
     widgets::tip(ui, row.name, row.tip);
   }
   ImGui::PopFont();
-  if (ui.model.run.scene && ui.model.run.scene->delta > 0)
-    widgets::limit_bar(ui, "proven distance", c.max_distance / ui.model.run.scene->delta, 1,
-                       c.within_tolerance, "δ", true);
+  if (delta > 0)
+    widgets::limit_bar(ui, "proven distance", c.max_distance / delta, 1, c.within_tolerance, "δ", true);
+  if (delta > 0 && c.cover_limit && c.input_distance.upper < std::numeric_limits<double>::infinity())
+    widgets::limit_bar(ui, "of the input to it", c.input_distance.upper / delta, *c.cover_limit,
+                       c.cover_note.empty() && c.covers, "δ", true);
   for (const std::string& failure : c.failures) widgets::quiet_text(ui, failure, true);
   if (const std::string crumbs = crumbs_note(result->crumbs, result->mesh); !crumbs.empty())
     widgets::quiet_text(ui, crumbs, true);
+  if (!c.topology_note.empty()) widgets::quiet_text(ui, c.topology_note, true);
+  if (!c.cover_note.empty()) widgets::quiet_text(ui, c.cover_note, true);
+  if (delta > 0) uncovered_places(ui, c, delta);
 }
 
 } // namespace

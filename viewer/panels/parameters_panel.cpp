@@ -69,6 +69,30 @@ void small_parts(Ui& ui, RunParameters& p) {
   widgets::tip(ui, "Small parts of the input", tip);
 }
 
+void cover(Ui& ui, RunParameters& p) {
+  constexpr const char* tip =
+      "How far from the finished mesh a point of the input may be, in δ. Off: as far as it likes, as in the "
+      "paper. Needs a restart.";
+  label(ui, "cover", "Cover", tip, 26);
+  constexpr std::array<const char*, 2> kinds{"within", "off"};
+  int chosen = p.cover ? 0 : 1;
+  const float field = ui.px(64);
+  if (p.cover) {
+    ImGui::SetNextItemWidth(field);
+    double value = *p.cover;
+    if (ImGui::InputDouble("##cover", &value, 0, 0, "%.4g") && std::isfinite(value) && value > 0)
+      p.cover = value;
+    widgets::tip(ui, "Cover", tip);
+    ImGui::SameLine(0, ui.px(6));
+  }
+  if (widgets::segmented(ui, "cover", kinds, chosen)) {
+    if (chosen == 1)
+      p.cover.reset();
+    else if (!p.cover)
+      p.cover = RunParameters().cover;
+  }
+}
+
 void conditions(Ui& ui, RunParameters& p) {
   struct Row {
     const char* name;
@@ -295,6 +319,14 @@ void parameters(Ui& ui) {
         "separate the two sides. Needs a restart. §1.2",
         26);
   if (widgets::segmented(ui, "topology", topology, chosen)) p.topology = static_cast<TopologyMode>(chosen);
+  constexpr std::array<const char*, 2> thin{"refuse", "leave out"};
+  chosen = p.drop_thin ? 1 : 0;
+  label(ui, "thin parts", "Parts thinner than 2δ",
+        "Of a part that is thinner than 2δ everywhere Ω leaves no inside that Z could enclose: the input is "
+        "refused, or the part is left out and named. Needs a restart.",
+        26);
+  if (widgets::segmented(ui, "thin", thin, chosen)) p.drop_thin = chosen == 1;
+  cover(ui, p);
   stages(ui, p);
   ImGui::PopFont();
   ImGui::Dummy({0, ui.px(2)});
