@@ -17,7 +17,8 @@ struct RunOptions::Raw {
   std::string tolerance;
   std::optional<double> sigma, alpha, shrink, time_limit, drop_small;
   std::optional<unsigned> threads;
-  std::string until, containment = "certified", topology = "keep", cover = "3", target, improver = "free";
+  std::string until, containment = "certified", topology = "keep", sides = "auto", cover = "3", target,
+                     improver = "free";
   std::vector<std::string> skip;
   std::vector<int> off;
   bool no_normals = false, drop_thin = false;
@@ -95,6 +96,10 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
       "--drop-thin", r.drop_thin,
       "leave out parts of the input that are thinner than twice the tolerance everywhere, and say so; "
       "without it they are refused");
+  app.add_option(
+      "--sides", r.sides,
+      "what tells inside from outside: auto (parity; where closed parts meet, the winding number), "
+      "winding or parity");
   app.add_option("--no-condition", r.off,
                  "switch a condition of the refinement off: 1, 2, 3 or 4; repeatable");
   app.add_flag("--no-normals", r.no_normals, "the same as --no-condition 3");
@@ -164,6 +169,9 @@ Result<RunParameters> RunOptions::finish() const {
   } else if (r.topology != "keep") {
     return unknown("--topology", r.topology, "keep, separate");
   }
+  const auto sides = sides_mode(r.sides);
+  if (!sides) return unknown("--sides", r.sides, "auto, winding, parity");
+  p.sides = *sides;
   if (r.sigma) {
     if (*r.sigma == 0)
       return Error{ErrorCode::usage, "--sigma is 0, which is not in (0, 1].", "It is relative to δ."};

@@ -1,6 +1,9 @@
 // What Z should look like: the input's own topology where it has one, else what the boundaries of Ω tell.
 #include "criteria/topology.h"
 
+#include "tolerance/contacts.h"
+#include "tolerance/volume_components.h"
+
 namespace isoscope {
 namespace {
 
@@ -24,6 +27,15 @@ Side side_of(const ToleranceVolume& volume, int label) {
   return side;
 }
 
+/// Whether parts of an embedded input are so near each other that nothing passes between them.
+bool nearly_touches(const ToleranceVolume& volume) {
+  const ToleranceThresholds& t = volume.thresholds();
+  const double radius = 0.5 * touching_gap * t.delta;
+  return volume.input().components > 1 &&
+         find_volume_components(volume.index(), radius).count < volume.input().components &&
+         !find_near_contacts(volume.index(), volume.sides(), t.delta, t.boundary, RunControl()).empty();
+}
+
 } // namespace
 
 ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode mode) {
@@ -33,9 +45,11 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
     return expected;
   }
   const InputTopology& input = volume.input();
-  const bool embedded = input.closed_manifold && input.self_intersection_free;
+  const bool embedded = input.embedded() && !volume.has_inner_walls() && !nearly_touches(volume);
   const bool thickening = volume.thickening();
-  if (input.sides_known() && input.euler_characteristic && (embedded || !thickening)) {
+  // The topology of parts that overlap or touch is that of the input nowhere near where they do.
+  const bool one_surface = input.closed_manifold && input.components == 1 && !volume.has_inner_walls();
+  if (input.euler_characteristic && (embedded || (one_surface && !thickening))) {
     expected.euler_characteristic = input.euler_characteristic;
     expected.components = input.components;
     expected.source = "the input";
@@ -51,6 +65,14 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
     expected.euler_characteristic = outer.euler_characteristic;
     expected.components = outer.components;
     expected.source = "both boundaries of Ω";
+    return expected;
+  }
+  if (input.sides_known() && !one_surface && outer.resolved() &&
+      volume.uncounted_depth() <= volume.thresholds().delta) {
+    expected.euler_characteristic = outer.euler_characteristic;
+    expected.components = outer.components;
+    expected.source = "the outer boundary of Ω";
+    expected.joined = true;
     return expected;
   }
   expected.required = false;

@@ -23,6 +23,9 @@ struct ExpectedTopology {
   /// Whether a surface inside Ω is known to have it. Where not, refinement aims at it, but a result without
   /// it is no failure: Ω is no thickening and the input no embedded surface.
   bool required = true;
+  /// Whether parts that overlap or touch are to be one there, as Ω joins them; what counts as inside in Ω is
+  /// then up to where it has its boundary, not to the input alone.
+  bool joined = false;
 };
 ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode mode);
 

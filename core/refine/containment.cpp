@@ -86,7 +86,7 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
 
 Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event) {
   checklist_.set(t, state);
-  if (!open_at_ && !context_.volume().input().closed_manifold) open_at_ = both_sides_meet(t);
+  if (!open_at_ && !context_.volume().sides().known()) open_at_ = both_sides_meet(t);
   event.kind = EventKind::exhausted;
   if (event.reason != Reason::budget) event.reason = Reason::too_close;
   event.count = static_cast<std::uint32_t>(checklist_.exhausted());

@@ -36,6 +36,7 @@ class RefinementContext {
   void set_criteria(const CriteriaParameters& criteria);
   Recorder& recorder() { return recorder_; }
   bool cancelled() const { return control_.cancelled(); }
+  const RunControl& control() const { return control_; }
 
   /// A vertex with F = ±1 on the grid of S, of a kind other than sample.
   Vertex free_vertex(Vec3 p, int label, VertexKind kind) const;

@@ -2,6 +2,7 @@
 #include "refine/misclassified_points.h"
 
 #include "base/parallel.h"
+#include "tolerance/contacts.h"
 
 #include <algorithm>
 #include <optional>
@@ -23,7 +24,7 @@ constexpr std::size_t feet_by_triangle = 4;
 constexpr std::size_t piercings_considered = 12;
 
 int true_label(const ToleranceVolume& volume, Vec3 p) {
-  return volume.index().inside_by_parity(p) ? -1 : +1;
+  return volume.sides().label(p);
 }
 
 /// An edge or facet with a tetrahedron that has it.
@@ -247,6 +248,35 @@ std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume) {
   std::stable_sort(summits.begin(), summits.end(),
                    [](const auto& a, const auto& b) { return a.height > b.height; });
   return summits;
+}
+
+std::vector<MisclassifiedPoint> contact_points(const ToleranceVolume& volume, double spacing,
+                                               const RunControl& control) {
+  std::vector<Vec3> places;
+  std::vector<Contact> contacts = find_contacts(volume.index(), control);
+  for (const Contact& near :
+       find_near_contacts(volume.index(), volume.sides(), volume.thresholds().delta, spacing, control))
+    contacts.push_back(near);
+  for (const auto& [a, b] : contacts) {
+    const double pieces = std::max(1.0, std::ceil(distance(a, b) / spacing));
+    for (double k = 0; k <= pieces; ++k) places.push_back(a + (k / pieces) * (b - a));
+  }
+  // One of those in a cube of half the spacing.
+  const auto cube = [&](Vec3 p) {
+    return std::array{std::floor(2 * p.x / spacing), std::floor(2 * p.y / spacing),
+                      std::floor(2 * p.z / spacing)};
+  };
+  std::stable_sort(places.begin(), places.end(), [&](Vec3 a, Vec3 b) { return cube(a) < cube(b); });
+  places.erase(std::unique(places.begin(), places.end(), [&](Vec3 a, Vec3 b) { return cube(a) == cube(b); }),
+               places.end());
+  std::vector<MisclassifiedPoint> points;
+  for (const Vec3 p : places) {
+    MisclassifiedPoint& point = points.emplace_back();
+    point.point = point.summit = p;
+    point.label = -1;
+    point.height = volume.thresholds().boundary;
+  }
+  return points;
 }
 
 bool spans_thin_place(const LiveTriangulation& live, const ToleranceVolume& volume, TetId t) {

@@ -9,8 +9,7 @@
 
 namespace isoscope {
 
-/// A candidate to mend the topology. Only meaningful for closed input without self-intersections, where
-/// parity tells sides.
+/// A candidate to mend the topology. Only meaningful where the sides of the input are known.
 struct MisclassifiedPoint {
   Vec3 point;
   int label = +1;   ///< its true side
@@ -34,6 +33,11 @@ std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation&
 /// The summits above the middles of the input's triangles and of their edges, on both sides, where walls or
 /// gaps are thinner than 2δ': whatever T is, f should have their sides. Highest first; `tet` stays invalid.
 std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume);
+
+/// Points along the contacts of the input, at most about `spacing` apart: inside where parts are to be
+/// joined. All of the same height; `tet` stays invalid.
+std::vector<MisclassifiedPoint> contact_points(const ToleranceVolume& volume, double spacing,
+                                               const RunControl& control);
 
 /// Whether an edge of t passes through a wall or gap thinner than 2δ' that f does not see there, and which no
 /// sample tells. Only meaningful for closed input without self-intersections.

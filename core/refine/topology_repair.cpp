@@ -10,9 +10,11 @@ namespace isoscope {
 namespace {
 
 /// Summits go in from high to low: each level lower than the last one by this factor, down to the lowest, in
-/// units of δ. Where the topology is only aimed at, parts of the input may cross, and what lies lower is as
-/// likely to be such a crossing as a handle.
+/// units of δ. Where the topology is only aimed at, or parts are to be joined, parts of the input may cross,
+/// and what lies lower is as likely to be such a crossing as a handle.
 constexpr double level_step = 0.7, lowest_level = 0.01, lowest_level_aimed_at = 0.3;
+/// How far apart points along contacts are, in units of δ', at first and at last.
+constexpr double first_contact_spacing = 0.5, finest_contact_spacing = 0.125;
 /// From a summit down to its point, the first of so many stations that f has on the wrong side goes in.
 constexpr int climb_stations = 4;
 
@@ -42,7 +44,9 @@ void TopologyCondition::note_check() {
 
 void TopologyCondition::reconsider() {
   summits_.reset();
-  enter(context_.criteria().certified ? Phase::edges : Phase::circumradii);
+  contacts_.reset();
+  contact_spacing_ = first_contact_spacing;
+  enter(context_.criteria().certified ? first_search() : Phase::circumradii);
 }
 
 std::string TopologyCondition::expectation() const {
@@ -61,7 +65,7 @@ void TopologyCondition::enter(Phase phase) {
   points_.clear();
   candidates_.clear();
   fruitful_ = false;
-  if (phase == Phase::edges || phase == Phase::summits)
+  if (phase == Phase::contacts || phase == Phase::edges || phase == Phase::summits)
     level_ = context_.volume().thresholds().boundary * level_step;
 }
 
@@ -96,7 +100,7 @@ Turn TopologyCondition::mend() {
     if (phase_ == Phase::circumradii) {
       if (context_.insertions(Condition::topology) < circumradius_limit() && refine_largest())
         return Turn::acted;
-      enter(Phase::edges);
+      enter(first_search());
     }
     if (!sides_known()) break;
     if (insert_next_point()) {
@@ -129,21 +133,42 @@ bool TopologyCondition::insert_next_point() {
 
 void TopologyCondition::advance() {
   if (fruitful_) return;
+  if (phase_ == Phase::contacts) return leave_contacts();
   if (phase_ != Phase::facets) {
     phase_ = phase_ == Phase::summits ? Phase::edges : Phase::facets;
     return;
   }
   level_ *= level_step;
-  phase_ = summits_ ? Phase::summits : Phase::edges;
-  const double lowest = expected_.required ? lowest_level : lowest_level_aimed_at;
+  phase_ = summits_ ? Phase::summits : first_search();
+  const bool embedded = expected_.required && !expected_.joined;
+  const double lowest = embedded ? lowest_level : lowest_level_aimed_at;
   if (level_ >= lowest * context_.volume().thresholds().delta) return;
-  if (summits_ || !expected_.required) return enter(Phase::given_up);
+  if (expected_.joined) return; // the contacts have the last word
+  if (summits_ || !embedded) return enter(Phase::given_up);
   summits_ = thin_summits(context_.volume());
   enter(Phase::summits);
 }
 
+/// Contacts are looked at more and more finely, then edges and facets, then contacts again, which points
+/// outside may have opened.
+void TopologyCondition::leave_contacts() {
+  if (contact_spacing_ > finest_contact_spacing) {
+    contact_spacing_ *= 0.5;
+    contacts_.reset();
+    return;
+  }
+  const bool levels_left = level_ >= lowest_level_aimed_at * context_.volume().thresholds().delta;
+  if (!levels_left) return enter(Phase::given_up);
+  phase_ = Phase::edges;
+}
+
 void TopologyCondition::collect_points() {
-  if (phase_ == Phase::summits) {
+  if (phase_ == Phase::contacts) {
+    if (!contacts_)
+      contacts_ = contact_points(
+          context_.volume(), contact_spacing_ * context_.volume().thresholds().boundary, context_.control());
+    points_ = *contacts_;
+  } else if (phase_ == Phase::summits) {
     points_ = *summits_;
     while (!points_.empty() && points_.back().height < level_) points_.pop_back();
   } else if (phase_ == Phase::edges) {

@@ -34,7 +34,7 @@ class TopologyCondition {
 
  private:
   /// What is tried, in this order.
-  enum class Phase { circumradii, summits, edges, facets, given_up };
+  enum class Phase { circumradii, contacts, summits, edges, facets, given_up };
   struct Candidate {
     TetId tet;
     std::uint32_t generation = 0;
@@ -52,16 +52,22 @@ class TopologyCondition {
   /// Of the input, highest first; found when edges and facets did not help, as for handles within tetrahedra.
   std::optional<std::vector<MisclassifiedPoint>> summits_;
   bool mending_ = false;
-  double level_ = 0;      ///< summits lower than this wait
-  bool fruitful_ = false; ///< a point went in since the present phase last looked for points
+  double level_ = 0; ///< summits lower than this wait
+  /// Where parts are to be joined; found when they are needed.
+  std::optional<std::vector<MisclassifiedPoint>> contacts_;
+  double contact_spacing_ = 0; ///< of these, in units of δ'
+  bool fruitful_ = false;      ///< a point went in since the present phase last looked for points
 
   void note_check();
   bool sides_known() const { return context_.volume().input().sides_known(); }
   /// Insertions that the paper's rule may ask for.
   std::size_t circumradius_limit() const;
   void enter(Phase phase);
+  /// The first phase that looks for points.
+  Phase first_search() const { return expected_.joined ? Phase::contacts : Phase::edges; }
   Turn mend();
   void advance();
+  void leave_contacts();
   void collect_points();
   bool insert_next_point();
   bool insert_point(const MisclassifiedPoint& candidate);

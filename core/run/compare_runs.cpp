@@ -147,6 +147,7 @@ std::vector<ParameterDifference> differing_parameters(const RunParameters& a, co
       b.containment == Containment::certified ? "certified" : "sampled");
   add("topology", a.topology == TopologyMode::keep ? "keep" : "separate",
       b.topology == TopologyMode::keep ? "keep" : "separate");
+  add("sides", text(name(a.sides)), text(name(b.sides)));
   add("conditions", conditions(a), conditions(b));
   add("until", text(name(a.last_stage())), text(name(b.last_stage())));
   add("skipped", skipped(a), skipped(b));

@@ -2,7 +2,6 @@
 #include "run/exposed_input.h"
 
 #include "base/parallel.h"
-#include "tolerance/region_labels.h"
 
 #include <algorithm>
 #include <vector>
@@ -49,7 +48,7 @@ int side_along(const ToleranceVolume& volume, Vec3 p, Vec3 direction) {
   const double reach = 2 * (distance(index.bounds().lo, index.bounds().hi) + volume.thresholds().delta);
   const Vec3 start = p + (1e-9 * reach) * direction, end = p + reach * direction;
   const std::vector<double> hits = index.crossings(start, end);
-  return hits.empty() ? +1 : pocket_label(volume, start + (0.5 * hits.front()) * (end - start));
+  return hits.empty() ? +1 : volume.sides().label(start + (0.5 * hits.front()) * (end - start));
 }
 
 bool bounds_inside(const ToleranceVolume& volume, const Triangle3& piece, Vec3 normal) {
@@ -88,7 +87,8 @@ std::vector<Triangle3> exposed_pieces(const ToleranceVolume& volume, TriangleId 
 /// Whether parts of the input may lie inside of others.
 bool may_have_inner_walls(const ToleranceVolume& volume) {
   const InputTopology& input = volume.input();
-  return input.closed_manifold && !input.self_intersection_free && input.components > 1;
+  const bool one_surface = input.closed_manifold && input.components == 1;
+  return volume.has_inner_walls() || (volume.sides().known() && !input.embedded() && !one_surface);
 }
 
 } // namespace

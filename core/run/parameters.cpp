@@ -57,6 +57,17 @@ SimplificationParameters RunParameters::simplification() const {
   return s;
 }
 
+std::string_view name(SidesMode mode) {
+  constexpr std::array<std::string_view, 3> names{"auto", "winding", "parity"};
+  return names[static_cast<std::size_t>(mode)];
+}
+
+std::optional<SidesMode> sides_mode(std::string_view text) {
+  for (const SidesMode mode : {SidesMode::automatic, SidesMode::winding, SidesMode::parity})
+    if (name(mode) == text) return mode;
+  return std::nullopt;
+}
+
 Result<Tolerance> parse_tolerance(std::string_view text) {
   Tolerance tolerance;
   std::string_view digits = text;

@@ -41,6 +41,7 @@ struct RunParameters {
   /// How far from the result a point of the input may be, in δ, > 0; absent: as far as it likes, as in the
   /// paper, whose bound is one-sided.
   std::optional<double> cover = 3;
+  SidesMode sides = SidesMode::automatic; ///< what tells inside from outside
   bool condition_1 = true, condition_2 = true, condition_3 = true, condition_4 = true;
   /// The last stage; absent: improve in certified mode, all in sampled mode, where the paper ends.
   std::optional<Stage> until;
@@ -64,6 +65,10 @@ struct RunParameters {
   SimplificationParameters simplification() const;
 };
 
+/// "auto", "winding" or "parity".
+std::string_view name(SidesMode mode);
+/// The mode of that name, nothing for any other.
+std::optional<SidesMode> sides_mode(std::string_view name);
 /// Reads "0.6%" or "0.012"; fails with usage on anything that is not a positive finite number.
 Result<Tolerance> parse_tolerance(std::string_view text);
 /// Reads "3" or "off"; fails with usage on anything else.

@@ -34,6 +34,7 @@ void read_parameters(const Json& json, RunParameters& p) {
   // Older recordings did not judge it.
   p.cover.reset();
   if (json.contains("cover") && !json.at("cover").is_null()) p.cover = json.at("cover").get<double>();
+  p.sides = sides_mode(json.value("sides", std::string(name(p.sides)))).value_or(p.sides);
   const auto conditions = json.value("conditions", std::array<bool, 4>{true, true, true, true});
   p.condition_1 = conditions[0];
   p.condition_2 = conditions[1];
@@ -71,6 +72,7 @@ std::string parameters_json(const RunParameters& p) {
             {"topology", p.topology == TopologyMode::keep ? "keep" : "separate"},
             {"drop_thin", p.drop_thin},
             {"cover", p.cover ? Json(*p.cover) : Json(nullptr)},
+            {"sides", name(p.sides)},
             {"conditions", {p.condition_1, p.condition_2, p.condition_3, p.condition_4}},
             {"skip", skipped},
             {"target", name(p.target)},

@@ -186,7 +186,7 @@ struct Pipeline::Impl {
       }
       kept = std::make_shared<const TriangleSoup>(without_parts(*kept, *built, parts));
       made.index = std::make_shared<const ClosestPointIndex>(*kept);
-      made.input_topology = analyse_input(*kept);
+      made.input_topology = analyse_input(*kept, parameters->sides);
       made.left_out.insert(made.left_out.end(), parts.begin(), parts.end());
     }
   }
@@ -240,7 +240,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (!rest->note.empty()) scene->warnings.push_back({rest->note, 0});
   soup = rest->soup;
   scene->index = std::make_shared<const ClosestPointIndex>(*soup);
-  scene->input_topology = analyse_input(*soup);
+  scene->input_topology = analyse_input(*soup, parameters_.sides);
   scene->input_seconds = watch.seconds();
   if (m.control->cancelled()) return cancelled_error(*m.control);
 
@@ -280,6 +280,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   }
 
   if (!scene->left_out.empty()) scene->warnings.push_back({left_out_words(scene->left_out), 0});
+  for (const std::string& note : m.volume->side_notes()) scene->warnings.push_back({note, 0});
 
   m.journal->add_sample_set(scene->samples);
   m.journal->add_parameters(criteria);

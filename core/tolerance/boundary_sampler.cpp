@@ -64,7 +64,7 @@ class Sampler {
     const auto inside = std::count_if(volume_.regions().begin(), volume_.regions().end(),
                                       [](const Region& r) { return r.label < 0; });
     const double cell_diagonal = 1.7321 * volume_.octree().side(volume_.octree().main_level());
-    return volume_.input().closed_manifold && volume_.regions().size() == 2 && inside == 1 &&
+    return volume_.sides().known() && volume_.regions().size() == 2 && inside == 1 &&
            cell_diagonal < 1.9 * volume_.thresholds().boundary;
   }
 

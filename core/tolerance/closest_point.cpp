@@ -264,6 +264,22 @@ bool ClosestPointIndex::inside_by_parity(Vec3 p) const {
   return 2 * votes > parity_rays.size();
 }
 
+int ClosestPointIndex::winding_number(Vec3 p, std::span<const std::int8_t> turns) const {
+  std::array<int, parity_rays.size()> sums{};
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    const Vec3 d = parity_rays[k], inverse{1 / d.x, 1 / d.y, 1 / d.z};
+    visit([&](const Box3& box) { return ray_meets(p, inverse, std::numeric_limits<double>::max(), box); },
+          [&](std::uint32_t slot) {
+            const Triangle3& t = triangles_[slot];
+            if (!(crossing(p, d, t) > 0)) return;
+            const int turn = turns.empty() ? 1 : turns[ids_[slot]];
+            sums[k] += dot(d, cross(t[1] - t[0], t[2] - t[0])) > 0 ? turn : -turn;
+          });
+  }
+  std::nth_element(sums.begin(), sums.begin() + sums.size() / 2, sums.end());
+  return sums[sums.size() / 2];
+}
+
 std::vector<double> ClosestPointIndex::crossings(Vec3 a, Vec3 b) const {
   const Vec3 d = b - a;
   const Vec3 inverse{1 / d.x, 1 / d.y, 1 / d.z};

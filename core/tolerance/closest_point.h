@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace isoscope {
@@ -70,6 +71,10 @@ class ClosestPointIndex {
   /// Whether p is enclosed by an odd number of layers, by majority over several rays. Meaningful for closed
   /// input only.
   bool inside_by_parity(Vec3 p) const;
+  /// How often the input winds around p, as most of several rays tell: the triangles a ray leaves through count
+  /// +1, those it enters through -1, each times its entry of `turns` (by id; empty: 1). Meaningful where the
+  /// triangles cancel along every edge.
+  int winding_number(Vec3 p, std::span<const std::int8_t> turns) const;
   /// Parameters t in (0, 1) at which the open segment a + t (b - a) crosses the input, ascending.
   std::vector<double> crossings(Vec3 a, Vec3 b) const;
   /// Ids of the triangles whose bounding boxes meet `box`, ascending.

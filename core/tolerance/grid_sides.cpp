@@ -49,8 +49,8 @@ struct Voxels {
 
 } // namespace
 
-Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, double delta,
-                  std::span<const Region> regions, const RunControl& control) {
+Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, const InputSides& sides_of_input,
+                  double delta, std::span<const Region> regions, const RunControl& control) {
   const Voxels voxels(grid);
   std::vector<std::int8_t> sides(grid.values.size(), 0);
   std::vector<std::size_t> queue;
@@ -81,7 +81,7 @@ Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, double del
     for (int i = 0; i < 3; ++i) outside = outside || p[i] < input.lo[i] || p[i] > input.hi[i];
     if (outside) give(voxel, 1);
   }
-  if (queue.empty()) give(0, index.inside_by_parity(voxels.center(0)) ? -1 : 1);
+  if (queue.empty()) give(0, static_cast<std::int8_t>(sides_of_input.label(voxels.center(0))));
   if (!spread_proven()) return cancelled;
   for (const Region& region : regions) {
     const std::size_t voxel = voxels.at(region.deepest);
@@ -96,8 +96,9 @@ Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, double del
     const std::size_t voxel = queue[done];
     voxels.for_each_neighbor(voxel, [&](std::size_t other, double) {
       if (sides[other] != 0) return;
-      const bool odd = index.crossings(voxels.center(voxel), voxels.center(other)).size() % 2 == 1;
-      give(other, static_cast<std::int8_t>(odd ? -sides[voxel] : sides[voxel]));
+      const int label =
+          sides_of_input.label_across(voxels.center(voxel), sides[voxel], voxels.center(other));
+      give(other, static_cast<std::int8_t>(label));
     });
   }
   grid.sides = std::move(sides);

@@ -10,9 +10,8 @@ namespace isoscope {
 
 /// Fills grid.sides. A side spreads from outside the input's bounding box (+1) and from the regions' deepest
 /// points (their labels) between neighbouring voxels whose distances prove that the input does not pass
-/// between their centres; where nothing proves it, the crossings of the segment between them decide by
-/// parity. Fails with cancelled when told to.
-Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, double delta,
+/// between their centres; where nothing proves it, `sides` decides. Fails with cancelled when told to.
+Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, const InputSides& sides, double delta,
                   std::span<const Region> regions, const RunControl& control);
 
 } // namespace isoscope

@@ -1,6 +1,9 @@
 // Connectivity of the input after merging equal points, and its exact self-intersection test.
+#include "base/disjoint_sets.h"
+#include "base/place.h"
+#include "tolerance/facet_turns.h"
 #include "tolerance/tolerance_volume.h"
-#include "tolerance/volume_components.h"
+#include "tolerance/welded_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -13,60 +16,11 @@
 namespace isoscope {
 namespace {
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-/// The soup with bitwise equal points merged and unused ones dropped.
-struct MergedMesh {
-  std::vector<Vec3> points;
-  Triangles triangles;
-};
-
-MergedMesh merge(const TriangleSoup& soup) {
-  std::vector<std::uint32_t> order;
-  std::vector<char> used(soup.points.size(), 0);
-  for (const auto& t : soup.triangles)
-    for (const auto v : t) used[v] = 1;
-  for (std::uint32_t v = 0; v < soup.points.size(); ++v)
-    if (used[v]) order.push_back(v);
-  const auto key = [&](std::uint32_t v) {
-    const Vec3& p = soup.points[v];
-    return std::tuple{p.x, p.y, p.z};
-  };
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) {
-    return std::pair{key(a), a} < std::pair{key(b), b};
-  });
-  MergedMesh mesh;
-  std::vector<std::uint32_t> merged(soup.points.size(), 0);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i == 0 || key(order[i]) != key(order[i - 1])) mesh.points.push_back(soup.points[order[i]]);
-    merged[order[i]] = static_cast<std::uint32_t>(mesh.points.size() - 1);
-  }
-  for (const auto& t : soup.triangles) mesh.triangles.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
-  return mesh;
-}
-
-/// One side of an edge: its ends in order and its triangle.
-struct EdgeUse {
-  std::uint32_t low, high, triangle;
-};
-
-std::vector<EdgeUse> sorted_edge_uses(const Triangles& triangles) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto a = triangles[t][i], b = triangles[t][(i + 1) % 3];
-      uses.push_back({std::min(a, b), std::max(a, b), t});
-    }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return uses;
-}
+constexpr int place_digits = 6;
 
 /// Whether the triangles around every vertex form one fan: joining them across the edges at the vertex leaves
 /// one set.
-bool one_fan_each(const MergedMesh& mesh, const std::vector<EdgeUse>& uses) {
+bool one_fan_each(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses) {
   // Corner 3t + i stands for triangle t at its i-th vertex.
   DisjointSets corners(3 * mesh.triangles.size());
   const auto corner = [&](std::uint32_t t, std::uint32_t v) {
@@ -80,7 +34,7 @@ bool one_fan_each(const MergedMesh& mesh, const std::vector<EdgeUse>& uses) {
   return sets == mesh.points.size();
 }
 
-std::size_t count_components(const MergedMesh& mesh) {
+std::size_t count_components(const WeldedMesh& mesh) {
   DisjointSets sets(mesh.points.size());
   std::size_t count = mesh.points.size();
   for (const auto& t : mesh.triangles) {
@@ -91,20 +45,14 @@ std::size_t count_components(const MergedMesh& mesh) {
 }
 
 /// Whether every two neighbours run along their edge in opposite directions.
-bool consistently_oriented(const Triangles& triangles, const std::vector<EdgeUse>& uses) {
-  const auto ascends = [&](const EdgeUse& use) {
-    const auto& t = triangles[use.triangle];
-    for (std::size_t i = 0; i < 3; ++i)
-      if (t[i] == use.low && t[(i + 1) % 3] == use.high) return true;
-    return false;
-  };
+bool consistently_oriented(const std::vector<EdgeUse>& uses) {
   for (std::size_t i = 0; i + 1 < uses.size(); i += 2)
-    if (ascends(uses[i]) == ascends(uses[i + 1])) return false;
+    if (uses[i].ascends == uses[i + 1].ascends) return false;
   return true;
 }
 
 /// Orients the triangles consistently where that is possible; false on a one-sided surface.
-bool orient(Triangles& triangles, const std::vector<EdgeUse>& uses) {
+bool orient(std::vector<IndexTriangle>& triangles, const std::vector<EdgeUse>& uses) {
   struct Link {
     std::uint32_t from, to;
   };
@@ -148,7 +96,7 @@ bool orient(Triangles& triangles, const std::vector<EdgeUse>& uses) {
   return true;
 }
 
-bool self_intersects(const MergedMesh& mesh, const Triangles& oriented) {
+bool self_intersects(const WeldedMesh& mesh, const std::vector<IndexTriangle>& oriented) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   Mesh m;
@@ -161,34 +109,53 @@ bool self_intersects(const MergedMesh& mesh, const Triangles& oriented) {
   return CGAL::Polygon_mesh_processing::does_self_intersect(m);
 }
 
+/// What tells the sides of closed input, and what the user should know about that.
+void choose_side_rule(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses, SidesMode mode,
+                      InputTopology& topology) {
+  const bool embedded = topology.closed_manifold && topology.self_intersection_free;
+  if (topology.closed_manifold && (mode == SidesMode::parity || (embedded && mode == SidesMode::automatic))) {
+    topology.side_rule = SideRule::parity;
+    return;
+  }
+  const FacetTurns turns = find_facet_turns(mesh, uses);
+  const bool open = turns.closedness == Closedness::open;
+  if (!open || mode != SidesMode::parity) topology.turns = turns.turns;
+  if (open) return;
+  const bool oriented = turns.closedness == Closedness::oriented;
+  topology.side_rule = oriented && mode != SidesMode::parity ? SideRule::winding : SideRule::parity;
+  if (!oriented && mode != SidesMode::parity)
+    topology.notes.push_back("The input cannot be oriented near " + place(*turns.unoriented, place_digits) +
+                             ": what lies between an odd number of its layers counts as inside.");
+}
+
 } // namespace
 
-InputTopology analyse_input(const TriangleSoup& soup) {
-  const MergedMesh mesh = merge(soup);
+InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode) {
+  const WeldedMesh mesh = weld(soup);
   const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
   InputTopology topology;
   topology.components = count_components(mesh);
 
-  bool collapsed = false;
-  for (const auto& t : mesh.triangles) collapsed = collapsed || t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
   std::size_t edges = 0;
   for (std::size_t i = 0, end = 0; i < uses.size(); i = end, ++edges) {
     while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
     if (end - i != 2 && !topology.border && uses[i].low != uses[i].high)
       topology.border = 0.5 * (mesh.points[uses[i].low] + mesh.points[uses[i].high]);
   }
-  if (collapsed || topology.border || !one_fan_each(mesh, uses)) return topology;
-
-  topology.closed_manifold = true;
-  topology.consistently_oriented = consistently_oriented(mesh.triangles, uses);
-  topology.euler_characteristic = static_cast<long>(mesh.points.size()) - static_cast<long>(edges) +
-                                  static_cast<long>(mesh.triangles.size());
-  Triangles oriented = mesh.triangles;
-  try {
-    topology.self_intersection_free = orient(oriented, uses) && !self_intersects(mesh, oriented);
-  } catch (const std::exception&) { // a degenerate face: not free of intersections as far as we can tell
-    topology.self_intersection_free = false;
+  const bool collapsed = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), is_collapsed);
+  if (!collapsed && !topology.border && one_fan_each(mesh, uses)) {
+    topology.closed_manifold = true;
+    topology.consistently_oriented = consistently_oriented(uses);
+    topology.euler_characteristic = static_cast<long>(mesh.points.size()) - static_cast<long>(edges) +
+                                    static_cast<long>(mesh.triangles.size());
+    std::vector<IndexTriangle> oriented = mesh.triangles;
+    try {
+      topology.self_intersection_free = orient(oriented, uses) && !self_intersects(mesh, oriented);
+    } catch (const std::exception&) { // a degenerate face: not free of intersections as far as we can tell
+      topology.self_intersection_free = false;
+    }
   }
+  choose_side_rule(mesh, uses, mode, topology);
   return topology;
 }
 

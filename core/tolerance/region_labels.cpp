@@ -1,4 +1,4 @@
-// Sides of regions by parity and by two-colouring.
+// Sides of regions, from the input or by two-colouring.
 #include "tolerance/region_labels.h"
 
 #include "base/place.h"
@@ -10,8 +10,6 @@
 namespace isoscope {
 namespace {
 
-/// Rays cast to see whether a soup has a defined parity somewhere.
-constexpr unsigned ballot_size = 16;
 /// Triangles from which the thickness of a part is measured.
 constexpr std::size_t thickness_probes = 2000;
 constexpr int place_digits = 6;
@@ -49,29 +47,6 @@ Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
   const Vec3 p =
       border_is_here ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front()));
   return open_surface_near(p);
-}
-
-/// How many of the ballot's rays say that p is inside.
-unsigned votes_for_inside(const ClosestPointIndex& index, Vec3 p) {
-  const double reach =
-      2 * (distance(index.bounds().lo, index.bounds().hi) + distance(p, index.bounds().center()));
-  unsigned inside = 0;
-  for (unsigned k = 0; k < ballot_size;
-       ++k) { // a golden spiral: directions evenly spread and aligned with nothing
-    const double z = 1 - (2 * k + 1.0) / ballot_size, r = std::sqrt(1 - z * z),
-                 angle = 2.39996322972865332 * k + 0.3;
-    const Vec3 direction{r * std::cos(angle), r * std::sin(angle), z};
-    inside += static_cast<unsigned>(index.crossings(p, p + reach * direction).size() % 2);
-  }
-  return inside;
-}
-
-/// Whether p is inside by every one of many rays (true), by none (false), or by some only (nothing).
-std::optional<bool> unanimous_parity(const ClosestPointIndex& index, Vec3 p) {
-  const unsigned inside = votes_for_inside(index, p);
-  if (inside == 0) return false;
-  if (inside == ballot_size) return true;
-  return std::nullopt;
 }
 
 Error non_manifold(Vec3 where) {
@@ -134,7 +109,7 @@ bool is_thin_part(const ToleranceVolume& volume, std::uint32_t component) {
                    [](const auto& a, const auto& b) { return a.distance > b.distance; });
   probes.resize(std::min(probes.size(), thin_part_probes));
   return std::any_of(probes.begin(), probes.end(), [&](const ThicknessProbe& probe) {
-    return unanimous_parity(volume.index(), probe.middle).value_or(false);
+    return volume.sides().unanimous_parity(probe.middle).value_or(false);
   });
 }
 
@@ -189,16 +164,10 @@ ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double
   return from;
 }
 
-int pocket_label(const ToleranceVolume& volume, Vec3 p) {
-  const ClosestPointIndex& index = volume.index();
-  if (volume.input().closed_manifold) return index.inside_by_parity(p) ? -1 : +1;
-  return 2 * votes_for_inside(index, p) > ballot_size ? -1 : +1;
-}
-
-std::vector<int> label_by_parity(const ToleranceVolume& volume) {
+std::vector<int> label_by_sides(const ToleranceVolume& volume) {
   std::vector<int> labels;
   for (const Region& r : volume.regions())
-    labels.push_back(!r.unbounded && volume.index().inside_by_parity(r.deepest) ? -1 : +1);
+    labels.push_back(r.unbounded ? +1 : volume.sides().label(r.deepest));
   return labels;
 }
 
@@ -226,8 +195,8 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume) {
         if (labels[to.index()] != 0) continue;
         int sign = -1;
         if (sides[c].size() > 2) {
-          const auto here = unanimous_parity(volume.index(), volume.regions()[from.index()].deepest);
-          const auto there = unanimous_parity(volume.index(), volume.regions()[to.index()].deepest);
+          const auto here = volume.sides().unanimous_parity(volume.regions()[from.index()].deepest);
+          const auto there = volume.sides().unanimous_parity(volume.regions()[to.index()].deepest);
           if (!here || !there) {
             if (is_open_at_border(volume)) return open_surface(volume, c);
             return non_manifold(volume.regions()[to.index()].deepest);

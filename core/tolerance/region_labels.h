@@ -8,11 +8,8 @@
 
 namespace isoscope {
 
-/// Labels by region of a volume whose regions and boundary components are known, for closed input: by ray
-/// parity.
-std::vector<int> label_by_parity(const ToleranceVolume& volume);
-/// The side of a small region around p: by one ray in closed input, elsewhere by the most of many.
-int pocket_label(const ToleranceVolume& volume, Vec3 p);
+/// Labels by region of a volume whose regions and boundary components are known, where the input's sides are.
+std::vector<int> label_by_sides(const ToleranceVolume& volume);
 
 /// Whether it is what open_surface_near() says.
 bool is_open_surface(const Error& error);

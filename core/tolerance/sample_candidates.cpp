@@ -110,8 +110,8 @@ class Subdivision {
       known_radius_ = escape.distance - boundary_;
       if (!escape.region.valid()) {
         const bool has_side = escape.distance > volume_.thresholds().reject;
-        if (has_side && volume_.input().closed_manifold)
-          set_label(candidate, volume_.index().inside_by_parity(escape.reached) ? -1 : +1);
+        if (has_side && volume_.sides().known())
+          set_label(candidate, volume_.sides().label(escape.reached));
         candidate.ask_octree = has_side && !candidate.has_point;
         return;
       }

@@ -76,7 +76,7 @@ ThicknessProbe deepest(const ToleranceVolume& volume, Probes probes, int side) {
   std::size_t climbs = 0;
   for (const ThicknessProbe& probe : probes) {
     if (climbs == most_climbs) break;
-    if (!(probe.distance > 0) || pocket_label(volume, probe.middle) != side) continue;
+    if (!(probe.distance > 0) || volume.sides().label(probe.middle) != side) continue;
     const ThicknessProbe top = climb(volume.index(), probe, 2 * volume.thresholds().delta);
     if (top.distance > best.distance) best = top;
     ++climbs;

@@ -1,7 +1,9 @@
 // Builds Ω: octree, pockets, regions, labels, boundary components.
 #include "tolerance/tolerance_volume.h"
 
+#include "base/place.h"
 #include "tolerance/boundary_topology.h"
+#include "tolerance/contacts.h"
 #include "tolerance/region_labels.h"
 #include "tolerance/regions.h"
 #include "tolerance/thin_parts.h"
@@ -20,6 +22,7 @@ constexpr std::size_t most_refined_cells = 6'000'000;
 constexpr std::size_t most_components = 0xffff;
 /// Places between opposite walls of a component from which a region that the main cells miss is climbed to.
 constexpr std::size_t most_climbs = 64;
+constexpr int place_digits = 6;
 
 /// The side of the octree's main cells, in units of δ': half, and where that would take more than about 30
 /// million cells and parity tells the sides anyway, one, which takes a quarter of them. Regions that only
@@ -75,6 +78,7 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   ToleranceVolume copy;
   copy.index_ = index_;
   copy.input_ = input_;
+  copy.sides_ = sides_;
   copy.thresholds_ = thresholds_;
   copy.regions_ = regions_;
   copy.witnesses_ = witnesses_;
@@ -99,6 +103,7 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   ToleranceVolume v;
   v.index_ = std::move(index);
   v.input_ = input;
+  v.sides_ = InputSides(v.index_, input.side_rule, input.turns);
   const double delta = options.delta, boundary = options.boundary_ratio * delta;
   v.thresholds_ = {delta, std::max(0.5 * (boundary + delta), boundary + 0.01 * delta), boundary};
 
@@ -116,10 +121,10 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   v.volume_component_count_ = components.count;
   v.collect_regions();
   v.collect_boundary_components();
-  // Parity tells the sides that are missing; soups must know all regions before they can be coloured.
-  if (!input.closed_manifold) v.find_thin_regions();
+  // Where sides are known, those that are missing are; soups must know all regions before they can be coloured.
+  if (!v.sides_.known()) v.find_thin_regions();
   if (Status s = v.label_regions(); !s.ok()) return s.error();
-  if (input.closed_manifold) v.find_thin_regions();
+  if (v.sides_.known()) v.find_thin_regions();
   for (BoundaryComponent& c : v.boundary_components_) c.label = v.regions_[c.region.index()].label;
 
   auto characteristics = boundary_characteristics(v, 0, control);
@@ -229,7 +234,7 @@ void ToleranceVolume::find_thin_regions() {
       volume_component_count_); // before labels are known: one, more than one
   for (const BoundaryComponent& c : boundary_components_) {
     auto& sides = has[c.volume_component];
-    const bool second = input_.closed_manifold ? regions_[c.region.index()].label < 0 : sides[0];
+    const bool second = sides_.known() ? regions_[c.region.index()].label < 0 : sides[0];
     sides[second ? 1 : 0] = true;
   }
   for (std::uint32_t component = 0; component < has.size(); ++component) {
@@ -278,9 +283,11 @@ std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region
 }
 
 Status ToleranceVolume::label_regions() {
-  auto labels = input_.closed_manifold ? label_by_parity(*this) : label_by_two_colouring(*this);
+  auto labels = sides_.known() ? label_by_sides(*this) : label_by_two_colouring(*this);
   if (!labels.ok()) return labels.error();
   for (std::size_t i = 0; i < regions_.size(); ++i) regions_[i].label = (*labels)[i];
+  if (winds())
+    for (Region& r : regions_) r.winding_number = r.unbounded ? 0 : sides_.winding_number(r.deepest);
   return {};
 }
 
@@ -349,7 +356,8 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget) {
   const double side = octree_->side(c.level);
   const RegionId id = add_region(i, octree_->center(c), static_cast<double>(c.distance), side * side * side);
   Region& region = regions_.back();
-  region.label = pocket_label(*this, region.deepest);
+  region.label = sides_.label(region.deepest);
+  if (winds()) region.winding_number = sides_.winding_number(region.deepest);
   if (region.depth > thresholds_.delta) witnesses_.push_back({region.deepest, region.label, region.depth});
   return id;
 }
@@ -359,12 +367,21 @@ int ToleranceVolume::label_at(Vec3 p) {
   return region.valid() ? regions_[region.index()].label : 0;
 }
 
+bool ToleranceVolume::is_uncounted(const Region& r) const {
+  return std::none_of(boundary_components_.begin(), boundary_components_.end(),
+                      [&](const BoundaryComponent& c) { return c.region == r.id; });
+}
+
 std::size_t ToleranceVolume::pockets() const {
-  const auto uncounted = [&](const Region& r) {
-    return std::none_of(boundary_components_.begin(), boundary_components_.end(),
-                        [&](const BoundaryComponent& c) { return c.region == r.id; });
-  };
-  return static_cast<std::size_t>(std::count_if(regions_.begin(), regions_.end(), uncounted));
+  return static_cast<std::size_t>(
+      std::count_if(regions_.begin(), regions_.end(), [&](const Region& r) { return is_uncounted(r); }));
+}
+
+double ToleranceVolume::uncounted_depth() const {
+  double depth = 0;
+  for (const Region& r : regions_)
+    if (is_uncounted(r)) depth = std::max(depth, r.depth);
+  return depth;
 }
 
 bool ToleranceVolume::thickening() const {
@@ -390,7 +407,65 @@ std::string ToleranceVolume::thickening_note() const {
   return "At this tolerance the volume is no thickening: it has " + part(outer, outer_euler) +
          " outside and " + part(inner, inner_euler) + " inside" +
          (pockets() == 0 ? "" : " and " + std::to_string(pockets()) + " small pockets of one side") +
-         ", because it closes gaps, tunnels or walls narrower than twice the tolerance.";
+         ", because " + cause_in_words() + ".";
+}
+
+std::string ToleranceVolume::cause_in_words() const {
+  if (has_inner_walls()) return overlap_in_words();
+  if (input_.sides_known() && input_.components > 1) {
+    std::vector<Contact> contacts;
+    if (!input_.embedded()) contacts = find_contacts(*index_, RunControl());
+    if (contacts.empty())
+      contacts = find_near_contacts(*index_, sides_, thresholds_.delta, thresholds_.boundary, RunControl());
+    if (!contacts.empty())
+      return "parts of the input touch, near " +
+             place(0.5 * (contacts.front()[0] + contacts.front()[1]), place_digits) +
+             " for one, and are joined there";
+  }
+  return "it closes gaps, tunnels or walls narrower than twice the tolerance";
+}
+
+bool ToleranceVolume::has_inner_walls() const {
+  return sides_.rule() == SideRule::winding &&
+         std::any_of(regions_.begin(), regions_.end(),
+                     [](const Region& r) { return std::abs(r.winding_number) > 1; });
+}
+
+std::string ToleranceVolume::overlap_in_words() const {
+  const auto deepest =
+      std::max_element(regions_.begin(), regions_.end(), [](const Region& a, const Region& b) {
+        return std::pair{std::abs(a.winding_number) > 1, a.depth} <
+               std::pair{std::abs(b.winding_number) > 1, b.depth};
+      });
+  return "the input winds " + std::to_string(std::abs(deepest->winding_number)) + " times around " +
+         place(deepest->deepest, place_digits) +
+         ", where parts overlap: their union counts as inside, walls in it as none";
+}
+
+std::vector<std::string> ToleranceVolume::side_notes() const {
+  std::vector<std::string> notes = input_.notes;
+  const auto find = [&](const auto& is) { return std::find_if(regions_.begin(), regions_.end(), is); };
+  if (sides_.rule() == SideRule::winding) {
+    if (has_inner_walls() && thickening()) {
+      std::string words = overlap_in_words() + ".";
+      words.front() = 'T';
+      notes.push_back(words);
+    }
+    const auto turned = find([](const Region& r) { return r.winding_number < 0; });
+    const auto other = find([](const Region& r) { return r.winding_number > 0; });
+    if (turned != regions_.end() && other != regions_.end())
+      notes.push_back(
+          "The part around " + place(turned->deepest, place_digits) +
+          " is turned inside out: what it shares with parts that are not counts as outside. Turn it "
+          "round unless that is meant.");
+  } else if (winds()) {
+    const auto odd = find([](const Region& r) { return r.label > 0 && r.winding_number != 0; });
+    if (odd != regions_.end())
+      notes.push_back("The part around " + place(odd->deepest, place_digits) +
+                      " is oriented like the one around it, which is odd for a cavity: it counts as one, as "
+                      "the two do not meet. With --sides winding it is solid.");
+  }
+  return notes;
 }
 
 std::size_t ToleranceVolume::memory_bytes() const {

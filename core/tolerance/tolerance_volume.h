@@ -7,6 +7,7 @@
 #include "base/status.h"
 #include "input/triangle_soup.h"
 #include "tolerance/closest_point.h"
+#include "tolerance/input_sides.h"
 #include "tolerance/witnesses.h"
 
 #include <cstdint>
@@ -30,6 +31,8 @@ struct Region {
   Vec3 deepest;      ///< a point of the region far from the input: the witness of its side
   double depth = 0;  ///< d(deepest), same units as δ
   double volume = 0; ///< lower bound from the octree; infinite for the unbounded region
+  /// How often the input winds around it, where that is what tells its side.
+  int winding_number = 0;
 };
 
 /// A connected component of ∂Ω', as far as the octree resolves it (thin crevices below its cells have no
@@ -62,10 +65,18 @@ struct InputTopology {
   std::optional<long> euler_characteristic; ///< when closed_manifold
   std::size_t components = 0;               ///< connected components of the input triangles
   std::optional<Vec3> border; ///< a point of an edge that does not have two triangles, if there is one
+  SideRule side_rule = SideRule::colouring; ///< what tells the sides
+  std::shared_ptr<const std::vector<std::int8_t>>
+      turns;                      ///< how each triangle counts for that; null: as it is
+  std::vector<std::string> notes; ///< what the user should know about the sides, one sentence each
 
-  /// Whether parity tells the side of every point, also where Ω has no boundary: closed, with no parts that
-  /// intersect each other.
-  bool sides_known() const { return closed_manifold && (self_intersection_free || components == 1); }
+  /// Whether the input is a surface that has two sides and does not cross itself.
+  bool embedded() const { return closed_manifold && self_intersection_free; }
+  /// Whether the side of every point is told, also where Ω has no boundary, and is what the user means:
+  /// parity does not say it where parts intersect each other.
+  bool sides_known() const {
+    return side_rule == SideRule::winding || (closed_manifold && (self_intersection_free || components == 1));
+  }
 };
 
 /// What is said where a region of the complement of Ω' lies on both sides of the input.
@@ -95,6 +106,8 @@ class ToleranceVolume {
   const ClosestPointIndex& index() const { return *index_; }
   std::shared_ptr<const ClosestPointIndex> shared_index() const { return index_; }
   const InputTopology& input() const { return input_; }
+  /// Which side of the input a point is on.
+  const InputSides& sides() const { return sides_; }
   /// The cube that holds Ω and the octree.
   Box3 domain() const;
 
@@ -110,12 +123,19 @@ class ToleranceVolume {
   /// Regions that no boundary component counts: they were too small to be seen before somebody asked for a
   /// point in them.
   std::size_t pockets() const;
+  /// The depth of the deepest of them, 0 when there are none.
+  double uncounted_depth() const;
   /// Fails with unsupported, naming the place, where questions asked since create() found regions of
   /// different sides to be one: a passage between them is wider than 2 δ' but narrower than the main cells
   /// show.
   Status check_passages() const;
   /// What Ω closes or cuts, in one sentence for the user; empty when it is a thickening.
   std::string thickening_note() const;
+  /// Whether the input has walls with inside on both sides, as it has where closed parts overlap: a region
+  /// that it winds around more than once.
+  bool has_inner_walls() const;
+  /// What the user should know about the sides, one sentence each: inner walls, odd orientation.
+  std::vector<std::string> side_notes() const;
 
   /// F of the region that holds p, or 0 when p lies in Ω' or in a crevice too thin to tell. d(p) > δ_r always
   /// has a label.
@@ -159,10 +179,16 @@ class ToleranceVolume {
   bool touches(Vec3 p, double d, std::uint32_t component) const;
   void deepen(Region& region) const;
   Status label_regions();
+  bool is_uncounted(const Region& r) const;
+  /// Whether winding numbers mean something: the triangles cancel along every edge.
+  bool winds() const { return sides_.rule() == SideRule::winding || input_.consistently_oriented; }
+  std::string overlap_in_words() const;
+  std::string cause_in_words() const;
   RegionId add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume);
 
   std::shared_ptr<const ClosestPointIndex> index_;
   InputTopology input_;
+  InputSides sides_;
   ToleranceThresholds thresholds_;
   std::unique_ptr<Regions> octree_;
   std::vector<Region> regions_;
@@ -172,7 +198,8 @@ class ToleranceVolume {
   std::size_t volume_component_count_ = 0;
 };
 
-/// Connectivity of a soup after merging bitwise equal points; the self-intersection test is exact (CGAL).
-InputTopology analyse_input(const TriangleSoup& soup);
+/// Connectivity of a soup after merging bitwise equal points, and what tells its sides; the self-intersection
+/// test is exact (CGAL).
+InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode = SidesMode::automatic);
 
 } // namespace isoscope

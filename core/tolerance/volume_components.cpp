@@ -1,28 +1,12 @@
 // Components of Ω' by the distances between triangles.
 #include "tolerance/volume_components.h"
 
+#include "base/disjoint_sets.h"
+
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace isoscope {
-
-DisjointSets::DisjointSets(std::size_t n) : parents_(n) {
-  std::iota(parents_.begin(), parents_.end(), 0u);
-}
-
-std::uint32_t DisjointSets::find(std::uint32_t i) {
-  while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-  return i;
-}
-
-bool DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
-  a = find(a);
-  b = find(b);
-  if (a == b) return false;
-  parents_[std::max(a, b)] = std::min(a, b);
-  return true;
-}
 
 VolumeComponents find_volume_components(const ClosestPointIndex& index, double r) {
   const auto n = static_cast<std::uint32_t>(index.size());

@@ -17,16 +17,4 @@ struct VolumeComponents {
 
 VolumeComponents find_volume_components(const ClosestPointIndex& index, double r);
 
-/// Union-find over 0 … n-1 whose representatives are the smallest members.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n);
-  std::uint32_t find(std::uint32_t i);
-  /// Whether a and b were apart.
-  bool unite(std::uint32_t a, std::uint32_t b);
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
-
 } // namespace isoscope

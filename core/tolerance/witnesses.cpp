@@ -106,13 +106,12 @@ bool climb(const ClosestPointIndex& index, const DeepCells& cells, double delta,
   return cells.joined(p);
 }
 
-/// Parity tells the sides of closed input only: a ray through a hole counts one crossing too few. There a
-/// point belongs to the region that it can escape to, and 0 says that it has none.
+/// Where sides are not known, a ray through a hole counts one crossing too few: there a point belongs to the
+/// region that it can escape to, and 0 says that it has none.
 int label_of(const ToleranceVolume& volume, Vec3 p) {
   const RegionId region = volume.escape(p, volume.index().closest(p)).region;
   if (region.valid()) return volume.regions()[region.index()].label;
-  if (!volume.input().closed_manifold) return 0;
-  return volume.index().inside_by_parity(p) ? -1 : +1;
+  return volume.sides().known() ? volume.sides().label(p) : 0;
 }
 
 } // namespace
@@ -132,7 +131,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
     if (depth <= delta * (1 + offset_margin)) continue;
     if (const int label = label_of(volume, p); label != 0) witnesses.push_back({p, label, depth});
   }
-  if (!volume.input().closed_manifold) return witnesses;
+  if (!volume.sides().known()) return witnesses;
 
   const std::size_t stride = index.size() / most_triangles + 1, looked = (index.size() + stride - 1) / stride;
   std::vector<Witness> found(2 * looked);
@@ -145,7 +144,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
       Vec3 p = (t[0] + t[1] + t[2]) / 3.0 + offset * normal;
       double depth = index.distance(p);
       if (depth <= delta * (1 + 0.5 * offset_margin) || climb(index, cells, delta, p, depth)) continue;
-      found[2 * i + side] = {p, index.inside_by_parity(p) ? -1 : +1, depth};
+      found[2 * i + side] = {p, volume.sides().label(p), depth};
     }
   });
   for (const Witness& w : found) {

@@ -23,7 +23,8 @@ TEST_CASE("Questions are answered on standard output with status 0") {
         "--threads",      "--containment", "--topology", "--time-limit",   "-o",
         "--report",       "--quiet",       "--compare",  "--no-condition", "--no-normals",
         "--list-gallery", "--skip",        "--target",   "--cost-ring",    "--effort",
-        "--improver",     "--drop-small",  "--cover",    "--drop-thin"}) {
+        "--improver",     "--drop-small",  "--cover",    "--drop-thin",
+        "--sides"}) {
     CAPTURE(option);
     CHECK(help.out.find(option) != std::string::npos);
   }
@@ -74,6 +75,7 @@ TEST_CASE("Wrong usage is named on one line with status 2") {
       {{"gallery:sphere", "--threads", "-2"}, "--threads"},
       {{"gallery:sphere", "--time-limit", "-1"}, "--time-limit"},
       {{"gallery:sphere", "--containment", "both"}, "--containment"},
+      {{"gallery:sphere", "--sides", "left"}, "--sides"},
       {{"gallery:sphere", "--topology", "lose"}, "--topology"},
       {{"gallery:sphere", "--no-condition", "5"}, "--no-condition"},
       {{"gallery:sphere", "--until", "sunset"}, "--until"},

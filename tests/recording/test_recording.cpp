@@ -132,6 +132,7 @@ TEST_CASE("Parameters come back from JSON") {
   p.shrink = 0.9;
   p.containment = Containment::sampled;
   p.topology = TopologyMode::separate;
+  p.sides = SidesMode::winding;
   p.condition_2 = p.condition_4 = false;
   p.until = Stage::zero_set;
   p.skipped[static_cast<std::size_t>(Stage::gamma)] = true;

@@ -18,13 +18,15 @@ using namespace isoscope;
 TEST_CASE("sides of a grid are those of the surface, also where voxels are coarser than Ω") {
   const auto soup = make_gallery_model("sphere");
   REQUIRE(soup);
-  const ClosestPointIndex index(*soup);
+  const auto shared_index = std::make_shared<const ClosestPointIndex>(*soup);
+  const ClosestPointIndex& index = *shared_index;
+  const InputSides sides(shared_index, SideRule::parity, nullptr);
   const RunControl control;
   const double edge = soup->bounds().longest_edge();
   for (const double part : {0.03, 0.004}) {
     auto grid = make_distance_grid(index, part * edge, 40, control);
     REQUIRE(grid);
-    REQUIRE(find_sides(*grid, index, part * edge, {}, control));
+    REQUIRE(find_sides(*grid, index, sides, part * edge, {}, control));
     REQUIRE(grid->sides.size() == grid->values.size());
     std::size_t wrong = 0;
     for (int z = 0; z < grid->size[2]; z += 3)
@@ -46,12 +48,12 @@ TEST_CASE("sides of a grid are those of the surface, also where voxels are coars
 
 TEST_CASE("finding sides can be cancelled") {
   const auto soup = make_gallery_model("sphere");
-  const ClosestPointIndex index(*soup);
+  const auto index = std::make_shared<const ClosestPointIndex>(*soup);
   RunControl control;
-  auto grid = make_distance_grid(index, 0.05, 24, control);
+  auto grid = make_distance_grid(*index, 0.05, 24, control);
   REQUIRE(grid);
   control.cancel();
-  const Status status = find_sides(*grid, index, 0.05, {}, control);
+  const Status status = find_sides(*grid, *index, InputSides(index, SideRule::parity, nullptr), 0.05, {}, control);
   REQUIRE_FALSE(status);
   CHECK(status.error().code == ErrorCode::cancelled);
 }

@@ -17,7 +17,9 @@ int resolution_for(const Scene& scene) {
 
 std::shared_ptr<const DistanceGrid> grid_of(const std::shared_ptr<const Scene>& scene, RunControl& control) {
   auto made = make_distance_grid(*scene->index, scene->delta, resolution_for(*scene), control);
-  if (!made || !find_sides(*made, *scene->index, scene->delta, scene->regions, control)) return nullptr;
+  if (!made ||
+      !find_sides(*made, *scene->index, scene->volume->sides(), scene->delta, scene->regions, control))
+    return nullptr;
   return std::make_shared<const DistanceGrid>(*std::move(made));
 }
 

@@ -88,6 +88,9 @@ void add_parameters(Table& t) {
   add_choice(
       t, "topology", "what is asked of Z where Ω is no thickening", {"keep", "separate"},
       [](auto& m) -> auto& { return m.draft.topology; });
+  add_choice(
+      t, "sides", "what tells inside from outside", {"auto", "winding", "parity"},
+      [](auto& m) -> auto& { return m.draft.sides; });
   add_switch(
       t, "condition-1", "classification", [](auto& m) -> auto& { return m.draft.condition_1; });
   add_switch(

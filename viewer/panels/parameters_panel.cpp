@@ -327,6 +327,13 @@ void parameters(Ui& ui) {
         26);
   if (widgets::segmented(ui, "thin", thin, chosen)) p.drop_thin = chosen == 1;
   cover(ui, p);
+  chosen = static_cast<int>(p.sides);
+  label(ui, "sides", "What tells inside from outside",
+        "Auto: parity where closed parts do not meet, and the winding number where they overlap or touch, so "
+        "that what lies in several parts is inside. Needs a restart.",
+        26);
+  constexpr std::array<const char*, 3> sides{"auto", "winding", "parity"};
+  if (widgets::segmented(ui, "sides", sides, chosen)) p.sides = static_cast<SidesMode>(chosen);
   stages(ui, p);
   ImGui::PopFont();
   ImGui::Dummy({0, ui.px(2)});

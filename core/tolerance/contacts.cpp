@@ -1,0 +1,187 @@
+// Contacts of a soup: edges and vertices by sorting corners, the rest by intersecting pairs of triangles.
+#include "tolerance/contacts.h"
+
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
+#include "tolerance/volume_components.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace isoscope {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+
+constexpr std::size_t parallel_grain = 64;
+
+bool less(const Vec3& a, const Vec3& b) {
+  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+Vec3 vec(const Point& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+/// The triangles by their corners, as numbers of points; without collapsed ones and copies.
+class Corners {
+ public:
+  explicit Corners(const ClosestPointIndex& index) {
+    for (std::size_t t = 0; t < index.size(); ++t)
+      for (const Vec3 p : index.triangle(TriangleId(t))) points_.push_back(p);
+    std::sort(points_.begin(), points_.end(), less);
+    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> keys;
+    of_triangle_.resize(index.size());
+    for (std::uint32_t t = 0; t < index.size(); ++t) {
+      const Triangle3& corners = index.triangle(TriangleId(t));
+      auto& own = of_triangle_[t];
+      for (std::size_t k = 0; k < 3; ++k)
+        own[k] = static_cast<std::uint32_t>(
+            std::lower_bound(points_.begin(), points_.end(), corners[k], less) - points_.begin());
+      std::sort(own.begin(), own.end());
+      if (own[0] != own[1] && own[1] != own[2]) keys.emplace_back(own, t);
+    }
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      if (i == 0 || keys[i].first != keys[i - 1].first) counting_.push_back(keys[i].second);
+    std::sort(counting_.begin(), counting_.end());
+  }
+
+  const std::vector<std::uint32_t>& counting() const { return counting_; }
+  const std::array<std::uint32_t, 3>& of(std::uint32_t t) const { return of_triangle_[t]; }
+  Vec3 point(std::uint32_t v) const { return points_[v]; }
+  std::size_t point_count() const { return points_.size(); }
+
+ private:
+  std::vector<Vec3> points_; ///< ascending
+  std::vector<std::array<std::uint32_t, 3>> of_triangle_;
+  std::vector<std::uint32_t> counting_; ///< ascending
+};
+
+/// Edges of more than two triangles and vertices of more than one fan.
+void add_shared(const Corners& corners, std::vector<Contact>& contacts) {
+  struct Use {
+    std::uint32_t low, high, at_low, at_high; ///< with the corners of the triangle there
+  };
+  const auto& counting = corners.counting();
+  std::vector<Use> uses;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> at; ///< vertex, corner
+  for (std::uint32_t i = 0; i < counting.size(); ++i) {
+    const auto& v = corners.of(counting[i]);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      at.emplace_back(v[k], 3 * i + k);
+      for (std::uint32_t l = k + 1; l < 3; ++l) uses.push_back({v[k], v[l], 3 * i + k, 3 * i + l});
+    }
+  }
+  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+    return std::tie(a.low, a.high, a.at_low) < std::tie(b.low, b.high, b.at_low);
+  });
+  DisjointSets fans(3 * counting.size());
+  std::vector<char> on_edge(corners.point_count(), 0);
+  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) {
+      fans.unite(uses[i].at_low, uses[end].at_low);
+      fans.unite(uses[i].at_high, uses[end].at_high);
+      ++end;
+    }
+    if (end - i < 3) continue;
+    contacts.push_back({corners.point(uses[i].low), corners.point(uses[i].high)});
+    on_edge[uses[i].low] = on_edge[uses[i].high] = 1;
+  }
+  std::sort(at.begin(), at.end());
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    if (at[i].first != at[i - 1].first || on_edge[at[i].first]) continue;
+    if (fans.find(at[i].second) == fans.find(at[i - 1].second)) continue;
+    on_edge[at[i].first] = 1;
+    contacts.push_back({corners.point(at[i].first), corners.point(at[i].first)});
+  }
+}
+
+Kernel::Triangle_3 triangle(const ClosestPointIndex& index, std::uint32_t t) {
+  const Triangle3& c = index.triangle(TriangleId(t));
+  return {Point(c[0].x, c[0].y, c[0].z), Point(c[1].x, c[1].y, c[1].z), Point(c[2].x, c[2].y, c[2].z)};
+}
+
+void add_intersection(const Kernel::Triangle_3& a, const Kernel::Triangle_3& b, std::vector<Contact>& found) {
+  if (a.is_degenerate() || b.is_degenerate() || !CGAL::do_intersect(a, b)) return;
+  const auto common = CGAL::intersection(a, b);
+  if (!common) return;
+  if (const auto* point = boost::get<Point>(&*common)) {
+    found.push_back({vec(*point), vec(*point)});
+  } else if (const auto* segment = boost::get<Kernel::Segment_3>(&*common)) {
+    found.push_back({vec(segment->source()), vec(segment->target())});
+  } else if (const auto* part = boost::get<Kernel::Triangle_3>(&*common)) {
+    for (int k = 0; k < 3; ++k) found.push_back({vec(part->vertex(k)), vec(part->vertex(k + 1))});
+  } else if (const auto* polygon = boost::get<std::vector<Point>>(&*common)) {
+    for (std::size_t k = 0; k < polygon->size(); ++k)
+      found.push_back({vec((*polygon)[k]), vec((*polygon)[(k + 1) % polygon->size()])});
+  }
+}
+
+} // namespace
+
+std::vector<Contact> find_contacts(const ClosestPointIndex& index, const RunControl& control) {
+  const Corners corners(index);
+  std::vector<Contact> contacts;
+  add_shared(corners, contacts);
+  const auto& counting = corners.counting();
+  std::vector<std::vector<Contact>> found(counting.size());
+  parallel_for(counting.size(), parallel_grain, [&](std::size_t i) {
+    if (control.cancelled()) return;
+    const std::uint32_t s = counting[i];
+    Box3 box;
+    for (const Vec3 p : index.triangle(TriangleId(s))) box.add(p);
+    const auto own = triangle(index, s);
+    for (const TriangleId other : index.triangles_in(box)) {
+      if (other.value <= s || !std::binary_search(counting.begin(), counting.end(), other.value)) continue;
+      const auto& u = corners.of(s);
+      const auto& v = corners.of(other.value);
+      const auto shared = std::count_if(
+          u.begin(), u.end(), [&](std::uint32_t x) { return std::find(v.begin(), v.end(), x) != v.end(); });
+      if (shared > 1) continue;
+      std::vector<Contact> here;
+      add_intersection(own, triangle(index, other.value), here);
+      // The common corner alone is what neighbours have.
+      if (shared == 1) std::erase_if(here, [](const Contact& c) { return c[0] == c[1]; });
+      found[i].insert(found[i].end(), here.begin(), here.end());
+    }
+  });
+  for (const auto& list : found) contacts.insert(contacts.end(), list.begin(), list.end());
+  return contacts;
+}
+
+std::vector<Contact> find_near_contacts(const ClosestPointIndex& index, const InputSides& sides, double delta,
+                                        double spacing, const RunControl& control) {
+  const double gap = touching_gap * delta;
+  const std::vector<std::uint32_t> part = find_volume_components(index, 0).of_triangle;
+  std::vector<std::vector<Contact>> found(index.size());
+  parallel_for(index.size(), parallel_grain, [&](std::size_t s) {
+    if (control.cancelled()) return;
+    const Triangle3& own = index.triangle(TriangleId(s));
+    Box3 box;
+    for (const Vec3 p : own) box.add(p);
+    for (const TriangleId t : index.triangles_in(box.grown(gap))) {
+      const Triangle3& other = index.triangle(t);
+      if (part[t.index()] == part[s] || !triangles_within(own, other, gap)) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 a = own[k], b = own[(k + 1) % 3];
+        const double pieces = std::max(1.0, std::ceil(distance(a, b) / spacing));
+        for (double i = 0; i < pieces; ++i) {
+          const Vec3 p = a + (i / pieces) * (b - a), q = closest_point_on_triangle(p, other);
+          const Vec3 middle = 0.5 * (p + q);
+          if (distance(p, q) <= gap && !sides.inside(middle)) found[s].push_back({middle, middle});
+        }
+      }
+    }
+  });
+  std::vector<Contact> contacts;
+  for (const auto& list : found) contacts.insert(contacts.end(), list.begin(), list.end());
+  return contacts;
+}
+
+} // namespace isoscope

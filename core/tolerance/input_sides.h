@@ -1,0 +1,69 @@
+// On which side of the input a point lies: the one place that knows.
+#pragma once
+
+#include "tolerance/closest_point.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace isoscope {
+
+/// What the user lets decide about sides.
+enum class SidesMode : std::uint8_t {
+  automatic, ///< parity where closed parts do not meet, else the winding number where it is defined
+  winding,   ///< the winding number
+  parity     ///< parity
+};
+
+/// What tells sides.
+enum class SideRule : std::uint8_t {
+  colouring, ///< nothing but Ω: regions alternate (open soups)
+  parity,    ///< the number of layers around a point: odd is inside
+  winding    ///< how often the input winds around a point: 0 is outside
+};
+
+/// "colouring", "parity" or "winding".
+std::string_view name(SideRule rule);
+
+/// The sides of the input. Const and thread-safe.
+class InputSides {
+ public:
+  InputSides() = default;
+  /// `turns`: how each triangle counts, by id (see FacetTurns); null: once, as it runs, and for soups that
+  /// nothing is known about that.
+  InputSides(std::shared_ptr<const ClosestPointIndex> index, SideRule rule,
+             std::shared_ptr<const std::vector<std::int8_t>> turns)
+      : index_(std::move(index)), turns_(std::move(turns)), rule_(rule) {}
+
+  SideRule rule() const { return rule_; }
+  /// Whether every point off the input has a side that is known.
+  bool known() const { return rule_ != SideRule::colouring; }
+
+  /// Whether p is inside. Of soups only a guess: what many rays say; where they disagree, the winding number
+  /// if there are turns and it is near a whole number, else most of the rays.
+  bool inside(Vec3 p) const;
+  /// F of p: -1 inside, +1 outside.
+  int label(Vec3 p) const { return inside(p) ? -1 : +1; }
+  /// How often the input winds around p, as it is oriented; only meaningful where that closes.
+  int winding_number(Vec3 p) const { return index_->winding_number(p, turns()); }
+  /// Whether all of many rays say that p is inside (true), none does (false), or some do only (nothing).
+  std::optional<bool> unanimous_parity(Vec3 p) const;
+  /// The label of b, when that of a is `label`: by what the segment between them crosses.
+  int label_across(Vec3 a, int label, Vec3 b) const;
+
+ private:
+  std::shared_ptr<const ClosestPointIndex> index_;
+  std::shared_ptr<const std::vector<std::int8_t>> turns_;
+  SideRule rule_ = SideRule::colouring;
+
+  std::span<const std::int8_t> turns() const {
+    return turns_ ? std::span<const std::int8_t>(*turns_) : std::span<const std::int8_t>();
+  }
+};
+
+} // namespace isoscope

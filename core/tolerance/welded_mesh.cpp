@@ -1,0 +1,47 @@
+// Merges points by sorting them, lists edges by sorting their sides.
+#include "tolerance/welded_mesh.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace isoscope {
+
+WeldedMesh weld(const TriangleSoup& soup) {
+  std::vector<std::uint32_t> order;
+  std::vector<char> used(soup.points.size(), 0);
+  for (const auto& t : soup.triangles)
+    for (const auto v : t) used[v] = 1;
+  for (std::uint32_t v = 0; v < soup.points.size(); ++v)
+    if (used[v]) order.push_back(v);
+  const auto key = [&](std::uint32_t v) {
+    const Vec3& p = soup.points[v];
+    return std::tuple{p.x, p.y, p.z};
+  };
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) {
+    return std::pair{key(a), a} < std::pair{key(b), b};
+  });
+  WeldedMesh mesh;
+  std::vector<std::uint32_t> merged(soup.points.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || key(order[i]) != key(order[i - 1])) mesh.points.push_back(soup.points[order[i]]);
+    merged[order[i]] = static_cast<std::uint32_t>(mesh.points.size() - 1);
+  }
+  for (const auto& t : soup.triangles) mesh.triangles.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
+  return mesh;
+}
+
+std::vector<EdgeUse> sorted_edge_uses(const std::vector<IndexTriangle>& triangles) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto a = triangles[t][i], b = triangles[t][(i + 1) % 3];
+      uses.push_back({std::min(a, b), std::max(a, b), t, a < b});
+    }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  return uses;
+}
+
+} // namespace isoscope

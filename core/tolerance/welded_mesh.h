@@ -1,0 +1,37 @@
+// A soup with equal points merged, and what its edges tell.
+#pragma once
+
+#include "input/triangle_soup.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace isoscope {
+
+using IndexTriangle = std::array<std::uint32_t, 3>;
+
+/// The soup with bitwise equal points merged and unused ones dropped; triangles keep their ids.
+struct WeldedMesh {
+  std::vector<Vec3> points;
+  std::vector<IndexTriangle> triangles;
+};
+WeldedMesh weld(const TriangleSoup& soup);
+
+/// One side of an edge: its ends in order, its triangle, and whether that runs from the lower end to the
+/// higher one.
+struct EdgeUse {
+  std::uint32_t low, high, triangle;
+  bool ascends;
+};
+
+/// The sides of all edges of all triangles, ascending by edge, then triangle: those of an edge are
+/// neighbours.
+std::vector<EdgeUse> sorted_edge_uses(const std::vector<IndexTriangle>& triangles);
+
+/// Whether a triangle has a vertex twice.
+inline bool is_collapsed(const IndexTriangle& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+} // namespace isoscope

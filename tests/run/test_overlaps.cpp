@@ -1,0 +1,176 @@
+// Whole runs on closed parts that overlap or touch: the union, joined where Ω joins it.
+#include "run/complete_run.h"
+#include "run/voxel_soup.h"
+#include "tolerance/shapes.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <set>
+
+using namespace isoscope;
+using namespace isoscope::test;
+using isoscope::testing::add_box;
+
+namespace {
+
+std::unique_ptr<CompleteRun> run_soup(TriangleSoup soup, double delta,
+                                      SidesMode sides = SidesMode::automatic) {
+  RunParameters parameters;
+  parameters.input = "soup";
+  parameters.tolerance = {delta, false};
+  parameters.effort = 0;
+  parameters.sides = sides;
+  auto run = std::make_unique<CompleteRun>(parameters);
+  run->soup = std::make_shared<const TriangleSoup>(std::move(soup));
+  run->run();
+  return run;
+}
+
+void check_run(const CompleteRun& run, std::size_t components, long euler_characteristic) {
+  REQUIRE_MESSAGE(run.result.has_value(), (run.error ? run.error->line() : ""));
+  const Certificate& c = run.result->certificate;
+  CHECK_MESSAGE(c.holds(), (c.failures.empty() ? "" : c.failures.front()));
+  CHECK(c.components == components);
+  CHECK(c.euler_characteristic == euler_characteristic);
+}
+
+TriangleSoup overlapping_boxes() {
+  TriangleSoup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {0.6, 0.3, 0.2}, {1.6, 1.3, 1.2});
+  return soup;
+}
+
+void turn_inside_out(TriangleSoup& soup, std::size_t first_triangle) {
+  for (std::size_t t = first_triangle; t < soup.triangles.size(); ++t)
+    std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+}
+
+/// A random set of voxels.
+struct Voxels {
+  int size;
+  std::vector<char> solid;
+  Voxels(int n, unsigned seed, double share) : size(n), solid(static_cast<std::size_t>(n * n * n)) {
+    std::mt19937 random(seed);
+    for (char& s : solid) s = random() < share * 4294967296.0;
+  }
+  bool at(int x, int y, int z) const {
+    const auto inside = [&](int i) { return i >= 0 && i < size; };
+    return inside(x) && inside(y) && inside(z) &&
+           solid[static_cast<std::size_t>((x * size + y) * size + z)] != 0;
+  }
+  TriangleSoup surface() const {
+    return voxel_surface({size, size, size}, [&](int x, int y, int z) { return at(x, y, z); });
+  }
+  /// Of the closed cubes together: by counting their corners, edges, faces and themselves.
+  long euler_characteristic() const {
+    std::set<std::array<int, 3>> cells; // by the doubled coordinates of their centres
+    for (int x = 0; x < size; ++x)
+      for (int y = 0; y < size; ++y)
+        for (int z = 0; z < size; ++z)
+          for (int k = 0; at(x, y, z) && k < 27; ++k)
+            cells.insert({2 * x + k % 3, 2 * y + k / 3 % 3, 2 * z + k / 9});
+    long sum = 0;
+    for (const auto& c : cells) sum += (c[0] % 2 + c[1] % 2 + c[2] % 2) % 2 == 0 ? 1 : -1;
+    return sum;
+  }
+  /// Connected sets of solid cubes that share at least a corner, or of empty ones that share a face.
+  std::size_t components(bool of_solid) const {
+    std::set<std::array<int, 3>> left;
+    for (int x = -1; x <= size; ++x)
+      for (int y = -1; y <= size; ++y)
+        for (int z = -1; z <= size; ++z)
+          if (at(x, y, z) == of_solid) left.insert({x, y, z});
+    std::size_t count = 0;
+    for (; !left.empty(); ++count) {
+      std::vector<std::array<int, 3>> stack{*left.begin()};
+      left.erase(left.begin());
+      while (!stack.empty()) {
+        const auto [x, y, z] = stack.back();
+        stack.pop_back();
+        for (int k = 0; k < 27; ++k) {
+          const int dx = k % 3 - 1, dy = k / 3 % 3 - 1, dz = k / 9 - 1;
+          if (!of_solid && std::abs(dx) + std::abs(dy) + std::abs(dz) != 1) continue;
+          const std::array<int, 3> next{x + dx, y + dy, z + dz};
+          if (left.erase(next) > 0) stack.push_back(next);
+        }
+      }
+    }
+    return count;
+  }
+};
+
+} // namespace
+
+TEST_CASE("two boxes that overlap are one body of few vertices, also with a facet twice or turned") {
+  TriangleSoup twice = overlapping_boxes(), turned = overlapping_boxes();
+  twice.triangles.push_back(twice.triangles[7]);
+  std::swap(turned.triangles[7][0], turned.triangles[7][1]);
+  for (const TriangleSoup& soup : {overlapping_boxes(), twice, turned}) {
+    const auto run = run_soup(soup, 0.08);
+    check_run(*run, 1, 2);
+    CHECK(run->result->mesh.points.size() < 40);
+    CHECK(run->scene->expected.source == "the outer boundary of Ω");
+    CHECK(run->scene->thickening_note.find("overlap") != std::string::npos);
+  }
+}
+
+TEST_CASE("three boxes that overlap each other, and a table of five, are one body each") {
+  TriangleSoup three = overlapping_boxes();
+  add_box(three, {0.3, 0.5, 0.6}, {1.3, 0.9, 1.8});
+  check_run(*run_soup(three, 0.1), 1, 2);
+  TriangleSoup table;
+  add_box(table, {0, 0, 0.8}, {1, 0.8, 1});
+  for (const double x : {0.05, 0.75})
+    for (const double y : {0.05, 0.55}) add_box(table, {x, y, 0}, {x + 0.2, y + 0.2, 0.9});
+  check_run(*run_soup(table, 0.05), 1, 2);
+}
+
+TEST_CASE("the same body twice is one body") {
+  TriangleSoup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  check_run(*run_soup(soup, 0.08), 1, 2);
+}
+
+TEST_CASE("a body inside another is a cavity, or nothing with --sides winding") {
+  TriangleSoup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {0.3, 0.3, 0.3}, {0.7, 0.7, 0.7});
+  check_run(*run_soup(soup, 0.06), 2, 4);
+  check_run(*run_soup(soup, 0.06, SidesMode::winding), 1, 2);
+}
+
+TEST_CASE("overlapping bodies with cavities keep what is a cavity of all of them") {
+  TriangleSoup soup;
+  add_box(soup, {0, 0, 0}, {2, 1, 1});
+  add_box(soup, {0.8, -0.1, -0.1}, {3, 1.1, 1.1});
+  const std::size_t bodies = soup.triangles.size();
+  add_box(soup, {0.9, 0.3, 0.3}, {1.7, 0.7, 0.7});
+  add_box(soup, {1.0, 0.2, 0.2}, {1.8, 0.8, 0.8});
+  turn_inside_out(soup, bodies);
+  check_run(*run_soup(soup, 0.06), 2, 4);
+}
+
+TEST_CASE("boxes that touch at an edge, a vertex or in parts of faces and edges are joined there") {
+  for (const Vec3 corner :
+       {Vec3{1, 1, 0}, Vec3{1, 1, 1}, Vec3{1, 0.4, 0.3}, Vec3{1, 1, 0.4}, Vec3{1, 0, 0}}) {
+    TriangleSoup soup;
+    add_box(soup, {0, 0, 0}, {1, 1, 1});
+    add_box(soup, corner, corner + Vec3{1, 1, 1});
+    const auto run = run_soup(soup, 0.08);
+    CAPTURE(corner.x + 10 * corner.y + 100 * corner.z);
+    check_run(*run, 1, 2);
+  }
+}
+
+TEST_CASE("voxels with contacts at edges and corners are joined there, and keep their holes and cavities") {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Voxels voxels(3, seed, 0.45);
+    const auto run = run_soup(voxels.surface(), 0.15);
+    CAPTURE(seed);
+    check_run(*run, voxels.components(true) + voxels.components(false) - 1,
+              2 * voxels.euler_characteristic());
+  }
+}
