@@ -25,20 +25,29 @@ Vec3 area_vector(const Triangle3& t) {
   return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
 }
 
+/// The vector times a power of two, so that products of it stay in the range of a double at any size of the
+/// model.
+Vec3 near_one(Vec3 v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0)) return v;
+  const int exponent = -std::ilogb(largest);
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
 /// Measures at the centroids of the k² congruent pieces of a facet.
 void measure_facet(const Triangle3& facet, std::size_t k, const ToleranceVolume& volume, Measurement* out) {
-  const Vec3 normal = area_vector(facet);
+  const Vec3 area = area_vector(facet), normal = near_one(area);
   const auto pieces = static_cast<double>(k);
   TriangleId guess;
   const auto measure = [&](double u, double v) {
     const Vec3 p = facet[0] + u / pieces * (facet[1] - facet[0]) + v / pieces * (facet[2] - facet[0]);
     guess = volume.index().closest_near(p, guess).triangle;
-    const Vec3 input = area_vector(volume.index().triangle(guess));
+    const Vec3 input = near_one(area_vector(volume.index().triangle(guess)));
     Measurement& m = *out++;
     if (squared_length(input) == 0) return;
     m.degrees =
         std::atan2(length(cross(normal, input)), dot(normal, input)) * straight_angle / std::numbers::pi;
-    m.area = length(normal) / (pieces * pieces);
+    m.area = length(area) / (pieces * pieces);
     m.component = volume.volume_component(guess);
   };
   constexpr double near = 1.0 / 3, far = 2.0 / 3;

@@ -6,6 +6,7 @@
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
 #include "run/closing_tolerance.h"
+#include "run/coordinate_check.h"
 #include "tolerance/region_labels.h"
 
 #include <sys/resource.h>
@@ -29,6 +30,12 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+std::string short_number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
 
 std::size_t peak_memory_bytes() {
   rusage usage{};
@@ -230,8 +237,9 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (!(scene->delta > 1e-9 * scene->longest_edge) || !(scene->delta < 100 * scene->longest_edge)) {
     return Error{ErrorCode::usage,
                  "--tolerance " + parameters_.tolerance.text() + " does not fit the size of the input.",
-                 "Its longest edge is " + std::to_string(scene->longest_edge) + "."};
+                 "Its longest edge is " + short_number(scene->longest_edge) + "."};
   }
+  if (Status fine = check_coordinates(*soup, scene->delta); !fine) return fine.error();
   scene->notes = std::move(notes);
   for (const InputNote& note : scene->notes) scene->warnings.push_back({told(note, scene->delta), 0});
   auto rest = without_crumbs(soup, parameters_.drop_small, scene->delta, *m.control);
@@ -239,6 +247,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (!rest) return rest.error();
   if (!rest->note.empty()) scene->warnings.push_back({rest->note, 0});
   soup = rest->soup;
+  if (auto note = coordinate_note(*soup, scene->delta)) scene->warnings.push_back({std::move(*note), 0});
   scene->index = std::make_shared<const ClosestPointIndex>(*soup);
   scene->input_topology = analyse_input(*soup, parameters_.sides);
   scene->input_seconds = watch.seconds();
