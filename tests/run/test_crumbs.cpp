@@ -37,16 +37,20 @@ std::shared_ptr<const TriangleSoup> box_with_crumbs() {
   return std::make_shared<const TriangleSoup>(std::move(soup));
 }
 
-CompleteRun run_of(double drop_small) {
+RunParameters parameters_with(double drop_small) {
   RunParameters parameters;
   parameters.input = "box";
   parameters.tolerance = {0.05, false};
   parameters.until = Stage::refinement;
   parameters.drop_small = drop_small;
-  CompleteRun run(parameters);
-  run.soup = box_with_crumbs();
-  return run;
+  return parameters;
 }
+
+struct CrumbRun : CompleteRun {
+  explicit CrumbRun(double drop_small) : CompleteRun(parameters_with(drop_small)) {
+    soup = box_with_crumbs();
+  }
+};
 
 std::vector<std::string> recorded_warnings(const Journal& journal) {
   std::vector<std::string> texts;
@@ -65,7 +69,7 @@ bool any_says(const std::vector<std::string>& texts, const std::string& part) {
 } // namespace
 
 TEST_CASE("Vertices of Z that went to crumbs are told with what helps") {
-  CompleteRun run = run_of(0);
+  CrumbRun run(0);
   REQUIRE(run.run());
   CHECK(run.result->certificate.components == 3);
   CHECK(run.result->crumbs.components == 2);
@@ -82,7 +86,7 @@ TEST_CASE("Vertices of Z that went to crumbs are told with what helps") {
 }
 
 TEST_CASE("Small components of the input are left out and told, in a recording as in the run") {
-  CompleteRun run = run_of(3);
+  CrumbRun run(3);
   run.notes = {{"Corners leave their face's plane by up to", 0.01}};
   REQUIRE(run.run());
   CHECK(run.result->certificate.components == 1);
@@ -108,16 +112,16 @@ TEST_CASE("Small components of the input are left out and told, in a recording a
 }
 
 TEST_CASE("Nothing small, nothing left, and a run that is cancelled") {
-  CompleteRun none = run_of(2);
+  CrumbRun none(2);
   REQUIRE(none.prepare());
   CHECK(none.scene->index->size() == 36);
   CHECK(!any_says(recorded_warnings(*none.journal), "left out"));
-  CompleteRun all = run_of(40);
+  CrumbRun all(40);
   CHECK(!all.prepare());
   REQUIRE(all.error.has_value());
   CHECK(all.error->code == ErrorCode::bad_input);
   CHECK(all.error->message.find("--drop-small 40") != std::string::npos);
-  CompleteRun cancelled = run_of(3);
+  CrumbRun cancelled(3);
   cancelled.control.cancel();
   CHECK(!cancelled.prepare());
   CHECK(cancelled.error->code == ErrorCode::cancelled);
