@@ -1,9 +1,9 @@
 // Finds components of Ω' without an inside and measures them.
 #include "tolerance/thin_parts.h"
 
+#include "base/disjoint_sets.h"
 #include "base/place.h"
 #include "tolerance/region_labels.h"
-#include "tolerance/volume_components.h"
 
 #include <algorithm>
 #include <array>
