@@ -31,6 +31,33 @@ TEST_CASE("A recorded run replays, and its last Z is the mesh that was written")
   CHECK(quiet.out.empty());
 }
 
+TEST_CASE("What reading had to decide is told by the run, its report and its recording, and replays") {
+  const TemporaryFolder folder;
+  // A cube with one corner pushed outward, and one of 2.4 δ beside it.
+  const std::string model =
+      folder
+          .file("bent.off",
+                "OFF 16 12 0\n-0.2 -0.2 -0.2\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                "1.5 0 0\n1.62 0 0\n1.62 .12 0\n1.5 .12 0\n1.5 0 .12\n1.62 0 .12\n1.62 .12 .12\n"
+                "1.5 .12 .12\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
+                "4 8 11 10 9\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n")
+          .string();
+  const std::string run = (folder / "run.isorun").string(), report = (folder / "report.json").string();
+  const Ended ended = run_batch({model, "--tolerance", "0.05", "--until", "refinement", "--drop-small", "4",
+                                 "--record", run, "--report", report});
+  CHECK(ended.status == 0);
+  for (const char* note : {"3 of 12 faces", "1 of 2 components"}) {
+    CAPTURE(note);
+    CHECK(ended.error.find(note) != std::string::npos);
+    CHECK(bytes_of(report).find(note) != std::string::npos);
+    CHECK(run_batch({"replay", run}).out.find(note) != std::string::npos);
+  }
+  CHECK(run_batch({"replay", run, "--check"}).status == 0);
+  const Ended crumbs = run_batch({model, "--tolerance", "0.05", "--until", "refinement"});
+  CHECK(crumbs.error.find("vertices went to 1 component smaller than 4 δ; --drop-small 4") !=
+        std::string::npos);
+}
+
 TEST_CASE("A run that a limit stopped says so when it is replayed") {
   const TemporaryFolder folder;
   const std::string run = (folder / "run.isorun").string();
