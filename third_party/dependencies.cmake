@@ -2,7 +2,7 @@
 #
 # Targets for the rest of the build: CGAL::CGAL, TBB::tbb, nlohmann_json::nlohmann_json, CLI11::CLI11,
 # SQLite::SQLite3;
-# with ISOSCOPE_VIEWER: glfw, imgui::imgui (with its GLFW, OpenGL 3 and FreeType parts), glm::glm, glad::glad, stb::stb;
+# with ISOSCOPE_VIEWER: glfw, X11::X11, imgui::imgui (with its GLFW, OpenGL 3 and FreeType parts), glm::glm, glad::glad, stb::stb;
 # with ISOSCOPE_TESTS: doctest::doctest.
 
 # isoscope_need(LABEL FOUND WHERE PACKAGE): logs where a dependency came from, or names the package that brings it.
@@ -38,6 +38,9 @@ if(ISOSCOPE_VIEWER)
   isoscope_need("GLFW ${glfw3_VERSION}" "${glfw3_FOUND}" "${glfw3_DIR}" libglfw3-dev)
   # OpenGL is declared by glad alone, whatever the order of includes.
   set_property(TARGET glfw APPEND PROPERTY INTERFACE_COMPILE_DEFINITIONS GLFW_INCLUDE_NONE)
+
+  find_package(X11 QUIET)
+  isoscope_need("Xlib" "${X11_FOUND}" "${X11_X11_LIB}" libx11-dev)
 
   find_package(glm QUIET)
   isoscope_need("GLM ${glm_VERSION}" "${glm_FOUND}" "${glm_DIR}" libglm-dev)

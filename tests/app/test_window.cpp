@@ -243,9 +243,9 @@ TEST_CASE("the X-ray and the plots look as they should") {
   for (const char* name : {"xray", "sides"}) compare(name);
 }
 
-TEST_CASE("a real mouse and keyboard drive the window") {
+TEST_CASE("a real mouse and keyboard drive the window" * doctest::test_suite("xdotool")) {
   if (exit_of("command -v xdotool >/dev/null") != 0) {
-    MESSAGE("xdotool is not there: skipped");
+    MESSAGE("SKIPPED: xdotool is not there.");
     return;
   }
   const std::string ready = picture("ready");

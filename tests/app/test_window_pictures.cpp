@@ -196,9 +196,10 @@ TEST_CASE("turntables and steps become frames and, through ffmpeg, films") {
   CHECK(picture("turn/frame_0001.png").pixels != picture("turn/frame_0002.png").pixels);
 }
 
-TEST_CASE("the real ffmpeg makes a film of as many frames, where it is there") {
+TEST_CASE("the real ffmpeg makes a film of as many frames, where it is there" *
+          doctest::test_suite("ffmpeg")) {
   if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
-    MESSAGE("skipped: no ffmpeg on PATH");
+    MESSAGE("SKIPPED: no ffmpeg on PATH.");
     return;
   }
   REQUIRE(run_script("real-film", "wait settled\nturntable " + at("real") + " 6 161x120 " + at("real.mp4") +

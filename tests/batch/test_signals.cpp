@@ -14,7 +14,8 @@ using namespace isoscope;
 using namespace isoscope::test;
 using Json = nlohmann::json;
 
-TEST_CASE("An interrupt during the refinement ends it cleanly and writes what is there") {
+TEST_CASE("An interrupt during the refinement ends it cleanly and writes what is there" *
+          doctest::test_suite("terminal")) {
   if (!TerminalRun::possible()) return;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
@@ -30,7 +31,8 @@ TEST_CASE("An interrupt during the refinement ends it cleanly and writes what is
   }
 }
 
-TEST_CASE("A terminal that is closed ends the run cleanly, although both shell and system tell it") {
+TEST_CASE("A terminal that is closed ends the run cleanly, although both shell and system tell it" *
+          doctest::test_suite("terminal")) {
   if (!TerminalRun::possible()) return;
   const TemporaryFolder folder;
   TerminalRun run({"gallery:rings", "--tolerance", "0.8%", "-o", (folder / "z.off").string()});
@@ -48,7 +50,8 @@ TEST_CASE("Under nohup a closed terminal ends nothing") {
   CHECK(ended.status == 0);
 }
 
-TEST_CASE("An interrupt before the refinement ends the program without a mesh") {
+TEST_CASE("An interrupt before the refinement ends the program without a mesh" *
+          doctest::test_suite("terminal")) {
   if (!TerminalRun::possible()) return;
   const TemporaryFolder folder;
   TerminalRun run({"gallery:rings", "--tolerance", "0.3%", "-o", (folder / "z.off").string()});
@@ -60,7 +63,7 @@ TEST_CASE("An interrupt before the refinement ends the program without a mesh") 
   CHECK(!std::filesystem::exists(folder / "z.off"));
 }
 
-TEST_CASE("A second interrupt ends the program at once") {
+TEST_CASE("A second interrupt ends the program at once" * doctest::test_suite("terminal")) {
   if (!TerminalRun::possible()) return;
   TerminalRun run({"gallery:rings", "--tolerance", "0.5%"});
   REQUIRE(run.read_until("s"));
@@ -75,7 +78,7 @@ TEST_CASE("A time limit ends a run with status 4") {
   CHECK(ended.says("time limit"));
 }
 
-TEST_CASE("A terminal sees one line a part, rewritten in place") {
+TEST_CASE("A terminal sees one line a part, rewritten in place" * doctest::test_suite("terminal")) {
   if (!TerminalRun::possible()) return;
   TerminalRun run({"gallery:sphere"});
   const Ended ended = run.finish();

@@ -4,6 +4,7 @@
 #include "app/debug_actions.h"
 #include "input/gallery.h"
 #include "panels/panels.h"
+#include "platform/endings.h"
 #include "platform/image_file.h"
 #include "recording/recording_reader.h"
 
@@ -21,6 +22,7 @@ constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoDecoration | ImGuiWin
                                         ImGuiWindowFlags_NoSavedSettings |
                                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 constexpr int frames_after_input = 3;
+constexpr int stopped_status = 4;        ///< as when the batch program is stopped
 constexpr double script_step = 1.0 / 60; ///< scripts see an even clock
 constexpr double hover_seconds = 1.2;    ///< after the last input, for hovers and tooltips that come late
 constexpr double idle_wait = 0.25, running_wait = 0.03, script_wait = 0.005;
@@ -101,14 +103,37 @@ Status App::setup(const ProgramOptions& options) {
   }
   if (!options.recording.empty())
     if (Status recorded = m.session.record(options.recording); !recorded) return recorded.error();
+  on_display_lost([this] { end_because("The display is lost."); });
   return {};
 }
 
-App::~App() {
-  if (model_ && !settings_path_.empty()) {
-    model_->settings.theme = model_->view.theme;
-    save_settings(settings_path_, model_->settings);
+void App::save() {
+  if (!model_ || settings_path_.empty()) return;
+  model_->settings.theme = model_->view.theme;
+  save_settings(settings_path_, model_->settings);
+}
+
+void App::end_because(const std::string& cause) {
+  if (!model_) return;
+  save();
+  std::string left = settings_path_.empty() ? "" : " The settings are saved.";
+  const SessionSnapshot last = model_->session.snapshot();
+  if (last.recording && !last.recording->opened)
+    left += " The recording " + last.recording->file.string() + " is closed.";
+  // The views' workers use the model; their OpenGL objects go with the program where no display is.
+  if (display_lost()) {
+    static_cast<void>(run_views_.release());
+    static_cast<void>(scene_view_.release());
   }
+  run_views_.reset();
+  scene_view_.reset();
+  model_.reset();
+  std::fprintf(stderr, "isoscope: %s%s\n", cause.c_str(), left.c_str());
+}
+
+App::~App() {
+  on_display_lost({});
+  save();
   // Workers wake the window: they end before it does.
   run_views_.reset();
   scene_view_.reset();
@@ -383,7 +408,7 @@ bool App::needs_frame(bool changed) const {
 int App::run() {
   last_time_ = glfwGetTime();
   bool changed = true;
-  while (!window_->should_close()) {
+  while (!window_->should_close() && noted_signal() == 0) {
     AppModel& m = *model_;
     if (needs_frame(changed) && !window_->minimised())
       window_->poll();
@@ -417,6 +442,10 @@ int App::run() {
     const std::string title =
         m.run.parameters.input.empty() ? "Isoscope" : m.run.parameters.input + " – Isoscope";
     if (title != title_) window_->set_title(title_ = title);
+  }
+  if (const int signal = noted_signal()) {
+    end_because("Ended by " + std::string(signal_name(signal)) + ".");
+    return stopped_status;
   }
   const auto& error = model_->run.error;
   if (screenshot_only_ && error) {

@@ -20,12 +20,16 @@ class App {
   /// Opens the window and starts the run that the options ask for. Fails with device, usage or bad_input.
   static Result<std::unique_ptr<App>> create(const ProgramOptions& options);
   ~App();
-  /// Runs until the window closes or the script ends; the exit status.
+  /// Runs until the window closes, the script ends or a signal asks for the end; the exit status.
   int run();
 
  private:
   App() = default;
   Status setup(const ProgramOptions& options);
+  void save();
+  /// Ends the run and says so in one line: `cause` is a sentence. Settings are saved and a recording is
+  /// closed.
+  void end_because(const std::string& cause);
   void frame();
   void draw_window(Ui& ui);
   /// The window in presenter mode.

@@ -3,6 +3,7 @@
 #include "app/app.h"
 #include "app/options.h"
 #include "cli/exit_status.h"
+#include "platform/endings.h"
 
 #include <cerrno>
 #include <csignal>
@@ -45,6 +46,7 @@ int main(int argc, char** argv) {
     // A reader that has had enough, as `head` has, is no failure.
     return printed || errno == EPIPE ? 0 : complain(printed.error());
   }
+  isoscope::note_signals();
   const auto app = isoscope::App::create(parsed->options);
   if (!app) return complain(app.error());
   return (*app)->run();

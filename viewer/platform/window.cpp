@@ -1,6 +1,8 @@
 // GLFW behind Window.
 #include "platform/window.h"
 
+#include "platform/endings.h"
+
 #include <glad/gl.h>
 
 #include <GLFW/glfw3.h>
@@ -106,7 +108,7 @@ void Window::wait(double seconds) {
   glfwWaitEventsTimeout(seconds);
 }
 void Window::wake() {
-  glfwPostEmptyEvent();
+  if (!display_lost()) glfwPostEmptyEvent();
 }
 void Window::swap() {
   glfwSwapBuffers(window_);
