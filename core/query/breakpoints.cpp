@@ -6,6 +6,17 @@
 
 namespace isoscope {
 
+namespace {
+
+template <class Entry> void set_to_zero(std::vector<Entry>& entries) {
+  for (Entry& e : entries) {
+    e.state.hits = 0;
+    e.state.last_event.reset();
+  }
+}
+
+} // namespace
+
 std::string BreakpointHit::note() const {
   return "breakpoint " + std::to_string(id) + " (" + text + ") at event " + std::to_string(event) +
          ", step " + std::to_string(step);
@@ -63,10 +74,7 @@ void BreakpointSet::remove_all() {
 
 void BreakpointSet::forget_hits() {
   const std::lock_guard lock(mutex_);
-  for (Entry& e : entries_) {
-    e.state.hits = 0;
-    e.state.last_event.reset();
-  }
+  set_to_zero(entries_);
   last_hit_.reset();
   watch_.reset();
 }
@@ -100,6 +108,11 @@ std::optional<BreakpointHit> BreakpointSet::ask(const Journal& journal) {
   const std::lock_guard lock(mutex_);
   if (journal.events().size() == 0) return std::nullopt;
   const auto event = static_cast<std::uint32_t>(journal.events().size() - 1);
+  // Another run begins: what was counted is of the one before.
+  if (watch_ && &watch_->journal() != &journal) {
+    set_to_zero(entries_);
+    last_hit_.reset();
+  }
   QueryNeeds needs;
   for (const Entry& e : entries_)
     if (e.state.enabled && e.expression->needs().any()) needs.add(e.expression->needs());

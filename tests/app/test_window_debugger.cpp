@@ -41,6 +41,25 @@ quit
                    "") == 0);
 }
 
+TEST_CASE("hits are counted anew for every run") {
+  CHECK(run_window("another-run", R"(
+break stage_begin && stage == gamma
+break reject && stage == gamma
+wait settled
+expect phase == paused and breakpoints.hits > 0
+breakpoint 2 off
+open gallery:sphere paused
+wait settled
+expect phase == paused and breakpoints.hits == 0 and hit.event == none
+key F5
+wait settled
+expect phase == paused and breakpoints.hits == 1 and hit.id == 1 and event.here == hit.event
+breakpoint 1 remove
+breakpoint 2 remove
+quit
+)") == 0);
+}
+
 TEST_CASE("over the journal of a finished run F5 and Shift+F5 find the same events") {
   CHECK(run_window("journal", R"(
 wait settled

@@ -111,6 +111,31 @@ TEST_CASE("counts, ignored hits, switching and removing") {
   CHECK(!set.last_hit());
 }
 
+TEST_CASE("counts are of one run: another journal begins at 0") {
+  BreakpointSet set;
+  added(set, "insertion");
+  Event e;
+  e.kind = EventKind::insertion;
+  Journal first, second;
+  for (int i = 0; i < 3; ++i) {
+    first.add_operation(e, {}, {});
+    CHECK(set.ask(first));
+  }
+  CHECK(set.list().front().hits == 3);
+  added(set, "step == 0 && components == 0"); // asks for more: the same run all the same
+  first.add_operation(e, {}, {});
+  CHECK(set.ask(first));
+  CHECK(set.list().front().hits == 4);
+  second.add_operation(e, {}, {});
+  REQUIRE(set.ask(second));
+  CHECK(set.list().front().hits == 1);
+  CHECK(set.list().front().last_event == 0u);
+  CHECK(set.last_hit()->event == 0u);
+  set.forget_hits();
+  CHECK(set.list().front().hits == 0);
+  CHECK(!set.last_hit());
+}
+
 TEST_CASE("one that asks for more while a run is under way knows what went before") {
   const auto run = std::make_unique<CompleteRun>(gallery_parameters("torus"));
   REQUIRE(run->run());

@@ -51,6 +51,7 @@ void AppModel::open(const std::string& input, bool paused) {
   }
   overlay = Overlay::none;
   transport.restart();
+  debug.breakpoints->forget_hits();
   if (is_recording_name(input))
     session.open_recording(input);
   else
@@ -60,6 +61,7 @@ void AppModel::open(const std::string& input, bool paused) {
 void AppModel::restart() {
   if (draft.input.empty()) return;
   transport.restart();
+  debug.breakpoints->forget_hits();
   // The input of a recording may be on another machine: the recording holds it.
   const bool stored = shows_recording() && run.scene && draft.input == run.parameters.input;
   if (stored)

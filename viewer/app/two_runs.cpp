@@ -48,6 +48,7 @@ Status AppModel::change_run() {
   if (!comparison.beside() && run.phase == SessionPhase::running) session.pause();
   session.set_breakpoint({}); // breakpoints stop the active run alone
   debug.armed = false;
+  debug.breakpoints->forget_hits();
   comparison.exchange(*this);
   take_snapshot();
   debug.held_generation = run.generation; // why it paused was told when it did
