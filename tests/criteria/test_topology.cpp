@@ -56,9 +56,10 @@ TEST_CASE("mere separation expects nothing") {
   CHECK_FALSE(expected.components);
 }
 
-TEST_CASE("the topology of parts that intersect each other is aimed at, not required") {
+TEST_CASE(
+    "the topology of parts that overlap is that of the outer boundary of Ω, unless parity is asked for") {
   // Copies that cross: Ω touches more than two regions, and the input is no embedded surface.
-  TriangleSoup soup = *make_gallery_model("nested-spheres");
+  TriangleSoup soup = *make_gallery_model("sphere");
   const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
   for (std::size_t i = 0; i < points; ++i) soup.points.push_back(soup.points[i] + Vec3{0.9, 0, 0});
   for (std::size_t i = 0; i < triangles; ++i) {
@@ -66,16 +67,46 @@ TEST_CASE("the topology of parts that intersect each other is aimed at, not requ
     for (auto& v : t) v += static_cast<std::uint32_t>(points);
     soup.triangles.push_back(t);
   }
-  const InputTopology input = analyse_input(soup);
-  REQUIRE(input.closed_manifold);
-  REQUIRE_FALSE(input.self_intersection_free);
-  CHECK_FALSE(input.sides_known());
   auto index = std::make_shared<const ClosestPointIndex>(soup);
   const double delta = 0.02 * index->bounds().longest_edge();
-  const auto volume = ToleranceVolume::build(index, input, {delta, 0.95}, RunControl());
-  REQUIRE(volume.ok());
-  CHECK_FALSE(volume->thickening());
-  const ExpectedTopology expected = expected_topology(*volume, TopologyMode::keep);
-  CHECK_FALSE(expected.required);
-  CHECK(expected.source != "the input");
+  for (const SidesMode mode : {SidesMode::automatic, SidesMode::parity}) {
+    const InputTopology input = analyse_input(soup, mode);
+    REQUIRE(input.closed_manifold);
+    REQUIRE_FALSE(input.self_intersection_free);
+    CHECK(input.sides_known() == (mode == SidesMode::automatic));
+    const auto volume = ToleranceVolume::build(index, input, {delta, 0.95}, RunControl());
+    REQUIRE(volume.ok());
+    CHECK_FALSE(volume->thickening());
+    const ExpectedTopology expected = expected_topology(*volume, TopologyMode::keep);
+    CHECK(expected.source != "the input");
+    CHECK(expected.required == (mode == SidesMode::automatic));
+    CHECK(expected.joined == (mode == SidesMode::automatic));
+    if (mode == SidesMode::parity) continue;
+    CHECK(expected.source == "the outer boundary of Ω");
+    CHECK(expected.euler_characteristic == 2);
+    CHECK(expected.components == 1);
+  }
+}
+
+TEST_CASE("parts that nearly touch are joined, at a wider gap they are kept apart") {
+  for (const double gap : {0.01, 0.1}) {
+    TriangleSoup soup = *make_gallery_model("sphere");
+    const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
+    const Box3 box = soup.bounds();
+    const double delta = 0.02 * box.longest_edge();
+    for (std::size_t i = 0; i < points; ++i)
+      soup.points.push_back(soup.points[i] + Vec3{box.extent().x + gap * delta, 0, 0});
+    for (std::size_t i = 0; i < triangles; ++i) {
+      auto t = soup.triangles[i];
+      for (auto& v : t) v += static_cast<std::uint32_t>(points);
+      soup.triangles.push_back(t);
+    }
+    auto index = std::make_shared<const ClosestPointIndex>(soup);
+    const auto volume = ToleranceVolume::build(index, analyse_input(soup), {delta, 0.95}, RunControl());
+    REQUIRE(volume.ok());
+    const ExpectedTopology expected = expected_topology(*volume, TopologyMode::keep);
+    CHECK(expected.joined == (gap < 0.02));
+    CHECK(expected.components == (gap < 0.02 ? std::size_t{1} : std::size_t{2}));
+    CHECK(expected.euler_characteristic == (gap < 0.02 ? 2L : 4L));
+  }
 }
