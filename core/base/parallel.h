@@ -2,6 +2,10 @@
 // The only door to oneTBB.
 #pragma once
 
+#include "base/run_control.h"
+
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -23,6 +27,33 @@ template <class Body> void parallel_for(std::size_t n, std::size_t grain, Body&&
   parallel_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   });
+}
+
+/// The same, and asks stop() before each item, or every few where `grain` allows: once it is true the rest is
+/// left out. False when something was left out; which items were done is then chance.
+template <class Stop, class Body>
+bool parallel_until(std::size_t n, std::size_t grain, const Stop& stop, Body&& body) {
+  const std::size_t items_by_question = std::clamp<std::size_t>(grain, 1, 8);
+  std::atomic<bool> stopped{false};
+  const auto work = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if ((i - begin) % items_by_question == 0 && (stopped.load(std::memory_order_relaxed) || stop()))
+        return stopped.store(true, std::memory_order_relaxed);
+      body(i);
+    }
+  };
+  if (n <= grain)
+    work(0, n);
+  else
+    parallel_ranges(n, grain, work);
+  return !stopped.load(std::memory_order_relaxed);
+}
+
+/// The same until the control is cancelled.
+template <class Body>
+bool parallel_until(std::size_t n, std::size_t grain, const RunControl& control, Body&& body) {
+  return parallel_until(
+      n, grain, [&] { return control.cancelled(); }, body);
 }
 
 /// Limits the number of threads used by this process while it lives. 0 means all cores.

@@ -15,7 +15,7 @@ namespace isoscope {
 struct RunOptions::Raw {
   std::string input;
   std::string tolerance;
-  std::optional<double> sigma, alpha, shrink, time_limit, drop_small;
+  std::optional<double> sigma, alpha, shrink, time_limit, memory_limit, drop_small;
   std::optional<unsigned> threads;
   std::string until, containment = "certified", topology = "keep", sides = "auto", cover = "3", target,
                      improver = "free";
@@ -104,6 +104,10 @@ RunOptions::RunOptions(CLI::App& app, bool input_required) : raw_(std::make_uniq
                  "switch a condition of the refinement off: 1, 2, 3 or 4; repeatable");
   app.add_flag("--no-normals", r.no_normals, "the same as --no-condition 3");
   app.add_option("--time-limit", r.time_limit, "seconds after which the run stops with what it has; 0: none");
+  app.add_option(
+      "--memory-limit", r.memory_limit,
+      "MiB that the volume and its samples may take, foreseen before they are made; 0, the default: two "
+      "thirds of the machine's memory");
   app.add_option("--record", r.record,
                  "keep the run, event by event, in a file RUN.isorun; it can be opened while it grows");
   app.add_option("--break", r.breakpoints,
@@ -186,6 +190,7 @@ Result<RunParameters> RunOptions::finish() const {
   const auto cover = parse_cover(r.cover);
   if (!cover) return cover.error();
   p.cover = *cover;
+  p.memory_limit = r.memory_limit.value_or(p.memory_limit);
   p.condition_3 = !r.no_normals;
   for (const int condition : r.off) {
     switch (condition) {

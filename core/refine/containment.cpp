@@ -46,13 +46,15 @@ Checklist::State ContainmentCondition::judge(TetId t) const {
 
 void ContainmentCondition::judge_pending() {
   const std::vector<TetId> pending = checklist_.pending();
-  std::vector<Checklist::State> states(pending.size());
-  parallel_for(pending.size(), parallel_grain, [&](std::size_t i) { states[i] = judge(pending[i]); });
+  std::vector<Checklist::State> states(pending.size(), Checklist::State::pending);
+  parallel_until(pending.size(), parallel_grain, context_.control(),
+                 [&](std::size_t i) { states[i] = judge(pending[i]); });
   for (std::size_t i = 0; i < pending.size(); ++i) checklist_.set(pending[i], states[i]);
 }
 
 Turn ContainmentCondition::turn() {
   judge_pending();
+  if (context_.cancelled()) return Turn::acted;
   const TetId t = checklist_.first_violated();
   if (!t.valid()) return Turn::satisfied;
   Violation violation;
@@ -67,7 +69,8 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
   event.witness = violation.witness;
   event.value = violation.closest.distance();
   event.limit = context_.volume().thresholds().delta;
-  const int label = context_.volume().label_at(violation.witness);
+  const int label = context_.volume().label_at(violation.witness, context_.control());
+  if (context_.cancelled()) return Turn::acted; // the label may be unknown for no other reason
   if (label == 0) {
     event.reason = Reason::budget;
     return give_up(t, Checklist::State::exhausted, event);

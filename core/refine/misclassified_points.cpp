@@ -190,9 +190,10 @@ std::optional<MisclassifiedPoint> judge_facet(const LiveTriangulation& live, con
 
 template <std::size_t N, class Judge>
 std::vector<MisclassifiedPoint> judge_all(const std::vector<Simplex<N>>& simplices,
-                                          const ToleranceVolume& volume, const Judge& judge) {
+                                          const ToleranceVolume& volume, const RunControl& control,
+                                          const Judge& judge) {
   std::vector<std::optional<MisclassifiedPoint>> found(simplices.size());
-  parallel_for(simplices.size(), parallel_grain, [&](std::size_t i) {
+  parallel_until(simplices.size(), parallel_grain, control, [&](std::size_t i) {
     found[i] = judge(simplices[i]);
     if (found[i]) climb(*found[i], volume);
   });
@@ -208,22 +209,24 @@ std::vector<MisclassifiedPoint> judge_all(const std::vector<Simplex<N>>& simplic
 } // namespace
 
 std::vector<MisclassifiedPoint> misclassified_on_edges(const LiveTriangulation& live,
-                                                       const ToleranceVolume& volume) {
-  return judge_all(all_edges(live.complex()), volume,
+                                                       const ToleranceVolume& volume,
+                                                       const RunControl& control) {
+  return judge_all(all_edges(live.complex()), volume, control,
                    [&](const Simplex<2>& edge) { return judge_edge(live, volume, edge); });
 }
 
 std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation& live,
-                                                        const ToleranceVolume& volume) {
-  return judge_all(facets_of_one_label(live.complex()), volume,
+                                                        const ToleranceVolume& volume,
+                                                        const RunControl& control) {
+  return judge_all(facets_of_one_label(live.complex()), volume, control,
                    [&](const Simplex<3>& facet) { return judge_facet(live, volume, facet); });
 }
 
-std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume) {
+std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume, const RunControl& control) {
   const ClosestPointIndex& index = volume.index();
   const double start = summit_start * volume.thresholds().boundary;
   std::vector<std::array<std::optional<MisclassifiedPoint>, 2 * feet_by_triangle>> found(index.size());
-  parallel_for(index.size(), parallel_grain, [&](std::size_t i) {
+  parallel_until(index.size(), parallel_grain, control, [&](std::size_t i) {
     const Triangle3& t = index.triangle(TriangleId(i));
     const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
     if (normal == Vec3{}) return;

@@ -2,6 +2,7 @@
 // many or too few (condition 4).
 #pragma once
 
+#include "base/run_control.h"
 #include "refine/live_triangulation.h"
 #include "tolerance/tolerance_volume.h"
 
@@ -21,18 +22,21 @@ struct MisclassifiedPoint {
 
 /// On every edge of T that crosses the input more than once: the deepest point of each stretch between two
 /// crossings that f has on the wrong side. If no simplex with vertices of one label met the input, the
-/// input's genus would bound that of Z. Highest summit first.
+/// input's genus would bound that of Z. Highest summit first. Some only once the control is cancelled, as
+/// with those below.
 std::vector<MisclassifiedPoint> misclassified_on_edges(const LiveTriangulation& live,
-                                                       const ToleranceVolume& volume);
+                                                       const ToleranceVolume& volume,
+                                                       const RunControl& control);
 
 /// On every facet of T with vertices of one label that edges of the input pierce: the deepest point found
 /// between two piercings that is on the other side. Highest summit first.
 std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation& live,
-                                                        const ToleranceVolume& volume);
+                                                        const ToleranceVolume& volume,
+                                                        const RunControl& control);
 
 /// The summits above the middles of the input's triangles and of their edges, on both sides, where walls or
 /// gaps are thinner than 2δ': whatever T is, f should have their sides. Highest first; `tet` stays invalid.
-std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume);
+std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume, const RunControl& control);
 
 /// Points along the contacts of the input, at most about `spacing` apart: inside where parts are to be
 /// joined. All of the same height; `tet` stays invalid.

@@ -113,12 +113,14 @@ void OrientationCondition::judge_pending() {
   std::vector<std::uint8_t> misoriented(pending.size());
   const Complex& complex = context_.live().complex();
   const bool sides_known = context_.volume().input().sides_known();
-  parallel_for(pending.size(), parallel_grain, [&](std::size_t i) {
-    const TetId t = pending[i];
-    if (has_topology_vertex(complex, t)) return;
-    misoriented[i] =
-        check(t).misoriented && !(sides_known && spans_thin_place(context_.live(), context_.volume(), t));
-  });
+  const bool complete =
+      parallel_until(pending.size(), parallel_grain, context_.control(), [&](std::size_t i) {
+        const TetId t = pending[i];
+        if (has_topology_vertex(complex, t)) return;
+        misoriented[i] =
+            check(t).misoriented && !(sides_known && spans_thin_place(context_.live(), context_.volume(), t));
+      });
+  if (!complete) return;
   for (std::size_t i = 0; i < pending.size(); ++i) {
     checklist_.set(pending[i], misoriented[i] ? Checklist::State::violated : Checklist::State::good);
   }
@@ -126,6 +128,7 @@ void OrientationCondition::judge_pending() {
 
 Turn OrientationCondition::turn() {
   judge_pending();
+  if (context_.cancelled()) return Turn::acted;
   const TetId t = checklist_.first_violated();
   if (!t.valid()) return Turn::satisfied;
   const OrientationVerdict verdict = check(t);

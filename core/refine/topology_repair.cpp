@@ -107,6 +107,7 @@ Turn TopologyCondition::mend() {
       mending_ = true;
       return Turn::acted;
     }
+    if (context_.cancelled()) return Turn::acted; // before all points were collected
     advance();
   }
   enter(Phase::given_up);
@@ -118,6 +119,10 @@ Turn TopologyCondition::mend() {
 bool TopologyCondition::insert_next_point() {
   if (points_.empty()) {
     collect_points();
+    if (context_.cancelled()) {
+      points_.clear();
+      return false;
+    }
     fruitful_ = false;
   }
   while (!points_.empty() && points_.back().height >= level_) {
@@ -145,7 +150,9 @@ void TopologyCondition::advance() {
   if (level_ >= lowest * context_.volume().thresholds().delta) return;
   if (expected_.joined) return; // the contacts have the last word
   if (summits_ || !embedded) return enter(Phase::given_up);
-  summits_ = thin_summits(context_.volume());
+  std::vector<MisclassifiedPoint> summits = thin_summits(context_.volume(), context_.control());
+  if (context_.cancelled()) return;
+  summits_ = std::move(summits);
   enter(Phase::summits);
 }
 
@@ -172,9 +179,9 @@ void TopologyCondition::collect_points() {
     points_ = *summits_;
     while (!points_.empty() && points_.back().height < level_) points_.pop_back();
   } else if (phase_ == Phase::edges) {
-    points_ = misclassified_on_edges(context_.live(), context_.volume());
+    points_ = misclassified_on_edges(context_.live(), context_.volume(), context_.control());
   } else {
-    points_ = misclassified_on_facets(context_.live(), context_.volume());
+    points_ = misclassified_on_facets(context_.live(), context_.volume(), context_.control());
   }
   std::reverse(points_.begin(), points_.end());
 }

@@ -7,24 +7,22 @@
 #include "base/place.h"
 #include "run/exposed_input.h"
 #include "tolerance/facet_certificate.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
+#include "tolerance/self_intersections.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
+#include <functional>
+#include <limits>
 #include <numbers>
 
 namespace isoscope {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+/// Asked by what may take long; true once a stopped run has no time left to prove anything.
+using Stop = std::function<bool()>;
 
 constexpr std::size_t piece_budget = 200000;
 constexpr int place_digits = 9;
@@ -124,44 +122,35 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
       static_cast<long>(used) - static_cast<long>(undirected) + static_cast<long>(mesh.triangles.size());
 }
 
-void check_intersections(const TriangleMesh& mesh, Certificate& c) {
+/// False when it was stopped, as with those below.
+bool check_intersections(const TriangleMesh& mesh, Certificate& c, const Stop& stop) {
   if (!c.closed_manifold || !c.oriented) {
     c.failures.emplace_back(
         "Intersections were not tested because the mesh is no closed oriented 2-manifold.");
-    return;
+    return true;
   }
-  SurfaceMesh surface;
-  surface.reserve(static_cast<SurfaceMesh::size_type>(mesh.points.size()),
-                  static_cast<SurfaceMesh::size_type>(mesh.triangles.size() * 3 / 2),
-                  static_cast<SurfaceMesh::size_type>(mesh.triangles.size()));
-  for (const Vec3& p : mesh.points) surface.add_vertex(Kernel::Point_3(p.x, p.y, p.z));
-  using VertexIndex = SurfaceMesh::Vertex_index;
-  for (const auto& t : mesh.triangles) {
-    if (surface.add_face(VertexIndex(t[0]), VertexIndex(t[1]), VertexIndex(t[2])) ==
-        SurfaceMesh::null_face()) {
-      c.failures.emplace_back("The mesh has edges that two facets traverse in the same direction.");
-      return;
-    }
+  const auto pairs = self_intersections(mesh.points, mesh.triangles, stop);
+  if (!pairs) return false;
+  c.intersection_free = pairs->empty();
+  if (!pairs->empty()) {
+    c.failures.push_back(std::to_string(pairs->size()) + " pairs of facets intersect, one at " +
+                         place(corners(mesh, pairs->front().first)[0], place_digits) + ".");
   }
-  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
-  CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(pairs));
-  c.intersection_free = pairs.empty();
-  if (!pairs.empty()) {
-    const auto f = static_cast<std::size_t>(pairs.front().first);
-    c.failures.push_back(std::to_string(pairs.size()) + " pairs of facets intersect, one at " +
-                         place(corners(mesh, f)[0], place_digits) + ".");
-  }
+  return true;
 }
 
-void check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
-                       const RunControl& control) {
+bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
+                       const Stop& stop) {
   const double delta = volume.thresholds().delta;
   std::vector<FacetVerdict> verdicts(mesh.triangles.size());
-  parallel_for(mesh.triangles.size(), 64, [&](std::size_t f) {
-    if (control.abandoned()) return;
-    verdicts[f] = certify_facet(volume.index(), corners(mesh, f), delta, delta, piece_budget);
-  });
-  c.within_tolerance = !mesh.triangles.empty();
+  const FacetSearch search{piece_budget, {}, nullptr, 0, &stop};
+  const bool complete =
+      parallel_until(mesh.triangles.size(), 64, stop,
+                     [&](std::size_t f) {
+                       verdicts[f] = certify_facet(volume.index(), corners(mesh, f), delta, delta, search);
+                     }) &&
+      !stop();
+  c.within_tolerance = complete && !mesh.triangles.empty();
   std::size_t outside = 0, undecided = 0;
   double worst = 0;
   Vec3 where;
@@ -189,9 +178,14 @@ void check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
     c.failures.push_back(std::to_string(outside) + " facets leave the tolerance volume, the worst by d = " +
                          ratio + " δ at " + place(where, place_digits) + ".");
   }
+  if (!complete) {
+    if (outside == 0) c.max_distance = std::numeric_limits<double>::infinity();
+    return false;
+  }
   if (undecided > 0) {
     c.failures.push_back(std::to_string(undecided) + " facets could be proven neither inside nor outside.");
   }
+  return true;
 }
 
 /// "the input is farther than 3 δ from the mesh in 2 places, the farthest 33.2 δ at (0, 1, 2)"
@@ -205,16 +199,18 @@ std::string uncovered_words(const Certificate& c, double delta) {
          std::string(distance) + " δ at " + place(c.uncovered.front().point, place_digits);
 }
 
-void check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, const CoverTest& test,
+bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, const CoverTest& test,
                     Certificate& c, const RunControl& control) {
   c.cover_limit = test.limit;
   c.covers = !test.measure || !test.limit;
-  if (!test.measure) return;
+  if (!test.measure) return true;
+  if (control.out_of_grace()) return !test.limit;
   const double delta = volume.thresholds().delta;
   const ClosestPointIndex index({mesh.points, mesh.triangles, {}});
   const auto input = exposed_input(volume, finest_piece * delta, control);
   c.input_distance = bound_distance(*input, index, input_distance_precision * delta, control);
-  if (!test.limit) return;
+  if (!test.limit) return true;
+  if (control.out_of_grace()) return false;
   const Coverage coverage =
       judge_coverage(*input, index, c.input_distance, *test.limit * delta, delta, control);
   c.uncovered = coverage.places;
@@ -222,15 +218,15 @@ void check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, con
   switch (coverage.verdict) {
   case Coverage::Verdict::covered:
     c.covers = true;
-    return;
+    return true;
   case Coverage::Verdict::undecided:
-    if (!control.abandoned())
-      c.failures.emplace_back("Whether the mesh covers the input could not be decided.");
-    return;
+    if (control.out_of_grace()) return false;
+    c.failures.emplace_back("Whether the mesh covers the input could not be decided.");
+    return true;
   case Coverage::Verdict::uncovered:
     break;
   }
-  if (c.uncovered.empty()) return;
+  if (c.uncovered.empty()) return true;
   std::string words = uncovered_words(c, delta);
   if (test.thin_may_go) {
     c.covers = true;
@@ -240,6 +236,7 @@ void check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, con
     words.front() = 'T';
     c.failures.push_back(words + ".");
   }
+  return true;
 }
 
 /// Winding number of the mesh around p.
@@ -249,13 +246,20 @@ double winding_number(const TriangleMesh& mesh, Vec3 p) {
   return sum / (4 * std::numbers::pi);
 }
 
-void check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c) {
-  c.separates = true;
+bool check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
+                      const Stop& stop) {
   std::size_t more = 0;
   const auto witnesses = volume.witnesses();
   std::vector<double> winding(witnesses.size(), 0);
-  parallel_for(witnesses.size(), 1,
-               [&](std::size_t i) { winding[i] = winding_number(mesh, witnesses[i].point); });
+  // A witness is a sum over the whole mesh: each is worth the question.
+  const bool complete = parallel_until(
+                            witnesses.size(), 1, [] { return false; },
+                            [&](std::size_t i) {
+                              if (!stop()) winding[i] = winding_number(mesh, witnesses[i].point);
+                            }) &&
+                        !stop();
+  if (!complete) return false;
+  c.separates = true;
   for (std::size_t i = 0; i < witnesses.size(); ++i) {
     const Witness& w = witnesses[i];
     const double expected = w.label < 0 ? 1 : 0;
@@ -272,6 +276,7 @@ void check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, C
                          (w.label < 0 ? "once." : "not at all."));
   }
   if (more > 0) c.failures.push_back("So it does with " + std::to_string(more) + " other regions.");
+  return true;
 }
 
 void check_expectation(const ExpectedTopology& expected, Certificate& c) {
@@ -322,22 +327,23 @@ std::string_view name(Certificate::Topology topology) {
 
 Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
                     const RunControl& control, const CoverTest& cover) {
+  const Stop stop = [&control] { return control.out_of_grace(); };
   Certificate c;
   control.report("certificate", 0);
   check_connectivity(mesh, c);
   if (mesh.triangles.empty()) return c;
-  if (!control.abandoned()) check_intersections(mesh, c);
+  std::string open;
+  const auto note = [&](bool found_out, const char* what) {
+    if (!found_out) open += (open.empty() ? "" : ", ") + std::string(what);
+  };
+  note(check_intersections(mesh, c, stop), "freedom from intersections");
+  note(check_separation(mesh, volume, c, stop), "separation of the sides");
   control.report("certificate", 0.3);
-  check_containment(mesh, volume, c, control);
+  note(check_containment(mesh, volume, c, stop), "containment");
   control.report("certificate", 0.7);
-  check_coverage(mesh, volume, cover, c, control);
-  control.report("certificate", 0.8);
-  if (!control.abandoned()) check_separation(mesh, volume, c);
+  note(check_coverage(mesh, volume, cover, c, control), "coverage of the input");
   check_expectation(expected, c);
-  if (control.abandoned()) {
-    c.within_tolerance = false;
-    c.failures.emplace_back("The certificate was interrupted.");
-  }
+  if (!open.empty()) c.failures.push_back("The run was stopped before this was found out: " + open + ".");
   control.report("certificate", 1);
   return c;
 }

@@ -65,7 +65,8 @@ struct Certificate {
 /// One word: "as expected", "wrong", "missed" or "not asked".
 std::string_view name(Certificate::Topology topology);
 
-/// What is there is judged in full even when the control is cancelled, but not when it is abandoned.
+/// When the control is cancelled, its grace bounds the time that this may take: what is not proven by then
+/// does not hold, and a failure says that it was not found out. An abandoned control ends it at once.
 Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
                     const RunControl& control, const CoverTest& cover = {});
 

@@ -160,6 +160,7 @@ std::vector<ParameterDifference> differing_parameters(const RunParameters& a, co
   add("thin parts", a.drop_thin ? "left out" : "refused", b.drop_thin ? "left out" : "refused");
   add("cover", cover(a), cover(b));
   add("time limit", number(a.time_limit) + " s", number(b.time_limit) + " s");
+  add("memory limit", number(a.memory_limit) + " MiB", number(b.memory_limit) + " MiB");
   return rows;
 }
 

@@ -130,10 +130,10 @@ Coverage judge_coverage(const ClosestPointIndex& input, const ClosestPointIndex&
   }
   std::vector<FacetVerdict> verdicts(input.size());
   parallel_for(input.size(), grain, [&](std::size_t i) {
-    if (control.abandoned()) return;
+    if (control.out_of_grace()) return;
     verdicts[i] = certify_facet(mesh, input.triangle(TriangleId(i)), limit, limit, piece_budget);
   });
-  if (control.abandoned()) return coverage;
+  if (control.out_of_grace()) return coverage;
   std::vector<std::uint32_t> beyond;
   bool undecided = false;
   double surface = 0;
@@ -151,7 +151,7 @@ Coverage judge_coverage(const ClosestPointIndex& input, const ClosestPointIndex&
   const double radius = std::max(0.5 * resolution, std::sqrt(surface / most_pieces));
   std::vector<std::vector<Piece>> of_triangle(beyond.size());
   parallel_for(beyond.size(), 1, [&](std::size_t i) {
-    if (control.abandoned()) return;
+    if (control.out_of_grace()) return;
     const Triangle3 t = input.triangle(TriangleId(beyond[i]));
     of_triangle[i] = pieces_beyond(mesh, t, limit, radius);
     // What is beyond the limit may be smaller than a piece.

@@ -99,7 +99,7 @@ std::shared_ptr<const ClosestPointIndex> exposed_input(const ToleranceVolume& vo
   if (!may_have_inner_walls(volume)) return volume.shared_index();
   std::vector<std::vector<Triangle3>> pieces(index.size());
   parallel_for(index.size(), 16, [&](std::size_t i) {
-    if (!control.abandoned()) pieces[i] = exposed_pieces(volume, TriangleId(i), finest);
+    if (!control.out_of_grace()) pieces[i] = exposed_pieces(volume, TriangleId(i), finest);
   });
   TriangleSoup exposed;
   for (const auto& list : pieces)

@@ -60,7 +60,9 @@ void measure_facet(const Triangle3& facet, std::size_t k, const ToleranceVolume&
   }
 }
 
-std::vector<Measurement> measure_all(const TriangleMesh& mesh, const ToleranceVolume& volume) {
+/// Nothing when it was stopped.
+std::vector<Measurement> measure_all(const TriangleMesh& mesh, const ToleranceVolume& volume,
+                                     const RunControl& control) {
   const auto corners = [&](std::size_t f) -> Triangle3 {
     const auto& t = mesh.triangles[f];
     return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
@@ -77,9 +79,11 @@ std::vector<Measurement> measure_all(const TriangleMesh& mesh, const ToleranceVo
     offset[f + 1] = offset[f] + pieces[f] * pieces[f];
   }
   std::vector<Measurement> measurements(offset.back());
-  parallel_for(mesh.triangles.size(), 16, [&](std::size_t f) {
+  const auto stop = [&control] { return control.out_of_grace(); };
+  const bool complete = parallel_until(mesh.triangles.size(), 16, stop, [&](std::size_t f) {
     measure_facet(corners(f), pieces[f], volume, measurements.data() + offset[f]);
   });
+  if (!complete) return {};
   std::erase_if(measurements, [](const Measurement& m) { return !(m.area > 0); });
   return measurements;
 }
@@ -105,10 +109,11 @@ double percentile(const std::vector<Measurement>& measurements, double area, dou
 
 } // namespace
 
-NormalDeviation measure_normal_deviation(const TriangleMesh& mesh, const ToleranceVolume& volume) {
+NormalDeviation measure_normal_deviation(const TriangleMesh& mesh, const ToleranceVolume& volume,
+                                         const RunControl& control) {
   NormalDeviation result;
   result.oriented = volume.input().consistently_oriented;
-  std::vector<Measurement> measurements = measure_all(mesh, volume);
+  std::vector<Measurement> measurements = measure_all(mesh, volume, control);
   result.points = measurements.size();
   if (measurements.empty()) return result;
   if (result.oriented) {

@@ -20,12 +20,14 @@ struct NormalDeviation {
   std::array<double, bin_count> histogram{}; ///< shares of the area, from 0° up; they add up to 1
   double mean = 0, percentile_90 = 0, percentile_99 = 0; ///< degrees
   double above_30 = 0, above_90 = 0;                     ///< shares of the area
-  std::size_t points = 0; ///< at which it was measured; 0: there was nothing to measure
+  std::size_t points = 0; ///< at which it was measured; 0: there was nothing to measure, or it was stopped
 };
 
 /// Measured, not proven: at points spread evenly over the facets, the same on any number of threads. Each
 /// component of Ω takes the input with the orientation that most of the mesh in it agrees with, as cavities
-/// may be given either way. Points next to degenerate input triangles are left out.
-NormalDeviation measure_normal_deviation(const TriangleMesh& mesh, const ToleranceVolume& volume);
+/// may be given either way. Points next to degenerate input triangles are left out. A control out of grace
+/// ends it with nothing measured.
+NormalDeviation measure_normal_deviation(const TriangleMesh& mesh, const ToleranceVolume& volume,
+                                         const RunControl& control = {});
 
 } // namespace isoscope

@@ -1,9 +1,12 @@
 // Ranges of the options, checked before anything is computed.
 #include "run/parameters.h"
 
+#include "base/memory.h"
+
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace isoscope {
 
@@ -30,6 +33,13 @@ Status in_range(const char* option, double value, double low, bool low_included,
 
 std::string Tolerance::text() const {
   return shortest(value) + (percent ? "%" : "");
+}
+
+double RunParameters::most_bytes() const {
+  constexpr double mebibyte = 1 << 20, share = 2.0 / 3;
+  if (memory_limit > 0) return memory_limit * mebibyte;
+  const std::uint64_t available = available_memory_bytes();
+  return available > 0 ? share * static_cast<double>(available) : std::numeric_limits<double>::infinity();
 }
 
 CriteriaParameters RunParameters::criteria(double delta, double default_sigma) const {
@@ -126,6 +136,10 @@ Status check(const RunParameters& p) {
                           "It is in δ: 4 leaves out parts with a box smaller than 4 δ; 0 leaves out none.");
       !s)
     return s;
+  if (!std::isfinite(p.memory_limit) || p.memory_limit < 0) {
+    return Error{ErrorCode::usage, "--memory-limit is " + shortest(p.memory_limit) + ", which is no size.",
+                 "Give MiB, at least 0; 0 means two thirds of the machine's memory."};
+  }
   if (p.effort < 0 || p.effort > 3) {
     return Error{ErrorCode::usage, "--effort is " + std::to_string(p.effort) + ", which is not 0, 1, 2 or 3.",
                  "2 is the default; 3 takes longest and gives the fewest vertices."};

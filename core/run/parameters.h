@@ -54,6 +54,8 @@ struct RunParameters {
   double drop_small = 0;
   unsigned threads = 0;                                ///< 0: all cores
   double time_limit = 0;                               ///< seconds, 0 none
+  double memory_limit = 0; ///< MiB that Ω and S may take, as far as foreseen; 0: two thirds of what there is
+  double most_bytes() const; ///< the same in bytes; infinite where nothing is known
   /// `by_default`: what certified mode takes when nothing is given (Scene::default_sigma).
   double sigma_ratio(double by_default = 0.5) const {
     return sigma > 0 ? sigma : (containment == Containment::certified ? by_default : 0.125);

@@ -54,6 +54,7 @@ void read_parameters(const Json& json, RunParameters& p) {
   p.drop_small = json.value("drop_small", p.drop_small);
   p.threads = static_cast<unsigned>(whole(json.value("threads", Json(p.threads))));
   p.time_limit = json.value("time_limit", p.time_limit);
+  p.memory_limit = json.value("memory_limit", p.memory_limit);
 }
 
 } // namespace
@@ -81,7 +82,8 @@ std::string parameters_json(const RunParameters& p) {
             {"improver", name(p.improver)},
             {"drop_small", p.drop_small},
             {"threads", p.threads},
-            {"time_limit", p.time_limit}};
+            {"time_limit", p.time_limit},
+            {"memory_limit", p.memory_limit}};
   if (p.until) json["until"] = name(*p.until);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -12,6 +12,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 namespace isoscope {
@@ -94,6 +95,29 @@ int RunResult::exit_status() const {
   return certificate.holds() ? 0 : 1;
 }
 
+Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes) {
+  if (estimate.bytes(sigma) <= most_bytes) return {};
+  constexpr double gigabyte = 1e9, sparsest = 0.95, margin = 1.01;
+  char message[240], remedy[200];
+  std::snprintf(
+      message, sizeof message,
+      "A density of %.3g δ takes about %.2g samples and %.2g GB of memory, more than the %.2g GB that may "
+      "be used.",
+      sigma / delta, estimate.samples(sigma), estimate.bytes(sigma) / gigabyte, most_bytes / gigabyte);
+  const double least = margin * estimate.smallest_sigma(most_bytes) / delta;
+  if (least <= sparsest) {
+    const double step = std::pow(10.0, std::floor(std::log10(least)) - 1);
+    std::snprintf(remedy, sizeof remedy, "Take --sigma %.3g or more, or give more with --memory-limit.",
+                  step * std::ceil(least / step));
+  } else {
+    // Cells and samples go with 1/δ².
+    std::snprintf(remedy, sizeof remedy,
+                  "Choose a tolerance about %.2g times as large, or give more with --memory-limit.",
+                  margin * std::sqrt(estimate.bytes(sparsest * delta) / most_bytes));
+  }
+  return Error{ErrorCode::unsupported, message, remedy};
+}
+
 Result<TriangleSoup> load_input(const std::string& input) {
   auto mesh = load(input, RunControl{});
   if (!mesh) return mesh.error();
@@ -107,6 +131,7 @@ struct Pipeline::Impl {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const BoundarySamples> current_samples;
   std::optional<ToleranceVolume> volume;
+  double most_bytes = 0; ///< that the octree and the samples may take
   std::optional<ResamplingGate> resampling;
   std::optional<Recorder> recorder;
   std::unique_ptr<Refinement> refinement; ///< until the simplification begins
@@ -118,7 +143,8 @@ struct Pipeline::Impl {
   const RunParameters* parameters = nullptr;
 
   ToleranceVolume::Options volume_options(double delta) const {
-    return {delta, parameters->containment == Containment::certified ? certified_boundary_ratio : 1.0};
+    return {delta, parameters->containment == Containment::certified ? certified_boundary_ratio : 1.0,
+            most_bytes};
   }
   /// What is wrong with the input; when it is open, with the tolerance that would close it.
   Error refused(Error error, const Scene& at, const ToleranceVolume::Options& options) const {
@@ -193,12 +219,15 @@ struct Pipeline::Impl {
       }
       kept = std::make_shared<const TriangleSoup>(without_parts(*kept, *built, parts));
       made.index = std::make_shared<const ClosestPointIndex>(*kept);
-      made.input_topology = analyse_input(*kept, parameters->sides);
+      made.input_topology = analyse_input(*kept, parameters->sides, *control);
       made.left_out.insert(made.left_out.end(), parts.begin(), parts.end());
     }
   }
 
   Result<std::shared_ptr<const BoundarySamples>> sample(double sigma) {
+    const Status fits =
+        check_memory(estimate_samples(*volume), sigma, volume->thresholds().delta, most_bytes);
+    if (!fits) return fits.error();
     auto samples = sample_boundary(*volume, sigma, *control);
     if (!samples) return samples.error();
     return std::make_shared<const BoundarySamples>(std::move(*samples));
@@ -221,6 +250,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   Impl& m = *impl_;
   if (Status valid = check(parameters_); !valid) return valid.error();
   m.control->cancel_after(parameters_.time_limit);
+  m.most_bytes = parameters_.most_bytes();
   const Stopwatch watch;
   auto scene = std::make_shared<Scene>();
 
@@ -231,6 +261,8 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
     soup = std::make_shared<const TriangleSoup>(std::move(loaded->soup));
     notes = std::move(loaded->notes);
   }
+  if (soup->triangles.empty())
+    return Error{ErrorCode::bad_input, "The input has no triangles.", "Give a surface."};
   scene->input = soup;
   scene->longest_edge = soup->bounds().longest_edge();
   scene->delta = parameters_.tolerance.absolute(scene->longest_edge);
@@ -249,7 +281,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   soup = rest->soup;
   if (auto note = coordinate_note(*soup, scene->delta)) scene->warnings.push_back({std::move(*note), 0});
   scene->index = std::make_shared<const ClosestPointIndex>(*soup);
-  scene->input_topology = analyse_input(*soup, parameters_.sides);
+  scene->input_topology = analyse_input(*soup, parameters_.sides, *m.control);
   scene->input_seconds = watch.seconds();
   if (m.control->cancelled()) return cancelled_error(*m.control);
 
@@ -267,6 +299,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (!samples) return samples.error();
   if (Status closed = m.volume->check_passages(); !closed) return m.refused(closed.error(), *scene, options);
   scene->samples = *samples;
+  scene->sample_estimate = estimate_samples(*m.volume);
   scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;
 
   scene->volume = std::make_shared<const ToleranceVolume>(m.volume->without_octree());
@@ -359,7 +392,7 @@ Result<RunResult> Pipeline::run() {
   result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control,
                                {parameters_.cover, parameters_.topology == TopologyMode::separate, true});
   result.crumbs = count_small_parts(result.mesh, crumb_size * m.scene->delta);
-  result.normals = measure_normal_deviation(result.mesh, *m.volume);
+  result.normals = measure_normal_deviation(result.mesh, *m.volume, *m.control);
   m.seconds += watch.seconds();
   result.seconds = m.seconds;
   result.peak_memory_bytes = peak_memory_bytes();

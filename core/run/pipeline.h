@@ -14,6 +14,7 @@
 #include "run/normal_deviation.h"
 #include "run/parameters.h"
 #include "tolerance/parameter_check.h"
+#include "tolerance/sample_estimate.h"
 #include "tolerance/thin_parts.h"
 #include "tolerance/tolerance_volume.h"
 
@@ -39,6 +40,7 @@ struct Scene {
   InputTopology input_topology;   ///< without them
   ExpectedTopology expected;
   std::shared_ptr<const BoundarySamples> samples;
+  SampleEstimate sample_estimate; ///< what other densities would take
   std::string thickening_note;
   std::vector<ParameterWarning> warnings;
   double input_seconds = 0, volume_seconds = 0, sampling_seconds = 0;
@@ -74,8 +76,8 @@ class Pipeline {
   Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, Gate& gate, RunControl& control);
   ~Pipeline();
 
-  /// Reads (or takes `soup` and the notes on it), builds Ω and S. Fails with bad_input, unsupported or
-  /// cancelled.
+  /// Reads (or takes `soup` and the notes on it), builds Ω and S. Fails with bad_input, unsupported (also
+  /// where Ω or S would take more memory than the limit, naming the σ that fits) or cancelled.
   Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr,
                                                std::vector<InputNote> notes = {},
                                                ThinParts thin = ThinParts::refuse);
@@ -92,6 +94,10 @@ class Pipeline {
   RunParameters parameters_;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Fails with unsupported where so many samples take more than so many bytes, naming the σ that fits.
+/// `sigma` and `delta` are absolute.
+Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes);
 
 /// Resolves gallery:NAME or reads the file.
 Result<TriangleSoup> load_input(const std::string& input);

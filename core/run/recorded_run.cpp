@@ -110,7 +110,7 @@ Result<std::shared_ptr<const Scene>> rebuild_scene(const RunParameters& paramete
                                                    const Journal& journal, RunControl& control,
                                                    std::vector<InputNote> notes) {
   RunParameters unlimited = parameters;
-  unlimited.time_limit = 0;
+  unlimited.time_limit = unlimited.memory_limit = 0;
   NoGate gate;
   Pipeline pipeline(unlimited, std::make_shared<Journal>(), gate, control);
   auto prepared = pipeline.prepare(std::move(input), std::move(notes), ThinParts::accept);

@@ -290,7 +290,7 @@ Result<ReplayVerdict> check_replay(const RunParameters& parameters, std::shared_
                                    std::vector<InputNote> notes) {
   const std::vector<RecordedBranch> branches = branches_of(recorded);
   RunParameters unlimited = branches.empty() ? parameters : parameters_at_start(parameters, recorded);
-  unlimited.time_limit = 0;
+  unlimited.time_limit = unlimited.memory_limit = 0;
   return Check(unlimited, recorded, ended, control).run(std::move(input), std::move(notes), branches);
 }
 

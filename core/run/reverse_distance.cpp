@@ -29,11 +29,12 @@ struct Farthest {
   }
 };
 
-Farthest farthest_corner(const ClosestPointIndex& from, const ClosestPointIndex& to) {
+Farthest farthest_corner(const ClosestPointIndex& from, const ClosestPointIndex& to,
+                         const std::function<bool()>& stop) {
   // The first corners meet nearly every vertex once; a vertex that they miss is met by its facet's
   // certificate.
   std::vector<double> distances(from.size());
-  parallel_for(from.size(), grain, [&](std::size_t i) {
+  parallel_until(from.size(), grain, stop, [&](std::size_t i) {
     distances[i] = to.distance(from.triangle(TriangleId(static_cast<std::uint32_t>(i)))[0]);
   });
   Farthest farthest;
@@ -51,21 +52,29 @@ double crude_bound(const ClosestPointIndex& to, const Triangle3& t) {
 
 DistanceBounds bound_distance(const ClosestPointIndex& from, const ClosestPointIndex& to, double precision,
                               const RunControl& control) {
-  Farthest farthest = farthest_corner(from, to);
+  if (from.empty()) return {0, 0, {}};
+  if (to.empty()) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {infinity, infinity, from.triangle(TriangleId(0))[0]};
+  }
+  const std::function<bool()> stop = [&control] { return control.out_of_grace(); };
+  Farthest farthest = farthest_corner(from, to, stop);
   std::vector<std::uint32_t> open(from.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = static_cast<std::uint32_t>(i);
 
   double upper = 0;
   std::vector<FacetVerdict> verdicts;
-  while (!open.empty() && !control.abandoned()) {
+  while (!open.empty()) {
+    if (stop()) return {};
     // A triangle that stays open has a point beyond the lower bound by half the precision: the bound grows by
     // that much in every round, so that rounds end. Fixed limits keep a round independent of its order.
     const double reject = farthest.distance + 0.5 * precision, accept = farthest.distance + precision;
     verdicts.assign(open.size(), {});
-    parallel_for(open.size(), grain, [&](std::size_t i) {
-      if (control.abandoned()) return;
-      verdicts[i] = certify_facet(to, from.triangle(TriangleId(open[i])), accept, reject, piece_budget);
+    const FacetSearch search{piece_budget, {}, nullptr, 0, &stop};
+    const bool complete = parallel_until(open.size(), grain, stop, [&](std::size_t i) {
+      verdicts[i] = certify_facet(to, from.triangle(TriangleId(open[i])), accept, reject, search);
     });
+    if (!complete || stop()) return {};
     std::size_t still_open = 0;
     for (std::size_t i = 0; i < open.size(); ++i) {
       const FacetVerdict& v = verdicts[i];
@@ -80,7 +89,6 @@ DistanceBounds bound_distance(const ClosestPointIndex& from, const ClosestPointI
     }
     open.resize(still_open);
   }
-  if (control.abandoned()) return {};
   const double rounding = rounding_bound(from.bounds(), to.bounds(), roundings);
   return {std::max(0.0, farthest.distance - rounding), upper + rounding, farthest.point};
 }

@@ -16,8 +16,8 @@ struct DistanceBounds {
 };
 
 /// Bounds the largest distance from the triangles of `from` to those of `to`: upper − lower is at most
-/// `precision` (> 0, absolute) up to rounding. The same bits on any number of threads. An abandoned control
-/// ends it with nothing proven.
+/// `precision` (> 0, absolute) up to rounding; both are 0 where `from` is empty, infinite where only `to` is.
+/// The same bits on any number of threads. A control out of grace ends it with nothing proven.
 DistanceBounds bound_distance(const ClosestPointIndex& from, const ClosestPointIndex& to, double precision,
                               const RunControl& control);
 

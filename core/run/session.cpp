@@ -23,6 +23,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::uint32_t unlimited = 0xffffffffu;
+/// How long a run that is abandoned may take before its recording is closed without it.
+constexpr std::chrono::milliseconds obedience{400};
 /// Between two looks at a recording that grows.
 constexpr std::chrono::milliseconds follow_interval{250};
 
@@ -48,6 +50,7 @@ struct Session::Impl : public Gate {
   bool parameters_pending = false;
   bool stop_pending = false;
   bool quit = false;
+  bool over = true; ///< nothing runs on the thread any more
   bool pause_pending = false;
   std::uint32_t steps_left = unlimited;              ///< operations until the next pause
   std::shared_ptr<const Breakpoint> standing, until; ///< shared, so that they can be asked without the lock
@@ -325,6 +328,7 @@ struct Session::Impl : public Gate {
   void launch(std::function<void()> life) {
     {
       const std::lock_guard lock(mutex);
+      over = false;
       update_attention();
     }
     changed.notify_all();
@@ -332,10 +336,31 @@ struct Session::Impl : public Gate {
     thread = std::thread([this, life = std::move(life), last = std::exchange(writer, nullptr)]() mutable {
       last.reset();
       work(life);
+      const std::lock_guard lock(mutex);
+      over = true;
+      changed.notify_all();
     });
   }
 
   void join() {
+    abandon();
+    if (thread.joinable()) thread.join();
+  }
+
+  /// The end of the session: a run that does not obey keeps nothing but its thread.
+  void end() {
+    abandon();
+    std::shared_ptr<RecordingWriter> recording;
+    {
+      std::unique_lock lock(mutex);
+      const bool obeyed = changed.wait_for(lock, obedience, [this] { return over; });
+      if (!obeyed) recording = std::exchange(writer, nullptr);
+    }
+    recording.reset();
+    if (thread.joinable()) thread.join();
+  }
+
+  void abandon() {
     {
       const std::lock_guard lock(mutex);
       quit = true;
@@ -344,14 +369,17 @@ struct Session::Impl : public Gate {
     }
     control.abandon();
     changed.notify_all();
-    if (thread.joinable()) thread.join();
   }
 };
 
 Session::Session() : impl_(std::make_unique<Impl>()) {}
 
 Session::~Session() {
-  if (impl_) impl_->join();
+  if (impl_) impl_->end();
+}
+
+void Session::abandon() {
+  impl_->abandon();
 }
 
 Session::Session(Session&&) noexcept = default;

@@ -49,7 +49,9 @@ class Round {
     while (!queue_.empty() && figures_.attempts < options_.most_attempts && !figures_.stopped &&
            !control_.cancelled()) {
       gather();
-      parallel_for(attempts_.size(), 1, [&](std::size_t i) { evaluate(attempts_[i]); });
+      const bool complete =
+          parallel_until(attempts_.size(), 1, control_, [&](std::size_t i) { evaluate(attempts_[i]); });
+      if (!complete) break;
       for (const Attempt& attempt : attempts_)
         if (!figures_.stopped) settle(attempt);
       push(stale_);
@@ -93,9 +95,9 @@ void Round::push(std::vector<Edge>& edges) {
   sort_unique(edges);
   std::vector<std::optional<CollapseCandidate>> candidates(edges.size());
   std::vector<Refusal> refusals(edges.size()); // by T
-  parallel_for(edges.size(), 4, [&](std::size_t i) {
+  parallel_until(edges.size(), 4, control_, [&](std::size_t i) {
     const auto [a, b] = edges[i];
-    if (control_.cancelled() || !complex().has_edge(a, b)) return;
+    if (!complex().has_edge(a, b)) return;
     Kernel kernel;
     if (surface_.embedding() != nullptr) {
       refusals[i] = surface_.embedding()->check_edge(a, b, kernel);

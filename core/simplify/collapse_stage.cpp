@@ -78,10 +78,11 @@ std::vector<QueuedEdge> CollapseStage::eligible_edges() const {
   }
   sort_unique(edges);
   std::vector<QueuedEdge> queued(edges.size());
-  parallel_for(edges.size(), priority_grain, [&](std::size_t i) {
+  const bool complete = parallel_until(edges.size(), priority_grain, log_.control(), [&](std::size_t i) {
     queued[i] =
         ordered(edges[i].first, edges[i].second, priority(edges[i].first, edges[i].second), live_.clock());
   });
+  if (!complete) return {};
   std::erase_if(queued, [](const QueuedEdge& e) { return std::isinf(e.error); });
   return queued;
 }
@@ -120,7 +121,7 @@ std::vector<CollapseStage::Candidate> CollapseStage::next_batch(CollapseQueue& q
 }
 
 void CollapseStage::evaluate(std::vector<Candidate>& batch) const {
-  parallel_for(batch.size(), 1, [&](std::size_t i) {
+  parallel_until(batch.size(), 1, log_.control(), [&](std::size_t i) {
     Candidate& c = batch[i];
     CollapseSettings settings = settings_;
     if (targets_) settings.search.kernel_samples = most_sample_targets;

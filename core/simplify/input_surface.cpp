@@ -54,20 +54,23 @@ DisjointSets consistent_pieces(const ClosestPointIndex& index) {
 
 } // namespace
 
-InputSurface::InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface)
+InputSurface::InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface,
+                           const RunControl& control)
     : index_(&index), delta_(delta), on_surface_(1e-6 * delta), enough_(without_weight * delta),
       normals_(index.size()) {
   const TriangleSoup soup{surface.points, surface.triangles, {}};
   const ClosestPointIndex near_surface(soup);
   std::vector<double> votes(index.size());
-  parallel_for(index.size(), 256, [&](std::size_t t) {
+  const bool complete = parallel_until(index.size(), 256, control, [&](std::size_t t) {
     const Triangle3& corners = index.triangle(TriangleId(t));
     const Vec3 area = cross(corners[1] - corners[0], corners[2] - corners[0]);
     normals_[t] = normalized(area);
     const ClosestPoint near = near_surface.closest((corners[0] + corners[1] + corners[2]) / 3.0);
+    if (!near.triangle.valid()) return;
     const Triangle3& facet = near_surface.triangle(near.triangle);
     votes[t] = dot(area, normalized(cross(facet[1] - facet[0], facet[2] - facet[0])));
   });
+  if (!complete) return;
   DisjointSets pieces = consistent_pieces(index);
   std::vector<double> sums(index.size(), 0);
   for (std::uint32_t t = 0; t < index.size(); ++t) sums[pieces.find(t)] += votes[t];

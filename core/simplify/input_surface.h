@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/geometry.h"
+#include "base/run_control.h"
 #include "input/triangle_soup.h"
 #include "tolerance/closest_point.h"
 
@@ -20,8 +21,10 @@ struct DistanceSample {
 class InputSurface {
  public:
   /// Normals are oriented by `surface`: pieces of the input whose triangles agree with each other vote with
-  /// the nearest facets of the surface, so that an input in any orientation serves.
-  InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface);
+  /// the nearest facets of the surface, so that an input in any orientation serves. They stay as they are
+  /// where the surface is empty, and are of no use once the control is cancelled.
+  InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface,
+               const RunControl& control = {});
 
   /// d at p, starting from a triangle that is likely close (or an invalid one). Where d is far below δ, so
   /// that it has no weight in an energy, the distance to that triangle may be returned instead.

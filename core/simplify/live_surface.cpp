@@ -66,7 +66,8 @@ void embed(const Embedding& embedding, TetPatch tets, SurfacePatch& patch) {
 
 } // namespace
 
-LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding)
+LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding,
+                         const RunControl& control)
     : embedding_(embedding), octree_(domain_of(mesh, rules.input->delta())), stamps_(mesh.points.size(), 0),
       collapse_stamps_(mesh.points.size(), 0) {
   complex_.points = mesh.points;
@@ -74,7 +75,7 @@ LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Em
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) complex_.facets[f].v = mesh.triangles[f];
   complex_.build_stars();
   for (const auto& star : complex_.stars) vertex_count_ += star.empty() ? 0u : 1u;
-  parallel_for(complex_.facets.size(), 64, [&](std::size_t f) {
+  parallel_until(complex_.facets.size(), 64, control, [&](std::size_t f) {
     measure_facet(*rules.input, complex_, static_cast<std::uint32_t>(f));
     Facet& facet = complex_.facets[f];
     facet.proven = true;

@@ -1,6 +1,7 @@
 // Z while it is improved: gives out patches, tests them against the rest and commits them.
 #pragma once
 
+#include "base/run_control.h"
 #include "simplify/embedding.h"
 #include "simplify/facet_octree.h"
 #include "simplify/improver_verdict.h"
@@ -14,8 +15,10 @@ namespace isoscope {
 class LiveSurface {
  public:
   /// Copies a closed oriented 2-manifold without intersections, inside Ω, and measures its facets. With an
-  /// embedding, whose Z the mesh is, patches hold their part of T, and commits reach it.
-  LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding = nullptr);
+  /// embedding, whose Z the mesh is, patches hold their part of T, and commits reach it. Once the control is
+  /// cancelled facets are not measured: then only what the mesh was is of use.
+  LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding = nullptr,
+              const RunControl& control = {});
 
   const FacetComplex& complex() const { return complex_; }
   std::size_t vertex_count() const { return vertex_count_; }

@@ -46,7 +46,7 @@ std::uint32_t run_batches(LiveSurface& surface, std::size_t n, double delta, dou
   std::vector<Proposal> batch;
   for (std::size_t first = 0; first < n && !control.cancelled(); first += batch_size) {
     batch.assign(std::min(batch_size, n - first), {});
-    parallel_for(batch.size(), 1, [&](std::size_t i) { batch[i] = propose(first + i); });
+    parallel_until(batch.size(), 1, control, [&](std::size_t i) { batch[i] = propose(first + i); });
     for (const Proposal& p : batch) {
       if (!p.wanted || !surface.up_to_date(p.patch) || !surface.check(p.patch).accepted()) continue;
       surface.commit(p.patch, EventKind::relaxation);

@@ -62,7 +62,7 @@ ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeO
   PatchClaims claims(surface.complex().points.size());
   while (!edges.empty() && figures.attempts < options.most_attempts && !control.cancelled()) {
     std::vector<Attempt> attempts = gather(surface, edges, claims);
-    parallel_for(attempts.size(), 1, [&](std::size_t i) {
+    parallel_until(attempts.size(), 1, control, [&](std::size_t i) {
       Attempt& a = attempts[i];
       a.verdict = flip_with_repair(rules, a.patch, a.patch.local_vertex(a.edge.first),
                                    a.patch.local_vertex(a.edge.second), options.repair);

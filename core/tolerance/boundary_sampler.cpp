@@ -11,11 +11,17 @@
 #include <array>
 #include <bit>
 #include <span>
+#include <utility>
 
 namespace isoscope {
 namespace {
 
 constexpr std::size_t block_cells = 2048;
+/// Where main cells are much larger than σ: parts of one that are sampled at once, and into how many along an
+/// axis it is divided at a time.
+constexpr std::size_t block_parts = 32;
+constexpr double halvings_at_once = 8;
+constexpr std::uint32_t cells_between_questions = 65536, units_between_questions = 16;
 /// Cells that one question about a crevice may visit.
 constexpr std::size_t crevice_budget = 2000;
 constexpr std::uint16_t no_component = 0xffff;
@@ -41,19 +47,26 @@ class Sampler {
   Status run(const RunControl& control) {
     const Regions& octree = volume_.octree();
     const SampleUnitFinder finder(volume_, samples_.sigma, options_);
+    const auto part_side = finder.part_side();
+    const std::size_t block_size = part_side ? 1 : block_cells;
+    SparsePoll poll(control, cells_between_questions);
     std::vector<Regions::CellIndex> block;
-    for (std::size_t i = 0; i < octree.main_size(); ++i) {
+    for (std::size_t i = 0; i < octree.main_size() && !poll.cancelled(); ++i) {
       const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
       if (c.kind == Regions::Kind::ambiguous && c.level == octree.main_level())
         block.push_back(static_cast<Regions::CellIndex>(i));
-      if (block.size() < block_cells && i + 1 < octree.main_size()) continue;
-      if (control.cancelled())
-        return Error{ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
+      if (block.empty() || (block.size() < block_size && i + 1 < octree.main_size())) continue;
+      if (control.cancelled()) break;
       control.report("sampling", static_cast<double>(i + 1) / static_cast<double>(octree.main_size()));
-      sample_block(finder, block);
+      if (part_side)
+        sample_parts(finder, cube_of(volume_, c), *part_side, control);
+      else
+        sample_block(finder, block, control);
       block.clear();
     }
-    count_undecided();
+    count_undecided(control);
+    if (control.cancelled())
+      return Error{ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
     return {};
   }
 
@@ -68,27 +81,56 @@ class Sampler {
            cell_diagonal < 1.9 * volume_.thresholds().boundary;
   }
 
-  void sample_block(const SampleUnitFinder& finder, std::span<const Regions::CellIndex> block) {
+  void sample_block(const SampleUnitFinder& finder, std::span<const Regions::CellIndex> block,
+                    const RunControl& control) {
     std::vector<std::span<const Regions::CellIndex>> groups;
     for (std::size_t begin = 0, end = 0; begin < block.size(); begin = end) {
       while (end < block.size() && finder.together(block[begin], block[end])) ++end;
       groups.push_back(block.subspan(begin, end - begin));
     }
-    std::vector<std::vector<SampleUnit>> units(groups.size());
-    parallel_for(groups.size(), 1, [&](std::size_t i) { units[i] = finder.find(groups[i]); });
+    sample_all(
+        groups, [&](const auto& group) { return finder.find(group); }, control);
+  }
+
+  /// Samples a main cell that is much larger than σ, a few parts at a time.
+  void sample_parts(const SampleUnitFinder& finder, const CandidateCube& main_cell, double part_side,
+                    const RunControl& control) {
+    const double middle_side = std::max(part_side, main_cell.side / halvings_at_once);
+    std::vector<CandidateCube> middles, parts;
+    split_cube(volume_, main_cell, middle_side, middles);
+    for (const CandidateCube& middle : middles) {
+      if (control.cancelled()) return;
+      if (middle.side > part_side * (1 + 1e-9)) {
+        sample_parts(finder, middle, part_side, control);
+        continue;
+      }
+      parts.push_back(middle);
+      if (parts.size() < block_parts && &middle != &middles.back()) continue;
+      sample_all(
+          std::exchange(parts, {}), [&](const CandidateCube& part) { return finder.find(part); }, control);
+    }
+  }
+
+  /// Finds the units of all items in parallel and covers them in order.
+  template <class Item, class Find>
+  void sample_all(const std::vector<Item>& items, const Find& find, const RunControl& control) {
+    std::vector<std::vector<SampleUnit>> units(items.size());
+    parallel_until(items.size(), 1, control, [&](std::size_t i) { units[i] = find(items[i]); });
+    SparsePoll poll(control, units_between_questions);
     for (auto& list : units)
       for (SampleUnit& unit : list) {
-        settle_regions(unit.cells);
+        if (poll.cancelled()) return;
+        settle_regions(unit.cells, control);
         cover(unit);
         unit = {};
       }
   }
 
   /// Asks the octree about the few candidates in crevices wide enough to have a side.
-  void settle_regions(std::span<SampleCandidate> list) {
+  void settle_regions(std::span<SampleCandidate> list, const RunControl& control) {
     for (SampleCandidate& c : list) {
       if (!c.ask_octree) continue;
-      c.region = volume_.region_at(c.reached, crevice_budget);
+      c.region = volume_.region_at(c.reached, crevice_budget, control);
       c.has_point = c.region.valid();
       if (c.has_point) c.label = static_cast<std::int8_t>(volume_.regions()[c.region.index()].label);
     }
@@ -201,8 +243,10 @@ class Sampler {
   }
 
   /// Cells without a point of their own are fine where some sample is near all the same.
-  void count_undecided() {
+  void count_undecided(const RunControl& control) {
+    SparsePoll poll(control, units_between_questions);
     for (const OrphanCell& cell : orphans_) {
+      if (poll.cancelled()) return;
       const Vec3 h{cell.half_side, cell.half_side, cell.half_side};
       near_.clear();
       grid_.gather(Box3{cell.center - h, cell.center + h}.grown(samples_.sigma), near_);

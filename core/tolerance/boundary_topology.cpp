@@ -70,10 +70,12 @@ class Counter {
       if (control.cancelled())
         return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
       control.report("boundary", static_cast<double>(i) / static_cast<double>(octree.main_size()));
-      count(block);
+      count(block, control);
       block.clear();
     }
-    count(block);
+    count(block, control);
+    if (control.cancelled())
+      return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
     return {};
   }
   std::vector<long> take() { return std::move(counts_); }
@@ -136,7 +138,7 @@ class Counter {
     return corner;
   }
 
-  void count(const std::vector<LatticeCell>& cells) {
+  void count(const std::vector<LatticeCell>& cells, const RunControl& control) {
     struct Entry {
       std::uint64_t key;
       TriangleId guess;
@@ -152,8 +154,10 @@ class Counter {
         std::unique(entries.begin(), entries.end(), [](auto& a, auto& b) { return a.key == b.key; }),
         entries.end());
     std::vector<Corner> corners(entries.size());
-    parallel_for(entries.size(), 256,
-                 [&](std::size_t i) { corners[i] = examine(entries[i].key, entries[i].guess); });
+    const bool complete = parallel_until(entries.size(), 256, control, [&](std::size_t i) {
+      corners[i] = examine(entries[i].key, entries[i].guess);
+    });
+    if (!complete) return;
 
     for (const LatticeCell& c : cells) {
       std::array<const Corner*, 8> at{};

@@ -113,7 +113,8 @@ void BvhBuilder::set_box(std::size_t node, unsigned k, const Box3& box) {
 
 void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth) {
   constexpr unsigned width = ClosestPointIndex::width;
-  std::vector<Range> parts{range};
+  std::vector<Range> parts;
+  if (range.size() > 0) parts.push_back(range);
   while (parts.size() < width) {
     std::size_t widest = parts.size();
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -148,6 +149,11 @@ void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth)
 }
 
 void BvhBuilder::build() {
+  if (items_.empty()) { // a root without children, at which every search ends
+    index_.nodes_.emplace_back();
+    fill_node(0, {0, 0, {}}, 0);
+    return;
+  }
   index_.bounds_ = box_of(0, items_.size());
   index_.origin_ = index_.bounds_.center();
   const double scale = index_.bounds_.longest_edge();

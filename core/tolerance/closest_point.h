@@ -45,7 +45,8 @@ struct TriangleNeighborhood {
 /// thread-safe.
 class ClosestPointIndex {
  public:
-  /// Needs at least one triangle. Degenerate triangles are kept as the segments or points they are.
+  /// Degenerate triangles are kept as the segments or points they are. A soup without triangles makes an
+  /// index that finds nothing: every distance is infinite.
   explicit ClosestPointIndex(const TriangleSoup& soup);
 
   /// The closest point within `radius` of p (ties: smallest triangle id of equal distance is not promised,
@@ -82,6 +83,7 @@ class ClosestPointIndex {
 
   const Triangle3& triangle(TriangleId id) const { return triangles_[slots_[id.index()]]; }
   std::size_t size() const { return triangles_.size(); }
+  bool empty() const { return triangles_.empty(); }
   const Box3& bounds() const { return bounds_; }
   std::size_t memory_bytes() const;
 

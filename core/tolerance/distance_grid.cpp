@@ -50,7 +50,6 @@ Result<DistanceGrid> make_distance_grid(const ClosestPointIndex& index, double d
     return grid.box.lo + voxel * Vec3{x + 0.5, y + 0.5, z + 0.5};
   };
   const auto fill = [&](std::size_t block) {
-    if (control.cancelled()) return;
     const BlockRange r = block_range(block, blocks, grid.size);
     const Vec3 middle = center(0.5 * (r.begin[0] + r.end[0] - 1), 0.5 * (r.begin[1] + r.end[1] - 1),
                                0.5 * (r.begin[2] + r.end[2] - 1));
@@ -68,7 +67,7 @@ Result<DistanceGrid> make_distance_grid(const ClosestPointIndex& index, double d
   };
   const auto count = static_cast<std::size_t>(blocks[0]) * static_cast<std::size_t>(blocks[1]) *
                      static_cast<std::size_t>(blocks[2]);
-  parallel_for(count, 16, fill);
+  parallel_until(count, 16, control, fill);
   if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while computing distances.", ""};
   return grid;
 }

@@ -30,6 +30,8 @@ class PieceStack {
   std::size_t size_ = 0;
 };
 
+constexpr std::size_t pieces_between_questions = 256;
+
 /// What a computed distance, circumradius bound or repeatedly rounded midpoint may be off by. Each comes from
 /// fewer than 32 operations on numbers below the largest coordinate M, and midpoints along one path of
 /// bisections drift by at most one rounding a level, so (32 + 32 + max_depth) u M is enough; 256 leaves room.
@@ -65,18 +67,26 @@ void push_halves(const Piece& piece, TriangleId guess, PieceStack& stack) {
 
 FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
                            double reject, const FacetSearch& search) {
+  using Kind = FacetVerdict::Kind;
+  FacetVerdict verdict;
+  if (index.empty()) {
+    verdict.kind = Kind::outside;
+    verdict.witness = facet[0];
+    return verdict;
+  }
   Box3 box;
   for (const Vec3 p : facet) box.add(p);
   const double rounding = rounding_bound(index.bounds(), box, roundings);
-  using Kind = FacetVerdict::Kind;
-  FacetVerdict verdict;
   // Whoever brings a guess asks for speed: then a bound from the guess is good enough, if looser.
   const bool trust_guess = search.guess.valid();
   PieceStack stack;
   stack.push({facet, search.guess, 0});
   while (!stack.empty()) {
     const Piece piece = stack.pop();
-    if (++verdict.pieces > search.budget || piece.depth > max_depth) {
+    ++verdict.pieces;
+    const bool stopped =
+        search.stop != nullptr && verdict.pieces % pieces_between_questions == 0 && (*search.stop)();
+    if (stopped || verdict.pieces > search.budget || piece.depth > max_depth) {
       if (verdict.kind == Kind::outside) return verdict;
       verdict.kind = Kind::undecided;
       verdict.witness = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;

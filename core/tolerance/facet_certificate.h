@@ -4,6 +4,7 @@
 #include "tolerance/closest_point.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace isoscope {
@@ -26,15 +27,17 @@ struct FacetSearch {
   /// comes from a piece of its own.
   std::vector<Vec3>* witnesses = nullptr;
   std::size_t most_witnesses = 6;
+  /// Asked now and then; once true the facet stays undecided, unless it was found outside.
+  const std::function<bool()>* stop = nullptr;
 };
 
 /// Accepts when d <= accept is proven everywhere (rounded outward), rejects at a point found with d > reject
-/// (reject <= accept), undecided when the budget did not suffice.
+/// (reject <= accept), undecided when the budget did not suffice. Outside where the index has no triangles.
 FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
                            double reject, const FacetSearch& search);
 inline FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
                                   double reject, std::size_t budget = 20000) {
-  return certify_facet(index, facet, accept, reject, FacetSearch{budget, {}, nullptr, 0});
+  return certify_facet(index, facet, accept, reject, FacetSearch{budget, {}, nullptr, 0, nullptr});
 }
 
 } // namespace isoscope

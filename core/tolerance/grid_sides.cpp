@@ -64,7 +64,7 @@ Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, const Inpu
   // The distance is 1-Lipschitz: where d(a) + d(b) exceeds |ab|, the input does not meet the segment ab.
   const auto spread_proven = [&]() {
     for (; next < queue.size(); ++next) {
-      if ((next & 0xfffffu) == 0 && control.cancelled()) return false;
+      if ((next & 0xffffu) == 0 && control.cancelled()) return false;
       const std::size_t voxel = queue[next];
       const double own = static_cast<double>(grid.values[voxel]) * delta;
       voxels.for_each_neighbor(voxel, [&](std::size_t other, double gap) {
@@ -92,7 +92,7 @@ Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, const Inpu
   if (!spread_proven()) return cancelled;
   // What is left lies along the input or in small pockets.
   for (std::size_t done = 0; done < queue.size(); ++done) {
-    if ((done & 0xffffu) == 0 && control.cancelled()) return cancelled;
+    if ((done & 0xffu) == 0 && control.cancelled()) return cancelled;
     const std::size_t voxel = queue[done];
     voxels.for_each_neighbor(voxel, [&](std::size_t other, double) {
       if (sides[other] != 0) return;

@@ -2,12 +2,9 @@
 #include "base/disjoint_sets.h"
 #include "base/place.h"
 #include "tolerance/facet_turns.h"
+#include "tolerance/self_intersections.h"
 #include "tolerance/tolerance_volume.h"
 #include "tolerance/welded_mesh.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <numeric>
@@ -96,17 +93,11 @@ bool orient(std::vector<IndexTriangle>& triangles, const std::vector<EdgeUse>& u
   return true;
 }
 
-bool self_intersects(const WeldedMesh& mesh, const std::vector<IndexTriangle>& oriented) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-  Mesh m;
-  for (const Vec3 p : mesh.points) m.add_vertex({p.x, p.y, p.z});
-  for (const auto& t : oriented) {
-    const auto face =
-        m.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-    if (face == Mesh::null_face()) return true;
-  }
-  return CGAL::Polygon_mesh_processing::does_self_intersect(m);
+/// Whether an oriented mesh meets itself, as far as the control lets it be found out.
+bool self_intersects(const WeldedMesh& mesh, const RunControl& control) {
+  const auto met = self_intersections(
+      mesh.points, mesh.triangles, [&] { return control.cancelled(); }, 1);
+  return !met || !met->empty();
 }
 
 /// What tells the sides of closed input, and what the user should know about that.
@@ -130,10 +121,11 @@ void choose_side_rule(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses, 
 
 } // namespace
 
-InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode) {
+InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode, const RunControl& control) {
   const WeldedMesh mesh = weld(soup);
-  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
   InputTopology topology;
+  if (control.cancelled()) return topology;
+  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
   topology.components = count_components(mesh);
 
   std::size_t edges = 0;
@@ -142,6 +134,7 @@ InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode) {
     if (end - i != 2 && !topology.border && uses[i].low != uses[i].high)
       topology.border = 0.5 * (mesh.points[uses[i].low] + mesh.points[uses[i].high]);
   }
+  if (control.cancelled()) return topology;
   const bool collapsed = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), is_collapsed);
   if (!collapsed && !topology.border && one_fan_each(mesh, uses)) {
     topology.closed_manifold = true;
@@ -149,12 +142,9 @@ InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode) {
     topology.euler_characteristic = static_cast<long>(mesh.points.size()) - static_cast<long>(edges) +
                                     static_cast<long>(mesh.triangles.size());
     std::vector<IndexTriangle> oriented = mesh.triangles;
-    try {
-      topology.self_intersection_free = orient(oriented, uses) && !self_intersects(mesh, oriented);
-    } catch (const std::exception&) { // a degenerate face: not free of intersections as far as we can tell
-      topology.self_intersection_free = false;
-    }
+    topology.self_intersection_free = orient(oriented, uses) && !self_intersects(mesh, control);
   }
+  if (control.cancelled()) return topology;
   choose_side_rule(mesh, uses, mode, topology);
   return topology;
 }

@@ -75,13 +75,14 @@ bool is_open_at_border(const ToleranceVolume& volume) {
 /// A triangle with the same region on both sides, where so many are so that the surface does not separate:
 /// pockets along an open surface would pass for its other side.
 /// Thin parts, by component of Ω', have one region all around them and count neither way.
-std::optional<Vec3> one_sided_place(const ToleranceVolume& volume, const std::vector<bool>& thin) {
+std::optional<Vec3> one_sided_place(const ToleranceVolume& volume, const std::vector<bool>& thin,
+                                    const RunControl& control) {
   const ClosestPointIndex& index = volume.index();
   const double reach = side_reach * volume.thresholds().boundary;
   const std::size_t stride = index.size() / side_probes + 1;
   std::size_t compared = 0, same = 0;
   std::optional<Vec3> first;
-  for (std::size_t i = 0; i < index.size(); i += stride) {
+  for (std::size_t i = 0; i < index.size() && !control.cancelled(); i += stride) {
     if (thin[volume.volume_component(TriangleId(i))]) continue;
     const Triangle3& t = index.triangle(TriangleId(i));
     const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
@@ -126,13 +127,14 @@ bool is_open_surface(const Error& error) {
   return error.code == ErrorCode::unsupported && error.message.starts_with(open_surface_words);
 }
 
-std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component) {
+std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component,
+                                            const RunControl& control) {
   const ClosestPointIndex& index = volume.index();
   const std::vector<TriangleId> part = triangles_of(volume, component);
   const double reach = 8 * volume.thresholds().delta;
   const std::size_t stride = std::max<std::size_t>(1, part.size() / thickness_probes);
   std::vector<ThicknessProbe> probes;
-  for (std::size_t i = 0; i < part.size(); i += stride) {
+  for (std::size_t i = 0; i < part.size() && !control.cancelled(); i += stride) {
     const Triangle3& t = index.triangle(part[i]);
     const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
     if (n == Vec3{}) continue;
@@ -164,14 +166,16 @@ ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double
   return from;
 }
 
-std::vector<int> label_by_sides(const ToleranceVolume& volume) {
+std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl& control) {
   std::vector<int> labels;
-  for (const Region& r : volume.regions())
+  for (const Region& r : volume.regions()) {
+    if (control.cancelled()) break;
     labels.push_back(r.unbounded ? +1 : volume.sides().label(r.deepest));
+  }
   return labels;
 }
 
-Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume) {
+Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, const RunControl& control) {
   const auto sides = regions_by_component(volume);
   std::vector<std::vector<std::uint32_t>> components(volume.regions().size());
   for (const BoundaryComponent& c : volume.boundary_components())
@@ -179,15 +183,16 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume) {
   std::vector<bool> thin(sides.size());
   for (std::size_t c = 0; c < sides.size(); ++c) {
     if (sides[c].size() > 1) continue;
+    if (control.cancelled()) break;
     thin[c] = is_thin_part(volume, static_cast<std::uint32_t>(c));
     if (!thin[c]) return open_surface(volume, static_cast<std::uint32_t>(c));
   }
-  if (const auto p = one_sided_place(volume, thin)) return open_surface_near(*p);
+  if (const auto p = one_sided_place(volume, thin, control)) return open_surface_near(*p);
 
   std::vector<int> labels(volume.regions().size(), 0);
   labels[0] = +1;
   std::deque<RegionId> queue{RegionId(0)};
-  while (!queue.empty()) {
+  while (!queue.empty() && !control.cancelled()) {
     const RegionId from = queue.front();
     queue.pop_front();
     for (const std::uint32_t c : components[from.index()]) {

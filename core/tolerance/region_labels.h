@@ -1,6 +1,7 @@
 // Gives each region of the complement its side: + outside, - inside (§2.2).
 #pragma once
 
+#include "base/run_control.h"
 #include "base/status.h"
 #include "tolerance/tolerance_volume.h"
 
@@ -9,15 +10,16 @@
 namespace isoscope {
 
 /// Labels by region of a volume whose regions and boundary components are known, where the input's sides are.
-std::vector<int> label_by_sides(const ToleranceVolume& volume);
+/// Of no use once the control is cancelled.
+std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl& control);
 
 /// Whether it is what open_surface_near() says.
 bool is_open_surface(const Error& error);
 
 /// Labels for soups: alternating sides from the unbounded region. Where three regions or more meet a
 /// component of Ω', as they do at pockets, rays decide if they agree. Fails with unsupported on open and
-/// non-manifold surfaces.
-Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume);
+/// non-manifold surfaces, with anything once the control is cancelled.
+Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, const RunControl& control);
 
 /// A point midway between a wall of the input and the next one along the normal.
 struct ThicknessProbe {
@@ -27,8 +29,9 @@ struct ThicknessProbe {
 };
 
 /// Probes on both sides of at most 2000 triangles of a component of Ω', in the order of their ids; walls
-/// farther apart than 8 δ are not seen.
-std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component);
+/// farther apart than 8 δ are not seen. Fewer once the control is cancelled.
+std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component,
+                                            const RunControl& control = {});
 
 /// Where d is locally largest, reached by steps that stay within the ball around the probe and so on its
 /// side; ends where d is `enough`.

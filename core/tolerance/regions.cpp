@@ -4,6 +4,8 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <queue>
 #include <unordered_set>
 
@@ -16,9 +18,33 @@ constexpr double half_diagonal = 0.86602540379 * (1 + 1e-7);
 /// Cell positions are 32-bit, and face tests shift them to this level.
 constexpr unsigned deepest_level = 30;
 constexpr std::size_t most_cells = std::size_t{1} << 31;
+/// A flood splits many cells on its way through one.
+constexpr std::uint32_t cells_between_questions = 64;
+
+Error stopped() {
+  return {ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+}
 
 std::array<std::uint32_t, 3> position(const Regions::Cell& c) {
   return {c.x, c.y, c.z};
+}
+
+/// Whether the cells down to some level fit, and those of the levels that are left as far as can be told:
+/// along a surface, each level has four times as many as the one above.
+Status check_memory(std::size_t cells, unsigned levels_left, const Regions::Options& options) {
+  const double cell_bytes = sizeof(Regions::Cell) + sizeof(Regions::CellIndex);
+  if (static_cast<double>(cells) * cell_bytes <= options.most_bytes) return {};
+  const double in_all = static_cast<double>(cells) * std::pow(4.0, levels_left) * cell_bytes;
+  char message[200], remedy[200];
+  std::snprintf(
+      message, sizeof message,
+      "The tolerance is too small for this input: the cells of its volume need about %.2g GB, more than "
+      "may be used.",
+      1e-9 * in_all);
+  std::snprintf(remedy, sizeof remedy,
+                "Choose a tolerance about %.2g times as large, or give more with --memory-limit.",
+                std::sqrt(in_all / options.most_bytes));
+  return Error{ErrorCode::unsupported, message, remedy};
 }
 
 Regions::Cell child_of(const Regions::Cell& c, unsigned k) {
@@ -80,14 +106,13 @@ Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& op
   std::vector<CellIndex> parents; // of each group of eight in the level
   std::size_t level_begin = 0;
   for (unsigned level = 0; level <= r.main_level_; ++level) {
-    if (control.cancelled())
-      return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+    if (control.cancelled()) return stopped();
     control.report("regions", static_cast<double>(level) / (r.main_level_ + 1));
     const std::size_t level_end = cells.size();
     if (level == 0)
       r.classify(cells[0], TriangleId(), {});
     else
-      parallel_for(parents.size(), 32, [&](std::size_t i) { r.classify_children(parents[i]); });
+      parallel_until(parents.size(), 32, control, [&](std::size_t i) { r.classify_children(parents[i]); });
     if (level < r.main_level_) {
       parents.clear();
       for (std::size_t i = level_begin; i < level_end; ++i)
@@ -96,8 +121,13 @@ Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& op
         return Error{ErrorCode::unsupported,
                      "The tolerance is too small for this input: its volume needs too many cells.",
                      "Choose a larger tolerance."};
+      if (Status fits = check_memory(cells.size() + 8 * parents.size(), r.main_level_ - level - 1, options);
+          !fits)
+        return fits.error();
       cells.reserve(cells.size() + 8 * parents.size());
+      SparsePoll poll(control);
       for (const CellIndex p : parents) {
+        if (poll.cancelled()) break;
         cells[p].child = static_cast<CellIndex>(cells.size());
         const Cell parent = cells[p];
         for (unsigned k = 0; k < 8; ++k) cells.push_back(child_of(parent, k));
@@ -106,14 +136,17 @@ Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& op
     level_begin = level_end;
   }
   r.main_size_ = cells.size();
-  r.unite_main();
+  r.unite_main(control);
+  if (control.cancelled()) return stopped();
   return r;
 }
 
-void Regions::unite_main() {
+void Regions::unite_main(const RunControl& control) {
+  SparsePoll poll(control);
   parents_.resize(cells_.size());
   for (std::size_t i = 0; i < parents_.size(); ++i) parents_[i] = static_cast<CellIndex>(i);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (poll.cancelled()) return;
     if (cells_[i].kind != Kind::out) continue;
     for (int face = 0; face < 6; ++face) {
       const CellIndex j = neighbor(cells_[i], face);
@@ -212,8 +245,10 @@ Regions::CellIndex Regions::compress(CellIndex i) {
   return i;
 }
 
-void Regions::flatten() {
-  for (std::size_t i = 0; i < parents_.size(); ++i) parents_[i] = root(static_cast<CellIndex>(i));
+void Regions::flatten(const RunControl& control) {
+  SparsePoll poll(control);
+  for (std::size_t i = 0; i < parents_.size() && !poll.cancelled(); ++i)
+    parents_[i] = root(static_cast<CellIndex>(i));
 }
 
 void Regions::unite(CellIndex a, CellIndex b) {
@@ -233,12 +268,13 @@ std::optional<std::uint32_t> Regions::number(CellIndex i) const {
   return found->second;
 }
 
-bool Regions::flood(CellIndex start, std::size_t budget) {
+bool Regions::flood(CellIndex start, std::size_t budget, const RunControl& control) {
+  SparsePoll poll(control, cells_between_questions);
   std::priority_queue<std::pair<float, CellIndex>> queue;
   std::unordered_set<CellIndex> seen{start}; // asked for membership only
   std::vector<CellIndex> below;
   queue.push({cells_[start].distance, start});
-  for (std::size_t visited = 0; !queue.empty() && visited < budget; ++visited) {
+  for (std::size_t visited = 0; !queue.empty() && visited < budget && !poll.cancelled(); ++visited) {
     const CellIndex i = queue.top().second;
     queue.pop();
     for (int face = 0; face < 6; ++face) {

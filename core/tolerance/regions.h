@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -40,10 +41,11 @@ class Regions {
     double main_side = 0; ///< ambiguous cells are split at once down to this side
     double min_side = 0;  ///< and on demand down to this one
     double margin = 0;    ///< between the input's box and the domain's
+    double most_bytes = std::numeric_limits<double>::infinity(); ///< that the main cells may take
   };
 
   /// Builds the main cells. Fails with unsupported when the tolerance is so small that their number would
-  /// exceed 2^31, with cancelled when told to.
+  /// exceed 2^31 or their memory the limit, with cancelled when told to.
   static Result<Regions> build(const ClosestPointIndex& index, const Options& options,
                                const RunControl& control);
 
@@ -65,14 +67,15 @@ class Regions {
   /// Representative of the component that holds an OUT cell.
   CellIndex root(CellIndex i) const;
   /// Makes root() a single step for all cells there are.
-  void flatten();
+  void flatten(const RunControl& control);
   /// Marks the component of an OUT cell as known by a number; floods stop there.
   void set_number(CellIndex i, std::uint32_t number) { numbers_[root(i)] = number; }
   std::optional<std::uint32_t> number(CellIndex i) const;
 
   /// Explores from an OUT cell, farthest from the input first, splitting ambiguous cells on its way, until it
-  /// meets another main or numbered component (true), nothing is left or `budget` cells were visited (false).
-  bool flood(CellIndex start, std::size_t budget);
+  /// meets another main or numbered component (true), nothing is left, `budget` cells were visited or the
+  /// control was cancelled (false).
+  bool flood(CellIndex start, std::size_t budget, const RunControl& control);
 
   /// Two numbered components that turned out to be one, at a passage that the main cells did not show.
   struct Passage {
@@ -88,7 +91,7 @@ class Regions {
   void classify(Cell& c, TriangleId guess, const TriangleNeighborhood& near) const;
   void classify_children(CellIndex parent);
   void split(CellIndex i);
-  void unite_main();
+  void unite_main(const RunControl& control);
   CellIndex neighbor(const Cell& c, int face) const;
   bool touches(const Cell& a, const Cell& b, int face) const;
   CellIndex compress(CellIndex i);

@@ -15,24 +15,26 @@ constexpr double step_out = 1.06;
 /// How far from δ' a projected point may be, relative to δ'.
 constexpr double projection_error = 1e-11;
 
+Vec3 corner(unsigned k, double q) {
+  return {k & 1u ? q : -q, k & 2u ? q : -q, k & 4u ? q : -q};
+}
+
+/// Whether a point at most `reach` away from one of distance d may be on ∂Ω'.
+bool may_hold_boundary(double d, double reach, double boundary) {
+  return d <= boundary + reach && d + reach >= boundary;
+}
+
 class Subdivision {
  public:
   Subdivision(const ToleranceVolume& volume, const CandidateOptions& options,
               std::vector<SampleCandidate>& out)
       : volume_(volume), options_(options), boundary_(volume.thresholds().boundary), out_(out) {}
 
-  /// Splits a cube in halves until its side is about the density, then evenly into cells small enough to be
-  /// covered by few samples.
-  void visit_cube(Vec3 center, double side, const ClosestPoint& closest) {
+  /// Splits a cube, whose side is about the density, evenly into cells small enough to be covered by few
+  /// samples.
+  void visit_cube(const CandidateCube& cube) {
+    const auto& [center, side, closest] = cube;
     const double d = closest.distance(), reach = half_diagonal * side;
-    if (!may_hold_boundary(d, reach)) return;
-    if (side > options_.target_bound * (1 + 1e-9)) {
-      for (unsigned k = 0; k < 8; ++k) {
-        const Vec3 c = center + corner(k, 0.25 * side);
-        visit_cube(c, 0.5 * side, volume_.index().closest_near(c, closest.triangle));
-      }
-      return;
-    }
     // Enough for the cells' centres, at most two thirds of the reach away, and for points of ∂Ω'.
     volume_.index().find_neighborhood(
         center, std::max(d + 1.35 * reach, (2 * step_out - 1) * boundary_ + reach), near_);
@@ -42,22 +44,16 @@ class Subdivision {
       for (int y = 0; y < n; ++y)
         for (int x = 0; x < n; ++x) {
           const Vec3 offset = Vec3{x + 0.5 - 0.5 * n, y + 0.5 - 0.5 * n, z + 0.5 - 0.5 * n} * cell;
-          if (may_hold_boundary(d, length(offset) + half_diagonal * cell))
+          if (may_hold_boundary(d, length(offset) + half_diagonal * cell, boundary_))
             visit(center + offset, cell, closest.triangle);
         }
   }
 
  private:
-  static Vec3 corner(unsigned k, double q) { return {k & 1u ? q : -q, k & 2u ? q : -q, k & 4u ? q : -q}; }
-  /// Whether a point at most `reach` away from one of distance d may be on ∂Ω'.
-  bool may_hold_boundary(double d, double reach) const {
-    return d <= boundary_ + reach && d + reach >= boundary_;
-  }
-
   void visit(Vec3 center, double side, TriangleId guess) {
     const double reach = half_diagonal * side;
     const ClosestPoint closest = volume_.index().closest_near(center, guess, near_, boundary_ - reach);
-    if (!may_hold_boundary(closest.distance(), reach)) return;
+    if (!may_hold_boundary(closest.distance(), reach, boundary_)) return;
 
     SampleCandidate candidate;
     candidate.center = center;
@@ -152,13 +148,34 @@ double farthest_in_cube(Vec3 p, Vec3 center, double half_side) {
   return length(d);
 }
 
-void find_candidates(const ToleranceVolume& volume, const Regions::Cell& cell,
+CandidateCube cube_of(const ToleranceVolume& volume, const Regions::Cell& main_cell) {
+  const Vec3 center = volume.octree().center(main_cell);
+  const Vec3 point = closest_point_on_triangle(center, volume.index().triangle(main_cell.triangle));
+  return {center,
+          volume.octree().side(main_cell.level),
+          {point, squared_length(point - center), main_cell.triangle}};
+}
+
+void split_cube(const ToleranceVolume& volume, const CandidateCube& cube, double widest,
+                std::vector<CandidateCube>& parts) {
+  const double d = cube.closest.distance(), side = cube.side;
+  if (!may_hold_boundary(d, half_diagonal * side, volume.thresholds().boundary)) return;
+  if (side <= widest * (1 + 1e-9)) {
+    parts.push_back(cube);
+    return;
+  }
+  for (unsigned k = 0; k < 8; ++k) {
+    const Vec3 c = cube.center + corner(k, 0.25 * side);
+    split_cube(volume, {c, 0.5 * side, volume.index().closest_near(c, cube.closest.triangle)}, widest, parts);
+  }
+}
+
+void find_candidates(const ToleranceVolume& volume, const CandidateCube& cube,
                      const CandidateOptions& options, std::vector<SampleCandidate>& candidates) {
-  const Regions& octree = volume.octree();
-  const Vec3 center = octree.center(cell);
-  const Vec3 point = closest_point_on_triangle(center, volume.index().triangle(cell.triangle));
-  Subdivision(volume, options, candidates)
-      .visit_cube(center, octree.side(cell.level), {point, squared_length(point - center), cell.triangle});
+  std::vector<CandidateCube> parts;
+  split_cube(volume, cube, options.target_bound, parts);
+  Subdivision subdivision(volume, options, candidates);
+  for (const CandidateCube& part : parts) subdivision.visit_cube(part);
 }
 
 } // namespace isoscope

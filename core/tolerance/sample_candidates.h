@@ -36,9 +36,22 @@ struct CandidateOptions {
 /// The largest distance from p to a point of the cube.
 double farthest_in_cube(Vec3 p, Vec3 center, double half_side);
 
-/// Appends the candidates of an ambiguous main cell, those of each of its cubes of side <= target_bound
-/// together, in the octree's order. Thread-safe.
-void find_candidates(const ToleranceVolume& volume, const Regions::Cell& cell,
+/// A cube that may hold boundary points: an ambiguous main cell, or what repeated halving makes of one.
+struct CandidateCube {
+  Vec3 center;
+  double side = 0;
+  ClosestPoint closest; ///< of the centre
+};
+
+CandidateCube cube_of(const ToleranceVolume& volume, const Regions::Cell& main_cell);
+/// Halves a cube until its parts are at most `widest` wide, and appends those that may hold boundary points,
+/// in the order of find_candidates. Thread-safe.
+void split_cube(const ToleranceVolume& volume, const CandidateCube& cube, double widest,
+                std::vector<CandidateCube>& parts);
+
+/// Appends the candidates of a cube, those of each of its parts of side <= target_bound together, in the
+/// octree's order. Thread-safe.
+void find_candidates(const ToleranceVolume& volume, const CandidateCube& cube,
                      const CandidateOptions& options, std::vector<SampleCandidate>& candidates);
 
 } // namespace isoscope

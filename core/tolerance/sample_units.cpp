@@ -82,9 +82,26 @@ bool SampleUnitFinder::together(Regions::CellIndex a, Regions::CellIndex b) cons
 }
 
 std::vector<SampleUnit> SampleUnitFinder::find(std::span<const Regions::CellIndex> main_cells) const {
-  const Regions& octree = volume_.octree();
   std::vector<SampleCandidate> list;
-  for (const Regions::CellIndex i : main_cells) find_candidates(volume_, octree.cell(i), options_, list);
+  for (const Regions::CellIndex i : main_cells)
+    find_candidates(volume_, cube_of(volume_, volume_.octree().cell(i)), options_, list);
+  return group(list);
+}
+
+std::vector<SampleUnit> SampleUnitFinder::find(const CandidateCube& part) const {
+  std::vector<SampleCandidate> list;
+  find_candidates(volume_, part, options_, list);
+  return group(list);
+}
+
+std::optional<double> SampleUnitFinder::part_side() const {
+  const double part = units_by_part * side_;
+  if (part * (1 + 1e-9) < volume_.octree().side(volume_.octree().main_level())) return part;
+  return std::nullopt;
+}
+
+std::vector<SampleUnit> SampleUnitFinder::group(const std::vector<SampleCandidate>& list) const {
+  const Regions& octree = volume_.octree();
   const auto cube = [&](const SampleCandidate& c) {
     const Vec3 u = (c.center - octree.origin()) / side_;
     return std::array{std::floor(u.x), std::floor(u.y), std::floor(u.z)};

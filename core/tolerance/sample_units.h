@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,13 +45,21 @@ class SampleUnit {
 class SampleUnitFinder {
  public:
   static constexpr double widest_unit = 4;
+  static constexpr double units_by_part = 4; ///< along an axis
 
   SampleUnitFinder(const ToleranceVolume& volume, double sigma, const CandidateOptions& options);
   /// Whether two main cells lie in the same cube, so that they belong in one call of find().
   bool together(Regions::CellIndex a, Regions::CellIndex b) const;
   std::vector<SampleUnit> find(std::span<const Regions::CellIndex> main_cells) const;
+  /// The same of a part of a main cell.
+  std::vector<SampleUnit> find(const CandidateCube& part) const;
+  /// The side of the parts that a main cell should be halved into, when it holds so many units that they are
+  /// better found part by part; nothing where it does not.
+  std::optional<double> part_side() const;
 
  private:
+  std::vector<SampleUnit> group(const std::vector<SampleCandidate>& list) const;
+
   const ToleranceVolume& volume_;
   CandidateOptions options_;
   double sigma_;

@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t most_pocket_cells = 5000;
 /// Cells that one flood may visit while joining pockets, and all of them together may create.
 constexpr std::size_t pocket_budget = 20000;
+constexpr std::size_t thin_region_budget = 200000;
 constexpr std::size_t most_refined_cells = 6'000'000;
 constexpr std::size_t most_components = 0xffff;
 /// Places between opposite walls of a component from which a region that the main cells miss is climbed to.
@@ -46,11 +47,12 @@ struct RegionSummary {
 };
 
 /// The components of OUT cells, ascending by root.
-std::vector<RegionSummary> summarize(const Regions& octree) {
+std::vector<RegionSummary> summarize(const Regions& octree, const RunControl& control) {
+  SparsePoll poll(control);
   constexpr std::uint32_t none = 0xffffffffu;
   std::vector<std::uint32_t> index(octree.size(), none);
   std::vector<RegionSummary> list;
-  for (std::size_t k = 0; k < octree.size(); ++k) {
+  for (std::size_t k = 0; k < octree.size() && !poll.cancelled(); ++k) {
     const auto i = static_cast<Regions::CellIndex>(k);
     const Regions::Cell& c = octree.cell(i);
     if (c.kind != Regions::Kind::out) continue;
@@ -111,20 +113,30 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   // that point, and OUT needs another 0.867 sides.
   const double min_side = 0.57 * (v.thresholds_.reject - boundary);
   const double main_side = main_side_ratio(*v.index_, input, boundary) * boundary;
-  auto octree = Regions::build(*v.index_, {boundary, main_side, min_side, 3 * delta}, control);
+  auto octree =
+      Regions::build(*v.index_, {boundary, main_side, min_side, 3 * delta, options.most_bytes}, control);
   if (!octree.ok()) return octree.error();
   v.octree_ = std::make_unique<Regions>(std::move(octree).value());
+  const Error stopped{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
   v.join_pockets(control);
+  if (control.cancelled()) return stopped;
 
-  VolumeComponents components = find_volume_components(*v.index_, boundary);
+  VolumeComponents components = find_volume_components(*v.index_, boundary, control);
+  if (control.cancelled()) return stopped;
   v.volume_components_ = std::move(components.of_triangle);
   v.volume_component_count_ = components.count;
-  v.collect_regions();
-  v.collect_boundary_components();
-  // Where sides are known, those that are missing are; soups must know all regions before they can be coloured.
-  if (!v.sides_.known()) v.find_thin_regions();
-  if (Status s = v.label_regions(); !s.ok()) return s.error();
-  if (v.sides_.known()) v.find_thin_regions();
+  v.collect_regions(control);
+  if (control.cancelled()) return stopped;
+  v.collect_boundary_components(control);
+  // Where sides are known, those that are missing are; soups must know all regions before they can be
+  // coloured.
+  if (!v.sides_.known()) v.find_thin_regions(control);
+  if (control.cancelled()) return stopped;
+  const Status labelled = v.label_regions(control);
+  if (control.cancelled()) return stopped;
+  if (!labelled) return labelled.error();
+  if (v.sides_.known()) v.find_thin_regions(control);
+  if (control.cancelled()) return stopped;
   for (BoundaryComponent& c : v.boundary_components_) c.label = v.regions_[c.region.index()].label;
 
   auto characteristics = boundary_characteristics(v, 0, control);
@@ -132,14 +144,13 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   for (std::size_t i = 0; i < v.boundary_components_.size(); ++i)
     v.boundary_components_[i].euler_characteristic = (*characteristics)[i];
   v.witnesses_ = find_witnesses(v, control);
-  if (control.cancelled())
-    return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+  if (control.cancelled()) return stopped;
   return v;
 }
 
 /// Pockets that only a crevice between main cells cuts off are joined to what they belong to, smallest first.
 void ToleranceVolume::join_pockets(const RunControl& control) {
-  std::vector<RegionSummary> pockets = summarize(*octree_);
+  std::vector<RegionSummary> pockets = summarize(*octree_, control);
   std::stable_sort(pockets.begin(), pockets.end(),
                    [](const auto& a, const auto& b) { return a.volume < b.volume; });
   const std::size_t built = octree_->size();
@@ -147,7 +158,7 @@ void ToleranceVolume::join_pockets(const RunControl& control) {
     if (control.cancelled() || octree_->size() > built + most_refined_cells) return;
     const RegionSummary& pocket = pockets[k];
     if (pocket.cells > most_pocket_cells || octree_->root(pocket.root) != pocket.root) continue;
-    octree_->flood(pocket.deepest, pocket_budget);
+    octree_->flood(pocket.deepest, pocket_budget, control);
     control.report("regions", -1);
   }
 }
@@ -179,27 +190,30 @@ RegionId ToleranceVolume::add_region(std::uint32_t cell, Vec3 deepest, double de
   return id;
 }
 
-void ToleranceVolume::collect_regions() {
+void ToleranceVolume::collect_regions(const RunControl& control) {
   const Box3 cube = domain();
   const Vec3 inset = Vec3{1, 1, 1} * (1e-9 * cube.longest_edge());
   const Regions::CellIndex unbounded = octree_->root(octree_->locate(cube.lo + inset));
-  std::vector<RegionSummary> list = summarize(*octree_);
+  std::vector<RegionSummary> list = summarize(*octree_, control);
   std::stable_partition(list.begin(), list.end(),
                         [&](const RegionSummary& s) { return s.root == unbounded; });
   for (const RegionSummary& s : list) {
+    if (control.cancelled()) return;
     const Regions::Cell& c = octree_->cell(s.deepest);
     add_region(s.root, octree_->center(c), static_cast<double>(c.distance), s.volume);
   }
-  octree_->flatten();
+  octree_->flatten(control);
+  if (regions_.empty()) return;
   regions_.front().unbounded = true;
   regions_.front().volume = std::numeric_limits<double>::infinity();
 }
 
 /// From the centre of an OUT cell towards its closest triangle everything outside of Ω' is in the cell's
 /// region: so that region touches the component of Ω' of that triangle.
-void ToleranceVolume::collect_boundary_components() {
+void ToleranceVolume::collect_boundary_components(const RunControl& control) {
+  SparsePoll poll(control);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::size_t k = 0; k < octree_->size(); ++k) {
+  for (std::size_t k = 0; k < octree_->size() && !poll.cancelled(); ++k) {
     const auto i = static_cast<Regions::CellIndex>(k);
     const Regions::Cell& c = octree_->cell(i);
     if (c.kind != Regions::Kind::out) continue;
@@ -229,7 +243,7 @@ bool ToleranceVolume::touches(Vec3 p, double d, std::uint32_t component) const {
 
 /// Where a component of Ω' seems to have one side only, the other may be too thin for the main cells: looks
 /// for it midway between opposite walls.
-void ToleranceVolume::find_thin_regions() {
+void ToleranceVolume::find_thin_regions(const RunControl& control) {
   std::vector<std::array<bool, 2>> has(
       volume_component_count_); // before labels are known: one, more than one
   for (const BoundaryComponent& c : boundary_components_) {
@@ -239,24 +253,27 @@ void ToleranceVolume::find_thin_regions() {
   }
   for (std::uint32_t component = 0; component < has.size(); ++component) {
     if (has[component][0] && has[component][1]) continue;
+    if (control.cancelled()) return;
     std::vector<RegionId> found;
     const auto look = [&](const ThicknessProbe& probe) {
-      const RegionId r = region_at(probe.middle);
+      const RegionId r = region_at(probe.middle, thin_region_budget, control);
       if (!r.valid() || std::find(found.begin(), found.end(), r) != found.end()) return;
       if (!touches(probe.middle, probe.distance, component)) return;
       found.push_back(r);
     };
-    std::vector<ThicknessProbe> probes = probe_thickness(*this, component);
+    std::vector<ThicknessProbe> probes = probe_thickness(*this, component, control);
     for (const ThicknessProbe& probe : probes)
       if (probe.distance > thresholds_.reject) look(probe);
     if (found.empty()) {
       std::stable_sort(probes.begin(), probes.end(),
                        [](const auto& a, const auto& b) { return a.distance > b.distance; });
       probes.resize(std::min(probes.size(), most_climbs));
-      for (const ThicknessProbe& probe : probes)
+      for (const ThicknessProbe& probe : probes) {
+        if (control.cancelled()) return;
         if (const auto top = climb(*index_, probe, 1.01 * thresholds_.reject);
             top.distance > thresholds_.reject)
           look(top);
+      }
     }
     for (const RegionId r : found)
       if (std::none_of(boundary_components_.begin(), boundary_components_.end(),
@@ -282,8 +299,9 @@ std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region
   return static_cast<std::uint16_t>(i);
 }
 
-Status ToleranceVolume::label_regions() {
-  auto labels = sides_.known() ? label_by_sides(*this) : label_by_two_colouring(*this);
+Status ToleranceVolume::label_regions(const RunControl& control) {
+  auto labels = sides_.known() ? label_by_sides(*this, control) : label_by_two_colouring(*this, control);
+  if (control.cancelled()) return {};
   if (!labels.ok()) return labels.error();
   for (std::size_t i = 0; i < regions_.size(); ++i) regions_[i].label = (*labels)[i];
   if (winds())
@@ -345,13 +363,14 @@ ToleranceVolume::Escape ToleranceVolume::escape(Vec3 p, const ClosestPoint& clos
   return result;
 }
 
-RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget) {
+RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget, const RunControl& control) {
   const Regions::CellIndex i = octree_->locate_refining(p);
   if (i == Regions::none) return RegionId(0);
   if (octree_->cell(i).kind != Regions::Kind::out) return {};
   if (const auto number = octree_->number(i)) return RegionId(*number);
-  octree_->flood(i, budget);
+  octree_->flood(i, budget, control);
   if (const auto number = octree_->number(i)) return RegionId(*number);
+  if (control.cancelled()) return {}; // whether it belongs to a known one was not found out
   const Regions::Cell c = octree_->cell(i);
   const double side = octree_->side(c.level);
   const RegionId id = add_region(i, octree_->center(c), static_cast<double>(c.distance), side * side * side);
@@ -362,8 +381,8 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget) {
   return id;
 }
 
-int ToleranceVolume::label_at(Vec3 p) {
-  const RegionId region = region_at(p);
+int ToleranceVolume::label_at(Vec3 p, const RunControl& control) {
+  const RegionId region = region_at(p, thin_region_budget, control);
   return region.valid() ? regions_[region.index()].label : 0;
 }
 

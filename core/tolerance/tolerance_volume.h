@@ -11,6 +11,7 @@
 #include "tolerance/witnesses.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -87,14 +88,16 @@ Error open_surface_near(Vec3 p);
 class ToleranceVolume {
  public:
   struct Options {
-    double delta = 0;             ///< absolute, > 0
-    double boundary_ratio = 0.95; ///< δ'/δ in (0, 1]
+    double delta = 0;                                            ///< absolute, > 0
+    double boundary_ratio = 0.95;                                ///< δ'/δ in (0, 1]
+    double most_bytes = std::numeric_limits<double>::infinity(); ///< that the octree's main cells may take
   };
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
   /// Fails with unsupported on open surfaces (a component of Ω that touches one region only) and on
-  /// non-manifold ones (three regions or more), naming the place; with cancelled when told to. Parts that are
-  /// thinner than 2δ' everywhere are built: find_thin_parts() tells them.
+  /// non-manifold ones (three regions or more), naming the place, and where the octree takes too much memory;
+  /// with cancelled when told to. Parts that are thinner than 2δ' everywhere are built: find_thin_parts()
+  /// tells them.
   static Result<ToleranceVolume> build(std::shared_ptr<const ClosestPointIndex> index,
                                        const InputTopology& input, const Options& options,
                                        const RunControl& control);
@@ -138,12 +141,11 @@ class ToleranceVolume {
   std::vector<std::string> side_notes() const;
 
   /// F of the region that holds p, or 0 when p lies in Ω' or in a crevice too thin to tell. d(p) > δ_r always
-  /// has a label.
-  int label_at(Vec3 p);
-  /// The region that holds p, invalid where label_at would be 0.
-  RegionId region_at(Vec3 p) { return region_at(p, 200000); }
-  /// The same, visiting at most `budget` cells before what was found counts as a region of its own.
-  RegionId region_at(Vec3 p, std::size_t budget);
+  /// has a label, unless the control is cancelled before it is known: then it is 0 too.
+  int label_at(Vec3 p, const RunControl& control = {});
+  /// The region that holds p, invalid where label_at would be 0, visiting at most `budget` cells before what
+  /// was found counts as a region of its own.
+  RegionId region_at(Vec3 p, std::size_t budget = 200000, const RunControl& control = {});
 
   /// Where certified steps away from the input lead: the region behind a point, and the farthest point
   /// reached.
@@ -173,12 +175,12 @@ class ToleranceVolume {
  private:
   ToleranceVolume();
   void join_pockets(const RunControl& control);
-  void collect_regions();
-  void collect_boundary_components();
-  void find_thin_regions();
+  void collect_regions(const RunControl& control);
+  void collect_boundary_components(const RunControl& control);
+  void find_thin_regions(const RunControl& control);
   bool touches(Vec3 p, double d, std::uint32_t component) const;
   void deepen(Region& region) const;
-  Status label_regions();
+  Status label_regions(const RunControl& control);
   bool is_uncounted(const Region& r) const;
   /// Whether winding numbers mean something: the triangles cancel along every edge.
   bool winds() const { return sides_.rule() == SideRule::winding || input_.consistently_oriented; }
@@ -199,7 +201,8 @@ class ToleranceVolume {
 };
 
 /// Connectivity of a soup after merging bitwise equal points, and what tells its sides; the self-intersection
-/// test is exact (CGAL).
-InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode = SidesMode::automatic);
+/// test is exact (CGAL). What was not found out before the control was cancelled is false.
+InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode = SidesMode::automatic,
+                            const RunControl& control = {});
 
 } // namespace isoscope

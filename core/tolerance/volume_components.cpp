@@ -7,8 +7,13 @@
 #include <tuple>
 
 namespace isoscope {
+namespace {
 
-VolumeComponents find_volume_components(const ClosestPointIndex& index, double r) {
+constexpr std::uint32_t triangles_between_questions = 16;
+
+} // namespace
+
+VolumeComponents find_volume_components(const ClosestPointIndex& index, double r, const RunControl& control) {
   const auto n = static_cast<std::uint32_t>(index.size());
   DisjointSets sets(n);
   std::size_t count = n;
@@ -28,11 +33,13 @@ VolumeComponents find_volume_components(const ClosestPointIndex& index, double r
   for (std::size_t i = 1; i < corners.size(); ++i)
     if (corners[i].p == corners[i - 1].p && sets.unite(corners[i].triangle, corners[i - 1].triangle)) --count;
 
-  for (std::uint32_t t = 0; t < n && count > 1; ++t) {
+  SparsePoll poll(control, triangles_between_questions);
+  for (std::uint32_t t = 0; t < n && count > 1 && !poll.cancelled(); ++t) {
     const Triangle3& triangle = index.triangle(TriangleId(t));
     Box3 box;
     for (const Vec3 p : triangle) box.add(p);
     for (const TriangleId other : index.triangles_in(box.grown(2 * r))) {
+      if (count == 1) break;
       if (other.value <= t || sets.find(other.value) == sets.find(t)) continue;
       if (triangles_within(triangle, index.triangle(other), 2 * r) && sets.unite(t, other.value)) --count;
     }

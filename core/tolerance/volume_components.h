@@ -1,6 +1,7 @@
 // The connected components of Ω' in terms of the input triangles.
 #pragma once
 
+#include "base/run_control.h"
 #include "tolerance/closest_point.h"
 
 #include <cstddef>
@@ -15,6 +16,8 @@ struct VolumeComponents {
   std::size_t count = 0;                  ///< numbered by their smallest triangle id
 };
 
-VolumeComponents find_volume_components(const ClosestPointIndex& index, double r);
+/// Of no use once the control is cancelled.
+VolumeComponents find_volume_components(const ClosestPointIndex& index, double r,
+                                        const RunControl& control = {});
 
 } // namespace isoscope

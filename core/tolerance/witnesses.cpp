@@ -24,9 +24,12 @@ constexpr std::size_t triangles_per_task = 256;
 /// The OUT cells whose centres lie beyond δ, with a union-find across faces.
 class DeepCells {
  public:
-  DeepCells(const Regions& octree, double delta) : octree_(octree), delta_(delta), parent_(octree.size()) {
+  /// Of no use once the control is cancelled.
+  DeepCells(const Regions& octree, double delta, const RunControl& control)
+      : octree_(octree), delta_(delta), parent_(octree.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
-    for (CellIndex i = 0; i < octree.size(); ++i) {
+    SparsePoll poll(control);
+    for (CellIndex i = 0; i < octree.size() && !poll.cancelled(); ++i) {
       if (!deep(i)) continue;
       const Regions::Cell& c = octree.cell(i);
       const Vec3 center = octree.center(c);
@@ -56,9 +59,10 @@ class DeepCells {
   }
 
   /// The deepest cell of each group, by its smallest cell.
-  std::vector<CellIndex> deepest() const {
+  std::vector<CellIndex> deepest(const RunControl& control) const {
     std::map<CellIndex, CellIndex> best;
-    for (CellIndex i = 0; i < octree_.size(); ++i) {
+    SparsePoll poll(control);
+    for (CellIndex i = 0; i < octree_.size() && !poll.cancelled(); ++i) {
       if (!deep(i)) continue;
       const auto [at, fresh] = best.emplace(find(i), i);
       if (!fresh && octree_.cell(i).distance > octree_.cell(at->second).distance) at->second = i;
@@ -123,8 +127,9 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
   for (const Region& r : volume.regions()) {
     if (r.depth > delta * (1 + offset_margin)) witnesses.push_back({r.deepest, r.label, r.depth});
   }
-  const DeepCells cells(volume.octree(), delta);
-  for (const CellIndex i : cells.deepest()) {
+  const DeepCells cells(volume.octree(), delta, control);
+  for (const CellIndex i : cells.deepest(control)) {
+    if (control.cancelled()) return witnesses;
     const Regions::Cell& c = volume.octree().cell(i);
     const Vec3 p = volume.octree().center(c);
     const double depth = index.distance(p);
@@ -135,10 +140,10 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
 
   const std::size_t stride = index.size() / most_triangles + 1, looked = (index.size() + stride - 1) / stride;
   std::vector<Witness> found(2 * looked);
-  parallel_for(looked, triangles_per_task, [&](std::size_t i) {
+  parallel_until(looked, triangles_per_task, control, [&](std::size_t i) {
     const Triangle3& t = index.triangle(TriangleId(i * stride));
     const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
-    if (normal == Vec3{} || control.cancelled()) return;
+    if (normal == Vec3{}) return;
     for (std::size_t side = 0; side < 2; ++side) {
       const double offset = (side == 0 ? 1 : -1) * delta * (1 + offset_margin);
       Vec3 p = (t[0] + t[1] + t[2]) / 3.0 + offset * normal;
@@ -149,6 +154,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
   });
   for (const Witness& w : found) {
     if (!(w.depth > 0)) continue;
+    if (control.cancelled()) break;
     // Climbs that end in the ball of an earlier witness belong to it.
     const bool known = std::any_of(witnesses.begin(), witnesses.end(), [&](const Witness& o) {
       return distance(w.point, o.point) < std::max(o.depth, w.depth) - delta;

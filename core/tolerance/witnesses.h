@@ -22,7 +22,7 @@ struct Witness {
 /// Witnesses of {d > δ}, whose components are smaller than the regions of {d > δ'}: Z may pass where a region
 /// is narrow and cut a part of it off. From the octree's cells, and, for closed input, from both sides of
 /// every triangle at distance δ, where components below the octree's resolution show. Those that are plainly
-/// joined to another one are left out. The unbounded region comes first.
+/// joined to another one are left out. The unbounded region comes first. Fewer once the control is cancelled.
 std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunControl& control);
 
 } // namespace isoscope

@@ -145,6 +145,7 @@ TEST_CASE("Parameters come back from JSON") {
   p.drop_thin = true;
   p.cover = 1.5;
   p.time_limit = 12.5;
+  p.memory_limit = 4096;
   const auto back = parse_parameters(parameters_json(p));
   REQUIRE(back.ok());
   CHECK(parameters_json(*back) == parameters_json(p));

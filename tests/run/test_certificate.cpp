@@ -193,3 +193,9 @@ TEST_CASE("A cancelled control does not keep a mesh from being judged, an abando
   control.abandon();
   CHECK(!certify(sphere().mesh(), sphere().volume, sphere().expected, control).holds());
 }
+
+TEST_CASE("An empty mesh is not certified, and that is said at once") {
+  const Certificate c = sphere().judge({});
+  CHECK_FALSE(c.holds());
+  CHECK(mentions(c, "The mesh is empty."));
+}

@@ -114,3 +114,7 @@ TEST_CASE("A cavity may be given either way around") {
 TEST_CASE("Nothing to measure is said") {
   CHECK(measured({}, cube()).points == 0);
 }
+
+TEST_CASE("An empty mesh has no normals to measure") {
+  CHECK(measured({}, cube()).points == 0);
+}

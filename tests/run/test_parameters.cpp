@@ -61,6 +61,8 @@ TEST_CASE("Each number outside its range is refused with option, value and range
   for (const double bad : {0.0, 1.0, -1.0, nan}) refused([&](RunParameters& p) { p.alpha = bad; }, "--alpha");
   for (const double bad : {0.0, 1.5, nan}) refused([&](RunParameters& p) { p.shrink = bad; }, "--shrink");
   for (const double bad : {-1.0, nan}) refused([&](RunParameters& p) { p.time_limit = bad; }, "--time-limit");
+  for (const double bad : {-1.0, nan})
+    refused([&](RunParameters& p) { p.memory_limit = bad; }, "--memory-limit");
   for (const double bad : {0.0, -1.0, 101.0, nan}) {
     refused([&](RunParameters& p) { p.tolerance = {bad, true}; }, "--tolerance");
   }

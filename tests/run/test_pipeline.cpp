@@ -229,3 +229,11 @@ TEST_CASE("What cannot be run is refused with the reason") {
   CHECK(!wrong.prepare());
   CHECK(wrong.error->code == ErrorCode::usage);
 }
+
+TEST_CASE("A soup without triangles is refused") {
+  CompleteRun run(gallery_parameters("sphere"));
+  run.soup = std::make_shared<const TriangleSoup>();
+  CHECK_FALSE(run.prepare());
+  REQUIRE(run.error);
+  CHECK(run.error->code == ErrorCode::bad_input);
+}

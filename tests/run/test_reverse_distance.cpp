@@ -105,3 +105,13 @@ TEST_CASE("Threads change no bit, an abandoned control proves nothing") {
   CHECK(nothing.lower == 0);
   CHECK(nothing.upper == Box3::inf);
 }
+
+TEST_CASE("Nothing is at no distance, and infinitely far from what there is") {
+  const ClosestPointIndex nothing = index_of({}), something = index_of({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
+  const DistanceBounds from_nothing = bound_distance(nothing, something, 0.1, RunControl());
+  CHECK(from_nothing.lower == 0);
+  CHECK(from_nothing.upper == 0);
+  const DistanceBounds to_nothing = bound_distance(something, nothing, 0.1, RunControl());
+  CHECK(std::isinf(to_nothing.lower));
+  CHECK(std::isinf(to_nothing.upper));
+}

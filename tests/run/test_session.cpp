@@ -2,6 +2,7 @@
 #include "run/session.h"
 
 #include "journal/playback.h"
+#include "recording/recording_reader.h"
 #include "run/complete_run.h"
 #include "run/snapshot.h"
 
@@ -10,7 +11,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
 #include <thread>
+
+#include <unistd.h>
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -238,6 +244,49 @@ TEST_CASE("A session ends at once, whatever it is doing") {
       std::this_thread::yield();
     }
   }
+}
+
+TEST_CASE("A session whose run does not obey closes its recording before it waits") {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() /
+                                     ("isoscope_disobedient_" + std::to_string(getpid()) + ".isorun"),
+                              log = file.string() + "-wal";
+  std::atomic<bool> stuck{false}, released{false};
+  auto session = std::make_unique<Session>();
+  session->set_breakpoint([&](const Journal& journal, const Event&) -> std::string {
+    if (journal.events().size() < 100 || released) return {};
+    stuck = true;
+    while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return {};
+  });
+  session->start(gallery_parameters("torus"));
+  REQUIRE(session->record(file).ok());
+  const auto wait_for = [](const auto& what) {
+    for (int i = 0; i < 1000 * patience && !what(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return what();
+  };
+  REQUIRE(wait_for([&] { return stuck.load(); }));
+  std::thread end([&] { session.reset(); });
+  // A recording that is closed has no log beside it, and everything that there was.
+  const bool closed = wait_for([&] { return !std::filesystem::exists(log); });
+  std::size_t events = 0;
+  if (auto opened = RecordingReader::open(file)) {
+    Journal read;
+    while ((*opened)->read_commit(read).ok() && read.events().size() > events) events = read.events().size();
+  }
+  CHECK(closed);
+  CHECK(events >= 99);
+  CHECK_FALSE(released);
+  released = true;
+  end.join();
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("A session that is abandoned ends") {
+  Session session;
+  session.start(gallery_parameters("torus"));
+  session.abandon();
+  CHECK(session.wait_until_settled(patience));
 }
 
 TEST_CASE("What fails says why") {

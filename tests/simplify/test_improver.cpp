@@ -262,3 +262,16 @@ TEST_CASE("gallery models come out valid") {
     CHECK(mesh.points.size() < start.mesh.points.size() / 2);
   }
 }
+
+TEST_CASE("an empty surface stays empty, and its input keeps its normals") {
+  const Start start(sphere(8), 4);
+  TriangleMesh mesh;
+  Listener listener;
+  const auto outcome = improve(mesh, *start.volume, nullptr, with_effort(3), RunControl(), listener);
+  CHECK(outcome.end == ImproverOutcome::End::finished);
+  CHECK(mesh.triangles.empty());
+  CHECK(listener.changes.empty());
+  const InputSurface input(start.volume->index(), start.delta(), {});
+  const Triangle3& t = start.volume->index().triangle(TriangleId(0));
+  CHECK(dot(input.normal(TriangleId(0)), cross(t[1] - t[0], t[2] - t[0])) > 0);
+}

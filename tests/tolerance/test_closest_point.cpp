@@ -131,3 +131,21 @@ TEST_CASE("box queries return exactly the triangles whose boxes meet") {
     CHECK(index.triangles_in(box) == expected);
   }
 }
+
+TEST_CASE("An index without triangles answers every question at once: there is nothing") {
+  const ClosestPointIndex index(TriangleSoup{});
+  const Vec3 p{1, -2, 3};
+  CHECK(index.empty());
+  CHECK(index.size() == 0);
+  CHECK_FALSE(index.closest(p).triangle.valid());
+  CHECK_FALSE(index.closest(p, 5).triangle.valid());
+  CHECK_FALSE(index.closest_near(p, TriangleId()).triangle.valid());
+  CHECK(std::isinf(index.distance(p)));
+  TriangleNeighborhood near;
+  index.find_neighborhood(p, 1, near);
+  CHECK(near.entries.empty());
+  CHECK_FALSE(index.closest_near(p, {}, near).triangle.valid());
+  CHECK_FALSE(index.inside_by_parity(p));
+  CHECK(index.crossings(p, {}).empty());
+  CHECK(index.triangles_in({{-9, -9, -9}, {9, 9, 9}}).empty());
+}

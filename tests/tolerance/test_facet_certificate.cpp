@@ -96,3 +96,9 @@ TEST_CASE("degenerate facets and exhausted budgets are handled") {
   CHECK(verdict.kind == Kind::undecided);
   CHECK(verdict.pieces == 4);
 }
+
+TEST_CASE("Nothing is inside of a volume around no triangles") {
+  const ClosestPointIndex index(TriangleSoup{});
+  const FacetVerdict verdict = certify_facet(index, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, 1e9, 1e9);
+  CHECK(verdict.kind == Kind::outside);
+}

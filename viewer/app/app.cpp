@@ -2,6 +2,7 @@
 #include "app/app.h"
 
 #include "app/debug_actions.h"
+#include "app/last_wait.h"
 #include "input/gallery.h"
 #include "panels/panels.h"
 #include "platform/endings.h"
@@ -22,7 +23,8 @@ constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoDecoration | ImGuiWin
                                         ImGuiWindowFlags_NoSavedSettings |
                                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 constexpr int frames_after_input = 3;
-constexpr int stopped_status = 4;        ///< as when the batch program is stopped
+constexpr int stopped_status = 4,
+              lost_status = 2;           ///< as when the batch program is stopped; without a display
 constexpr double script_step = 1.0 / 60; ///< scripts see an even clock
 constexpr double hover_seconds = 1.2;    ///< after the last input, for hovers and tooltips that come late
 constexpr double idle_wait = 0.25, running_wait = 0.03, script_wait = 0.005;
@@ -113,9 +115,15 @@ void App::save() {
   save_settings(settings_path_, model_->settings);
 }
 
+void App::close() {
+  save();
+  if (model_) model_->abandon();
+}
+
 void App::end_because(const std::string& cause) {
   if (!model_) return;
-  save();
+  close();
+  const LastWait wait(display_lost() ? lost_status : stopped_status);
   std::string left = settings_path_.empty() ? "" : " The settings are saved.";
   const SessionSnapshot last = model_->session.snapshot();
   if (last.recording && !last.recording->opened)

@@ -22,6 +22,8 @@ class App {
   ~App();
   /// Runs until the window closes, the script ends or a signal asks for the end; the exit status.
   int run();
+  /// Keeps the settings and tells everything under way to end, without waiting for it.
+  void close();
 
  private:
   App() = default;

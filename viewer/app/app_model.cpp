@@ -93,6 +93,14 @@ bool AppModel::draft_differs() const {
          draft.condition_4 != p.condition_4;
 }
 
+void AppModel::abandon() {
+  session.abandon();
+  if (ShownRun* other = comparison.other()) other->session.abandon();
+  unlocks.abandon();
+  debug.worker.abandon();
+  investigation.abandon();
+}
+
 void AppModel::report(const Error& error) {
   messages.push_back({true, error.message, error.remedy, clock});
   while (messages.size() > message_limit) messages.pop_front();

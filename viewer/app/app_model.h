@@ -154,6 +154,8 @@ class AppModel : public ShownRun {
   bool draft_differs() const;
   bool draft_needs_restart() const;
 
+  /// Tells everything that runs or is asked to end, and waits for nothing.
+  void abandon();
   void report(const Error& error);
   void tell(std::string text);
 

@@ -280,6 +280,14 @@ struct Investigation::AnnotationKey {
   friend bool operator==(const AnnotationKey&, const AnnotationKey&) = default;
 };
 
+void Investigation::abandon() {
+  history_worker_.abandon();
+  work_worker_.abandon();
+  topology_worker_.abandon();
+  advice_worker_.abandon();
+  check_.abandon();
+}
+
 Investigation::~Investigation() = default;
 
 void Investigation::annotate(const AppModel& model) {

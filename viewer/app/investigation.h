@@ -93,6 +93,8 @@ class Investigation {
   bool update(AppModel& model);
   void ask_check(const AppModel& model, bool search);
   void stop_check() { check_.stop(); }
+  /// Begins the end of all that is asked, and waits for nothing.
+  void abandon();
   /// Goes to the last change of the selected element as soon as it is known.
   void want_last_change() { jump_ = true; }
   bool idle() const;

@@ -1,6 +1,7 @@
 // The window program: reads the command line, opens the window, runs, and turns what went wrong into a word
 // and an exit status.
 #include "app/app.h"
+#include "app/last_wait.h"
 #include "app/options.h"
 #include "cli/exit_status.h"
 #include "platform/endings.h"
@@ -8,6 +9,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <memory>
+#include <utility>
 
 namespace {
 
@@ -47,7 +50,12 @@ int main(int argc, char** argv) {
     return printed || errno == EPIPE ? 0 : complain(printed.error());
   }
   isoscope::note_signals();
-  const auto app = isoscope::App::create(parsed->options);
-  if (!app) return complain(app.error());
-  return (*app)->run();
+  auto created = isoscope::App::create(parsed->options);
+  if (!created) return complain(created.error());
+  std::unique_ptr<isoscope::App> app = std::move(*created);
+  const int status = app->run();
+  app->close();
+  const isoscope::LastWait wait(status);
+  app.reset();
+  return status;
 }

@@ -22,12 +22,7 @@ template <class Question, class Answer> class Worker {
   /// `notify` is called from the worker whenever an answer is ready.
   Worker(Work work, std::function<void()> notify) : work_(std::move(work)), notify_(std::move(notify)) {}
   ~Worker() {
-    {
-      const std::lock_guard lock(mutex_);
-      quit_ = true;
-      if (control_) control_->cancel();
-    }
-    changed_.notify_all();
+    abandon();
     if (thread_.joinable()) thread_.join();
   }
   Worker(const Worker&) = delete;
@@ -37,7 +32,7 @@ template <class Question, class Answer> class Worker {
     {
       const std::lock_guard lock(mutex_);
       wanted_ = std::move(question);
-      if (control_) control_->cancel();
+      if (control_) control_->abandon();
       if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
     }
     changed_.notify_all();
@@ -46,7 +41,16 @@ template <class Question, class Answer> class Worker {
   void stop() {
     const std::lock_guard lock(mutex_);
     wanted_.reset();
-    if (control_) control_->cancel();
+    if (control_) control_->abandon();
+  }
+  /// Begins its end, and waits for nothing.
+  void abandon() {
+    {
+      const std::lock_guard lock(mutex_);
+      quit_ = true;
+      if (control_) control_->abandon();
+    }
+    changed_.notify_all();
   }
   /// The newest question that was answered and its answer; null before the first and after a cancelled one.
   struct Answered {
