@@ -16,6 +16,7 @@ constexpr int place_digits = 6;
 const std::string open_surface_words = "The input is an open surface near ";
 /// Places between its walls that are asked whether a part is closed.
 constexpr std::size_t thin_part_probes = 16;
+constexpr int most_steps = 200; ///< of a climb
 /// Triangles whose sides are compared, how far from the plane in units of δ', and the share of them with one
 /// region on both sides from which on the surface counts as open.
 constexpr std::size_t side_probes = 4000;
@@ -152,15 +153,14 @@ std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::
 ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double enough) {
   double step = 0.99 * from.distance;
   const double least_step = 1e-3 * from.distance;
-  while (step > least_step && from.distance < enough) {
-    step = std::min(step, 0.99 * from.distance);
+  for (int steps = 0; steps < most_steps && step > least_step && from.distance < enough; ++steps) {
     ThicknessProbe best = from;
     for (int k = 0; k < 27; ++k) {
       const Vec3 p = from.middle + step * normalized({k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0});
       const double d = index.distance(p);
       if (d > best.distance) best.middle = p, best.distance = d;
     }
-    if (best.distance < from.distance + 0.05 * step) step *= 0.5;
+    step = best.distance < from.distance + 0.05 * step ? 0.5 * step : 0.99 * best.distance;
     from = best;
   }
   return from;

@@ -30,6 +30,8 @@ constexpr int most_tries = 6;
 /// Main cells of the octree for an area of δ'², and how many of them fit: beside them stand some samples
 /// each.
 constexpr double cells_by_area = 40, most_cells = 2e8;
+/// Volumes of more cells are not built to try a tolerance.
+constexpr double most_tried_cells = 5e6;
 
 /// Rounds down to two significant digits.
 double two_digits_below(double value) {
@@ -150,7 +152,7 @@ Result<KeepingTolerance> find_keeping_tolerance(const ToleranceVolume& volume,
     keeping.fits = cells(keeping.value) <= most_cells;
     // A single closed part keeps what is deep enough; several may come apart at a smaller tolerance, and then
     // each must have an inside of its own.
-    if (!keeping.fits || volume.input().components == 1) break;
+    if (cells(keeping.value) > most_tried_cells || volume.input().components == 1) break;
     const auto smaller =
         ToleranceVolume::build(volume.shared_index(), volume.input(), {keeping.value, ratio}, control);
     if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while looking for a tolerance.", ""};
