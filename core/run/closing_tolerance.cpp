@@ -20,6 +20,9 @@ constexpr double step = 1.25, precision = 1.03;
 constexpr double largest_share = 0.5;
 /// Cells of an octree for each δ'² of the input's area, about, and how many all trials may take together.
 constexpr double cells_by_area = 40, most_cells = 3e6;
+/// How often a larger one is tried where samples or the refinement find an opening that cells do not show.
+constexpr int most_attempts = 8;
+constexpr double attempt_step = 1.08;
 /// Vertices after which a refinement has shown that it runs.
 constexpr std::size_t trial_insertions = 3000;
 
@@ -123,13 +126,16 @@ Error with_closing_tolerance(Error open, const OpenInput& input, const RunParame
   }
   // What octrees took for closed, samples and the refinement may find to be open by a hair.
   std::optional<double> percent;
-  for (int attempt = 0; closing > 0 && !percent && attempt < 4 && !control.cancelled(); ++attempt) {
-    const double candidate = rounded_up(100 * closing / edge * (1 + 0.05 * attempt));
+  int attempts = 0;
+  for (int attempt = 0; closing > 0 && !percent && attempt < most_attempts && !control.cancelled();
+       ++attempt) {
+    const double candidate = rounded_up(100 * closing / edge * std::pow(attempt_step, attempt));
+    ++attempts;
     if (trials.begins(candidate / 100 * edge)) percent = candidate;
   }
   if (control.cancelled()) return open;
   if (percent) {
-    const bool smallest = open_below > 0 && closing <= open_below * precision;
+    const bool smallest = attempts > 1 || (open_below > 0 && closing <= open_below * precision);
     const Tolerance tolerance{*percent, true};
     char length[40];
     std::snprintf(length, sizeof length, "%.4g", tolerance.absolute(edge));

@@ -45,13 +45,16 @@ Status check_coordinates(const TriangleSoup& soup, double delta) {
   const CoordinateDigits digits = coordinate_digits(soup);
   if (digits.step <= largest_step * delta) return {};
   const double least = digits.step / largest_step;
-  char remedy[280];
-  std::snprintf(
-      remedy, sizeof remedy,
-      "Move it by -%s where it was made, before digits are lost, or choose a tolerance of at least %.3g "
-      "(%.3g%% of the longest edge).",
-      place(soup.bounds().center(), 6).c_str(), least, 100 * least / soup.bounds().longest_edge());
-  return Error{ErrorCode::bad_input, lost_digits(digits, delta), remedy};
+  const double share = least / soup.bounds().longest_edge();
+  std::string remedy =
+      "Move it by -" + place(soup.bounds().center(), 6) + " where it was made, before digits are lost";
+  if (share < 0.5) {
+    char text[120];
+    std::snprintf(text, sizeof text, ", or choose a tolerance of at least %.3g (%.3g%% of the longest edge)",
+                  least, 100 * share);
+    remedy += text;
+  }
+  return Error{ErrorCode::bad_input, lost_digits(digits, delta), remedy + "."};
 }
 
 std::optional<std::string> coordinate_note(const TriangleSoup& soup, double delta) {
