@@ -72,7 +72,11 @@ std::vector<Triangle3> exposed_pieces(const ToleranceVolume& volume, TriangleId 
       if (distance(piece[i], piece[(i + 1) % 3]) > distance(piece[longest], piece[(longest + 1) % 3]))
         longest = i;
     const Vec3 a = piece[longest], b = piece[(longest + 1) % 3];
-    if (distance(a, b) <= finest || cuts >= most_cuts) {
+    if (distance(a, b) <= finest) {
+      if (bounds_inside(volume, piece, normal)) kept.push_back(piece);
+      continue;
+    }
+    if (cuts >= most_cuts) {
       kept.push_back(piece);
       continue;
     }

@@ -130,7 +130,6 @@ TEST_CASE("The certificate judges coverage by the limit, tells it where thin par
 }
 
 TEST_CASE("Walls inside of where parts overlap or touch need not be covered") {
-  // By parity all of it bounds something; what is cut is still all of it.
   TriangleSoup crossing;
   add_box(crossing, {0, 0, 0}, {1, 1, 1});
   add_box(crossing, {0.5, 0.25, 0.25}, {1.5, 0.75, 0.75});
@@ -143,5 +142,6 @@ TEST_CASE("Walls inside of where parts overlap or touch need not be covered") {
     const Triangle3& t = exposed->triangle(TriangleId(i));
     area += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
   }
-  CHECK(area == doctest::Approx(6 + 2.5));
+  // The union has 8.5 less the walls inside: a quarter of a square where the bar leaves, and what is in the box.
+  CHECK(area == doctest::Approx(7.0).epsilon(0.01));
 }
