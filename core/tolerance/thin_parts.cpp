@@ -80,7 +80,8 @@ ThicknessProbe deepest(const ToleranceVolume& volume, Probes probes, int side) {
     if (climbs == most_climbs) break;
     if (!(probe.distance > 0) || volume.sides().label(probe.middle) != side) continue;
     const ThicknessProbe top = climb(volume.index(), probe, 2 * volume.thresholds().delta);
-    if (top.distance > best.distance) best = top;
+    // A probe a rounding away from its wall may climb out through it.
+    if (top.distance > best.distance && volume.sides().label(top.middle) == side) best = top;
     ++climbs;
   }
   return best;
