@@ -115,7 +115,9 @@ Fabricated refine(const std::shared_ptr<Scene>& scene, std::shared_ptr<const Bou
   describe(*state);
   auto grid = std::make_shared<DistanceGrid>(
       take(make_distance_grid(*scene->index, scene->delta, resolution, control)));
-  if (const Status found = find_sides(*grid, *scene->index, scene->delta, scene->regions, control); !found)
+  const InputSides sides(scene->index, SideRule::parity, nullptr);
+  if (const Status found = find_sides(*grid, *scene->index, sides, scene->delta, scene->regions, control);
+      !found)
     throw std::runtime_error(found.error().line());
   return {scene, state, grid};
 }
