@@ -83,10 +83,10 @@ TEST_CASE("Far from the origin the run says how many digits are left, and refuse
 }
 
 TEST_CASE("Digits are counted where the model lies") {
-  CHECK(coordinate_digits(egg(1)).left == 16);
+  CHECK(coordinate_digits(egg(1)).left >= 15);
   const CoordinateDigits far = coordinate_digits(egg(1, {1e12, 0, 0}));
   CHECK(far.left == 4);
   CHECK(far.step == std::ldexp(1.0, -13));
   CHECK(far.distance_ratio == doctest::Approx(5e11));
-  CHECK(coordinate_digits(egg(1e-58)).left == 16);
+  CHECK(coordinate_digits(egg(1e-58)).left >= 15);
 }
