@@ -41,13 +41,17 @@ Vec3 centroid(const Triangle3& t) {
   return (t[0] + t[1] + t[2]) / 3.0;
 }
 
-Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
+/// A point of the input's border, where the known one lies in this component of Ω'.
+std::optional<Vec3> border_in(const ToleranceVolume& volume, std::uint32_t component) {
   const auto& border = volume.input().border;
-  const bool border_is_here =
-      border && volume.volume_component(volume.index().closest(*border).triangle) == component;
-  const Vec3 p =
-      border_is_here ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front()));
-  return open_surface_near(p);
+  if (border && volume.volume_component(volume.index().closest(*border).triangle) == component) return border;
+  return std::nullopt;
+}
+
+Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
+  const auto border = border_in(volume, component);
+  return open_surface_near(
+      border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
 }
 
 Error non_manifold(Vec3 where) {
@@ -104,15 +108,19 @@ std::optional<Vec3> one_sided_place(const ToleranceVolume& volume, const std::ve
 }
 
 /// Whether a component of Ω' with one region around it is a closed part that is thinner than Ω is thick, and
-/// no open surface: between its walls is a place that every ray takes for inside.
+/// no open surface: it shows no border, and between its walls, in Ω', is a place that every ray takes for
+/// inside. Were such a place outside of Ω', it would be in the one region there is, which is that of the
+/// outside.
 bool is_thin_part(const ToleranceVolume& volume, std::uint32_t component) {
+  if (border_in(volume, component)) return false;
   std::vector<ThicknessProbe> probes = probe_thickness(volume, component);
   std::stable_sort(probes.begin(), probes.end(),
                    [](const auto& a, const auto& b) { return a.distance > b.distance; });
   probes.resize(std::min(probes.size(), thin_part_probes));
-  return std::any_of(probes.begin(), probes.end(), [&](const ThicknessProbe& probe) {
+  const auto first_inside = std::find_if(probes.begin(), probes.end(), [&](const ThicknessProbe& probe) {
     return volume.sides().unanimous_parity(probe.middle).value_or(false);
   });
+  return first_inside != probes.end() && first_inside->distance <= volume.thresholds().reject;
 }
 
 } // namespace
