@@ -262,6 +262,10 @@ void ToleranceVolume::find_thin_regions(const RunControl& control) {
       found.push_back(r);
     };
     std::vector<ThicknessProbe> probes = probe_thickness(*this, component, control);
+    if (sides_.known()) { // gaps between parts are wide places too, on the side that is known
+      const int missing = has[component][0] ? -1 : +1;
+      std::erase_if(probes, [&](const auto& probe) { return sides_.label(probe.middle) != missing; });
+    }
     for (const ThicknessProbe& probe : probes)
       if (probe.distance > thresholds_.reject) look(probe);
     if (found.empty()) {
