@@ -56,6 +56,7 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
     expected.required = embedded;
     return expected;
   }
+  const bool meets_itself = input.sides_known() && !one_surface;
   const Side outer = side_of(volume, +1), inner = side_of(volume, -1);
   if (outer.components == 0 || inner.components == 0) {
     expected.source = "nothing: Ω has no boundary on one side";
@@ -65,10 +66,10 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
     expected.euler_characteristic = outer.euler_characteristic;
     expected.components = outer.components;
     expected.source = "both boundaries of Ω";
+    expected.joined = meets_itself;
     return expected;
   }
-  if (input.sides_known() && !one_surface && outer.resolved() &&
-      volume.uncounted_depth() <= volume.thresholds().delta) {
+  if (meets_itself && outer.resolved() && volume.uncounted_depth() <= volume.thresholds().delta) {
     expected.euler_characteristic = outer.euler_characteristic;
     expected.components = outer.components;
     expected.source = "the outer boundary of Ω";
