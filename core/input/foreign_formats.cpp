@@ -1,4 +1,4 @@
-// One table.
+// The table of the kinds of files that are no meshes this program reads, by their first bytes.
 #include "input/foreign_formats.h"
 
 #include "input/file_scanner.h"
