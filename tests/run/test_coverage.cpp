@@ -114,7 +114,8 @@ TEST_CASE("The certificate judges coverage by the limit, tells it where thin par
   CHECK(!fails.covers);
   CHECK(!fails.holds());
   REQUIRE(fails.failures.size() == 1);
-  CHECK(fails.failures[0].find("The input is farther than 3 δ from the mesh in one place, 20.01 δ at (2.0005, ") == 0);
+  CHECK(fails.failures[0].find(
+            "The input is farther than 3 δ from the mesh in one place, 20.01 δ at (2.0005, ") == 0);
   REQUIRE(fails.uncovered.size() == 1);
   CHECK(fails.uncovered[0].point.x == doctest::Approx(2).epsilon(0.01));
   CHECK(certified({25.0}).holds());
@@ -142,6 +143,7 @@ TEST_CASE("Walls inside of where parts overlap or touch need not be covered") {
     const Triangle3& t = exposed->triangle(TriangleId(i));
     area += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
   }
-  // The union has 8.5 less the walls inside: a quarter of a square where the bar leaves, and what is in the box.
+  // The union has 8.5 less the walls inside: a quarter of a square where the bar leaves, and what is in the
+  // box.
   CHECK(area == doctest::Approx(7.0).epsilon(0.01));
 }
