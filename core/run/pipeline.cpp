@@ -7,6 +7,7 @@
 #include "mesh/zero_set.h"
 #include "run/closing_tolerance.h"
 #include "run/coordinate_check.h"
+#include "tolerance/index_building.h"
 #include "tolerance/region_labels.h"
 
 #include <sys/resource.h>
@@ -218,7 +219,8 @@ struct Pipeline::Impl {
         return {};
       }
       kept = std::make_shared<const TriangleSoup>(without_parts(*kept, *built, parts));
-      made.index = std::make_shared<const ClosestPointIndex>(*kept);
+      made.index = build_index(*kept, *control);
+      if (control->cancelled()) return cancelled_error(*control);
       made.input_topology = analyse_input(*kept, parameters->sides, *control);
       made.left_out.insert(made.left_out.end(), parts.begin(), parts.end());
     }
@@ -280,7 +282,8 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (!rest->note.empty()) scene->warnings.push_back({rest->note, 0});
   soup = rest->soup;
   if (auto note = coordinate_note(*soup, scene->delta)) scene->warnings.push_back({std::move(*note), 0});
-  scene->index = std::make_shared<const ClosestPointIndex>(*soup);
+  scene->index = build_index(*soup, *m.control);
+  if (m.control->cancelled()) return cancelled_error(*m.control);
   scene->input_topology = analyse_input(*soup, parameters_.sides, *m.control);
   scene->input_seconds = watch.seconds();
   if (m.control->cancelled()) return cancelled_error(*m.control);

@@ -1,6 +1,8 @@
 // Builds the hierarchy of a ClosestPointIndex.
 #include "tolerance/bvh_builder.h"
 
+#include "tolerance/index_building.h"
+
 #include <algorithm>
 
 namespace isoscope {
@@ -8,6 +10,8 @@ namespace {
 
 constexpr std::size_t leaf_size = 2;
 constexpr unsigned bin_count = 16;
+/// Ranges of so many triangles take long enough to ask before them whether to go on.
+constexpr std::size_t worth_a_question = 1000;
 /// Beyond this depth ranges are halved, which bounds the depth and with it the stacks of the searches.
 constexpr unsigned max_surface_area_depth = 24;
 
@@ -30,7 +34,8 @@ float round_up(double x) {
 
 } // namespace
 
-BvhBuilder::BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup) : index_(index), soup_(soup) {
+BvhBuilder::BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup, const RunControl* control)
+    : index_(index), soup_(soup), control_(control) {
   items_.resize(soup.triangles.size());
   for (std::size_t i = 0; i < items_.size(); ++i) {
     for (const Vec3 p : soup.triangle(i)) items_[i].box.add(p);
@@ -113,6 +118,8 @@ void BvhBuilder::set_box(std::size_t node, unsigned k, const Box3& box) {
 
 void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth) {
   constexpr unsigned width = ClosestPointIndex::width;
+  if (control_ != nullptr && range.size() >= worth_a_question) stopped_ = stopped_ || control_->cancelled();
+  if (stopped_) return;
   std::vector<Range> parts;
   if (range.size() > 0) parts.push_back(range);
   while (parts.size() < width) {
@@ -148,18 +155,19 @@ void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth)
   }
 }
 
-void BvhBuilder::build() {
+bool BvhBuilder::build() {
   if (items_.empty()) { // a root without children, at which every search ends
     index_.nodes_.emplace_back();
     fill_node(0, {0, 0, {}}, 0);
-    return;
+    return true;
   }
   index_.bounds_ = box_of(0, items_.size());
   index_.origin_ = index_.bounds_.center();
   const double scale = index_.bounds_.longest_edge();
   index_.inverse_scale_ = scale > 0 && std::isfinite(1 / scale) ? 1 / scale : 1;
-  index_.nodes_.emplace_back();
+  index_.nodes_.assign(1, {});
   fill_node(0, {0, items_.size(), index_.bounds_}, 0);
+  if (stopped_) return false;
   index_.nodes_.shrink_to_fit();
   index_.ids_.resize(items_.size());
   index_.slots_.resize(items_.size());
@@ -178,6 +186,14 @@ void BvhBuilder::build() {
   for (int a = 0; a < 3; ++a)
     index_.largest_coordinate_ = std::max(
         {index_.largest_coordinate_, std::abs(index_.bounds_.lo[a]), std::abs(index_.bounds_.hi[a])});
+  return true;
+}
+
+std::shared_ptr<const ClosestPointIndex> build_index(const TriangleSoup& soup, const RunControl& control) {
+  const auto empty = [] { return std::make_shared<ClosestPointIndex>(TriangleSoup{}); };
+  const std::shared_ptr<ClosestPointIndex> index = empty();
+  if (soup.triangles.empty()) return index;
+  return BvhBuilder(*index, soup, &control).build() ? index : empty();
 }
 
 } // namespace isoscope

@@ -1,6 +1,7 @@
 // Builds the hierarchy of a ClosestPointIndex: binned surface-area splits, four children a node.
 #pragma once
 
+#include "base/run_control.h"
 #include "tolerance/closest_point.h"
 
 namespace isoscope {
@@ -8,8 +9,10 @@ namespace isoscope {
 /// One-shot: fills nodes, slots and triangles of `index` from the soup.
 class BvhBuilder {
  public:
-  BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup);
-  void build();
+  /// `control`, where given, may stop it.
+  BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup, const RunControl* control = nullptr);
+  /// False when it was stopped: the index is of no use then.
+  bool build();
 
  private:
   struct Item {
@@ -28,6 +31,8 @@ class BvhBuilder {
 
   ClosestPointIndex& index_;
   const TriangleSoup& soup_;
+  const RunControl* control_;
+  bool stopped_ = false;
   std::vector<Item> items_;
 };
 

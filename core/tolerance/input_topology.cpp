@@ -126,6 +126,7 @@ InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode, const RunC
   InputTopology topology;
   if (control.cancelled()) return topology;
   const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
+  if (control.cancelled()) return topology;
   topology.components = count_components(mesh);
 
   std::size_t edges = 0;
@@ -142,7 +143,8 @@ InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode, const RunC
     topology.euler_characteristic = static_cast<long>(mesh.points.size()) - static_cast<long>(edges) +
                                     static_cast<long>(mesh.triangles.size());
     std::vector<IndexTriangle> oriented = mesh.triangles;
-    topology.self_intersection_free = orient(oriented, uses) && !self_intersects(mesh, control);
+    topology.self_intersection_free =
+        !control.cancelled() && orient(oriented, uses) && !self_intersects(mesh, control);
   }
   if (control.cancelled()) return topology;
   choose_side_rule(mesh, uses, mode, topology);

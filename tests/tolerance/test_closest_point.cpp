@@ -1,5 +1,7 @@
 // Closest points against brute force; parity, crossings and box queries against known answers.
 #include "tolerance/closest_point.h"
+
+#include "tolerance/index_building.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
@@ -148,4 +150,17 @@ TEST_CASE("An index without triangles answers every question at once: there is n
   CHECK_FALSE(index.inside_by_parity(p));
   CHECK(index.crossings(p, {}).empty());
   CHECK(index.triangles_in({{-9, -9, -9}, {9, 9, 9}}).empty());
+}
+
+TEST_CASE("Building an index can be stopped, and what is left finds nothing") {
+  TriangleSoup soup;
+  isoscope::testing::add_sphere(soup, {0, 0, 0}, 1, 60);
+  RunControl control;
+  const auto whole = build_index(soup, control);
+  CHECK(whole->size() == soup.triangles.size());
+  CHECK(whole->distance({2, 0, 0}) == ClosestPointIndex(soup).distance({2, 0, 0}));
+  control.cancel();
+  const auto stopped = build_index(soup, control);
+  CHECK(stopped->empty());
+  CHECK_FALSE(stopped->closest({2, 0, 0}).triangle.valid());
 }
