@@ -93,7 +93,7 @@ TEST_CASE("An empty mesh is never written") {
   const std::string out = (folder / "out.off").string(), run = (folder / "run.isorun").string(),
                     report = (folder / "report.json").string();
   const Ended stopped = run_batch(
-      {"gallery:torus", "--break", "step == 1", "-o", out, "--record", run, "--report", report, "--quiet"});
+      {"gallery:torus", "--break", "insertion", "-o", out, "--record", run, "--report", report, "--quiet"});
   CHECK(stopped.status == 5);
   CHECK(stopped.says("is not written"));
   CHECK(!std::filesystem::exists(out));
