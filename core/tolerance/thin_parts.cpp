@@ -31,7 +31,7 @@ constexpr int most_tries = 6;
 /// each.
 constexpr double cells_by_area = 40, most_cells = 2e8;
 /// Volumes of more cells are not built to try a tolerance.
-constexpr double most_tried_cells = 5e6;
+constexpr double most_tried_cells = 2e6;
 
 /// Rounds down to two significant digits.
 double two_digits_below(double value) {

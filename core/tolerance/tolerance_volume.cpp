@@ -23,6 +23,8 @@ constexpr std::size_t most_refined_cells = 6'000'000;
 constexpr std::size_t most_components = 0xffff;
 /// Places between opposite walls of a component from which a region that the main cells miss is climbed to.
 constexpr std::size_t most_climbs = 64;
+/// Places that are looked at where they are deep enough as they are: each may cost a flood of small cells.
+constexpr std::size_t most_looks = 16;
 constexpr int place_digits = 6;
 
 /// The side of the octree's main cells, in units of δ': half, and where that would take more than about 30
@@ -266,12 +268,12 @@ void ToleranceVolume::find_thin_regions(const RunControl& control) {
       const int missing = has[component][0] ? -1 : +1;
       std::erase_if(probes, [&](const auto& probe) { return sides_.label(probe.middle) != missing; });
     }
-    for (const ThicknessProbe& probe : probes)
-      if (probe.distance > thresholds_.reject) look(probe);
+    std::stable_sort(probes.begin(), probes.end(),
+                     [](const auto& a, const auto& b) { return a.distance > b.distance; });
+    probes.resize(std::min(probes.size(), most_climbs));
+    for (std::size_t i = 0; i < std::min(probes.size(), most_looks) && !control.cancelled(); ++i)
+      if (probes[i].distance > thresholds_.reject) look(probes[i]);
     if (found.empty()) {
-      std::stable_sort(probes.begin(), probes.end(),
-                       [](const auto& a, const auto& b) { return a.distance > b.distance; });
-      probes.resize(std::min(probes.size(), most_climbs));
       for (const ThicknessProbe& probe : probes) {
         if (control.cancelled()) return;
         if (const auto top = climb(*index_, probe, 1.01 * thresholds_.reject);

@@ -114,8 +114,7 @@ TEST_CASE("The certificate judges coverage by the limit, tells it where thin par
   CHECK(!fails.covers);
   CHECK(!fails.holds());
   REQUIRE(fails.failures.size() == 1);
-  CHECK(fails.failures[0].find(
-            "The input is farther than 3 δ from the mesh in one place, 20.01 δ at (2.0005, ") == 0);
+  CHECK(fails.failures[0].find("The input is farther than 3 δ from the mesh in one place, 20.01 δ at") == 0);
   REQUIRE(fails.uncovered.size() == 1);
   CHECK(fails.uncovered[0].point.x == doctest::Approx(2).epsilon(0.01));
   CHECK(certified({25.0}).holds());

@@ -85,7 +85,7 @@ TEST_CASE("Thin plates and needles are refused, and the tolerance that is named 
 
 TEST_CASE("A thin part beside a thick one is refused, or left out and reported") {
   TriangleSoup soup = box({0, 0, 0}, {1, 1, 1});
-  add_box(soup, {2, 0, 0}, {3, 1, 0.02});
+  add_box(soup, {2, 0, 0}, {3, 1, 0.1});
   ThinRun refused(soup, 0.06);
   REQUIRE(!refused.run());
   CHECK(refused.error->remedy.find("--drop-thin") != std::string::npos);
@@ -107,7 +107,7 @@ TEST_CASE("A thin part beside a thick one is refused, or left out and reported")
   CHECK(report["input"]["faces"] == 24);
   REQUIRE(report["input"]["left_out"].size() == 1);
   CHECK(report["input"]["left_out"][0]["triangles"] == 12);
-  CHECK(report["input"]["left_out"][0]["thickness"].get<double>() == doctest::Approx(0.02).epsilon(0.01));
+  CHECK(report["input"]["left_out"][0]["thickness"].get<double>() == doctest::Approx(0.1).epsilon(0.01));
   CHECK(report["parameters"]["drop_thin"] == true);
   // δ stays that of the whole input.
   ThinRun percent(soup, 0.06);

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -320,8 +321,9 @@ CertificateRow cover_row(const Certificate& c) {
   if (!c.cover_note.empty())
     return {"thin parts cut or closed over", RowVerdict::open,
             "The input is farther than the limit in places, which separating the sides alone allows."};
-  return {"covers the input within " + short_number(*c.cover_limit) + " δ",
-          c.covers ? RowVerdict::good : RowVerdict::bad,
+  char name[64];
+  std::snprintf(name, sizeof name, "covers the input within %.4g δ", *c.cover_limit);
+  return {name, c.covers ? RowVerdict::good : RowVerdict::bad,
           "Every point of the input is proven to be so near to the mesh."};
 }
 
