@@ -252,12 +252,10 @@ bool check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, C
   const auto witnesses = volume.witnesses();
   std::vector<double> winding(witnesses.size(), 0);
   // A witness is a sum over the whole mesh: each is worth the question.
-  const bool complete = parallel_until(
-                            witnesses.size(), 1, [] { return false; },
-                            [&](std::size_t i) {
-                              if (!stop()) winding[i] = winding_number(mesh, witnesses[i].point);
-                            }) &&
-                        !stop();
+  const bool complete =
+      parallel_until(witnesses.size(), 1, stop,
+                     [&](std::size_t i) { winding[i] = winding_number(mesh, witnesses[i].point); }) &&
+      !stop();
   if (!complete) return false;
   c.separates = true;
   for (std::size_t i = 0; i < witnesses.size(); ++i) {

@@ -311,7 +311,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   scene->boundary_components.assign(m.volume->boundary_components().begin(),
                                     m.volume->boundary_components().end());
   scene->expected = expected_topology(*m.volume, parameters_.topology);
-  scene->thickening_note = m.volume->thickening_note();
+  scene->thickening_note = m.volume->thickening_note(*m.control);
   for (ParameterWarning& warning : check_parameters(criteria.sigma, criteria.alpha, criteria.delta,
                                                     criteria.condition_2 && !criteria.certified))
     scene->warnings.push_back(std::move(warning));

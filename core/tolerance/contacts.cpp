@@ -131,8 +131,7 @@ std::vector<Contact> find_contacts(const ClosestPointIndex& index, const RunCont
   add_shared(corners, contacts);
   const auto& counting = corners.counting();
   std::vector<std::vector<Contact>> found(counting.size());
-  parallel_for(counting.size(), parallel_grain, [&](std::size_t i) {
-    if (control.cancelled()) return;
+  parallel_until(counting.size(), parallel_grain, control, [&](std::size_t i) {
     const std::uint32_t s = counting[i];
     Box3 box;
     for (const Vec3 p : index.triangle(TriangleId(s))) box.add(p);
@@ -158,10 +157,9 @@ std::vector<Contact> find_contacts(const ClosestPointIndex& index, const RunCont
 std::vector<Contact> find_near_contacts(const ClosestPointIndex& index, const InputSides& sides, double delta,
                                         double spacing, const RunControl& control) {
   const double gap = touching_gap * delta;
-  const std::vector<std::uint32_t> part = find_volume_components(index, 0).of_triangle;
+  const std::vector<std::uint32_t> part = find_volume_components(index, 0, control).of_triangle;
   std::vector<std::vector<Contact>> found(index.size());
-  parallel_for(index.size(), parallel_grain, [&](std::size_t s) {
-    if (control.cancelled()) return;
+  parallel_until(index.size(), parallel_grain, control, [&](std::size_t s) {
     const Triangle3& own = index.triangle(TriangleId(s));
     Box3 box;
     for (const Vec3 p : own) box.add(p);

@@ -33,6 +33,9 @@ struct ThicknessProbe {
 std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component,
                                             const RunControl& control = {});
 
+/// The deepest of the probe and 26 places around it at a distance of `step`.
+ThicknessProbe deepest_around(const ClosestPointIndex& index, const ThicknessProbe& from, double step);
+
 /// Where d is locally largest, reached by steps that stay within the ball around the probe and so on its
 /// side; ends where d is `enough`.
 ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double enough);

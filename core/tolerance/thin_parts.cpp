@@ -3,6 +3,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/place.h"
+#include "input/point_numbers.h"
 #include "tolerance/region_labels.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <tuple>
 
 namespace isoscope {
 namespace {
@@ -50,20 +50,16 @@ std::string short_number(const char* format, double value) {
 
 /// Triangles that share corners, by the smallest of their ids.
 DisjointSets connected_triangles(const ClosestPointIndex& index) {
-  struct Corner {
-    Vec3 p;
-    std::uint32_t triangle;
-  };
-  std::vector<Corner> corners;
-  corners.reserve(3 * index.size());
-  for (std::uint32_t t = 0; t < index.size(); ++t)
-    for (const Vec3 p : index.triangle(TriangleId(t))) corners.push_back({p, t});
-  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-    return std::tie(a.p.x, a.p.y, a.p.z, a.triangle) < std::tie(b.p.x, b.p.y, b.p.z, b.triangle);
-  });
+  std::vector<Vec3> corners;
+  PointNumbers numbers(corners);
+  std::vector<std::uint32_t> first; ///< by corner, the triangle where it occurs first
   DisjointSets sets(index.size());
-  for (std::size_t i = 1; i < corners.size(); ++i)
-    if (corners[i].p == corners[i - 1].p) sets.unite(corners[i].triangle, corners[i - 1].triangle);
+  for (std::uint32_t t = 0; t < index.size(); ++t)
+    for (const Vec3 p : index.triangle(TriangleId(t))) {
+      const std::uint32_t corner = numbers.number(p);
+      if (corner == first.size()) first.push_back(t);
+      sets.unite(first[corner], t);
+    }
   return sets;
 }
 

@@ -172,15 +172,10 @@ void ToleranceVolume::deepen(Region& region) const {
   double step = region.depth - thresholds_.boundary;
   while (step > 1e-3 * thresholds_.boundary && region.depth < outside) {
     step = std::min(step, 0.99 * (region.depth - thresholds_.boundary));
-    Region best = region;
-    for (int k = 0; k < 27; ++k) {
-      const Vec3 direction = normalized({k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0});
-      const Vec3 p = region.deepest + step * direction;
-      const double d = index_->distance(p);
-      if (d > best.depth) best.deepest = p, best.depth = d;
-    }
-    if (best.depth < region.depth + 0.05 * step) step *= 0.5;
-    region = best;
+    const ThicknessProbe best = deepest_around(*index_, {region.deepest, region.depth, {}}, step);
+    if (best.distance < region.depth + 0.05 * step) step *= 0.5;
+    region.deepest = best.middle;
+    region.depth = best.distance;
   }
 }
 
@@ -417,7 +412,7 @@ bool ToleranceVolume::thickening() const {
   return std::all_of(sides.begin(), sides.end(), [](const auto& s) { return s.size() == 2 && s[0] == s[1]; });
 }
 
-std::string ToleranceVolume::thickening_note() const {
+std::string ToleranceVolume::thickening_note(const RunControl& control) const {
   if (thickening()) return {};
   std::size_t outer = 0, inner = 0;
   long outer_euler = 0, inner_euler = 0;
@@ -432,16 +427,16 @@ std::string ToleranceVolume::thickening_note() const {
   return "At this tolerance the volume is no thickening: it has " + part(outer, outer_euler) +
          " outside and " + part(inner, inner_euler) + " inside" +
          (pockets() == 0 ? "" : " and " + std::to_string(pockets()) + " small pockets of one side") +
-         ", because " + cause_in_words() + ".";
+         ", because " + cause_in_words(control) + ".";
 }
 
-std::string ToleranceVolume::cause_in_words() const {
+std::string ToleranceVolume::cause_in_words(const RunControl& control) const {
   if (has_inner_walls()) return overlap_in_words();
   if (input_.sides_known() && input_.components > 1) {
     std::vector<Contact> contacts;
-    if (!input_.embedded()) contacts = find_contacts(*index_, RunControl());
+    if (!input_.embedded()) contacts = find_contacts(*index_, control);
     if (contacts.empty())
-      contacts = find_near_contacts(*index_, sides_, thresholds_.delta, thresholds_.boundary, RunControl());
+      contacts = find_near_contacts(*index_, sides_, thresholds_.delta, thresholds_.boundary, control);
     if (!contacts.empty())
       return "parts of the input touch, near " +
              place(0.5 * (contacts.front()[0] + contacts.front()[1]), place_digits) +

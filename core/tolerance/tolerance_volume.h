@@ -133,7 +133,8 @@ class ToleranceVolume {
   /// show.
   Status check_passages() const;
   /// What Ω closes or cuts, in one sentence for the user; empty when it is a thickening.
-  std::string thickening_note() const;
+  /// Without its cause once the control is cancelled.
+  std::string thickening_note(const RunControl& control = {}) const;
   /// Whether the input has walls with inside on both sides, as it has where closed parts overlap: a region
   /// that it winds around more than once.
   bool has_inner_walls() const;
@@ -185,7 +186,7 @@ class ToleranceVolume {
   /// Whether winding numbers mean something: the triangles cancel along every edge.
   bool winds() const { return sides_.rule() == SideRule::winding || input_.consistently_oriented; }
   std::string overlap_in_words() const;
-  std::string cause_in_words() const;
+  std::string cause_in_words(const RunControl& control) const;
   RegionId add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume);
 
   std::shared_ptr<const ClosestPointIndex> index_;
