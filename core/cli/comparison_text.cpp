@@ -1,5 +1,6 @@
 // Columns of fixed width; what is the same in both runs is left out where that can be.
 #include "cli/comparison_text.h"
+#include "cli/words.h"
 
 #include "base/grouped.h"
 #include "journal/describe.h"
@@ -40,10 +41,6 @@ std::string seconds(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.2f", value);
   return text;
-}
-
-std::string counted(std::size_t n, const std::string& noun) {
-  return grouped(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
 template <class Value> std::string of(const std::optional<StageStatistics>& stage, const Value& value) {

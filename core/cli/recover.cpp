@@ -8,6 +8,7 @@
 #include "cli/interruptible.h"
 #include "cli/options.h"
 #include "cli/progress_line.h"
+#include "cli/words.h"
 #include "recording/recording_writer.h"
 #include "recording/salvage.h"
 #include "run/parameters_json.h"
@@ -29,10 +30,6 @@ struct RecoverOptions {
   unsigned threads = 0;
 };
 
-std::string counted(std::size_t n, const std::string& noun) {
-  return grouped(n) + " " + noun + (n == 1 ? "" : "s");
-}
-
 /// The first events of a journal.
 std::shared_ptr<Journal> first_events(const Journal& journal, std::size_t events) {
   Step operations = 0;
@@ -42,6 +39,23 @@ std::shared_ptr<Journal> first_events(const Journal& journal, std::size_t events
   first->take_prefix(journal, operations, events);
   return first;
 }
+
+/// A computation that tells how far it is and that a signal ends.
+class Watched {
+ public:
+  explicit Watched(const RecoverOptions& options) : progress_(!options.quiet), signals_(control) {
+    control.on_progress([this](std::string_view part, double fraction) { progress_.part(part, fraction); });
+  }
+  ~Watched() { progress_.finish(); }
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
+
+  RunControl control;
+
+ private:
+  ProgressLine progress_;
+  Interruptible signals_;
+};
 
 /// How many events from the first on are what the run decides, and in which words this is known.
 struct Proof {
@@ -57,12 +71,10 @@ Proof prove(const RecoverOptions& options, const RunParameters& parameters, cons
     proof.words += "; " + counted(behind, "event") + " behind them left out (--quick)";
     return proof;
   }
-  RunControl control;
-  const Interruptible signals(control);
-  ProgressLine progress(!options.quiet);
-  control.on_progress([&](std::string_view part, double fraction) { progress.part(part, fraction); });
-  const auto verdict = check_replay(parameters, found.header.input, *found.journal, false, control);
-  progress.finish();
+  const auto verdict = [&] {
+    Watched watched(options);
+    return check_replay(parameters, found.header.input, *found.journal, false, watched.control);
+  }();
   if (!verdict) {
     proof.words += "; " + counted(behind, "event") + " behind them left out: " + verdict.error().message;
     return proof;
@@ -109,12 +121,10 @@ Result<Found> find(const RecoverOptions& options) {
                      "its input is damaged, and " + name + " is not there to take its place, or another");
   }
   if (salvage->proven == 0) {
-    RunControl control;
-    const Interruptible signals(control);
-    ProgressLine progress(!options.quiet);
-    control.on_progress([&](std::string_view part, double fraction) { progress.part(part, fraction); });
-    const auto scene = rebuild_scene(*parameters, salvage->header.input, Journal(), control);
-    progress.finish();
+    const auto scene = [&] {
+      Watched watched(options);
+      return rebuild_scene(*parameters, salvage->header.input, Journal(), watched.control);
+    }();
     if (!scene) return scene.error();
     substitutes.samples = (*scene)->samples;
     salvage = salvage_recording(options.file, substitutes);
@@ -129,12 +139,6 @@ Status write(const RecoverOptions& options, const Salvage& found, std::shared_pt
   (*writer)->start(found.header, std::move(journal));
   if (found.end) (*writer)->end([&] { return *found.end; });
   return (*writer)->finish();
-}
-
-std::string line(const std::string& label, const std::string& text) {
-  std::string padded = label;
-  padded.resize(13, ' ');
-  return padded + text + "\n";
 }
 
 std::string summary(const RecoverOptions& options, const Salvage& found, const Proof& proof,

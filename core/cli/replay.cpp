@@ -7,6 +7,7 @@
 #include "cli/options.h"
 #include "cli/progress_line.h"
 #include "cli/recorded_file.h"
+#include "cli/words.h"
 #include "input/mesh_io.h"
 #include "journal/digest.h"
 #include "mesh/zero_set.h"
@@ -28,16 +29,6 @@ struct ReplayOptions {
   bool check = false, quiet = false;
   unsigned threads = 0;
 };
-
-std::string line(std::string_view label, const std::string& text) {
-  std::string padded(label);
-  padded.resize(13, ' ');
-  return padded + text + "\n";
-}
-
-std::string counted(std::size_t n, const std::string& noun) {
-  return grouped(n) + " " + noun + (n == 1 ? "" : "s");
-}
 
 std::string end_words(const RecordedRun& r) {
   if (r.end) return r.end->state + (r.end->certified ? ", certified" : ", not certified");

@@ -3,6 +3,7 @@
 
 #include "base/place.h"
 #include "cli/progress_line.h"
+#include "cli/words.h"
 
 #include <cstdio>
 #include <limits>
@@ -15,20 +16,6 @@ std::string number(const char* format, double value) {
   char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
-}
-
-std::string line(std::string_view label, const std::string& text) {
-  std::string result(label);
-  result.resize(13, ' ');
-  return result + text + "\n";
-}
-
-std::string counted(std::size_t n, const std::string& noun, const std::string& plural) {
-  return grouped(n) + " " + (n == 1 ? noun : plural);
-}
-
-std::string counted(std::size_t n, const std::string& noun) {
-  return counted(n, noun, noun + "s");
 }
 
 std::string stage_words(const StageStatistics& s) {

@@ -2,6 +2,7 @@
 #include "recording/recorded.h"
 
 #include "journal/digest.h"
+#include "journal/synthetic.h"
 #include "run/recorded_run.h"
 
 #include <doctest/doctest.h>
@@ -16,6 +17,12 @@ const CompleteRun& whole_run() {
   }();
   REQUIRE(run->result.has_value());
   return *run;
+}
+
+std::shared_ptr<const Journal> small_journal() {
+  auto journal = std::make_shared<Journal>();
+  record_insertions(*journal, 150, 300, 5);
+  return journal;
 }
 
 Status write_recording(const std::filesystem::path& file, std::shared_ptr<const Journal> journal,

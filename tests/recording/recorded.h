@@ -12,6 +12,8 @@ namespace isoscope::test {
 
 /// A whole run of a bundled model, made once a program.
 const CompleteRun& whole_run();
+/// 150 insertions.
+std::shared_ptr<const Journal> small_journal();
 /// Writes a journal to a file in commits of at most so many events; `finished`: with its ending.
 Status write_recording(const std::filesystem::path& file, std::shared_ptr<const Journal> journal,
                        bool finished, std::size_t events_per_commit = 100);

@@ -21,12 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const Journal> small_journal() {
-  auto journal = std::make_shared<Journal>();
-  record_insertions(*journal, 150, 300, 5);
-  return journal;
-}
-
 void change(const fs::path& file, const char* statements) {
   sqlite3* connection = nullptr;
   REQUIRE(sqlite3_open(file.c_str(), &connection) == SQLITE_OK);

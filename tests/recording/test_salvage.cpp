@@ -20,12 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const Journal> small_journal() {
-  auto journal = std::make_shared<Journal>();
-  record_insertions(*journal, 150, 300, 5);
-  return journal;
-}
-
 /// What checksums prove is what was recorded; returns how many events were saved, 0 where nothing could be.
 std::size_t check_salvage(const fs::path& file, const Journal& whole) {
   const auto found = salvage_recording(file);
