@@ -79,7 +79,8 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                          number("%.4f", c.input_distance.lower / scene.delta) + " δ");
   }
   if (!c.topology_note.empty()) text += line("", c.topology_note);
-  if (!c.cover_note.empty()) text += line("", c.cover_note);
+  for (const std::string& note : {c.cover_note, c.gap_note})
+    if (!note.empty()) text += line("", note);
   for (const std::string& failure : c.failures) text += line("", failure);
   for (const UncoveredPlace& p : c.uncovered)
     text += line("", "  " + number("%.4g", p.distance / scene.delta) + " δ at " + place(p.point, 6) + ", " +

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/place.h"
 #include "run/exposed_input.h"
+#include "run/topology_places.h"
 #include "tolerance/facet_certificate.h"
 #include "tolerance/self_intersections.h"
 
@@ -207,12 +208,15 @@ bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, con
   if (control.out_of_grace()) return !test.limit;
   const double delta = volume.thresholds().delta;
   const ClosestPointIndex index({mesh.points, mesh.triangles, {}});
-  const auto input = exposed_input(volume, finest_piece * delta, control);
-  c.input_distance = bound_distance(*input, index, input_distance_precision * delta, control);
+  const ExposedInput input = exposed_input(volume, finest_piece * delta, control);
+  if (input.closed_gap)
+    c.gap_note = "Ω closes gaps between parts, as near " + place(*input.closed_gap, place_digits) +
+                 ": the walls there need not be near to the mesh.";
+  c.input_distance = bound_distance(*input.walls, index, input_distance_precision * delta, control);
   if (!test.limit) return true;
   if (control.out_of_grace()) return false;
   const Coverage coverage =
-      judge_coverage(*input, index, c.input_distance, *test.limit * delta, delta, control);
+      judge_coverage(*input.walls, index, c.input_distance, *test.limit * delta, delta, control);
   c.uncovered = coverage.places;
   c.uncovered_count = coverage.count;
   switch (coverage.verdict) {
@@ -277,7 +281,8 @@ bool check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, C
   return true;
 }
 
-void check_expectation(const ExpectedTopology& expected, Certificate& c) {
+void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expected, Certificate& c,
+                       const RunControl& control) {
   using Topology = Certificate::Topology;
   const bool asked = expected.euler_characteristic || expected.components;
   const bool met = expected.euler_characteristic.value_or(c.euler_characteristic) == c.euler_characteristic &&
@@ -314,6 +319,9 @@ void check_expectation(const ExpectedTopology& expected, Certificate& c) {
   if (expected.components && *expected.components != c.components)
     c.failures.push_back("There are " + std::to_string(c.components) + " components instead of " +
                          std::to_string(*expected.components) + ".");
+  if (!c.closed_manifold || !c.oriented) return;
+  if (const std::string places = topology_places(mesh, control); !places.empty())
+    c.failures.back() += " " + places;
 }
 
 } // namespace
@@ -340,7 +348,7 @@ Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, con
   note(check_containment(mesh, volume, c, stop), "containment");
   control.report("certificate", 0.7);
   note(check_coverage(mesh, volume, cover, c, control), "coverage of the input");
-  check_expectation(expected, c);
+  check_expectation(mesh, expected, c, control);
   if (!open.empty()) c.failures.push_back("The run was stopped before this was found out: " + open + ".");
   control.report("certificate", 1);
   return c;

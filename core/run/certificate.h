@@ -39,13 +39,14 @@ struct Certificate {
   bool within_tolerance = false;  ///< every facet proven inside Ω, rounded outward
   double max_distance =
       0; ///< proven upper bound of d over the mesh, absolute; of the failing facet when it fails
-  DistanceBounds input_distance; ///< of the input without inner walls to the mesh, to 1 % of δ
+  DistanceBounds input_distance; ///< of the input without inner walls and closed gaps to the mesh, to 1 % of δ
   /// Every point of the input is proven to be within cover_limit δ of the mesh, or need not be.
   bool covers = false;
   std::optional<double> cover_limit;     ///< that it was judged by, in δ
   std::vector<UncoveredPlace> uncovered; ///< where it is exceeded, farthest first, at most ten
   std::size_t uncovered_count = 0;       ///< of all such places
   std::string cover_note;                ///< where it is exceeded and need not hold: why; else empty
+  std::string gap_note; ///< where walls are left out of that, as Ω closes the gap before them; else empty
   bool separates = false; ///< winding number at the witness of every region is that of its side
   Topology topology = Topology::wrong;
   bool topology_as_expected() const {

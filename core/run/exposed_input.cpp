@@ -2,14 +2,17 @@
 #include "run/exposed_input.h"
 
 #include "base/parallel.h"
+#include "tolerance/volume_components.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace isoscope {
 namespace {
 
-/// Bisections of one triangle; those beyond are kept uncut.
+/// Bisections of one triangle; what would be cut beyond them is kept.
 constexpr std::size_t most_cuts = 200000;
 /// A piece is shrunk by this share before others are looked for: its neighbours touch it at its border alone.
 constexpr double border = 1e-6;
@@ -41,79 +44,133 @@ bool is_crossed(const ClosestPointIndex& index, TriangleId own, const Triangle3&
   return false;
 }
 
-/// The side of the input that one comes to from p, a point of it, along a direction: that of the place midway
-/// to the next wall.
-int side_along(const ToleranceVolume& volume, Vec3 p, Vec3 direction) {
+/// A wall that is met from a point.
+struct Sight {
+  int side = +1; ///< of the place midway to it; outside where there is none
+  double way = std::numeric_limits<double>::infinity();
+  Vec3 wall;
+};
+
+/// What one comes to from p, a point of the input, along a direction.
+Sight sight(const ToleranceVolume& volume, Vec3 p, Vec3 direction) {
   const ClosestPointIndex& index = volume.index();
   const double reach = 2 * (distance(index.bounds().lo, index.bounds().hi) + volume.thresholds().delta);
   const Vec3 start = p + (1e-9 * reach) * direction, end = p + reach * direction;
   const std::vector<double> hits = index.crossings(start, end);
-  return hits.empty() ? +1 : volume.sides().label(start + (0.5 * hits.front()) * (end - start));
+  if (hits.empty()) return {};
+  const Vec3 way = hits.front() * (end - start);
+  return {volume.sides().label(start + 0.5 * way), length(way), start + way};
 }
 
-bool bounds_inside(const ToleranceVolume& volume, const Triangle3& piece, Vec3 normal) {
-  return side_along(volume, centroid(piece), normal) != side_along(volume, centroid(piece), -normal);
-}
+enum class Wall : std::uint8_t { outer, inner, of_closed_gap };
 
-std::vector<Triangle3> exposed_pieces(const ToleranceVolume& volume, TriangleId t, double finest) {
-  const Triangle3& whole = volume.index().triangle(t);
-  const Vec3 normal = normalized(cross(whole[1] - whole[0], whole[2] - whole[0]));
-  if (normal == Vec3{}) return {whole};
-  std::vector<Triangle3> kept, open{whole};
-  for (std::size_t cuts = 0; !open.empty(); ++cuts) {
-    const Triangle3 piece = open.back();
-    open.pop_back();
-    if (!is_crossed(volume.index(), t, piece)) {
-      if (bounds_inside(volume, piece, normal)) kept.push_back(piece);
-      continue;
+/// Judges the walls of one input.
+class Walls {
+ public:
+  Walls(const ToleranceVolume& volume, double finest, const RunControl& control)
+      : volume_(volume), finest_(finest), gap_(2 * volume.thresholds().boundary),
+        may_cross_(volume.has_inner_walls() || !volume.input().embedded()) {
+    if (volume.input().components > 1) part_ = find_volume_components(volume.index(), 0, control).of_triangle;
+  }
+
+  struct Pieces {
+    std::vector<Triangle3> kept;
+    std::optional<Vec3> closed_gap;
+  };
+  Pieces exposed(TriangleId t) const {
+    const Triangle3& whole = volume_.index().triangle(t);
+    const Vec3 normal = normalized(cross(whole[1] - whole[0], whole[2] - whole[0]));
+    if (normal == Vec3{}) return {{whole}, {}};
+    Pieces pieces;
+    std::vector<Triangle3> open{whole};
+    for (std::size_t cuts = 0; !open.empty(); ++cuts) {
+      const Triangle3 piece = open.back();
+      open.pop_back();
+      const std::size_t longest = longest_edge(piece);
+      const Vec3 a = piece[longest], b = piece[(longest + 1) % 3];
+      const double size = distance(a, b);
+      const bool near = near_another_part(t, piece);
+      const bool cut = (near && size > volume_.thresholds().delta / 2) ||
+                       (may_cross_ && size > finest_ && is_crossed(volume_.index(), t, piece));
+      if (!cut || cuts >= most_cuts) {
+        const bool sure = cut || (!near && !may_cross_);
+        const Wall wall = sure ? Wall::outer : judge(t, centroid(piece), normal);
+        if (wall == Wall::outer) pieces.kept.push_back(piece);
+        if (wall == Wall::of_closed_gap) pieces.closed_gap = centroid(piece);
+        continue;
+      }
+      Triangle3 first = piece, second = piece;
+      first[longest] = second[(longest + 1) % 3] = 0.5 * (a + b);
+      open.push_back(first);
+      open.push_back(second);
     }
+    return pieces;
+  }
+
+ private:
+  static std::size_t longest_edge(const Triangle3& t) {
     std::size_t longest = 0;
     for (std::size_t i = 1; i < 3; ++i)
-      if (distance(piece[i], piece[(i + 1) % 3]) > distance(piece[longest], piece[(longest + 1) % 3]))
-        longest = i;
-    const Vec3 a = piece[longest], b = piece[(longest + 1) % 3];
-    if (distance(a, b) <= finest) {
-      if (bounds_inside(volume, piece, normal)) kept.push_back(piece);
-      continue;
-    }
-    if (cuts >= most_cuts) {
-      kept.push_back(piece);
-      continue;
-    }
-    Triangle3 first = piece, second = piece;
-    first[longest] = second[(longest + 1) % 3] = 0.5 * (a + b);
-    open.push_back(first);
-    open.push_back(second);
+      if (distance(t[i], t[(i + 1) % 3]) > distance(t[longest], t[(longest + 1) % 3])) longest = i;
+    return longest;
   }
-  return kept;
-}
 
-/// Whether parts of the input may lie inside of others.
+  bool near_another_part(TriangleId own, const Triangle3& piece) const {
+    if (part_.empty()) return false;
+    Box3 box;
+    for (const Vec3 p : piece) box.add(p);
+    const auto near = volume_.index().triangles_in(box.grown(gap_));
+    return std::any_of(near.begin(), near.end(), [&](TriangleId other) {
+      return part_[other.index()] != part_[own.index()] &&
+             triangles_within(piece, volume_.index().triangle(other), gap_);
+    });
+  }
+
+  Wall judge(TriangleId own, Vec3 p, Vec3 normal) const {
+    const Sight front = sight(volume_, p, normal), back = sight(volume_, p, -normal);
+    if (front.side == back.side) return Wall::inner;
+    const Sight& outside = front.side > 0 ? front : back;
+    if (part_.empty() || outside.way > gap_) return Wall::outer;
+    const TriangleId before = volume_.index().closest(outside.wall).triangle;
+    return part_[before.index()] == part_[own.index()] ? Wall::outer : Wall::of_closed_gap;
+  }
+
+  const ToleranceVolume& volume_;
+  double finest_, gap_;
+  bool may_cross_;
+  std::vector<std::uint32_t> part_; ///< by triangle; none where there is one
+};
+
+/// Whether parts of the input may lie inside of others or in front of them.
 bool may_have_inner_walls(const ToleranceVolume& volume) {
   const InputTopology& input = volume.input();
   const bool one_surface = input.closed_manifold && input.components == 1;
-  return volume.has_inner_walls() || (volume.sides().known() && !input.embedded() && !one_surface);
+  return volume.has_inner_walls() || (volume.sides().known() && !one_surface);
 }
 
 } // namespace
 
-std::shared_ptr<const ClosestPointIndex> exposed_input(const ToleranceVolume& volume, double finest,
-                                                       const RunControl& control) {
+ExposedInput exposed_input(const ToleranceVolume& volume, double finest, const RunControl& control) {
   const ClosestPointIndex& index = volume.index();
-  if (!may_have_inner_walls(volume)) return volume.shared_index();
-  std::vector<std::vector<Triangle3>> pieces(index.size());
+  if (!may_have_inner_walls(volume)) return {volume.shared_index(), {}};
+  const Walls walls(volume, finest, control);
+  std::vector<Walls::Pieces> pieces(index.size());
   parallel_for(index.size(), 16, [&](std::size_t i) {
-    if (!control.out_of_grace()) pieces[i] = exposed_pieces(volume, TriangleId(i), finest);
+    if (!control.out_of_grace()) pieces[i] = walls.exposed(TriangleId(i));
   });
+  ExposedInput out;
   TriangleSoup exposed;
-  for (const auto& list : pieces)
-    for (const Triangle3& t : list) {
+  for (const Walls::Pieces& of_one : pieces) {
+    if (!out.closed_gap) out.closed_gap = of_one.closed_gap;
+    for (const Triangle3& t : of_one.kept) {
       const auto first = static_cast<std::uint32_t>(exposed.points.size());
       exposed.points.insert(exposed.points.end(), t.begin(), t.end());
       exposed.triangles.push_back({first, first + 1, first + 2});
     }
-  if (exposed.triangles.empty()) return volume.shared_index();
-  return std::make_shared<const ClosestPointIndex>(exposed);
+  }
+  out.walls =
+      exposed.triangles.empty() ? volume.shared_index() : std::make_shared<const ClosestPointIndex>(exposed);
+  return out;
 }
 
 } // namespace isoscope

@@ -38,6 +38,7 @@ void read_coverage(const Json& json, Certificate& c) {
   }
   c.uncovered_count = whole<std::size_t>(json.value("uncovered_places", Json(0)));
   c.cover_note = json.value("cover_note", "");
+  c.gap_note = json.value("gap_note", "");
 }
 
 void read_certificate(const Json& json, Certificate& c) {

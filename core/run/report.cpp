@@ -189,6 +189,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"uncovered", uncovered_json(c.uncovered, scene.delta)},
         {"uncovered_places", c.uncovered_count},
         {"cover_note", c.cover_note},
+        {"gap_note", c.gap_note},
         {"input_distance", {{"lower", c.input_distance.lower}, {"upper", c.input_distance.upper}}},
         {"separates", c.separates},
         {"topology_as_expected", c.topology_as_expected()},

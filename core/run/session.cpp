@@ -486,18 +486,25 @@ void Session::stop() {
   impl_->changed.notify_all();
 }
 
-void Session::apply(const RunParameters& parameters) {
+Status Session::apply(const RunParameters& parameters) {
   {
     const std::lock_guard lock(impl_->mutex);
-    if (impl_->shown.recording && impl_->shown.recording->opened) return;
+    if (impl_->shown.recording && impl_->shown.recording->opened) return {};
+    if (const auto& scene = impl_->shown.scene) {
+      const CriteriaParameters wanted = parameters.criteria(scene->delta, scene->default_sigma);
+      if (Status fits =
+              check_memory(scene->sample_estimate, wanted.sigma, scene->delta, parameters.most_bytes());
+          !fits)
+        return fits;
+      impl_->wanted = wanted;
+    }
     impl_->shown.parameters = parameters;
-    if (const auto& scene = impl_->shown.scene)
-      impl_->wanted = parameters.criteria(scene->delta, scene->default_sigma);
     impl_->parameters_pending = true;
     if (impl_->shown.phase == SessionPhase::finished) impl_->shown.phase = SessionPhase::running;
     impl_->update_attention();
   }
   impl_->changed.notify_all();
+  return {};
 }
 
 void Session::set_breakpoint(Breakpoint breakpoint) {

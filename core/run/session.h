@@ -82,8 +82,9 @@ class Session {
   /// Asks the running stage to stop cleanly; what is there is certified and kept.
   void stop();
   /// Changes α, σ, shrink or the conditions and goes on from the present state, also after the run had
-  /// finished. A paused run takes them and stays paused. The other parameters need a start.
-  void apply(const RunParameters& parameters);
+  /// finished. A paused run takes them and stays paused. The other parameters need a start. Fails with
+  /// unsupported, and changes nothing, where the samples of this σ would take more memory than they may.
+  Status apply(const RunParameters& parameters);
   /// Stands for every run of this session, checked after each event; empty removes it.
   void set_breakpoint(Breakpoint breakpoint);
 

@@ -432,10 +432,10 @@ std::string ToleranceVolume::thickening_note(const RunControl& control) const {
 
 std::string ToleranceVolume::cause_in_words(const RunControl& control) const {
   if (has_inner_walls()) return overlap_in_words();
-  if (input_.sides_known() && input_.components > 1) {
+  if (input_.sides_known() && (input_.components > 1 || !input_.embedded())) {
     std::vector<Contact> contacts;
     if (!input_.embedded()) contacts = find_contacts(*index_, control);
-    if (contacts.empty())
+    if (contacts.empty() && input_.components > 1)
       contacts = find_near_contacts(*index_, sides_, thresholds_.delta, thresholds_.boundary, control);
     if (!contacts.empty())
       return "parts of the input touch, near " +

@@ -41,9 +41,19 @@ std::string written_mesh(const char* extension) {
   return bytes_of(file);
 }
 
+std::string in_utf16(std::string_view text) {
+  std::string bytes = "\xff\xfe";
+  for (const char c : text) {
+    bytes += c;
+    bytes += '\0';
+  }
+  return bytes;
+}
+
 std::vector<std::string_view> number_words() {
-  return {"-",     "9999999999", "4294967295", "nan",   "inf", " ", "\n",   "\r", "\t",
-          "1e400", "1e-400",     "1e60",       "0x1p3", "/",   "#", "\\\n", "0"};
+  return {"-",  "9999999999", "4294967295", "nan",      "inf",         " ",     "\n",
+          "\r", "\t",         "1e400",      "1e-400",   "1e60",        "0x1p3", "/",
+          "#",  "\\\n",       "0",          "\xff\xfe", "\xef\xbb\xbf"};
 }
 
 } // namespace isoscope::fuzz

@@ -11,6 +11,8 @@ namespace isoscope::fuzz {
 bool accepts_mesh(std::string_view bytes, const char* extension);
 /// What our own writer makes of a small mesh.
 std::string written_mesh(const char* extension);
+/// ASCII text as UTF-16 with its byte order mark, little-endian.
+std::string in_utf16(std::string_view text);
 /// Numbers and signs at which readers of numbers go wrong.
 std::vector<std::string_view> number_words();
 

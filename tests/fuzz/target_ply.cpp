@@ -17,6 +17,8 @@ std::string big_endian() {
 
 std::vector<std::string> seeds() {
   return {written_mesh(".ply"), big_endian(),
+          "ply\rformat ascii 1.0\relement vertex 3\rproperty float x\rproperty float y\rproperty float z\r"
+          "element face 1\rproperty list uchar int vertex_ids\rend_header\r0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r",
           "ply\nformat ascii 1.0\ncomment a\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
           "float z\nproperty list uchar int extra\nelement face 2\nproperty list uchar int vertex_indices\n"
           "end_header\n0 0 0 1 5\n1 0 0 0\n1 1 0 0\n0 1 0 2 1 1\n4 0 1 2 3\n3 0 1 2\n"};

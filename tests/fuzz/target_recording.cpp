@@ -8,6 +8,7 @@
 #include "recording/geometry_codec.h"
 #include "recording/recording_reader.h"
 #include "recording/recording_writer.h"
+#include "recording/salvage.h"
 
 #include <memory>
 
@@ -82,9 +83,30 @@ const std::vector<std::uint64_t>& prefixes() {
   return made;
 }
 
+/// Of the journal's first `count` events.
+std::uint64_t digest_of(const Journal& journal, std::size_t count) {
+  Digest digest;
+  for (std::size_t i = 0; i < count; ++i) digest.add(journal.events()[i]);
+  return digest.value();
+}
+
+/// What is saved of the same bytes and called proven is what was written.
+void check_salvage(const fs::path& file) {
+  const auto saved = salvage_recording(file);
+  if (!saved) {
+    require(saved.error().code != ErrorCode::internal, "the salvage blames itself");
+    return;
+  }
+  require(saved->proven <= saved->journal->events().size(), "more is proven than there is");
+  require(saved->proven < prefixes().size(), "proven events that nobody wrote");
+  require(digest_of(*saved->journal, saved->proven) == prefixes()[saved->proven],
+          "proven events that nobody wrote so");
+}
+
 bool accepts_recording(std::string_view bytes) {
   const fs::path file = folder().file("m.isorun", bytes);
   bool sound = false;
+  check_salvage(file);
   {
     auto reader = RecordingReader::open(file);
     if (reader) {
@@ -92,9 +114,8 @@ bool accepts_recording(std::string_view bytes) {
       Result<bool> more = true;
       while (more && *more) more = (*reader)->read_commit(journal);
       require(journal.events().size() < prefixes().size(), "events that nobody wrote");
-      Digest digest;
-      for (std::size_t i = 0; i < journal.events().size(); ++i) digest.add(journal.events()[i]);
-      require(digest.value() == prefixes()[journal.events().size()], "events that nobody wrote so");
+      const std::size_t count = journal.events().size();
+      require(digest_of(journal, count) == prefixes()[count], "events that nobody wrote so");
       const auto end = (*reader)->end();
       sound = more.ok() && end.ok();
     } else {

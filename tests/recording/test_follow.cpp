@@ -89,7 +89,7 @@ TEST_CASE("A session shows a finished recording without its input file") {
   CHECK(s.recording->events == run.journal->events().size());
   CHECK(s.parameters.input == run.parameters.input);
   // It is not a run: parameters do not set it going, and it is not recorded again.
-  session.apply(s.parameters);
+  CHECK(session.apply(s.parameters).ok());
   CHECK(session.snapshot().phase == SessionPhase::finished);
   CHECK(!session.record(folder / "b.isorun").ok());
   // Its input can be run anew.

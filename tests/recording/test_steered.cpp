@@ -69,11 +69,11 @@ TEST_CASE("A run whose σ, α and shrink were changed on the way is recorded and
     RunParameters other = session.snapshot().parameters;
     other.sigma = 0.35;
     other.alpha = 0.3;
-    session.apply(other);
+    CHECK(session.apply(other).ok());
     session.step(25);
     REQUIRE(session.wait_until_settled(60));
     other.shrink = 0.6;
-    session.apply(other);
+    CHECK(session.apply(other).ok());
     session.resume();
     REQUIRE(session.wait_until_settled(120));
     const SessionSnapshot end = session.snapshot();
@@ -116,7 +116,7 @@ TEST_CASE("A branch that leaves a run before its end replays, also after paramet
   REQUIRE(trunk.wait_until_settled(60));
   RunParameters other = trunk.snapshot().parameters;
   other.shrink = 0.65;
-  trunk.apply(other);
+  CHECK(trunk.apply(other).ok());
   trunk.run_until([](const Journal& journal, const Event& e) {
     return e.stage == Stage::zero_set && e.operation && journal.steps() % 10 == 0 ? std::string("far enough")
                                                                                   : std::string();

@@ -136,7 +136,9 @@ TEST_CASE("Walls inside of where parts overlap or touch need not be covered") {
   const auto volume = ToleranceVolume::build(std::make_shared<const ClosestPointIndex>(crossing),
                                              analyse_input(crossing), {0.02, 0.95}, RunControl());
   REQUIRE(volume.ok());
-  const auto exposed = exposed_input(*volume, 0.01, RunControl());
+  const ExposedInput all = exposed_input(*volume, 0.01, RunControl());
+  CHECK(!all.closed_gap);
+  const ClosestPointIndex* exposed = all.walls.get();
   double area = 0;
   for (std::size_t i = 0; i < exposed->size(); ++i) {
     const Triangle3& t = exposed->triangle(TriangleId(i));
@@ -145,4 +147,32 @@ TEST_CASE("Walls inside of where parts overlap or touch need not be covered") {
   // The union has 8.5 less the walls inside: a quarter of a square where the bar leaves, and what is in the
   // box.
   CHECK(area == doctest::Approx(7.0).epsilon(0.01));
+}
+
+TEST_CASE("Walls in a gap between parts that Ω closes need not be covered, those of a wider one do") {
+  const auto walls = [](const TriangleSoup& soup) {
+    const auto volume = ToleranceVolume::build(std::make_shared<const ClosestPointIndex>(soup),
+                                               analyse_input(soup), {0.05, 0.95}, RunControl());
+    REQUIRE(volume.ok());
+    return exposed_input(*volume, 0.01, RunControl());
+  };
+  const auto area = [](const ClosestPointIndex& index) {
+    double sum = 0;
+    for (std::size_t i = 0; i < index.size(); ++i) {
+      const Triangle3& t = index.triangle(TriangleId(i));
+      sum += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
+    }
+    return sum;
+  };
+  for (const double gap : {0.04, 0.2}) {
+    TriangleSoup boxes; // a small one over a large one
+    add_box(boxes, {0, 0, 0}, {2, 2, 1});
+    add_box(boxes, {0.5, 0.5, 1 + gap}, {1.5, 1.5, 2});
+    const ExposedInput exposed = walls(boxes);
+    const double all = 2 * 4 + 4 * 2 + 2 + 4 * (1 - gap);
+    REQUIRE(exposed.closed_gap.has_value() == (gap < 0.095));
+    // A square of each wall, but for a seam.
+    CHECK(area(*exposed.walls) == doctest::Approx(exposed.closed_gap ? all - 2 : all).epsilon(0.01));
+    if (exposed.closed_gap) CHECK(std::abs(exposed.closed_gap->z - 1) <= 0.04 + 1e-9);
+  }
 }

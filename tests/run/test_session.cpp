@@ -151,7 +151,7 @@ TEST_CASE("Parameters change during a run, while paused and after its end") {
   settled(session);
   RunParameters p = gallery_parameters("sphere");
   p.alpha = 0.4;
-  session.apply(p);
+  CHECK(session.apply(p).ok());
   session.resume();
   SessionSnapshot s = settled(session);
   CHECK(s.phase == SessionPhase::finished);
@@ -162,7 +162,7 @@ TEST_CASE("Parameters change during a run, while paused and after its end") {
   const std::uint64_t generation = s.generation;
 
   p.alpha = 0.6;
-  session.apply(p);
+  CHECK(session.apply(p).ok());
   s = settled(session);
   CHECK(s.phase == SessionPhase::finished);
   CHECK(s.generation == generation);
@@ -170,11 +170,29 @@ TEST_CASE("Parameters change during a run, while paused and after its end") {
   CHECK(s.journal->parameters_at(s.journal->steps()).alpha == 0.6);
 
   p.sigma = 0.3;
-  session.apply(p);
+  CHECK(session.apply(p).ok());
   s = settled(session);
   REQUIRE(s.phase == SessionPhase::finished);
   CHECK(s.journal->sample_sets().size() == 2);
   CHECK(s.result->certificate.holds());
+}
+
+TEST_CASE("A density that takes more memory than it may is refused, and the run goes on as it was") {
+  Session session;
+  started_paused(session, "sphere");
+  session.step(10);
+  settled(session);
+  RunParameters p = gallery_parameters("sphere");
+  p.sigma = 0.001;
+  p.memory_limit = 100;
+  const Status refused = session.apply(p);
+  REQUIRE(!refused.ok());
+  CHECK(refused.error().message.find("A density of 0.001 δ takes about") == 0);
+  CHECK(session.snapshot().parameters.sigma == 0);
+  session.resume();
+  const SessionSnapshot s = settled(session);
+  REQUIRE(s.phase == SessionPhase::finished);
+  CHECK(s.journal->sample_sets().size() == 1);
 }
 
 TEST_CASE("A stopped run goes on after parameters were applied") {
@@ -183,7 +201,7 @@ TEST_CASE("A stopped run goes on after parameters were applied") {
   session.stop();
   SessionSnapshot s = settled(session);
   CHECK(s.result->end == RunResult::End::stopped);
-  session.apply(gallery_parameters("sphere"));
+  CHECK(session.apply(gallery_parameters("sphere")).ok());
   s = settled(session);
   REQUIRE(s.phase == SessionPhase::finished);
   CHECK(s.result->end == RunResult::End::finished);
@@ -201,7 +219,7 @@ TEST_CASE("Parameters change while Z is simplified, and a stopped simplification
   REQUIRE(s.phase == SessionPhase::paused);
   RunParameters p = complete_parameters("torus");
   p.shrink = 0.5;
-  session.apply(p);
+  CHECK(session.apply(p).ok());
   session.step(3);
   s = settled(session);
   CHECK(s.journal->parameters_at(s.journal->steps()).shrink == 0.5);
@@ -212,7 +230,7 @@ TEST_CASE("Parameters change while Z is simplified, and a stopped simplification
   CHECK(s.result->last_stage == Stage::zero_set);
   CHECK(s.result->certificate.holds());
   const std::size_t vertices = s.result->mesh.points.size();
-  session.apply(p);
+  CHECK(session.apply(p).ok());
   s = settled(session);
   CHECK(s.result->end == RunResult::End::finished);
   CHECK(s.result->last_stage == Stage::improve);

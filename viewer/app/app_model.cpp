@@ -70,9 +70,10 @@ void AppModel::restart() {
     session.start(draft);
 }
 
-void AppModel::apply() {
-  session.apply(draft);
+Status AppModel::apply() {
+  if (Status fits = session.apply(draft); !fits) return fits;
   transport.follow();
+  return {};
 }
 
 bool AppModel::draft_needs_restart() const {

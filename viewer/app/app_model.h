@@ -149,7 +149,7 @@ class AppModel : public ShownRun {
   /// Runs again from the beginning with the draft's parameters.
   void restart();
   /// Goes on with the draft's parameters.
-  void apply();
+  Status apply();
   /// Whether the draft differs from what the run was asked, and whether that needs a restart.
   bool draft_differs() const;
   bool draft_needs_restart() const;

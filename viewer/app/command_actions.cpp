@@ -220,8 +220,7 @@ Status apply_parameters(AppModel& model, const Arguments&) {
     return Error{ErrorCode::usage, "These parameters belong to the whole run: they need a new one.",
                  "Use Restart (Ctrl+R)."};
   if (Status s = check(model.draft); !s) return s;
-  model.apply();
-  return {};
+  return model.apply();
 }
 
 Status pick_element(AppModel& model, const Arguments& a) {

@@ -388,8 +388,8 @@ void certificate(Ui& ui) {
   for (const std::string& failure : c.failures) widgets::quiet_text(ui, failure, true);
   if (const std::string crumbs = crumbs_note(result->crumbs, result->mesh); !crumbs.empty())
     widgets::quiet_text(ui, crumbs, true);
-  if (!c.topology_note.empty()) widgets::quiet_text(ui, c.topology_note, true);
-  if (!c.cover_note.empty()) widgets::quiet_text(ui, c.cover_note, true);
+  for (const std::string& note : {c.topology_note, c.cover_note, c.gap_note})
+    if (!note.empty()) widgets::quiet_text(ui, note, true);
   if (delta > 0) uncovered_places(ui, c, delta);
 }
 

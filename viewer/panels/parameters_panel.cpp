@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace isoscope::panels {
 namespace {
@@ -228,6 +229,20 @@ void preview_line(const Ui& ui, const char* name, std::size_t now, std::size_t t
   widgets::value_row(ui, name, value, color);
 }
 
+/// What S takes at the σ of the sliders.
+void foreseen(const Ui& ui) {
+  const auto& scene = ui.model.run.scene;
+  if (!scene || !(scene->sample_estimate.boundary_area > 0)) return;
+  const RunParameters& draft = ui.model.draft;
+  const double sigma = draft.sigma_ratio(scene->default_sigma) * scene->delta;
+  const double bytes = scene->sample_estimate.bytes(sigma);
+  char words[64];
+  std::snprintf(words, sizeof words, "about %.2g, %.3g MB", scene->sample_estimate.samples(sigma),
+                bytes / 1e6);
+  const bool fits = bytes <= draft.most_bytes();
+  widgets::value_row(ui, "samples at this σ", words, fits ? ui.colors.text : ui.colors.bad_text);
+}
+
 void preview(Ui& ui) {
   const AppModel& m = ui.model;
   const auto state = m.state();
@@ -339,6 +354,7 @@ void parameters(Ui& ui) {
   ImGui::Dummy({0, ui.px(2)});
   conditions(ui, p);
   ImGui::Dummy({0, ui.px(2)});
+  foreseen(ui);
   preview(ui);
   warnings(ui);
   ImGui::Dummy({0, ui.px(2)});
