@@ -1,7 +1,7 @@
 // What differs between two runs, as text for a terminal.
 #pragma once
 
-#include "run/compare_runs.h"
+#include "compare/compare_runs.h"
 
 #include <cstddef>
 #include <string>

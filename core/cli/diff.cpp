@@ -5,7 +5,7 @@
 #include "cli/exit_status.h"
 #include "cli/options.h"
 #include "cli/recorded_file.h"
-#include "run/compare_runs.h"
+#include "compare/compare_runs.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 // Names of checks and choices, as filters, reports and scripts spell them.
-#include "simplify/collapse_attempt.h"
+#include "collapse/collapse_attempt.h"
 #include "simplify/simplification.h"
-#include "simplify/target_search.h"
+#include "collapse/target_search.h"
 
 #include <array>
 

@@ -2,11 +2,11 @@
 #include "simplify/simplification.h"
 
 #include "criteria/nearest_sample.h"
-#include "simplify/collapse_stage.h"
-#include "simplify/embedded_improvement.h"
-#include "simplify/free_improvement.h"
-#include "simplify/live_complex.h"
-#include "simplify/stage_log.h"
+#include "collapse/collapse_stage.h"
+#include "improve/embedded_improvement.h"
+#include "improve/free_improvement.h"
+#include "collapse/live_complex.h"
+#include "journal/stage_log.h"
 #include "simplify/tessellation.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "base/status.h"
 #include "journal/recorder.h"
 #include "mesh/incidence.h"
-#include "simplify/target_search.h"
+#include "collapse/target_search.h"
 #include "tolerance/boundary_sampler.h"
 #include "tolerance/tolerance_volume.h"
 

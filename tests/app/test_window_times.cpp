@@ -1,6 +1,6 @@
 // The window's own times: what is counted, and that a script can ask for it.
 #include "app/window_script.h"
-#include "app/window_times.h"
+#include "model/window_times.h"
 
 #include <doctest/doctest.h>
 

@@ -7,8 +7,8 @@
 #include "run/complete_run.h"
 #include "run/parameters_json.h"
 #include "run/recorded_run.h"
-#include "run/state_check.h"
-#include "run/target_study.h"
+#include "questions/state_check.h"
+#include "questions/target_study.h"
 
 #include <algorithm>
 #include <chrono>

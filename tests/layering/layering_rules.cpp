@@ -13,35 +13,49 @@ using Names = std::set<std::string, std::less<>>;
 
 constexpr int longest_file = 600;
 
-// The folders that a folder's files may include, besides their own. Architecture, section 3.
-const std::map<std::string, Names, std::less<>>& allowed_folders() {
-  static const Names core = {"base",  "input",     "tolerance", "mesh",     "criteria", "journal",
-                             "query", "recording", "refine",    "simplify", "run"};
-  static const auto with_core = [](Names more) {
-    more.insert(core.begin(), core.end());
-    return more;
-  };
-  static const std::map<std::string, Names, std::less<>> table = {
-      {"core/base", {}},
-      {"core/input", {"base"}},
-      {"core/tolerance", {"base", "input"}},
-      {"core/mesh", {"base", "input"}},
-      {"core/criteria", {"base", "input", "tolerance", "mesh"}},
-      {"core/journal", {"base", "input", "tolerance", "mesh"}},
-      {"core/query", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
-      {"core/refine", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
-      {"core/simplify", {"base", "input", "tolerance", "mesh", "criteria", "journal"}},
-      {"core/recording", {"base", "input", "tolerance", "mesh", "journal"}},
-      {"core/run",
-       {"base", "input", "tolerance", "mesh", "criteria", "journal", "recording", "refine", "simplify"}},
-      {"core/cli", core},
-      {"viewer/gl", {"base"}},
-      {"viewer/platform", {"base"}},
-      {"viewer/scene", with_core({"gl", "embedded"})},
-      {"viewer/panels", with_core({"scene", "app", "embedded"})},
-      {"viewer/app", with_core({"cli", "gl", "platform", "scene", "panels", "embedded"})},
-  };
-  return table;
+// All folders from the bottom up: a folder's files include those of its own and of folders below. Folders of one tier
+// stand beside each other and do not know each other.
+using Tiers = std::vector<std::vector<std::string_view>>;
+
+const Tiers& core_tiers() {
+  static const Tiers tiers = {{"core/base"},
+                              {"core/input"},
+                              {"core/tolerance", "core/mesh"},
+                              {"core/criteria", "core/journal"},
+                              {"core/refine", "core/query", "core/recording"},
+                              {"core/collapse"},
+                              {"core/improve"},
+                              {"core/simplify"},
+                              {"core/run"},
+                              {"core/questions", "core/compare"},
+                              {"core/cli"}};
+  return tiers;
+}
+
+const Tiers& viewer_tiers() {
+  static const Tiers tiers = {{"viewer/platform", "viewer/gl"},
+                              {"viewer/scene"},
+                              {"viewer/model"},
+                              {"viewer/command"},
+                              {"viewer/ui"},
+                              {"viewer/edge", "viewer/ask"},
+                              {"viewer/view"},
+                              {"viewer/timeline"},
+                              {"viewer/debug", "viewer/talk", "viewer/export"},
+                              {"viewer/two_runs", "viewer/steering"},
+                              {"viewer/app"}};
+  return tiers;
+}
+
+/// Where a folder stands; both ladders in one, the viewer's on top. Nothing for a folder that is in neither.
+std::optional<std::size_t> tier_of(std::string_view folder) {
+  std::size_t number = 0;
+  for (const Tiers* tiers : {&core_tiers(), &viewer_tiers()})
+    for (const auto& tier : *tiers) {
+      if (std::find(tier.begin(), tier.end(), folder) != tier.end()) return number;
+      ++number;
+    }
+  return std::nullopt;
 }
 
 // Headers of libraries: the beginning of the include, and the places (beginnings of paths) that may include

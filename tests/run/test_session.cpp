@@ -4,7 +4,7 @@
 #include "journal/playback.h"
 #include "recording/recording_reader.h"
 #include "run/complete_run.h"
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 // pick.
 #pragma once
 
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "tolerance/distance_grid.h"
 
 #include <memory>

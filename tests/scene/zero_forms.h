@@ -1,7 +1,7 @@
 // Small hand-made states in which Z is embedded in T or free of it.
 #pragma once
 
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 
 namespace isoscope::testing {
 

@@ -4,8 +4,8 @@
 #include "base/parallel.h"
 #include "journal/playback.h"
 #include "mesh/validity.h"
-#include "simplify/collapse_evaluator.h"
-#include "simplify/collapse_stage.h"
+#include "collapse/collapse_evaluator.h"
+#include "collapse/collapse_stage.h"
 
 #include <doctest/doctest.h>
 

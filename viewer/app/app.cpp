@@ -1,10 +1,10 @@
 // One frame, and when the next one is due.
 #include "app/app.h"
 
-#include "app/debug_actions.h"
+#include "debug/debug_actions.h"
 #include "app/last_wait.h"
 #include "input/gallery.h"
-#include "panels/panels.h"
+#include "app/panels.h"
 #include "platform/endings.h"
 #include "platform/image_file.h"
 #include "recording/recording_reader.h"

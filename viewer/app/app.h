@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/app_model.h"
-#include "app/exporter.h"
+#include "export/exporter.h"
 #include "app/imgui_layer.h"
 #include "app/options.h"
 #include "app/script.h"
-#include "panels/overlays.h"
-#include "panels/run_views.h"
-#include "panels/timeline_panel.h"
+#include "app/overlays.h"
+#include "two_runs/run_views.h"
+#include "timeline/timeline_panel.h"
 
 #include <memory>
 #include <optional>

@@ -1,8 +1,8 @@
 // What happens between two frames: the run's news, the play head, the workers.
 #include "app/app_model.h"
 
-#include "app/debug_actions.h"
-#include "app/words.h"
+#include "debug/debug_actions.h"
+#include "model/words.h"
 #include "input/gallery.h"
 #include "recording/recording_reader.h"
 #include "scene/section_view.h"

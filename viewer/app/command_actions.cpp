@@ -1,10 +1,10 @@
 // The commands' actions on run, selection, view and window.
 #include "app/command_actions.h"
 
-#include "app/named_values.h"
-#include "app/usage.h"
-#include "app/view_state.h"
-#include "app/words.h"
+#include "command/named_values.h"
+#include "command/usage.h"
+#include "model/view_state.h"
+#include "model/words.h"
 #include "input/mesh_io.h"
 #include "mesh/zero_set.h"
 #include "scene/pick_geometry.h"

@@ -2,7 +2,7 @@
 // are wrong.
 #pragma once
 
-#include "app/commands.h"
+#include "command/commands.h"
 
 namespace isoscope::actions {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/app_model.h"
-#include "app/theme.h"
+#include "ui/theme.h"
 #include "platform/window.h"
 
 #include <memory>

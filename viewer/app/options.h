@@ -1,7 +1,7 @@
 // The command line of the window program.
 #pragma once
 
-#include "app/commands.h"
+#include "command/commands.h"
 #include "base/status.h"
 #include "platform/window.h"
 #include "run/parameters.h"

@@ -1,7 +1,7 @@
 // Scripts: one command a line, each run when the one before is done and shown.
 #pragma once
 
-#include "app/commands.h"
+#include "command/commands.h"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 // What commands do that are made for scripts: values, expectations, waiting, mouse and keys.
 #include "app/command_actions.h"
-#include "app/named_values.h"
-#include "app/usage.h"
+#include "command/named_values.h"
+#include "command/usage.h"
 
 namespace isoscope::actions {
 namespace {

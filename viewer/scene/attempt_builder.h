@@ -1,7 +1,7 @@
 // What the layer of the X-ray is put together from: segments, faces and marks in the scene's coordinates.
 #pragma once
 
-#include "run/target_study.h"
+#include "questions/target_study.h"
 #include "scene/line_batch.h"
 #include "scene/markers.h"
 #include "scene/mesh_batch.h"

@@ -2,7 +2,7 @@
 // optimum and target; the ghost of a target that is tried.
 #pragma once
 
-#include "run/target_study.h"
+#include "questions/target_study.h"
 #include "scene/line_batch.h"
 #include "scene/markers.h"
 #include "scene/mesh_batch.h"

@@ -1,7 +1,7 @@
 // The edges of ∂Γ.
 #pragma once
 
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/clip.h"
 #include "scene/line_batch.h"
 #include "scene/view_frame.h"

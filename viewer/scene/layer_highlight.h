@@ -2,7 +2,7 @@
 // as arrows.
 #pragma once
 
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/line_batch.h"
 #include "scene/markers.h"
 #include "scene/programs.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gl/buffer.h"
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/clip.h"
 #include "scene/programs.h"
 #include "scene/view_frame.h"

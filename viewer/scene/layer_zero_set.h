@@ -1,7 +1,7 @@
 // Z: shaded polygons with their edges.
 #pragma once
 
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/clip.h"
 #include "scene/mesh_batch.h"
 #include "scene/view_frame.h"

@@ -1,7 +1,7 @@
 // Where a picked element lies at a step.
 #pragma once
 
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/view_settings.h"
 
 #include <optional>

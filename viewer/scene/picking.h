@@ -2,7 +2,7 @@
 #pragma once
 
 #include "input/triangle_soup.h"
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/renderer.h"
 #include "scene/view_settings.h"
 #include "tolerance/distance_grid.h"

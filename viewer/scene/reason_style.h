@@ -4,7 +4,7 @@
 
 #include "journal/event.h"
 #include "scene/marker_shape.h"
-#include "simplify/collapse_attempt.h"
+#include "collapse/collapse_attempt.h"
 
 #include <string_view>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/status.h"
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/camera.h"
 #include "scene/view_settings.h"
 #include "tolerance/distance_grid.h"

@@ -1,7 +1,7 @@
 // What a search for a target left out: Ψ hatched, cells of the octree as boxes in the colour of their fate.
 #pragma once
 
-#include "run/edge_xray.h"
+#include "questions/edge_xray.h"
 #include "scene/line_batch.h"
 #include "scene/mesh_batch.h"
 #include "scene/view_frame.h"

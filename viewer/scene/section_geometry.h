@@ -1,7 +1,7 @@
 // The 2D section of a state by a plane: segments and points in the plane's coordinates.
 #pragma once
 
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/renderer.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // The 2D section as a vector figure, drawn as the paper's figures are.
 #pragma once
 
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/level_loops.h"
 #include "scene/renderer.h"
 #include "scene/section_geometry.h"

@@ -2,7 +2,7 @@
 // current operation.
 #pragma once
 
-#include "run/snapshot.h"
+#include "questions/snapshot.h"
 #include "scene/clip.h"
 #include "scene/view_settings.h"
 

@@ -1,0 +1,207 @@
+// Judges a target by samples, by the facet certificate, by condition 3 and by the regions' witnesses.
+#include "collapse/collapse_checks.h"
+
+#include "criteria/orientation.h"
+#include "mesh/predicates.h"
+#include "mesh/sample_sets.h"
+#include "mesh/zero_set.h"
+#include "collapse/star_location.h"
+#include "tolerance/facet_certificate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+
+namespace {
+
+/// Pieces of a facet looked at before a collapse is given up: it is only one of many.
+constexpr std::size_t piece_budget = 4000;
+/// A violating point that hardly depends on the target teaches nothing about it.
+constexpr double least_weight = 1e-3;
+
+/// Barycentric weight of corner k of a triangle at a point of its plane.
+double weight_at(const Triangle3& t, std::size_t k, Vec3 w) {
+  const Vec3 a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+  const Vec3 n = cross(b - a, c - a);
+  const double area = squared_length(n);
+  return area > 0 ? dot(n, cross(b - w, c - w)) / area : 0;
+}
+
+/// What a facet that leaves Ω tells of other targets. Its violating point w moves with the target's weight λ:
+/// to first order the target must go by (d(w) − δ)/λ towards w's closest point, and nearer than that it stays
+/// out.
+void learn(const ZeroFacetAfter& facet, const FacetVerdict& found, double delta, TargetVerdict& verdict) {
+  if (facet.target_corner < 0 || !found.closest.triangle.valid()) return;
+  const auto k = static_cast<std::size_t>(facet.target_corner);
+  const double weight = weight_at(facet.corners, k, found.witness);
+  const double d = found.closest.distance();
+  if (weight < least_weight || !(d > 0)) return;
+  const Vec3 inward = (found.closest.point - found.witness) / d;
+  verdict.learnt = HalfSpace{inward, dot(inward, facet.corners[k]) + (d - delta) / weight};
+  verdict.invalid = invalid_region(facet.corners[k], weight, d - delta);
+}
+
+std::size_t violated_tests(const OrientationVerdict& verdict) {
+  return static_cast<std::size_t>(
+      std::count_if(verdict.tests.begin(), verdict.tests.end(), [](const auto& t) { return !t.good(); }));
+}
+
+} // namespace
+
+std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target) {
+  std::vector<ZeroFacetAfter> facets;
+  if (star.form == ZeroForm::embedded) {
+    for (const StarFacet& f : zero_facets(star)) {
+      if (f.ring()) continue;
+      ZeroFacetAfter& after = facets.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const bool end = f.v[k] < 2;
+        after.corners[k] = end ? target : star.vertices[f.v[k]].position;
+        if (end) after.target_corner = static_cast<int>(k);
+      }
+    }
+    return facets;
+  }
+  std::vector<Triangle3> triangles;
+  for (const EdgeStar::StarTet& t : star.tets) {
+    if (!t.ring())
+      append_triangles(zero_polygon(star.positions_after(t, target), values_after(star, t)), triangles);
+  }
+  for (const Triangle3& t : triangles) facets.push_back({t, -1});
+  return facets;
+}
+
+std::vector<Triangle3> zero_facets_before(const EdgeStar& star) {
+  std::vector<Triangle3> triangles;
+  if (star.form == ZeroForm::embedded) {
+    for (const StarFacet& f : zero_facets(star)) {
+      triangles.push_back(
+          {star.vertices[f.v[0]].position, star.vertices[f.v[1]].position, star.vertices[f.v[2]].position});
+    }
+    return triangles;
+  }
+  for (const EdgeStar::StarTet& t : star.tets) {
+    append_triangles(zero_polygon(star.positions(t), star.values(t)), triangles);
+  }
+  return triangles;
+}
+
+TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const CriteriaParameters& criteria) {
+  const double limit = criteria.error_limit();
+  for (const EdgeStar::StarSample& s : star.samples) {
+    const StarLocation after = locate_after(star, target, s.position);
+    if (after.tet == nullptr) continue; // on the star's boundary: its tetrahedron does not change
+    const double error = sample_error_at(star, after, values_after(star, *after.tet), s.position, s.label);
+    const bool good = star.form == ZeroForm::embedded ? !is_bad(error) : error <= limit;
+    if (good) continue;
+    const StarLocation before = locate_before(star, s.position);
+    // What was violated before, as refinement may leave it, must not get worse.
+    double margin = criteria.alpha;
+    if (before.tet != nullptr) {
+      const double error_before =
+          sample_error_at(star, before, star.values(*before.tet), s.position, s.label);
+      if (error <= error_before) continue;
+      margin = std::min(margin, 1 - error_before);
+    }
+    TargetVerdict verdict =
+        Refusal{Reason::misclassified, error, star.form == ZeroForm::embedded ? 1.0 : limit, s.position};
+    verdict.invalid = invalid_region(star, *after.tet, s, star.vertices[0].value, margin);
+    return verdict;
+  }
+  return {};
+}
+
+TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
+  const double delta = volume.thresholds().delta;
+  const ClosestPointIndex& index = volume.index();
+  if (star.vertices[0].value == 0) {
+    const ClosestPoint closest = index.closest(target);
+    if (closest.distance() > delta) {
+      TargetVerdict verdict = Refusal{Reason::outside_tolerance, closest.distance(), delta, target};
+      const Vec3 inward = normalized(closest.point - target);
+      verdict.learnt = HalfSpace{inward, dot(inward, closest.point) - delta};
+      verdict.invalid = invalid_region(target, 1, closest.distance() - delta);
+      return verdict;
+    }
+  }
+  for (const ZeroFacetAfter& facet : zero_facets_after(star, target)) {
+    const FacetVerdict verdict = certify_facet(index, facet.corners, delta, delta, piece_budget);
+    if (verdict.kind == FacetVerdict::Kind::inside) continue;
+    if (verdict.kind == FacetVerdict::Kind::undecided) {
+      return Refusal{Reason::unproven, verdict.closest.distance(), delta, verdict.witness};
+    }
+    TargetVerdict outside =
+        Refusal{Reason::outside_tolerance, verdict.closest.distance(), delta, verdict.witness};
+    learn(facet, verdict, delta, outside);
+    return outside;
+  }
+  return {};
+}
+
+TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationContext& context) {
+  if (context.nearest == nullptr || !context.nearest->has(+1) || !context.nearest->has(-1)) return {};
+  const double shrink = context.criteria.shrink;
+  const double reach = orientation_reach * context.criteria.delta;
+  std::size_t before = 0, after = 0;
+  Refusal verdict;
+  const auto note_worst = [&](double agreement, Vec3 at) {
+    if (verdict.reason != Reason::none && agreement >= verdict.value) return;
+    verdict = {Reason::normals, agreement, 0, at};
+  };
+  if (star.form == ZeroForm::embedded) {
+    const auto count = [&](const Triangle3& t, bool note) {
+      std::size_t violated = 0;
+      for (const FacetOrientationTest& test : check_facet_orientation(t, shrink, reach, *context.nearest)) {
+        if (test.good()) continue;
+        ++violated;
+        if (note) note_worst(test.agreement, test.shrunk);
+      }
+      return violated;
+    };
+    for (const ZeroFacetAfter& f : zero_facets_after(star, target)) after += count(f.corners, true);
+    if (after > 0) {
+      for (const Triangle3& t : zero_facets_before(star)) before += count(t, false);
+    }
+  } else {
+    const auto count = [&](const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
+                           bool note) -> std::size_t {
+      if (zero_polygon(p, f).count == 0) return 0;
+      const OrientationVerdict v = check_orientation(p, f, shrink, reach, *context.nearest);
+      if (note && v.misoriented) {
+        const OrientationTest& worst = v.tests[static_cast<std::size_t>(v.worst)];
+        note_worst(worst.f * worst.label, worst.shrunk);
+      }
+      return violated_tests(v);
+    };
+    for (const EdgeStar::StarTet& t : star.tets) {
+      if (!t.ring()) after += count(star.positions_after(t, target), values_after(star, t), true);
+    }
+    if (after > 0) {
+      for (const EdgeStar::StarTet& t : star.tets) before += count(star.positions(t), star.values(t), false);
+    }
+  }
+  return after > before ? verdict : TargetVerdict{};
+}
+
+TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
+  Box3 box;
+  for (const auto& v : star.vertices) box.add(v.position);
+  for (const Witness& witness : volume.witnesses()) {
+    const Vec3 x = witness.point;
+    if (x.x < box.lo.x || x.x > box.hi.x || x.y < box.lo.y || x.y > box.hi.y || x.z < box.lo.z ||
+        x.z > box.hi.z)
+      continue;
+    const StarLocation after = locate_after(star, target, x);
+    if (after.tet == nullptr) continue;
+    const double f = side_at(star, after, values_after(star, *after.tet), x);
+    if (f * witness.label > 0) continue;
+    const StarLocation before = locate_before(star, x);
+    const double f_before =
+        before.tet == nullptr ? witness.label : side_at(star, before, star.values(*before.tet), x);
+    if (f_before * witness.label > 0) return Refusal{Reason::witness_side, f * witness.label, 0, x};
+  }
+  return {};
+}
+
+} // namespace isoscope

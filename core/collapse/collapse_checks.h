@@ -1,0 +1,42 @@
+// The checks of a collapse that depend on where the target lies: pure functions of a star and a point.
+#pragma once
+
+#include "criteria/nearest_sample.h"
+#include "journal/journal.h"
+#include "mesh/edge_star.h"
+#include "collapse/target_search.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <span>
+#include <vector>
+
+namespace isoscope {
+
+/// What every evaluation of a run shares; all of it immutable while it lasts.
+struct EvaluationContext {
+  const ToleranceVolume& volume;
+  const NearestSample* nearest = nullptr; ///< for condition 3; null: not judged
+  CriteriaParameters criteria;
+};
+
+/// Corner triangles of Z that the star has at its ends' vertices, after the collapse (embedded: facets;
+/// interpolated: zero polygons), with the local numbers of embedded facets.
+struct ZeroFacetAfter {
+  Triangle3 corners;
+  int target_corner = -1; ///< which corner is the target; -1: none (interpolated)
+};
+std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target);
+/// The same before the collapse.
+std::vector<Triangle3> zero_facets_before(const EdgeStar& star);
+
+/// Sampled mode: samples of the star keep their class: ε <= 1 − α where it held (§2.4.1), the tetrahedron of
+/// their own label once Z is embedded (§2.4.2).
+TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const CriteriaParameters& criteria);
+/// Certified mode: every changed facet of Z proven inside Ω (algorithm notes §4).
+TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
+/// Condition 3 is violated by no more tests than before (§2.4).
+TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationContext& context);
+/// The deepest point of every region inside the star keeps its side.
+TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
+
+} // namespace isoscope

@@ -1,0 +1,197 @@
+// Rounds of a collapse stage. Batches have a fixed size, so that threads change nothing.
+#include "collapse/collapse_stage.h"
+
+#include "base/parallel.h"
+#include "base/sort_unique.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace isoscope {
+
+namespace {
+
+/// Edges evaluated side by side: more would leave the order of errors, fewer would leave cores idle.
+constexpr std::size_t batch_size = 16;
+/// Edges looked at for one batch before it goes on with fewer.
+constexpr std::size_t batch_search = 48;
+constexpr std::size_t priority_grain = 64;
+
+QueuedEdge ordered(VertexId a, VertexId b, double error, std::uint32_t time) {
+  return {error, std::min(a, b), std::max(a, b), time};
+}
+
+} // namespace
+
+struct CollapseStage::Candidate {
+  QueuedEdge edge;
+  EdgeStar star;
+  std::vector<Vec3> samples;
+  CollapseAttempt attempt;
+};
+
+CollapseStage::CollapseStage(LiveComplex& live, const EvaluationContext& context,
+                             const CollapseSettings& settings, CostRing ring, const BoundarySamples* samples,
+                             StageLog& log)
+    : live_(live), context_(context), settings_(settings), ring_(ring), log_(log) {
+  if (samples != nullptr && settings.kind == EdgeKind::gamma && !settings.halfedge) {
+    targets_.emplace(*samples);
+  }
+}
+
+CollapseStage::~CollapseStage() = default;
+
+bool CollapseStage::may_be_eligible(VertexId a, VertexId b) const {
+  const Complex& c = live_.complex();
+  const Vertex &va = c.vertices[a.index()], &vb = c.vertices[b.index()];
+  if (va.kind == VertexKind::box || vb.kind == VertexKind::box) return false;
+  switch (settings_.kind) {
+  case EdgeKind::gamma:
+    return va.value * vb.value > 0;
+  case EdgeKind::zero:
+    return va.value == 0 && vb.value == 0;
+  case EdgeKind::mixed:
+    return settings_.halfedge ? (va.value == 0) != (vb.value == 0) : va.value == 0 || vb.value == 0;
+  case EdgeKind::other:
+    break;
+  }
+  return false;
+}
+
+double CollapseStage::priority(VertexId a, VertexId b) const {
+  const auto [stays, goes] = oriented_edge(live_.complex(), a, b);
+  return collapse_priority(live_.star(stays, goes, ring_), settings_);
+}
+
+std::vector<QueuedEdge> CollapseStage::eligible_edges() const {
+  std::vector<std::pair<VertexId, VertexId>> edges;
+  for (const Tet& t : live_.complex().tets) {
+    if (!t.alive()) continue;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const auto [a, b] = std::minmax(t.v[i], t.v[j]);
+        if (may_be_eligible(a, b) && !failures_.failed_since(a, b, changed(a, b))) edges.emplace_back(a, b);
+      }
+    }
+  }
+  sort_unique(edges);
+  std::vector<QueuedEdge> queued(edges.size());
+  const bool complete = parallel_until(edges.size(), priority_grain, log_.control(), [&](std::size_t i) {
+    queued[i] =
+        ordered(edges[i].first, edges[i].second, priority(edges[i].first, edges[i].second), live_.clock());
+  });
+  if (!complete) return {};
+  std::erase_if(queued, [](const QueuedEdge& e) { return std::isinf(e.error); });
+  return queued;
+}
+
+std::vector<CollapseStage::Candidate> CollapseStage::next_batch(CollapseQueue& queue) {
+  std::vector<Candidate> batch;
+  std::vector<QueuedEdge> deferred;
+  std::vector<TetId> taken; ///< tetrahedra of the batch's stars, sorted
+  for (std::size_t looked = 0; batch.size() < batch_size && looked < batch_search && !queue.empty();
+       ++looked) {
+    const QueuedEdge e = queue.pop();
+    if (!live_.alive(e.a) || !live_.alive(e.b) || !live_.adjacent(e.a, e.b)) continue;
+    const std::uint32_t last = changed(e.a, e.b);
+    if (failures_.failed_since(e.a, e.b, last)) continue;
+    const auto [stays, goes] = oriented_edge(live_.complex(), e.a, e.b);
+    Candidate candidate{e, live_.star(stays, goes, ring_), {}, {}};
+    if (e.time < last) {
+      const double error = collapse_priority(candidate.star, settings_);
+      if (!std::isinf(error)) queue.push(ordered(e.a, e.b, error, live_.clock()));
+      continue;
+    }
+    const bool overlaps =
+        std::any_of(candidate.star.tets.begin(), candidate.star.tets.end(),
+                    [&](const auto& t) { return std::binary_search(taken.begin(), taken.end(), t.id); });
+    if (overlaps) {
+      deferred.push_back(e);
+      continue;
+    }
+    for (const auto& t : candidate.star.tets) taken.push_back(t.id);
+    std::sort(taken.begin(), taken.end());
+    if (targets_) candidate.samples = targets_->near(candidate.star);
+    batch.push_back(std::move(candidate));
+  }
+  for (const QueuedEdge& e : deferred) queue.push(e);
+  return batch;
+}
+
+void CollapseStage::evaluate(std::vector<Candidate>& batch) const {
+  parallel_until(batch.size(), 1, log_.control(), [&](std::size_t i) {
+    Candidate& c = batch[i];
+    CollapseSettings settings = settings_;
+    if (targets_) settings.search.kernel_samples = most_sample_targets;
+    c.attempt = evaluate_collapse(c.star, settings, context_, EvaluationDetail::decision, c.samples);
+  });
+}
+
+bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
+  const CollapseAttempt& attempt = candidate.attempt;
+  Event e;
+  e.vertex = attempt.a;
+  e.other = attempt.b;
+  e.count = attempt.tried;
+  if (!attempt.possible()) {
+    failures_.add(candidate.edge.a, candidate.edge.b, {live_.clock(), false});
+    e.kind = EventKind::rejection;
+    e.reason = attempt.rejected;
+    if (const CheckVerdict* failed = attempt.first_failed()) {
+      e.value = failed->value;
+      e.limit = failed->limit;
+      e.witness = failed->witness;
+    }
+    e.point = attempt.optimum;
+    log_.event(e);
+    return false;
+  }
+  e.kind = EventKind::collapse;
+  e.reason = attempt.found_by;
+  e.point = attempt.target;
+  e.witness = attempt.optimum;
+  e.value = attempt.cost;
+  e.limit = attempt.unconstrained_cost;
+  Delta delta = live_.collapse(attempt.a, attempt.b, attempt.target);
+  live_.apply(delta);
+  push_around(attempt.a, queue);
+  log_.operation(e, std::move(delta), live_.step_figures());
+  return true;
+}
+
+void CollapseStage::push_around(VertexId v, CollapseQueue& queue) {
+  for (const VertexId n : live_.neighbors(v)) {
+    if (!may_be_eligible(v, n)) continue;
+    const double error = priority(v, n);
+    if (!std::isinf(error)) queue.push(ordered(v, n, error, live_.clock()));
+  }
+}
+
+std::size_t CollapseStage::run_round() {
+  CollapseQueue queue;
+  for (const QueuedEdge& e : eligible_edges()) queue.push(e);
+  std::size_t collapses = 0;
+  while (!queue.empty() && !log_.stopped()) {
+    std::vector<Candidate> batch = next_batch(queue);
+    evaluate(batch);
+    for (const Candidate& candidate : batch) {
+      if (log_.stopped()) break;
+      collapses += commit(candidate, queue);
+    }
+  }
+  return collapses;
+}
+
+std::size_t CollapseStage::run(int rounds) {
+  std::size_t collapses = 0;
+  for (int round = 0; round < rounds && !log_.stopped(); ++round) {
+    const std::size_t made = run_round();
+    collapses += made;
+    if (made == 0) break;
+  }
+  return collapses;
+}
+
+} // namespace isoscope

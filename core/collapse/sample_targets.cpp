@@ -1,0 +1,50 @@
+// A grid over the samples.
+#include "collapse/sample_targets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+
+namespace {
+
+constexpr double cell_size = 4; ///< in σ
+
+} // namespace
+
+SampleTargets::SampleTargets(const BoundarySamples& samples)
+    : samples_(samples), size_(cell_size * samples.sigma) {
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    cells_[cell_of(samples.positions[i])].push_back(static_cast<std::uint32_t>(i));
+}
+
+SampleTargets::Cell SampleTargets::cell_of(Vec3 p) const {
+  const auto along = [this](double x) { return static_cast<std::int32_t>(std::floor(x / size_)); };
+  return {along(p.x), along(p.y), along(p.z)};
+}
+
+std::vector<Vec3> SampleTargets::near(const EdgeStar& star) const {
+  Box3 box;
+  for (const auto& v : star.vertices) box.add(v.position);
+  const int label = star.vertices[0].value > 0 ? +1 : -1;
+  std::vector<std::uint32_t> found;
+  const Cell lo = cell_of(box.lo), hi = cell_of(box.hi);
+  for (std::int32_t x = lo[0]; x <= hi[0]; ++x) {
+    for (std::int32_t y = lo[1]; y <= hi[1]; ++y) {
+      for (std::int32_t z = lo[2]; z <= hi[2]; ++z) {
+        const auto at = cells_.find({x, y, z});
+        if (at == cells_.end()) continue;
+        for (const std::uint32_t s : at->second) {
+          if (samples_.labels[s] == label) found.push_back(s);
+        }
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<Vec3> points;
+  points.reserve(found.size());
+  for (const std::uint32_t s : found) points.push_back(samples_.positions[s]);
+  return points;
+}
+
+} // namespace isoscope

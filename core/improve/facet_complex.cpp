@@ -1,0 +1,116 @@
+// Connectivity of small and large facet complexes.
+#include "improve/facet_complex.h"
+
+#include "base/sort_unique.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+/// Brings the wedges into cyclic order: each one's `next` is its successor's rim.
+void chain(std::vector<Wedge>& wedges) {
+  for (std::size_t i = 0; i + 1 < wedges.size(); ++i)
+    for (std::size_t j = i + 1; j < wedges.size(); ++j)
+      if (wedges[j].rim == wedges[i].next) {
+        std::swap(wedges[i + 1], wedges[j]);
+        break;
+      }
+}
+
+} // namespace
+
+void FacetComplex::build_stars() {
+  stars.assign(points.size(), {});
+  for (std::uint32_t f = 0; f < facets.size(); ++f)
+    if (facets[f].alive())
+      for (const std::uint32_t v : facets[f].v) stars[v].push_back(f);
+}
+
+std::vector<std::uint32_t> FacetComplex::neighbors(std::uint32_t v) const {
+  std::vector<std::uint32_t> found;
+  found.reserve(2 * stars[v].size());
+  for (const std::uint32_t f : stars[v])
+    for (const std::uint32_t w : facets[f].v)
+      if (w != v) found.push_back(w);
+  sort_unique(found);
+  return found;
+}
+
+bool FacetComplex::has_edge(std::uint32_t a, std::uint32_t b) const {
+  return std::any_of(stars[a].begin(), stars[a].end(), [&](std::uint32_t f) { return facets[f].has(b); });
+}
+
+std::uint32_t FacetComplex::facet_left_of(std::uint32_t from, std::uint32_t to) const {
+  for (const std::uint32_t f : stars[from])
+    if (facets[f].v[(facets[f].corner(from) + 1) % 3] == to) return f;
+  return Facet::none;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> FacetComplex::edges() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Facet& f : facets) {
+    if (!f.alive()) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (f.v[k] < f.v[(k + 1) % 3]) edges.emplace_back(f.v[k], f.v[(k + 1) % 3]);
+  }
+  return edges;
+}
+
+void FacetComplex::replace_facet(std::uint32_t f, std::array<std::uint32_t, 3> v) {
+  Facet& facet = facets[f];
+  if (facet.alive())
+    for (const std::uint32_t w : facet.v) std::erase(stars[w], f);
+  facet.v = v;
+  facet.extra.clear();
+  facet.sides.clear();
+  facet.proven = false;
+  if (facet.alive())
+    for (const std::uint32_t w : facet.v) stars[w].push_back(f);
+}
+
+std::vector<Wedge> FacetComplex::star(std::uint32_t v) const {
+  std::vector<Wedge> wedges;
+  wedges.reserve(stars[v].size());
+  for (const std::uint32_t f : stars[v]) {
+    const std::size_t k = facets[f].corner(v);
+    wedges.push_back({facets[f].v[(k + 1) % 3], facets[f].v[(k + 2) % 3], f, static_cast<std::uint8_t>(k)});
+  }
+  chain(wedges);
+  return wedges;
+}
+
+std::vector<Wedge> FacetComplex::merged_star(std::uint32_t a, std::uint32_t b) const {
+  std::vector<Wedge> wedges;
+  wedges.reserve(stars[a].size() + stars[b].size());
+  for (const std::uint32_t v : {a, b})
+    for (const std::uint32_t f : stars[v]) {
+      if (facets[f].has(v == a ? b : a)) continue;
+      const std::size_t k = facets[f].corner(v);
+      wedges.push_back({facets[f].v[(k + 1) % 3], facets[f].v[(k + 2) % 3], f, static_cast<std::uint8_t>(k)});
+    }
+  chain(wedges);
+  return wedges;
+}
+
+bool FacetComplex::link_condition(std::uint32_t a, std::uint32_t b) const {
+  const std::vector<std::uint32_t> of_a = neighbors(a), of_b = neighbors(b);
+  std::vector<std::uint32_t> common;
+  std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(common));
+  return common.size() == 2 && !(of_a.size() == 3 && of_b.size() == 3);
+}
+
+void FacetComplex::collapse(std::uint32_t a, std::uint32_t b) {
+  const std::vector<std::uint32_t> of_b = stars[b];
+  for (const std::uint32_t f : of_b) {
+    std::array<std::uint32_t, 3> v = facets[f].v;
+    if (facets[f].has(a)) {
+      replace_facet(f, {Facet::none, Facet::none, Facet::none});
+      continue;
+    }
+    v[facets[f].corner(b)] = a;
+    replace_facet(f, v);
+  }
+}
+
+} // namespace isoscope

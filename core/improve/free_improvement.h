@@ -1,0 +1,14 @@
+// The improver on a Z that has left T: its changes become operations of the journal (algorithm notes §6).
+#pragma once
+
+#include "mesh/complex.h"
+#include "collapse/collapse_checks.h"
+#include "journal/stage_log.h"
+
+namespace isoscope {
+
+/// Improves the free Z of `complex` in place until nothing is gained or the log says stop. Every change is
+/// recorded; the state is valid after each.
+void improve_free_zero_set(Complex& complex, const EvaluationContext& context, int effort, StageLog& log);
+
+} // namespace isoscope

@@ -1,0 +1,243 @@
+// The schedule: greedy rounds and relaxation until nothing collapses, then rounds with repair.
+#include "improve/improver.h"
+
+#include "criteria/orientation.h"
+#include "improve/relaxation.h"
+#include "improve/shake_round.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace isoscope {
+namespace {
+
+constexpr int sweeps_after_round = 2;
+constexpr int most_rounds = 20;
+/// A round that takes fewer than one vertex in this many is the last of its level.
+constexpr std::size_t worthwhile = 100;
+/// In δ: up to here edges are collapsed to cheaply placed targets.
+constexpr double thinning_limit = 0.5;
+/// In δ, on the cost of collapses with repair that fold a facet.
+constexpr double folded_surcharge = 0.5;
+
+constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
+/// One level of collapse with repair.
+struct RepairLevel {
+  int rings, sweeps;
+  double excess; ///< cost limit in δ
+  std::array<double, 3> funnel = RepairOptions::impatient;
+  std::size_t most_attempts = unlimited;
+};
+/// Bounds of the default effort: large surfaces spend them on their cheapest edges. The first lets a surface
+/// of some 1,300 vertices try all its edges, the second one of 350.
+constexpr std::size_t most_repairs = 4000, most_patient_repairs = 1000;
+
+/// Flips against the energy, then collapses with repair of what has become cheap.
+struct ShakeLevel {
+  std::uint32_t most_passes;              ///< in all
+  std::uint32_t patience;                 ///< passes in a row without a collapse
+  std::size_t most_flips, most_collapses; ///< tries
+};
+constexpr ShakeLevel thorough_shakes{100, 10, unlimited, unlimited};
+
+/// Of the default effort. Larger surfaces have spent the time that they may take on the levels before: up to
+/// 158 vertices 2,500 flips are tried, of 200 1,250, from 292 on 400.
+ShakeLevel bounded_shakes(std::size_t vertices) {
+  const double n = static_cast<double>(std::max<std::size_t>(vertices, 1));
+  const auto flips = static_cast<std::size_t>(std::clamp(1e10 / (n * n * n), 400.0, 2500.0));
+  return {30, 8, flips, flips / 5};
+}
+
+/// After a flip. More of both makes a few more flips come below δ, at half as much time again.
+constexpr RepairOptions shake_repair{.sweeps = 4, .certificates = 2};
+/// The collapses between two passes.
+constexpr RepairLevel between_shakes{2, 14, 1.05};
+
+class Improver {
+ public:
+  Improver(const TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
+           const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+           const RoomInT* room)
+      : options_(options), control_(control), observer_(observer), room_(room),
+        input_(volume.index(), volume.thresholds().delta, mesh, control), rules_(make_rules(volume, samples)),
+        surface_(mesh, rules_, room != nullptr ? &room->embedding : nullptr, control) {}
+
+  ImproverOutcome run() {
+    shrink_greedily();
+    if (options_.effort >= 2) {
+      const bool bounded = options_.effort < 3;
+      repair({2, 14, 1.5, RepairOptions::impatient, bounded ? most_repairs : unlimited});
+      shake_and_repair(bounded ? bounded_shakes(surface_.vertex_count()) : thorough_shakes);
+      repair({2, 20, 2.5, RepairOptions::patient, bounded ? most_patient_repairs : unlimited});
+    }
+    if (options_.effort >= 3) {
+      repair({3, 18, 1.4});
+      repair({3, 18, 2});
+    }
+    if (stopped_ || control_.cancelled()) outcome_.end = ImproverOutcome::End::stopped;
+    return outcome_;
+  }
+  TriangleMesh result() const { return surface_.compacted(); }
+
+ private:
+  SurfaceRules make_rules(const ToleranceVolume& volume, const NearestSample* samples) const {
+    SurfaceRules rules;
+    rules.input = &input_;
+    const double delta = volume.thresholds().delta;
+    if (options_.preserve_normals && samples != nullptr)
+      rules.orientation =
+          OrientationTester{samples, options_.shrink, orientation_reach * delta, &volume.index(), delta};
+    for (const Witness& w : volume.witnesses()) rules.witnesses.push_back(w.point);
+    return rules;
+  }
+
+  std::size_t round(const CollapseRoundOptions& options, FailedEdges& failed) {
+    control_.report("improver", -1);
+    const CollapseRoundFigures figures =
+        collapse_round(surface_, rules_, options, failed, control_, observer_);
+    outcome_.attempts += figures.attempts;
+    outcome_.collapses += figures.collapses;
+    if (options.repair.sweeps > 0) outcome_.repairs += figures.collapses;
+    stopped_ = stopped_ || figures.stopped;
+    return figures.collapses;
+  }
+
+  CollapseRoundOptions round_options(const RepairLevel& level) const {
+    CollapseRoundOptions options;
+    options.cost_limit = level.excess * input_.delta();
+    options.rings = level.rings;
+    options.repair.sweeps = level.sweeps;
+    options.repair.funnel = level.funnel;
+    // Flips may unfold what a collapse folds.
+    options.placement = {true, 2, folded_surcharge};
+    return options;
+  }
+
+  /// Runs a pass of many small commits over Z, which says what it did, and reports it as one operation; false
+  /// where nothing changed.
+  bool report_pass(EventKind kind, const std::function<RelaxationFigures()>& pass) {
+    const FacetComplex before = surface_.complex();
+    const Complex before_in_t = room_ != nullptr ? room_->embedding.complex() : Complex{};
+    const RelaxationFigures figures = pass();
+    if (figures.moved + figures.flipped == 0) return false;
+    SurfaceChange change = difference(before, surface_.complex(), kind);
+    ImproverVerdict verdict;
+    verdict.kind = kind;
+    verdict.moved = static_cast<std::uint32_t>(change.moves.size());
+    verdict.flipped = figures.flipped;
+    verdict.value = figures.largest;
+    verdict.limit = input_.delta();
+    if (room_ != nullptr) change.tetrahedra = difference(before_in_t, room_->embedding.complex());
+    stopped_ = !observer_.accepted(change, verdict);
+    return true;
+  }
+
+  void relax_all() {
+    for (int s = 0; s < sweeps_after_round && !stopped_ && !control_.cancelled(); ++s) {
+      const bool changed = report_pass(EventKind::relaxation, [&] {
+        const RelaxationFigures figures = relax(surface_, rules_, best_places_, control_);
+        outcome_.moved += figures.moved;
+        outcome_.flipped += figures.flipped;
+        return figures;
+      });
+      if (!changed) break;
+    }
+    make_room();
+  }
+
+  /// Passes go on from one another: which edges collapse is chance, and more of it finds more.
+  void shake_and_repair(const ShakeLevel& level) {
+    CollapseRoundOptions options = round_options(between_shakes);
+    FailedEdges failed;
+    std::size_t flips_left = level.most_flips, collapses_left = level.most_collapses;
+    std::uint32_t in_vain = 0;
+    for (std::uint32_t pass = 0; pass < level.most_passes && in_vain < level.patience; ++pass) {
+      if (flips_left == 0 || collapses_left == 0 || stopped_ || control_.cancelled()) return;
+      const bool changed = report_pass(EventKind::shake, [&] {
+        const ShakeFigures figures = shake(surface_, rules_, {pass, flips_left, shake_repair}, control_);
+        flips_left -= std::min(flips_left, figures.attempts);
+        outcome_.shaken_edges += figures.flipped;
+        return RelaxationFigures{0, figures.flipped, figures.largest};
+      });
+      if (!changed) return;
+      ++outcome_.shakes;
+      options.most_attempts = collapses_left;
+      const std::size_t before = outcome_.attempts, collapsed = round(options, failed);
+      collapses_left -= std::min(collapses_left, outcome_.attempts - before);
+      relax_all();
+      in_vain = collapsed > 0 ? 0 : in_vain + 1;
+    }
+  }
+
+  void make_room() {
+    if (room_ == nullptr || stopped_ || control_.cancelled()) return;
+    const std::uint32_t before = room_->embedding.clock();
+    stopped_ = !room_->make();
+    if (room_->embedding.clock() > before) surface_.room_changed(room_->embedding.changed_since(before));
+  }
+
+  bool is_worthwhile(std::size_t collapsed) const { return collapsed * worthwhile > surface_.vertex_count(); }
+
+  void shrink_greedily() {
+    CollapseRoundOptions options;
+    FailedEdges failed;
+    // Far below the limit the exact target does not matter yet.
+    options.cost_limit = thinning_limit * input_.delta();
+    options.placement = {false, 1};
+    round(options, failed);
+    options.cost_limit = rules_.sampled_limit();
+    options.placement = {};
+    failed.clear();
+    for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
+      const std::size_t collapsed = round(options, failed);
+      if (options_.effort == 0) return;
+      relax_all();
+      if (r > 0 && !is_worthwhile(collapsed)) return;
+    }
+  }
+
+  void repair(const RepairLevel& level) {
+    CollapseRoundOptions options = round_options(level);
+    FailedEdges failed;
+    const std::size_t before = outcome_.attempts;
+    for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
+      options.most_attempts = level.most_attempts - std::min(level.most_attempts, outcome_.attempts - before);
+      const std::size_t collapsed = round(options, failed);
+      relax_all();
+      if (!is_worthwhile(collapsed)) return;
+    }
+  }
+
+  const ImproverOptions& options_;
+  const RunControl& control_;
+  ImproverObserver& observer_;
+  const RoomInT* room_;
+  InputSurface input_;
+  SurfaceRules rules_;
+  LiveSurface surface_;
+  BestPlaces best_places_;
+  ImproverOutcome outcome_;
+  bool stopped_ = false;
+};
+
+} // namespace
+
+ImproverOptions improver_options(const CriteriaParameters& criteria, int effort) {
+  ImproverOptions options;
+  options.effort = effort;
+  options.preserve_normals = criteria.condition_3;
+  options.shrink = criteria.shrink;
+  return options;
+}
+
+ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
+                        const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+                        const RoomInT* room) {
+  Improver improver(mesh, volume, samples, options, control, observer, room);
+  const ImproverOutcome outcome = improver.run();
+  mesh = improver.result();
+  return outcome;
+}
+
+} // namespace isoscope

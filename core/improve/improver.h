@@ -1,0 +1,49 @@
+// The improver: reduces the vertices of Z by minimax placement, relocation, flips and collapse with repair,
+// guarded by certificates, exact intersection tests, link conditions and witnesses (algorithm notes §6).
+#pragma once
+
+#include "journal/journal.h"
+#include "improve/surface_collapses.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <functional>
+
+namespace isoscope {
+
+struct ImproverOptions {
+  /// 0: greedy collapses to minimax targets; 1: with relaxation between rounds; 2: then collapses with repair
+  /// of the 2-ring, at most 5,000 tries, and passes of flips against the energy with collapses after each,
+  /// within a bound; 3: all of these without bounds, then collapses with repair of the 3-ring.
+  int effort = 2;
+  bool preserve_normals = true; ///< condition 3 is preserved (§2.4); needs samples
+  double shrink = 0.7;          ///< of the facet's copy for condition 3, in (0, 1]
+};
+
+/// What a run's criteria ask of the improver.
+ImproverOptions improver_options(const CriteriaParameters& criteria, int effort);
+
+struct ImproverOutcome {
+  enum class End { finished, stopped };
+  End end = End::finished;
+  std::size_t attempts = 0, collapses = 0, repairs = 0; ///< repairs: collapses with repair
+  std::size_t shakes = 0, shaken_edges = 0;             ///< passes of flips against the energy; flips
+  std::size_t moved = 0, flipped = 0;                   ///< in relaxation sweeps
+};
+
+/// T around Z, for an improver that stays inside it.
+struct RoomInT {
+  Embedding& embedding;
+  std::function<bool()> make; ///< collapses edges of T that leave Z where it is; false stops the improver
+};
+
+/// Improves `mesh`: a closed oriented 2-manifold without intersections, inside Ω, that separates the regions;
+/// an empty one stays so.
+/// Every change keeps that, so the result holds at whatever moment it is cancelled. `samples` may be null:
+/// then normals are not preserved. With `room`, whose
+/// embedding has `mesh` as its Z, every change is one of T too, whose tetrahedra stay positively oriented.
+/// The result depends on the arguments only, not on the number of threads.
+ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
+                        const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+                        const RoomInT* room = nullptr);
+
+} // namespace isoscope

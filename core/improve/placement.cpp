@@ -1,0 +1,232 @@
+// Newton steps on p-norms of the linearised distances, checked against the true energy.
+#include "improve/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace isoscope {
+namespace {
+
+constexpr std::array<int, 7> exponents{2, 4, 8, 8, 14, 14, 14};
+constexpr double regularisation = 1e-3; ///< of the Hessian's trace
+constexpr double most_trust = 8;        ///< longest step in δ
+
+double integer_power(double x, int p) {
+  double result = 1;
+  for (; p > 0; p >>= 1, x *= x)
+    if (p & 1) result *= x;
+  return result;
+}
+
+/// Symmetric 3 x 3 matrix: xx, xy, xz, yy, yz, zz.
+using Symmetric3 = std::array<double, 6>;
+
+/// H⁻¹ g, or zero for a singular H.
+Vec3 solve(const Symmetric3& h, Vec3 g) {
+  const auto [xx, xy, xz, yy, yz, zz] = h;
+  const double a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy;
+  const double det = xx * a + xy * b + xz * c;
+  if (det == 0) return {};
+  const double d = xx * zz - xz * xz, e = xy * xz - xx * yz, f = xx * yy - xy * xy;
+  return Vec3{a * g.x + b * g.y + c * g.z, b * g.x + d * g.y + e * g.z, c * g.x + e * g.y + f * g.z} / det;
+}
+
+/// A step from a point of the kernel that ends inside: it slides along what blocks it, and keeps a part of
+/// the distance to each facet.
+Vec3 step_inside(const Kernel& kernel, Vec3 from, Vec3 step) {
+  constexpr double kept = 0.1;
+  constexpr int most_bends = 3;
+  Vec3 taken;
+  for (int bend = 0; bend < most_bends; ++bend) {
+    double part = 1;
+    const HalfSpace* blocking = nullptr;
+    for (const HalfSpace& h : kernel.half_spaces) {
+      const double rate = -dot(h.normal, step);
+      if (rate <= 0) continue;
+      const double reach = std::max(0., (1 - kept) * h.slack(from + taken) / rate);
+      if (reach < part) part = reach, blocking = &h;
+    }
+    taken += part * step;
+    if (blocking == nullptr) break;
+    step = (1 - part) * step;
+    step = step - dot(blocking->normal, step) * blocking->normal;
+  }
+  return taken;
+}
+
+} // namespace
+
+Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool with_extra) {
+  Star star;
+  star.wedges.reserve(wedges.size());
+  for (const Wedge& w : wedges) {
+    const Facet& f = complex.facets[w.facet];
+    Star::Wedge wedge{complex.points[w.rim], {}, {}, w.corner, f.seed};
+    if (with_extra) wedge.extra = f.extra, wedge.sides = f.sides;
+    star.wedges.push_back(wedge);
+  }
+  return star;
+}
+
+StarEvaluator::StarEvaluator(const InputSurface& input, const Star& star)
+    : input_(&input), star_(&star), fixed_(star.wedges.size()), rim_steps_(star.wedges.size()),
+      spokes_(star.wedges.size()) {
+  const std::size_t n = star.wedges.size();
+  TriangleId guess = star.wedges.front().seed;
+  center_guess_ = guess;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Star::Wedge& wedge = star.wedges[i];
+    if (wedge.seed.valid()) guess = wedge.seed;
+    const DistanceSample corner = input_->sample(wedge.rim, guess);
+    guess = corner.triangle;
+    fixed_[i].add(corner, input);
+    fixed_[(i + n - 1) % n].add(corner, input);
+    const Vec3 along = rim(i + 1) - wedge.rim;
+    rim_steps_[i] = sampling_steps(length(along), input.delta());
+    for (int j = 1; j < rim_steps_[i]; ++j) {
+      const DistanceSample s =
+          input_->sample(wedge.rim + (j / static_cast<double>(rim_steps_[i])) * along, guess);
+      guess = s.triangle;
+      fixed_[i].add(s, input);
+    }
+    spokes_[i].edge.fill(corner.triangle);
+    spokes_[i].inner.fill(guess);
+    spokes_[i].extra.assign(wedge.extra.size(), guess);
+  }
+}
+
+DistanceSample StarEvaluator::sample(Vec3 p, double weight, TriangleId& guess) {
+  const DistanceSample s = input_->sample(p, guess);
+  guess = s.triangle;
+  linear_.push_back({weight, s});
+  return s;
+}
+
+Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
+  const std::size_t n = star_->wedges.size();
+  Placement result;
+  result.point = x;
+  result.facets.resize(n);
+  result.seeds.resize(n);
+  linear_.clear();
+  sums_ = fixed_;
+  spoke_steps_.resize(n);
+  counts_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) spoke_steps_[i] = sampling_steps(distance(rim(i), x), input_->delta());
+  // What is summed so far, over the final number of samples, never exceeds the energy.
+  double energy = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Star::Wedge& wedge = star_->wedges[i];
+    const auto inner = inner_samples(longest_steps(i)).size();
+    counts_[i] = static_cast<double>(fixed_[i].count + spoke_steps_[i] + spoke_steps_[(i + 1) % n] - 1) +
+                 static_cast<double>(inner + wedge.extra.size() + wedge.sides.size());
+    energy += fixed_[i].energy / counts_[i];
+  }
+  const auto add = [&](std::size_t wedge, const DistanceSample& s) {
+    energy += sums_[wedge].add(s, *input_) / counts_[wedge];
+  };
+  const auto give_up = [&] { result.energy = energy; };
+  const DistanceSample center = sample(x, 1, center_guess_);
+  for (std::size_t i = 0; i < n; ++i) add(i, center);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (energy > most_energy) return give_up(), result;
+    const Vec3 along = rim(i) - x;
+    for (int j = 1; j < spoke_steps_[i]; ++j) {
+      const double t = j / static_cast<double>(spoke_steps_[i]);
+      const DistanceSample s = sample(x + t * along, 1 - t, spokes_[i].edge[static_cast<std::size_t>(j - 1)]);
+      add(i, s);
+      add((i + n - 1) % n, s);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (energy > most_energy) return give_up(), result;
+    const Triangle3 t{x, rim(i), rim(i + 1)};
+    const auto inner = inner_samples(longest_steps(i));
+    for (std::size_t j = 0; j < inner.size(); ++j)
+      add(i, sample(at(inner[j], t), inner[j][0], spokes_[i].inner[j]));
+    const Star::Wedge& wedge = star_->wedges[i];
+    for (std::size_t j = 0; j < wedge.extra.size(); ++j) {
+      const Barycentric& e = wedge.extra[j];
+      const Barycentric w{e[wedge.corner], e[(wedge.corner + 1u) % 3], e[(wedge.corner + 2u) % 3]};
+      add(i, sample(at(w, t), w[0], spokes_[i].extra[j]));
+    }
+    for (const SideSample& side : wedge.sides) {
+      const SideDistance d = side_distance(side, t, input_->delta());
+      energy += sums_[i].add(d.distance, *input_) / counts_[i];
+      linear_.push_back({d.foot[0], {d.distance, d.direction, {}}});
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    result.facets[i] = judge(sums_[i], {x, rim(i), rim(i + 1)}, input_->delta());
+    result.seeds[i] = spokes_[i].edge[0];
+    result.energy += result.facets[i].energy;
+    result.largest = std::max(result.largest, result.facets[i].largest);
+    result.folded = result.folded || result.facets[i].folded;
+  }
+  return result;
+}
+
+int StarEvaluator::longest_steps(std::size_t i) const {
+  return std::max({spoke_steps_[i], spoke_steps_[(i + 1) % spoke_steps_.size()], rim_steps_[i]});
+}
+
+Vec3 StarEvaluator::minimax_step(double trust) const {
+  Vec3 step;
+  for (const int p : exponents) {
+    double largest = 0;
+    for (const Linear& l : best_linear_)
+      largest = std::max(largest, std::abs(l.sample.distance + l.weight * dot(l.sample.direction, step)));
+    if (largest <= 0) break;
+    Symmetric3 h{};
+    Vec3 g;
+    for (const Linear& l : best_linear_) {
+      const Vec3 n = l.sample.direction;
+      const double e = (l.sample.distance + l.weight * dot(n, step)) / largest;
+      const double q = integer_power(e, p - 2);
+      const double first = q * e * l.weight, second = (p - 1) * q * l.weight * l.weight;
+      g += first * n;
+      h[0] += second * n.x * n.x;
+      h[1] += second * n.x * n.y;
+      h[2] += second * n.x * n.z;
+      h[3] += second * n.y * n.y;
+      h[4] += second * n.y * n.z;
+      h[5] += second * n.z * n.z;
+    }
+    const double shift = regularisation * (h[0] + h[3] + h[5]) + 1e-12;
+    h[0] += shift;
+    h[3] += shift;
+    h[5] += shift;
+    step = step - largest * solve(h, g);
+    const double l = length(step);
+    if (l > trust) step = (trust / l) * step;
+  }
+  return step;
+}
+
+void StarEvaluator::improve(Placement& best, int rounds, const Kernel* kernel) {
+  best_linear_ = linear_;
+  const double delta = input_->delta();
+  double scale = 0;
+  for (const Star::Wedge& w : star_->wedges) scale = std::max(scale, distance(w.rim, best.point));
+  double trust = std::min(most_trust * delta, 0.5 * scale);
+  for (int round = 0; round < rounds; ++round) {
+    Vec3 step = minimax_step(trust);
+    if (kernel != nullptr) step = step_inside(*kernel, best.point, step);
+    if (length(step) < 1e-3 * delta) return;
+    const double before = best.energy;
+    bool improved = false;
+    for (int halving = 0; halving < 3 && !improved; ++halving, step = 0.4 * step) {
+      if (kernel != nullptr && !kernel->contains(best.point + step)) continue;
+      Placement candidate = evaluate(best.point + step, best.energy);
+      if (!(candidate.energy < best.energy)) continue;
+      best = std::move(candidate);
+      best_linear_.swap(linear_);
+      trust = std::min(trust, 2 * length(step) + 0.1 * delta);
+      improved = true;
+    }
+    if (!improved || best.energy > 0.97 * before) return;
+  }
+}
+
+} // namespace isoscope

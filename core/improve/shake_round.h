@@ -1,0 +1,30 @@
+// One pass of edge flips against the energy: leaves a minimum from which no edge collapses.
+#pragma once
+
+#include "base/run_control.h"
+#include "improve/live_surface.h"
+
+#include <limits>
+
+namespace isoscope {
+
+struct ShakeOptions {
+  std::uint32_t pass = 0;                                              ///< chooses the order of the edges
+  std::size_t most_attempts = std::numeric_limits<std::size_t>::max(); ///< after these no batch is begun
+  RepairOptions repair;                                                ///< of each flip
+};
+
+struct ShakeFigures {
+  std::size_t attempts = 0;
+  std::uint32_t flipped = 0; ///< flips against the energy that were committed
+  double largest = 0;        ///< sampled d of the changed facets
+};
+
+/// Tries every edge once in an order that follows from ids and `pass`: flips it whatever the energy becomes,
+/// repairs the star of its ends and their neighbours, and commits what is proven as any collapse with repair
+/// is. In parallel, in batches of edges whose neighbourhoods are apart; the result does not depend on the
+/// number of threads. Stops early, with a valid surface, when cancelled.
+ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeOptions& options,
+                   const RunControl& control);
+
+} // namespace isoscope

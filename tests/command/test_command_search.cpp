@@ -1,0 +1,73 @@
+// The palette finds commands by a few letters, and the manual's page is the table's.
+#include "command/command_reference.h"
+#include "command/command_search.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+using namespace isoscope;
+
+namespace {
+
+std::string first(std::string_view typed) {
+  const auto found = search_commands(typed);
+  return found.empty() ? "" : std::string(found.front()->name);
+}
+
+bool finds(std::string_view typed, std::string_view name) {
+  const auto found = search_commands(typed);
+  return std::any_of(found.begin(), found.end(), [&](const Command* c) { return c->name == name; });
+}
+
+} // namespace
+
+TEST_CASE("letters in order match; runs and beginnings of words count more") {
+  CHECK(!fuzzy_score("xyz", "Screenshot"));
+  CHECK(!fuzzy_score("tohs", "shot"));
+  CHECK(fuzzy_score("scr", "Screenshot"));
+  CHECK(*fuzzy_score("ns", "Next slide") > *fuzzy_score("ns", "Screenshot"));
+  CHECK(*fuzzy_score("slide", "Next slide") > *fuzzy_score("slide", "Set a line, divide"));
+  CHECK(*fuzzy_score("SHOT", "screenshot") == *fuzzy_score("shot", "Screenshot"));
+  CHECK(!fuzzy_score("aa", "a"));
+}
+
+TEST_CASE("commands are found by abbreviation, title, name and help") {
+  CHECK(first("scrn") == "screenshot");
+  CHECK(first("pres") == "presenter");
+  CHECK(first("seek 120") == "seek");
+  CHECK(first("next slide") == "next-slide");
+  CHECK(first("bookmark-go 2") == "bookmark-go");
+  CHECK(first("undo") == "undo");
+  CHECK(finds("never of the run", "undo"));
+  CHECK(search_commands("qqqq").empty());
+  CHECK(search_commands("").size() > 50);
+  CHECK(search_commands("  ").size() == search_commands("").size());
+}
+
+TEST_CASE("every command is first when its name is typed, and those for scripts are not offered") {
+  for (const Command& command : command_table()) {
+    CAPTURE(command.name);
+    if (command.for_scripts)
+      CHECK(!finds(command.name, command.name));
+    else
+      CHECK(first(command.name) == command.name);
+  }
+}
+
+TEST_CASE("the manual's page of commands is the one made from the table") {
+  const std::string page = command_reference();
+  for (const Command& command : command_table()) {
+    CAPTURE(command.name);
+    CHECK(page.find("| `" + std::string(command.name)) != std::string::npos);
+    for (const Chord& chord : command.keys) CHECK(page.find(text(chord)) != std::string::npos);
+  }
+  if (std::getenv("ISOSCOPE_UPDATE_REFERENCES") != nullptr) std::ofstream(ISOSCOPE_COMMANDS_PAGE) << page;
+  std::ifstream in(ISOSCOPE_COMMANDS_PAGE);
+  const std::string stored{std::istreambuf_iterator<char>(in), {}};
+  // Made anew with ISOSCOPE_UPDATE_REFERENCES=1.
+  CHECK(stored == page);
+}

@@ -1,0 +1,327 @@
+// Gallery, help, palette and about.
+#include "app/overlays.h"
+
+#include "command/command_search.h"
+#include "ui/icons.h"
+#include "command/named_values.h"
+#include "model/words.h"
+#include "input/gallery.h"
+#include "ui/widgets.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+
+namespace isoscope {
+namespace {
+
+void heading(Ui& ui, const char* title, const char* note) {
+  ImGui::PushFont(ui.fonts.title);
+  ImGui::TextUnformatted(title);
+  ImGui::PopFont();
+  ImGui::SameLine();
+  ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - ui.px(28), ui.px(14)});
+  if (widgets::icon_button(ui, "close", icon::close)) ui.commands.post("clear");
+  widgets::quiet_text(ui, note, true);
+  ImGui::Dummy({0, ui.px(6)});
+}
+
+bool contains_folded(std::string_view text, std::string_view part) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+}
+
+void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushID(entry.name.data());
+  const bool pressed = ImGui::InvisibleButton("card", size);
+  ImGui::PopID();
+  if (pressed) ui.commands.post("open", {"gallery:" + std::string(entry.name)});
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + size.x, at.y + size.y};
+  const float picture = size.y - ui.px(104);
+  list.AddRectFilled(at, end, to_u32(hovered ? ui.colors.hover : ui.colors.raised), ui.px(8));
+  list.AddRectFilled(at, {end.x, at.y + picture}, to_u32(ui.colors.ground), ui.px(8),
+                     ImDrawFlags_RoundCornersTop);
+  if (texture != 0) {
+    const float side = std::min(size.x, picture * 1.6f), x = at.x + (size.x - side) / 2;
+    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)),
+                  {x, at.y + (picture - side / 1.6f) / 2}, {x + side, at.y + (picture + side / 1.6f) / 2});
+  }
+  if (hovered) {
+    list.AddRect(at, end, to_u32(ui.colors.accent), ui.px(8), 0, ui.px(1.5f));
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  const float pad = ui.px(12);
+  widgets::draw_text(list, ui.fonts.bold, {at.x + pad, at.y + picture + ui.px(10)}, to_u32(ui.colors.text),
+                     entry.title);
+  const std::string delta = "δ " + Tolerance{entry.tolerance_percent, true}.text();
+  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, delta.c_str()).x;
+  widgets::draw_text(list, ui.fonts.mono, {end.x - pad - extent, at.y + picture + ui.px(11)},
+                     to_u32(ui.colors.quiet), delta);
+  const ImVec4 clip{at.x + pad, at.y + picture, end.x - pad + 1, end.y - ui.px(4)};
+  list.AddText(ui.fonts.small, ui.fonts.small->FontSize, {at.x + pad, at.y + picture + ui.px(34)},
+               to_u32(ui.colors.quiet), entry.lesson.data(), entry.lesson.data() + entry.lesson.size(),
+               size.x - 2 * pad, &clip);
+}
+
+void drop_zone(Ui& ui, ImVec2 size) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("drop", size)) ui.commands.post("open");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool hovered = ImGui::IsItemHovered();
+  const ImU32 color = to_u32(hovered ? ui.colors.accent : ui.colors.quiet, hovered ? 1.0f : 0.6f);
+  const float dash = ui.px(7);
+  for (float x = at.x + ui.px(8); x < at.x + size.x - ui.px(8); x += 2 * dash) {
+    const float end = std::min(x + dash, at.x + size.x - ui.px(8));
+    list.AddLine({x, at.y}, {end, at.y}, color, ui.px(1.2f));
+    list.AddLine({x, at.y + size.y}, {end, at.y + size.y}, color, ui.px(1.2f));
+  }
+  for (float y = at.y + ui.px(8); y < at.y + size.y - ui.px(8); y += 2 * dash) {
+    const float end = std::min(y + dash, at.y + size.y - ui.px(8));
+    list.AddLine({at.x, y}, {at.x, end}, color, ui.px(1.2f));
+    list.AddLine({at.x + size.x, y}, {at.x + size.x, end}, color, ui.px(1.2f));
+  }
+  const std::string text =
+      std::string(icon::upload) + "   Drop a model here: OFF, OBJ, PLY or STL; or click to look for one";
+  const float width = ui.fonts.ui->CalcTextSizeA(ui.fonts.ui->FontSize, 1e9f, 0, text.c_str()).x;
+  widgets::draw_text(list, ui.fonts.ui,
+                     {at.x + (size.x - width) / 2, at.y + (size.y - ui.fonts.ui->FontSize) / 2},
+                     to_u32(hovered ? ui.colors.text : ui.colors.quiet), text);
+}
+
+} // namespace
+
+void Overlays::gallery(Ui& ui) {
+  heading(ui, "Gallery",
+          "Bundled models, each with what it teaches. A click opens it and refinement begins.");
+  ImGui::BeginChild("cards", {0, -ui.px(66)});
+  constexpr int columns = 3;
+  const float gap = ui.px(14),
+              width = (ImGui::GetContentRegionAvail().x - (columns - 1) * gap - ui.px(12)) / columns;
+  const ImVec2 size{width, ui.px(226)};
+  int column = 0;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  for (std::size_t i = 0; i < isoscope::gallery().size(); ++i) {
+    card(ui, isoscope::gallery()[i], i < thumbnails_.textures.size() ? thumbnails_.textures[i] : 0, size);
+    if (++column % columns != 0) ImGui::SameLine(0, gap);
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+  ImGui::Dummy({0, ui.px(2)});
+  drop_zone(ui, {ImGui::GetContentRegionAvail().x, ui.px(48)});
+}
+
+void Overlays::help(Ui& ui) {
+  heading(ui, "Help",
+          "Every command with its key; scripts use the name on the left. In the view: left-drag turns, "
+          "Shift-left- or right-drag moves, the wheel zooms to the cursor, a click selects, a double-click "
+          "sets the centre.");
+  ImGui::SetNextItemWidth(ui.px(320));
+  ImGui::InputTextWithHint("##help", (std::string(icon::search) + "  filter").c_str(), query_.data(),
+                           query_.size());
+  ImGui::BeginChild("commands", {0, 0});
+  ImGui::PushFont(ui.fonts.small);
+  if (ImGui::BeginTable("table", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(250));
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, ui.px(130));
+    ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+    const auto row = [&](const std::string& name, const std::string& key, std::string_view text) {
+      if (!contains_folded(name + " " + key + " " + std::string(text), query_.data())) return;
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::PushFont(ui.fonts.mono);
+      ImGui::TextUnformatted(name.c_str());
+      ImGui::TableNextColumn();
+      ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.accent_text));
+      ImGui::TextUnformatted(key.c_str());
+      ImGui::PopStyleColor();
+      ImGui::PopFont();
+      ImGui::TableNextColumn();
+      ImGui::PushTextWrapPos(0);
+      ImGui::TextUnformatted(text.data(), text.data() + text.size());
+      ImGui::PopTextWrapPos();
+    };
+    for (const Command& command : command_table()) {
+      std::string keys;
+      for (const Chord& chord : command.keys) keys += (keys.empty() ? "" : ", ") + text(chord);
+      row(std::string(command.name) + (command.usage.empty() ? "" : " " + std::string(command.usage)), keys,
+          command.help);
+    }
+    for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
+      const ReasonStyle& style = reason_style(static_cast<Reason>(r));
+      const std::string word(name(static_cast<Reason>(r)));
+      if (!contains_folded(word + " " + std::string(style.title) + " " + std::string(style.help),
+                           query_.data()))
+        continue;
+      row(word, std::string(style.title), style.help);
+      const ImVec2 low = ImGui::GetItemRectMin();
+      widgets::glyph(ui, {low.x - ui.px(146), low.y + ui.px(7)}, 4.5f, style.color, style.shape);
+    }
+    for (const NamedValue& value : named_values())
+      row((value.set ? "set " : "expect ") + value.name, value.get(ui.model), value.help);
+    ImGui::EndTable();
+  }
+  ImGui::PopFont();
+  ImGui::EndChild();
+}
+
+void Overlays::palette(Ui& ui) {
+  if (shown_ != Overlay::palette) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##palette", (std::string(icon::search) + "  type a command").c_str(),
+                               query_.data(), query_.size()))
+    chosen_ = 0;
+  const std::vector<const Command*> found = search_commands(query_.data());
+  const int count = static_cast<int>(found.size());
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) chosen_ = std::min(chosen_ + 1, count - 1);
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) chosen_ = std::max(chosen_ - 1, 0);
+  const bool entered = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+  ImGui::BeginChild("found", {0, 0});
+  if (found.empty()) widgets::quiet_text(ui, "No command says this.");
+  for (int i = 0; i < count; ++i) {
+    const Command& command = *found[static_cast<std::size_t>(i)];
+    const bool enabled = command.enabled == nullptr || command.enabled(ui.model);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, high = ui.px(44);
+    ImGui::PushID(i);
+    const bool pressed = ImGui::InvisibleButton("row", {std::max(width, 1.0f), high});
+    ImGui::PopID();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (i == chosen_ || ImGui::IsItemHovered())
+      list.AddRectFilled(
+          at, {at.x + width, at.y + high},
+          to_u32(i == chosen_ ? ui.colors.accent : ui.colors.hover, i == chosen_ ? 0.18f : 1.0f), ui.px(6));
+    const float strength = enabled ? 1.0f : 0.5f;
+    if (command.icon)
+      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(12), at.y + ui.px(14)},
+                         to_u32(ui.colors.quiet, strength), command.icon);
+    widgets::draw_text(
+        list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)}, to_u32(ui.colors.text, strength),
+        std::string(command.title) + (command.usage.empty() ? "" : "  " + std::string(command.usage)));
+    ImGui::PushFont(ui.fonts.small);
+    widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(40), at.y + ui.px(23)},
+                       to_u32(ui.colors.quiet, strength), widgets::fitted(command.help, width - ui.px(170)));
+    ImGui::PopFont();
+    if (!command.keys.empty() || !enabled) {
+      // Not by paleness alone: what cannot be done now says so where its key stands.
+      const std::string key =
+          enabled ? text(command.keys.front())
+                  : (command.keys.empty() ? "" : text(command.keys.front()) + "  ") + "not now";
+      const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, key.c_str()).x;
+      widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(12), at.y + ui.px(14)},
+                         to_u32(ui.colors.accent_text, strength), key);
+    }
+    if (enabled && (pressed || (entered && i == chosen_))) {
+      ui.commands.post("clear");
+      // What is typed after the name are its arguments: "seek 120".
+      const CommandCall typed = parse_call(query_.data());
+      ui.commands.post(std::string(command.name), typed.name == command.name ? typed.arguments : Arguments{});
+    }
+  }
+  ImGui::EndChild();
+}
+
+void Overlays::about(Ui& ui) {
+  heading(ui, "Isoscope",
+          "A visualizer and debugger for Isotopic Approximation within a Tolerance Volume, after Mandad, "
+          "Cohen-Steiner and Alliez, SIGGRAPH 2015.");
+  const auto paragraph = [&](const char* text) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, ui.px(4)});
+  };
+  paragraph("Free software under the GNU General Public License, version 3 or later.");
+  paragraph("The method is described in the patent application FR 3039686 A1 of its authors' institute.");
+  paragraph("Built on CGAL, oneTBB, GLFW, Dear ImGui, GLM, glad, stb and nlohmann-json. Fonts: Inter and "
+            "JetBrains Mono (SIL Open Font License), Font Awesome (SIL Open Font License).");
+}
+
+void Overlays::bookmarks(Ui& ui) {
+  heading(
+      ui, "Bookmarks",
+      "Steps with their view and selection: the slides of a talk, in this order. PageDown and PageUp turn "
+      "them.");
+  bookmarks_.draw(ui);
+}
+
+void Overlays::draw(Ui& ui, ImVec2 size) {
+  AppModel& m = ui.model;
+  const Overlay now = m.overlay;
+  if (now != shown_) {
+    query_.fill(0);
+    chosen_ = 0;
+  }
+  if (now == Overlay::none) {
+    shown_ = now;
+    return;
+  }
+  ImVec2 extent{std::min(size.x - ui.px(60), ui.px(980)), std::min(size.y - ui.px(60), ui.px(760))};
+  if (now == Overlay::palette)
+    extent = {std::min(size.x - ui.px(60), ui.px(620)), std::min(size.y - ui.px(120), ui.px(460))};
+  if (now == Overlay::about) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(300)};
+  if (now == Overlay::pictures) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(430)};
+  if (now == Overlay::files || now == Overlay::bookmarks)
+    extent = {std::min(size.x - ui.px(60), ui.px(860)), std::min(size.y - ui.px(60), ui.px(560))};
+  const float y = now == Overlay::palette ? ui.px(64) : (size.y - extent.y) / 2;
+  const ImVec2 low{std::round((size.x - extent.x) / 2), std::round(y)};
+
+  // One window over everything: a veil that a click lifts, and the panel as its child.
+  constexpr ImGuiWindowFlags fixed =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  if (now != shown_) ImGui::SetNextWindowFocus();
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(ui.colors.ground, 0.66f));
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_vec(ui.colors.panel));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(20), ui.px(16)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, ui.px(10));
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);
+  ImGui::Begin("##overlay", nullptr, fixed);
+  const bool outside = !ImGui::IsMouseHoveringRect(low, {low.x + extent.x, low.y + extent.y}, false);
+  if (outside && ImGui::IsMouseClicked(0) && now == shown_) ui.commands.post("clear");
+  ImGui::SetCursorScreenPos(low);
+  ImGui::BeginChild("panel", extent, true, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 0);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_vec(ui.colors.panel, 0));
+  switch (now) {
+  case Overlay::gallery:
+    gallery(ui);
+    break;
+  case Overlay::files:
+    files_.draw(ui);
+    break;
+  case Overlay::help:
+    help(ui);
+    break;
+  case Overlay::palette:
+    palette(ui);
+    break;
+  case Overlay::about:
+    about(ui);
+    break;
+  case Overlay::bookmarks:
+    bookmarks(ui);
+    break;
+  case Overlay::pictures:
+    heading(ui, "Pictures and films", "The view without panels, as it is drawn now; lines keep their look.");
+    pictures_.draw(ui);
+    break;
+  case Overlay::none:
+    break;
+  }
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+  ImGui::PopStyleColor(2);
+  shown_ = now;
+}
+
+} // namespace isoscope

@@ -1,0 +1,447 @@
+// The inspector: everything about the picked element, its numbers beside their limits, every row a link.
+#include "ui/icons.h"
+#include "model/words.h"
+#include "criteria/height.h"
+#include "criteria/orientation.h"
+#include "journal/describe.h"
+#include "app/panels.h"
+#include "ask/questions.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+namespace isoscope::panels {
+namespace {
+
+void pick(Ui& ui, const char* kind, std::uint32_t id) {
+  ui.commands.post("pick", {kind, std::to_string(id)});
+}
+
+std::string position_text(Vec3 p) {
+  return short_number(p.x) + "  " + short_number(p.y) + "  " + short_number(p.z);
+}
+
+const char* kind_text(VertexKind kind) {
+  constexpr std::array<const char*, 6> words{"corner of the bounding box",
+                                             "sample of S",
+                                             "containment",
+                                             "region witness",
+                                             "topology",
+                                             "vertex of Z"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
+/// The circumscribed sphere of a tetrahedron; radius infinite for a flat one.
+struct Sphere {
+  Vec3 center;
+  double radius = 0;
+};
+Sphere circumsphere(const std::array<Vec3, 4>& p) {
+  const Vec3 a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
+  const double det = 2 * dot(a, cross(b, c));
+  const Vec3 offset =
+      (squared_length(a) * cross(b, c) + squared_length(b) * cross(c, a) + squared_length(c) * cross(a, b)) /
+      det;
+  return {p[0] + offset, length(offset)};
+}
+
+void vertex_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
+  if (id >= s.complex.vertices.size())
+    return widgets::quiet_text(ui, "This vertex is not there at this step.", true);
+  const Vertex& v = s.complex.vertices[id];
+  widgets::heading(ui, icon::dot, "Vertex " + grouped(id), kind_text(v.kind));
+  widgets::value_row(ui, "position", position_text(v.position));
+  widgets::value_row(ui, "F", short_number(v.value),
+                     v.value > 0   ? ui.colors.accent_text
+                     : v.value < 0 ? ui.colors.inner
+                                   : ui.colors.text);
+  if (v.sample.valid() && widgets::link_row(ui, "sample", "made of sample", grouped(v.sample.value),
+                                            "Selects the sample that became this vertex."))
+    pick(ui, "sample", v.sample.value);
+  const Journal* journal = ui.model.run.journal.get();
+  for (std::size_t k = 0; journal != nullptr && k < journal->operations().size(); ++k) {
+    const Event& event = journal->events()[journal->operations()[k].event];
+    if (event.vertex.value != id) continue;
+    if (widgets::link_row(ui, "born", "born at step", grouped(k + 1), describe(*journal, event)))
+      ui.commands.post("seek", {std::to_string(k + 1)});
+    break;
+  }
+  std::size_t degree = 0;
+  std::uint32_t first = TetId::none;
+  for (std::size_t t = 0; t < s.complex.tets.size(); ++t)
+    for (const VertexId w : s.complex.tets[t].v)
+      if (w.value == id) {
+        ++degree;
+        if (first == TetId::none) first = static_cast<std::uint32_t>(t);
+      }
+  if (first != TetId::none &&
+      widgets::link_row(ui, "star", "tetrahedra around it", grouped(degree), "Selects one of them."))
+    pick(ui, "tet", first);
+}
+
+void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
+  const bool classified = s.complex.form != ZeroForm::free;
+  if (!s.samples || id >= s.samples->size() || (classified && id >= s.errors.size()))
+    return widgets::quiet_text(ui, "This sample is not in the set of this step.", true);
+  const int label = s.samples->labels[id];
+  const double error = classified ? static_cast<double>(s.errors[id]) : 0;
+  widgets::heading(ui, is_bad(error) ? icon::close : icon::dot, "Sample " + grouped(id),
+                   !classified     ? "not classified: Z has left T"
+                   : is_bad(error) ? "bad: f has the wrong sign here (§2.2)"
+                                   : "good: f has its sign (§2.2)");
+  widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
+  widgets::value_row(ui, "side F(s)", label > 0 ? "+1  outer" : "−1  inner",
+                     label > 0 ? ui.colors.accent_text : ui.colors.inner);
+  if (classified) {
+    widgets::value_row(ui, "f(s)", short_number((1 - error) * label));
+    widgets::limit_bar(ui, "error ε(s)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(),
+                       "", true);
+  } else {
+    widgets::quiet_text(ui,
+                        "f lives on T, so nothing says any more on which side of Z the sample is. The "
+                        "proof of d ≤ δ on every facet of Z stands in for it.",
+                        true);
+  }
+  if (id < s.sample_tets.size() && s.sample_tets[id].valid() &&
+      widgets::link_row(ui, "tet", "lies in tetrahedron", grouped(s.sample_tets[id].value), "Selects it."))
+    pick(ui, "tet", s.sample_tets[id].value);
+  const std::uint16_t component = s.samples->components[id];
+  if (component != 0xffff) widgets::value_row(ui, "component of ∂Ω", std::to_string(component));
+  sample_questions(ui, s, id);
+}
+
+void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
+                         const CriteriaParameters& criteria) {
+  const auto index = ui.model.sample_index();
+  if (!index) return widgets::quiet_text(ui, "Condition 3 is judged when the play head rests.", true);
+  const OrientationVerdict verdict =
+      check_orientation(p, f, criteria.shrink, orientation_reach * criteria.delta, index->nearest);
+  widgets::value_row(ui, "condition 3, orientation", verdict.misoriented ? "misoriented" : "holds",
+                     verdict.misoriented ? ui.colors.bad_text : ui.colors.good_text);
+  for (std::size_t i = 0; i < verdict.tests.size(); ++i) {
+    const OrientationTest& test = verdict.tests[i];
+    if (!test.asked()) continue;
+    ImGui::PushID(static_cast<int>(i));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(4)});
+    widgets::verdict_glyph(ui, test.good());
+    ImGui::PopFont();
+    ImGui::SetCursorScreenPos({at.x + ui.px(20), at.y});
+    const std::string name = "vertex " + std::to_string(i / 2) + ", " + (test.label > 0 ? "outer" : "inner") +
+                             " sample " + grouped(test.sample.value);
+    if (widgets::link_row(ui, "test", name, "f " + short_number(test.f),
+                          "f at the nearest sample of that side to the shrunk vertex must have the side's "
+                          "sign. Click selects the sample."))
+      pick(ui, "sample", test.sample.value);
+    ImGui::SetCursorScreenPos({at.x, ImGui::GetCursorScreenPos().y});
+    ImGui::PopID();
+  }
+}
+
+void height_details(Ui& ui, const StateSnapshot& s, const std::array<Vec3, 4>& p,
+                    const std::array<double, 4>& f, const Tet& tet) {
+  const Height height = tetrahedron_height(p, f);
+  if (height.split == Height::Split::none) return;
+  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  const double limit = s.criteria.height_limit() / delta;
+  widgets::limit_bar(ui, "height (condition 2)", height.value / delta, limit, height.value / delta >= limit,
+                     "δ", false);
+  const auto name = [&](std::size_t i) { return std::to_string(tet.v.at(height.order.at(i)).value); };
+  const std::string between = height.split == Height::Split::one_three
+                                  ? "point " + name(0) + " – plane " + name(1) + " " + name(2) + " " + name(3)
+                                  : "line " + name(0) + " " + name(1) + " – line " + name(2) + " " + name(3);
+  widgets::value_row(ui, "between", between);
+}
+
+void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
+  if (id >= s.complex.tets.size() || !s.complex.tets[id].alive())
+    return widgets::quiet_text(ui, "This tetrahedron is not there at this step.", true);
+  const Tet& tet = s.complex.tets[id];
+  const auto p = s.complex.positions(TetId(id));
+  const auto f = s.complex.values(TetId(id));
+  const std::uint8_t flags = id < s.tet_flags.size() ? s.tet_flags[id] : std::uint8_t{0};
+  const bool carries = (flags & tet_heterogeneous) != 0;
+  widgets::heading(ui, icon::cube, "Tetrahedron " + grouped(id),
+                   s.complex.form == ZeroForm::embedded
+                       ? (tet.side < 0 ? (carries ? "inner side of Z, in Γ" : "inner side of Z")
+                                       : (carries ? "outer side of Z, in Γ" : "outer side of Z"))
+                   : carries                ? "carries Z: in Γ"
+                   : (flags & tet_box) != 0 ? "at the bounding box"
+                                            : "one label: no Z in it");
+  for (std::size_t i = 0; i < 4; ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (widgets::link_row(ui, "vertex", "vertex " + grouped(tet.v[i].value), "F " + short_number(f[i]),
+                          "Selects the vertex."))
+      pick(ui, "vertex", tet.v[i].value);
+    ImGui::PopID();
+  }
+  const AffineFunction function = interpolate(p, f);
+  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  widgets::value_row(ui, "gradient |grad f| · δ", short_number(length(function.gradient) * delta));
+  widgets::value_row(ui, "grad f, direction", position_text(normalized(function.gradient)));
+  const Sphere sphere = circumsphere(p);
+  widgets::value_row(ui, "circumradius", short_number(sphere.radius / delta) + " δ");
+  ImGui::Dummy({0, ui.px(4)});
+  std::size_t held = 0, beyond = 0;
+  std::uint32_t worst = SampleId::none;
+  for (std::size_t k = 0; k < s.sample_tets.size(); ++k) {
+    if (s.sample_tets[k].value != id) continue;
+    ++held;
+    beyond += static_cast<double>(s.errors[k]) > s.criteria.error_limit();
+    if (worst == SampleId::none || s.errors[k] > s.errors[worst]) worst = static_cast<std::uint32_t>(k);
+  }
+  widgets::value_row(ui, "samples inside",
+                     grouped(held) + (beyond ? ", " + grouped(beyond) + " beyond 1 − α" : ""),
+                     beyond ? ui.colors.bad_text : ui.colors.text);
+  if (worst != SampleId::none) {
+    const auto error = static_cast<double>(s.errors[worst]);
+    widgets::limit_bar(ui, "largest ε (condition 1)", error, s.criteria.error_limit(),
+                       error <= s.criteria.error_limit(), "", true);
+    if (widgets::link_row(ui, "worst", "its worst sample", grouped(worst), "Selects it."))
+      pick(ui, "sample", worst);
+  }
+  if (!carries || s.complex.form != ZeroForm::interpolated) return;
+  height_details(ui, s, p, f, tet);
+  orientation_details(ui, p, f, s.criteria);
+  tet_questions(ui, s, id);
+}
+
+void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
+  if (id >= s.complex.facets.size() || !s.complex.facets[id].alive())
+    return widgets::quiet_text(ui, "This facet is not there at this step.", true);
+  const auto& v = s.complex.facets[id].v;
+  widgets::heading(ui, icon::cube, "Facet " + grouped(id), "of Z, which has left T");
+  Triangle3 p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    p[i] = s.complex.position(v[i]);
+    ImGui::PushID(static_cast<int>(i));
+    if (widgets::link_row(ui, "vertex", "vertex", grouped(v[i].value), "Selects the vertex."))
+      pick(ui, "vertex", v[i].value);
+    ImGui::PopID();
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    ImGui::PushID(static_cast<int>(3 + i));
+    const VertexId a = v[i], b = v[(i + 1) % 3];
+    if (widgets::link_row(ui, "edge", "edge", std::to_string(a.value) + " – " + std::to_string(b.value),
+                          "Selects the edge."))
+      ui.commands.post("pick", {"edge", std::to_string(a.value), std::to_string(b.value)});
+    ImGui::PopID();
+  }
+  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
+  widgets::value_row(ui, "area", short_number(0.5 * length(normal) / (delta * delta)) + " δ²");
+  widgets::value_row(ui, "normal", position_text(normalized(normal)));
+  const auto& scene = ui.model.run.scene;
+  if (!scene || !scene->index) return;
+  double largest = 0;
+  const Vec3 center = (1.0 / 3) * (p[0] + p[1] + p[2]);
+  for (const Vec3& q : {p[0], p[1], p[2], center}) largest = std::max(largest, scene->index->distance(q));
+  widgets::limit_bar(ui, "d at corners and centroid", largest / delta, 1, largest <= delta, "δ", true);
+}
+
+void run_summary(Ui& ui, const StateSnapshot& s) {
+  const AppModel& m = ui.model;
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted("This step");
+  ImGui::PopFont();
+  widgets::value_row(ui, "step", grouped(s.step) + " of " + grouped(m.live_step()));
+  if (s.event && s.event->vertex.valid() && s.event->other.valid() &&
+      widgets::link_row(ui, "operation", "edge of the operation",
+                        std::to_string(s.event->vertex.value) + " – " + std::to_string(s.event->other.value),
+                        "Selects it: the X-ray shows the moment before."))
+    ui.commands.post("pick-operation");
+  if (!s.moves.empty()) widgets::value_row(ui, "vertices moved", grouped(s.moves.size()));
+  if (!s.added_facets.empty() || !s.removed_facets.empty())
+    widgets::value_row(ui, "facets of Z",
+                       "−" + grouped(s.removed_facets.size()) + "  +" + grouped(s.added_facets.size()));
+  const bool free = s.complex.form == ZeroForm::free, interpolated = s.complex.form == ZeroForm::interpolated;
+  if (!free) {
+    const std::size_t samples = s.samples ? s.samples->size() : 0;
+    widgets::value_row(ui, "samples", grouped(samples));
+    widgets::value_row(ui, "bad samples", grouped(s.bad_samples),
+                       s.bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+  }
+  const auto largest = static_cast<double>(s.largest_error);
+  if (interpolated)
+    widgets::limit_bar(ui, "largest ε", largest, s.criteria.error_limit(),
+                       largest <= s.criteria.error_limit(), "", true);
+  if (interpolated && s.worst_sample.valid() &&
+      widgets::link_row(ui, "worst", "worst sample", grouped(s.worst_sample.value),
+                        "Selects the sample with the largest ε."))
+    pick(ui, "sample", s.worst_sample.value);
+  if (!free) {
+    const auto alive = std::count_if(s.complex.vertices.begin(), s.complex.vertices.end(),
+                                     [](const Vertex& v) { return v.alive; });
+    widgets::value_row(ui, "vertices of T", grouped(static_cast<std::size_t>(alive)));
+    widgets::value_row(ui, "tetrahedra of T", grouped(s.complex.alive_tets()));
+  }
+  widgets::value_row(ui, "vertices of Z", grouped(s.zero_set.vertices.size()));
+  widgets::value_row(ui, "components of Z", grouped(s.zero_set.components.size()));
+  widgets::value_row(ui, "χ of Z", std::to_string(s.zero_set.euler_characteristic()));
+  if (m.run.scene && m.run.scene->expected.euler_characteristic)
+    widgets::value_row(ui, "χ expected", std::to_string(*m.run.scene->expected.euler_characteristic));
+  ImGui::Dummy({0, ui.px(6)});
+}
+
+/// A line of the certificate; open: neither proven nor asked for.
+enum class RowVerdict : std::uint8_t { good, bad, open };
+struct CertificateRow {
+  std::string name;
+  RowVerdict verdict;
+  const char* tip;
+};
+
+/// Green only where the topology is what was expected.
+CertificateRow topology_row(Certificate::Topology topology) {
+  switch (topology) {
+  case Certificate::Topology::as_expected:
+    return {"topology as expected", RowVerdict::good, "Components and Euler characteristic."};
+  case Certificate::Topology::wrong:
+    return {"topology not as expected", RowVerdict::bad, "Components and Euler characteristic."};
+  case Certificate::Topology::missed:
+    return {"topology not what was aimed at", RowVerdict::open,
+            "Components and Euler characteristic. Ω is no thickening: nothing guarantees them."};
+  case Certificate::Topology::not_asked:
+    break;
+  }
+  return {"no topology asked for", RowVerdict::open, "Only the sides had to be separated."};
+}
+
+CertificateRow cover_row(const Certificate& c) {
+  if (!c.cover_limit)
+    return {"cover not judged", RowVerdict::open,
+            "The bound is one-sided, as in the paper: no limit was given."};
+  if (!c.cover_note.empty())
+    return {"thin parts cut or closed over", RowVerdict::open,
+            "The input is farther than the limit in places, which separating the sides alone allows."};
+  char name[64];
+  std::snprintf(name, sizeof name, "covers the input within %.4g δ", *c.cover_limit);
+  return {name, c.covers ? RowVerdict::good : RowVerdict::bad,
+          "Every point of the input is proven to be so near to the mesh."};
+}
+
+/// The places of the input that the mesh leaves behind; a click goes there.
+void uncovered_places(Ui& ui, const Certificate& c, double delta) {
+  if (c.uncovered.empty()) return;
+  widgets::quiet_text(ui, "Left behind, farthest first");
+  for (std::size_t i = 0; i < c.uncovered.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    const UncoveredPlace& p = c.uncovered[i];
+    if (widgets::link_row(
+            ui, "uncovered", std::to_string(i + 1) + "  " + short_number(p.distance / delta) + " δ away",
+            short_number(p.size / delta) + " δ long",
+            "A part of the input that is farther from the mesh than the limit. The camera goes to "
+            "its farthest point and marks it."))
+      ui.commands.post("look-at-place", {"uncovered", std::to_string(i)});
+    ImGui::PopID();
+  }
+  if (c.uncovered_count > c.uncovered.size())
+    widgets::quiet_text(ui, "and " + grouped(c.uncovered_count - c.uncovered.size()) + " nearer");
+}
+
+void certificate(Ui& ui) {
+  const auto& result = ui.model.run.result;
+  if (!result || ui.model.transport.step() < ui.model.live_step()) return;
+  const Certificate& c = result->certificate;
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted(c.holds() ? "Certified" : "Not certified");
+  ImGui::PopFont();
+  const auto judged = [](bool good) { return good ? RowVerdict::good : RowVerdict::bad; };
+  const double delta = ui.model.run.scene ? ui.model.run.scene->delta : 0;
+  const std::array<CertificateRow, 7> rows{
+      {{"closed 2-manifold", judged(c.closed_manifold),
+        "Every edge has two triangles, every vertex one fan."},
+       {"oriented", judged(c.oriented), "Neighbours agree on which side is outside."},
+       {"free of self-intersections", judged(c.intersection_free), "By exact predicates."},
+       {"within Ω", judged(c.within_tolerance), "Every triangle is proven nearer than δ to the input."},
+       cover_row(c),
+       {"separates the boundaries", judged(c.separates), "The winding number is right in every region."},
+       topology_row(c.topology)}};
+  ImGui::PushFont(ui.fonts.small);
+  for (const CertificateRow& row : rows) {
+    if (row.verdict == RowVerdict::open) {
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      const float side = ImGui::GetTextLineHeight();
+      widgets::glyph(ui, {at.x + side / 2, at.y + side / 2}, 4.5f, ui.colors.warning,
+                     MarkerShape::hollow_diamond);
+      ImGui::Dummy({side, side});
+    } else {
+      widgets::verdict_glyph(ui, row.verdict == RowVerdict::good);
+    }
+    ImGui::SameLine();
+    ImGui::TextUnformatted(row.name.c_str());
+    widgets::tip(ui, row.name, row.tip);
+  }
+  ImGui::PopFont();
+  if (delta > 0)
+    widgets::limit_bar(ui, "proven distance", c.max_distance / delta, 1, c.within_tolerance, "δ", true);
+  if (delta > 0 && c.cover_limit && c.input_distance.upper < std::numeric_limits<double>::infinity())
+    widgets::limit_bar(ui, "of the input to it", c.input_distance.upper / delta, *c.cover_limit,
+                       c.cover_note.empty() && c.covers, "δ", true);
+  for (const std::string& failure : c.failures) widgets::quiet_text(ui, failure, true);
+  if (const std::string crumbs = crumbs_note(result->crumbs, result->mesh); !crumbs.empty())
+    widgets::quiet_text(ui, crumbs, true);
+  for (const std::string& note : {c.topology_note, c.cover_note, c.gap_note})
+    if (!note.empty()) widgets::quiet_text(ui, note, true);
+  if (delta > 0) uncovered_places(ui, c, delta);
+}
+
+} // namespace
+
+void inspector(Ui& ui) {
+  const AppModel& m = ui.model;
+  const auto state = m.state();
+  const Pick& picked = m.selection.picked;
+  if (!state || (m.run.phase == SessionPhase::failed && !m.run.scene)) {
+    ImGui::PushFont(ui.fonts.bold);
+    ImGui::TextUnformatted("Inspector");
+    ImGui::PopFont();
+    widgets::quiet_text(
+        ui, m.run.phase == SessionPhase::preparing ? "The run is being prepared." : "Open a model to begin.",
+        true);
+    return;
+  }
+  switch (picked.kind) {
+  case Pick::Kind::vertex:
+    vertex_details(ui, *state, picked.id);
+    break;
+  case Pick::Kind::edge:
+    edge_details(ui, *state);
+    break;
+  case Pick::Kind::facet:
+    facet_details(ui, *state, picked.id);
+    break;
+  case Pick::Kind::tet:
+    tet_details(ui, *state, picked.id);
+    break;
+  case Pick::Kind::sample:
+    sample_details(ui, *state, picked.id);
+    break;
+  case Pick::Kind::none:
+    break;
+  }
+  if (picked.kind != Pick::Kind::none) {
+    advice(ui);
+    ImGui::Dummy({0, ui.px(6)});
+    history_buttons(ui);
+    break_rows(ui);
+    ImGui::Separator();
+    ImGui::Dummy({0, ui.px(4)});
+  }
+  run_summary(ui, *state);
+  if (picked.kind == Pick::Kind::none) break_rows(ui);
+  certificate(ui);
+  state_questions(ui, *state);
+  if (picked.kind == Pick::Kind::none)
+    widgets::quiet_text(ui, "Click an element in the view to inspect it; 1 to 4 restrict what a click hits.",
+                        true);
+}
+
+} // namespace isoscope::panels

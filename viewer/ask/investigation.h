@@ -1,0 +1,154 @@
+// The questions about the state shown that take longer than a frame, each with a worker of its own, and what
+// their answers draw.
+#pragma once
+
+#include "model/worker.h"
+#include "journal/history.h"
+#include "questions/edge_advice.h"
+#include "questions/element_questions.h"
+#include "questions/refused_facet.h"
+#include "questions/state_check.h"
+#include "questions/topology_report.h"
+#include "questions/work_map.h"
+#include "scene/annotation.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isoscope {
+
+class AppModel;
+struct SampleIndex;
+
+/// The bottom pane's tabs that questions belong to.
+constexpr int history_tab = 4, work_tab = 5;
+
+/// Which list "next violation" walks through.
+enum class ViolationKind : std::uint8_t { misoriented, flat };
+
+struct HistoryQuestion {
+  std::shared_ptr<const Journal> journal;
+  ElementRef element;
+  std::shared_ptr<const StateSnapshot> state;
+  bool last_only = false; ///< the last class change of a sample before the state, and nothing else
+};
+struct WorkQuestion {
+  std::shared_ptr<const Journal> journal;
+  std::size_t begin = 0, end = 0; ///< events of the map and of the times
+  std::size_t stall_end = 0;      ///< the event before which attempts are looked at
+  WorkKind kind = WorkKind::attempts;
+  std::size_t attempts = 500;
+  double cell = 0;
+};
+struct WorkAnswer {
+  WorkMap map;
+  StallReport stall;
+  std::vector<WorkTime> times;
+};
+struct TopologyQuestion {
+  std::shared_ptr<const StateSnapshot> state;
+  std::shared_ptr<const Scene> scene;
+};
+struct AdviceQuestion {
+  std::shared_ptr<const StateSnapshot> state;
+  std::shared_ptr<const Journal> journal;
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const SampleIndex> index;
+  RunParameters parameters;
+  ElementRef element;
+};
+struct CheckQuestion {
+  std::shared_ptr<const Journal> journal;
+  std::shared_ptr<const StateSnapshot> state;
+  std::shared_ptr<const Scene> scene;
+  bool search = false; ///< bisect up to the state's step
+};
+struct CheckAnswer {
+  StateReport report;
+  std::optional<FirstInvalid> first;
+};
+using Advice = std::vector<ParameterAdvice>;
+
+/// Methods are for one thread, the window's.
+class Investigation {
+ public:
+  explicit Investigation(const std::function<void()>& notify);
+  ~Investigation();
+
+  // What is asked; panels, commands and scripts set it.
+  ViolationKind violations = ViolationKind::misoriented;
+  std::optional<double> shrink; ///< of the copy that is drawn; absent: condition 3's
+  WorkKind work_kind = WorkKind::attempts;
+  std::size_t stall_attempts = 500;
+  double cell_deltas = 1;      ///< size of the heat map's cells in δ
+  bool edge_advice = false;    ///< also ask the evaluator of edges over values: it takes a while
+  bool topology_shown = false; ///< follow the state shown
+  bool reveal_check = false, reveal_topology = false; ///< bring the answer into sight once it is there
+
+  /// Once a frame: asks what is shown and stale. True while something is under way.
+  bool update(AppModel& model);
+  void ask_check(const AppModel& model, bool search);
+  void stop_check() { check_.stop(); }
+  /// Begins the end of all that is asked, and waits for nothing.
+  void abandon();
+  /// Goes to the last change of the selected element as soon as it is known.
+  void want_last_change() { jump_ = true; }
+  bool idle() const;
+
+  // Answers to what is asked now; null while they are made.
+  std::shared_ptr<const ElementHistory> history() const { return history_; }
+  std::shared_ptr<const WorkAnswer> work() const { return work_; }
+  std::shared_ptr<const TopologyReport> topology() const { return topology_; }
+  std::shared_ptr<const Advice> advice() const { return advice_; }
+  /// Of the step that was checked last, whichever is shown.
+  std::shared_ptr<const CheckAnswer> check() const;
+  bool checking() const { return !check_.idle(); }
+  double check_fraction() const { return check_.fraction(); }
+  std::shared_ptr<const Annotation> annotation() const { return annotation_; }
+
+ private:
+  void update_history(AppModel& model);
+  void update_work(const AppModel& model);
+  void update_topology(const AppModel& model);
+  void update_advice(const AppModel& model);
+  void jump(AppModel& model);
+  void annotate(const AppModel& model);
+
+  Worker<HistoryQuestion, ElementHistory> history_worker_;
+  Worker<WorkQuestion, WorkAnswer> work_worker_;
+  Worker<TopologyQuestion, TopologyReport> topology_worker_;
+  Worker<AdviceQuestion, Advice> advice_worker_;
+  Worker<CheckQuestion, CheckAnswer> check_;
+  std::optional<HistoryQuestion> history_asked_;
+  std::shared_ptr<const void> asked_at_; ///< the answer before the present question
+  std::optional<WorkQuestion> work_asked_;
+  std::optional<TopologyQuestion> topology_asked_;
+  std::optional<AdviceQuestion> advice_asked_;
+  std::shared_ptr<const Journal> check_journal_;
+  std::shared_ptr<const ElementHistory> history_;
+  std::shared_ptr<const WorkAnswer> work_;
+  std::shared_ptr<const TopologyReport> topology_;
+  std::shared_ptr<const Advice> advice_;
+  std::shared_ptr<const Annotation> annotation_;
+  struct AnnotationKey;
+  std::unique_ptr<AnnotationKey> annotated_;
+  bool jump_ = false;
+};
+
+/// The selected element as histories and advice know it; nothing for facets and without selection.
+std::optional<ElementRef> selected_element(const AppModel& model);
+/// The facet that the selected event of the improver left above δ; stepping through its sweeps, the worst one
+/// after the sweep shown.
+std::optional<RefusedFacet> shown_refusal(const AppModel& model);
+/// The lines and marks for the state shown and the answers there are.
+Annotation make_annotation(const AppModel& model);
+/// The violations of the kind looked at, in the order in which "next" goes through them.
+std::vector<TetId> violating_tets(const StateSnapshot& state, ViolationKind kind);
+/// A row of a history in words: "absorbed vertex 12".
+std::string history_words(const HistoryRow& row, ElementRef::Kind kind);
+
+} // namespace isoscope

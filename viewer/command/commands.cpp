@@ -1,0 +1,132 @@
+// Looking commands up, reading and running them.
+#include "command/commands.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+
+namespace isoscope {
+namespace {
+
+struct KeyName {
+  int key;
+  std::string_view name;
+};
+constexpr std::array<KeyName, 26> key_names{{{GLFW_KEY_SPACE, "Space"},
+                                             {GLFW_KEY_LEFT, "Left"},
+                                             {GLFW_KEY_RIGHT, "Right"},
+                                             {GLFW_KEY_UP, "Up"},
+                                             {GLFW_KEY_DOWN, "Down"},
+                                             {GLFW_KEY_HOME, "Home"},
+                                             {GLFW_KEY_END, "End"},
+                                             {GLFW_KEY_ESCAPE, "Esc"},
+                                             {GLFW_KEY_ENTER, "Enter"},
+                                             {GLFW_KEY_TAB, "Tab"},
+                                             {GLFW_KEY_DELETE, "Del"},
+                                             {GLFW_KEY_PAGE_UP, "PageUp"},
+                                             {GLFW_KEY_PAGE_DOWN, "PageDown"},
+                                             {GLFW_KEY_EQUAL, "+"},
+                                             {GLFW_KEY_MINUS, "-"},
+                                             {GLFW_KEY_LEFT_BRACKET, "["},
+                                             {GLFW_KEY_RIGHT_BRACKET, "]"},
+                                             {GLFW_KEY_COMMA, ","},
+                                             {GLFW_KEY_PERIOD, "."},
+                                             {GLFW_KEY_SLASH, "/"},
+                                             {GLFW_KEY_KP_1, "Num1"},
+                                             {GLFW_KEY_KP_3, "Num3"},
+                                             {GLFW_KEY_KP_5, "Num5"},
+                                             {GLFW_KEY_KP_7, "Num7"},
+                                             {GLFW_KEY_KP_ADD, "Num+"},
+                                             {GLFW_KEY_KP_SUBTRACT, "Num-"}}};
+
+std::string key_text(int key) {
+  for (const KeyName& k : key_names)
+    if (k.key == key) return std::string(k.name);
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+  return std::string(1, static_cast<char>(key));
+}
+
+} // namespace
+
+std::string text(const Chord& chord) {
+  return std::string(chord.control ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "") + key_text(chord.key);
+}
+
+Chord parse_chord(std::string_view text) {
+  Chord chord;
+  const auto take = [&](std::string_view prefix) {
+    if (!text.starts_with(prefix) || text.size() == prefix.size()) return false;
+    text.remove_prefix(prefix.size());
+    return true;
+  };
+  chord.control = take("Ctrl+");
+  chord.shift = take("Shift+");
+  for (const KeyName& k : key_names)
+    if (k.name == text) chord.key = k.key;
+  for (int f = 1; chord.key == 0 && f <= 25; ++f)
+    if (text == "F" + std::to_string(f)) chord.key = GLFW_KEY_F1 + f - 1;
+  if (chord.key == 0 && text.size() == 1) {
+    const char c = text[0];
+    if (c >= 'A' && c <= 'Z') chord.key = c;
+    if (c >= 'a' && c <= 'z') chord.key = c - 'a' + 'A';
+    if (c >= '0' && c <= '9') chord.key = c;
+  }
+  return chord;
+}
+
+const Command* find_command(std::string_view name) {
+  for (const Command& command : command_table())
+    if (command.name == name) return &command;
+  return nullptr;
+}
+
+const Command* find_command(const Chord& chord) {
+  for (const Command& command : command_table())
+    if (std::find(command.keys.begin(), command.keys.end(), chord) != command.keys.end()) return &command;
+  return nullptr;
+}
+
+CommandCall parse_call(std::string_view line) {
+  CommandCall call;
+  const auto skip = [&] {
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t' || line.front() == '\r'))
+      line.remove_prefix(1);
+  };
+  const auto word = [&] {
+    const char quote = line.front() == '"' ? '"' : '\0';
+    if (quote != '\0') line.remove_prefix(1);
+    const std::size_t end =
+        std::min(quote != '\0' ? line.find('"') : line.find_first_of(" \t\r"), line.size());
+    std::string taken(line.substr(0, end));
+    line.remove_prefix(std::min(line.size(), end + (quote != '\0' ? 1 : 0)));
+    return taken;
+  };
+  skip();
+  if (line.empty()) return call;
+  call.name = word();
+  skip();
+  if (call.name == "view" || call.name == "expect" || call.name == "break" || call.name == "break-here" ||
+      call.name == "filter" || call.name == "save-filter" || call.name == "next-event" ||
+      call.name == "previous-event") {
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
+    if (!line.empty()) call.arguments.emplace_back(line);
+    return call;
+  }
+  while (!line.empty()) {
+    call.arguments.push_back(word());
+    skip();
+  }
+  return call;
+}
+
+Status run_command(AppModel& model, const CommandCall& call) {
+  const Command* command = find_command(call.name);
+  if (command == nullptr)
+    return Error{ErrorCode::usage, "There is no command \"" + call.name + "\".", "F1 lists them."};
+  if (command->enabled != nullptr && !command->enabled(model))
+    return Error{ErrorCode::usage, "\"" + std::string(command->title) + "\" is not possible now.", ""};
+  return command->run(model, call.arguments);
+}
+
+} // namespace isoscope

@@ -1,0 +1,225 @@
+// The events with their filter.
+#include "ui/icons.h"
+#include "model/words.h"
+#include "journal/describe.h"
+#include "timeline/timeline_panel.h"
+#include "ui/widgets.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+/// The sentence without the step in front, which has a column of its own.
+std::string sentence(const Journal& journal, const Event& event) {
+  const std::string text = describe(journal, event);
+  constexpr std::string_view dot = " · ";
+  const std::size_t at = text.find(dot);
+  return at == std::string::npos || at > 10 ? text : text.substr(at + dot.size());
+}
+
+/// How an event is marked: reasons of rejections by their own glyphs, the rest by kind.
+struct EventStyle {
+  Rgb color;
+  MarkerShape shape;
+};
+EventStyle style_of(const Ui& ui, const Event& e) {
+  switch (e.kind) {
+  case EventKind::rejection:
+    return {reason_style(e.reason).color, reason_style(e.reason).shape};
+  case EventKind::collapse:
+    return {ui.colors.good, MarkerShape::disc};
+  case EventKind::repair:
+    return {ui.colors.warning, MarkerShape::triangle};
+  case EventKind::relaxation:
+  case EventKind::shake:
+    return {ui.colors.accent, MarkerShape::diamond};
+  case EventKind::stage_begin:
+  case EventKind::stage_end:
+  case EventKind::tessellation:
+  case EventKind::departure:
+    return {stage_color(ui.theme, e.stage), MarkerShape::square};
+  case EventKind::warning:
+  case EventKind::stopped:
+    return {ui.colors.warning, MarkerShape::hollow_triangle};
+  default:
+    return {condition_color(ui.theme, static_cast<int>(e.condition)),
+            e.operation ? MarkerShape::disc : MarkerShape::hollow_square};
+  }
+}
+
+std::string_view kind_title(EventKind kind) {
+  constexpr std::array<std::string_view, event_kind_count> words{
+      "stage begins",    "stage ends",   "insertions", "relabelling",       "exhausted",
+      "topology checks", "parameters",   "warnings",   "stopped",           "collapses",
+      "rejections",      "tessellation", "departure",  "relocation sweeps", "collapses with repair",
+      "shakes"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+
+/// A button that opens a list of what may pass; lit when it holds something back. True when changed.
+template <std::size_t n, class Title>
+bool filter_menu(const Ui& ui, const char* label, std::bitset<n>& set, const std::bitset<n>& offered,
+                 Title&& title) {
+  const std::string shown = std::string(label) + "  " + icon::down;
+  const ImVec2 extent = widgets::text_size(shown), at = ImGui::GetCursorScreenPos();
+  const ImVec2 size{extent.x + ui.px(20), ui.px(24)};
+  ImGui::PushID(label);
+  if (ImGui::InvisibleButton("filter", size)) ImGui::OpenPopup("entries");
+  const bool hot = ImGui::IsItemHovered(), active = (set & offered) != offered;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(
+      at, {at.x + size.x, at.y + size.y},
+      active ? to_u32(ui.colors.accent, 0.24f) : to_u32(hot ? ui.colors.hover : ui.colors.raised), ui.px(5));
+  widgets::draw_text(list, ImGui::GetFont(), {at.x + ui.px(10), at.y + (size.y - extent.y) / 2},
+                     to_u32(active ? ui.colors.accent_text : ui.colors.text), shown);
+  bool changed = false;
+  if (ImGui::BeginPopup("entries")) {
+    if (ImGui::Selectable("all", false, ImGuiSelectableFlags_DontClosePopups)) {
+      set.set();
+      changed = true;
+    }
+    ImGui::Separator();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!offered[i]) continue;
+      const bool lit = active && set[i];
+      if (!ImGui::Selectable((std::string(title(i)) + "##" + std::to_string(i)).c_str(), lit,
+                             ImGuiSelectableFlags_DontClosePopups))
+        continue;
+      // The first choice is that one alone, further ones add up.
+      if (!active) set.reset();
+      set.flip(i);
+      if (active && (set & offered).none()) set.set();
+      changed = true;
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+  return changed;
+}
+
+} // namespace
+
+void EventList::filter_field(Ui& ui) {
+  Debugger& d = ui.model.debug;
+  if (applied_ != d.filter_text) {
+    // Somebody else has set it.
+    applied_ = d.filter_text;
+    const std::size_t length = std::min(applied_.size(), text_.size() - 1);
+    std::copy_n(applied_.begin(), length, text_.begin());
+    text_[length] = 0;
+    error_.reset();
+  }
+  ImGui::SetNextItemWidth(ui.px(300));
+  if (!ImGui::InputTextWithHint(
+          "##filter", (std::string(icon::search) + "  +reject +(kernel normals), value > limit …").c_str(),
+          text_.data(), text_.size()))
+    return;
+  ParsedQuery parsed = parse_query(text_.data());
+  error_.reset();
+  if (const auto* error = std::get_if<QueryError>(&parsed)) {
+    error_ = *error;
+    return;
+  }
+  applied_ = text_.data();
+  d.filter_text = applied_;
+  d.filter = applied_.empty() ? nullptr : std::get<std::shared_ptr<const Expression>>(parsed);
+}
+
+void EventList::row(Ui& ui, std::uint32_t index, float high) {
+  AppModel& m = ui.model;
+  const Journal& journal = *m.run.journal;
+  const Event& event = journal.events()[index];
+  const Step target = event.step + (event.operation ? 1u : 0u);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushID(static_cast<int>(index));
+  if (ImGui::InvisibleButton("event", {std::max(width, 1.0f), high}))
+    ui.commands.post("event", {std::to_string(index)});
+  ImGui::PopID();
+  const bool chosen = m.selection.event == index;
+  const bool here = chosen || (target == m.transport.step() && event.operation);
+  if (here || ImGui::IsItemHovered())
+    list.AddRectFilled(at, {at.x + width, at.y + high},
+                       to_u32(here ? ui.colors.accent : ui.colors.hover, chosen ? 0.3f
+                                                                         : here ? 0.16f
+                                                                                : 1.0f),
+                       ui.px(4));
+  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
+  const std::string number = grouped(target);
+  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, number.c_str()).x;
+  widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet), number);
+  const EventStyle style = style_of(ui, event);
+  widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y},
+                     to_u32(ui.colors.text, event.kind == EventKind::rejection ? 0.8f : 1.0f),
+                     widgets::fitted(sentence(journal, event), width - ui.px(100)));
+}
+
+void EventList::draw(Ui& ui) {
+  AppModel& m = ui.model;
+  ImGui::PushFont(ui.fonts.small);
+  const float left = ImGui::GetCursorScreenPos().x;
+  filter_field(ui);
+  EventFilter& f = m.filter;
+  ImGui::SameLine(0, ui.px(10));
+  filter_menu(ui, "stage", f.stages, std::bitset<stage_count>().set(),
+              [](std::size_t i) { return stage_title(static_cast<Stage>(i)); });
+  ImGui::SameLine(0, ui.px(5));
+  filter_menu(ui, "kind", f.kinds, std::bitset<event_kind_count>().set(),
+              [](std::size_t i) { return kind_title(static_cast<EventKind>(i)); });
+  ImGui::SameLine(0, ui.px(5));
+  filter_menu(ui, "condition", f.conditions, std::bitset<condition_count>().set(),
+              [](std::size_t i) { return i == 0 ? "none" : condition_title(static_cast<Condition>(i)); });
+  ImGui::SameLine(0, ui.px(5));
+  std::bitset<reason_count> rejections;
+  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r)
+    rejections.set(static_cast<std::size_t>(r));
+  filter_menu(ui, "reason", f.reasons, rejections,
+              [](std::size_t i) { return reason_style(static_cast<Reason>(i)).title; });
+  ImGui::SameLine(0, ui.px(10));
+  if (!m.debug.filter_text.empty() || !f.everything()) {
+    if (widgets::plain_button(ui, "show all", true, 0, ui.px(24))) ui.commands.post("filter");
+    ImGui::SameLine(0, ui.px(5));
+  }
+  if (m.debug.filter && widgets::plain_button(ui, "save as lane", true, 0, ui.px(24)))
+    ui.commands.post("save-filter");
+  ImGui::SameLine(0, ui.px(14));
+  const std::vector<std::uint32_t>& rows = m.debug.listed.rows();
+  const std::string found = grouped(rows.size()) + (rows.size() == 1 ? " event" : " events");
+  widgets::quiet_text(ui, found);
+  if (error_) query_error(ui, *error_, text_.data(), left);
+  const Journal* journal = m.run.journal.get();
+
+  if (ImGui::BeginChild("rows", {0, 0}) && journal != nullptr && m.debug.listed.journal() == m.run.journal) {
+    const float high = ui.px(22);
+    // The row of the play head or of the chosen event comes into sight when it moved.
+    const Step step = m.transport.step();
+    const auto current = m.selection.event
+                             ? std::lower_bound(rows.begin(), rows.end(), *m.selection.event)
+                             : std::partition_point(rows.begin(), rows.end(), [&](std::uint32_t row) {
+                                 const Event& e = journal->events()[row];
+                                 return e.step + (e.operation ? 1u : 0u) < step;
+                               });
+    const std::uint32_t place = m.selection.event.value_or(step);
+    if (place != scrolled_to_) {
+      scrolled_to_ = place;
+      const float y = static_cast<float>(current - rows.begin()) * high;
+      const float scroll = ImGui::GetScrollY(), visible = ImGui::GetWindowHeight();
+      if (y < scroll || y + high > scroll + visible) ImGui::SetScrollY(std::max(0.0f, y - visible / 2));
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()), high);
+    while (clipper.Step())
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+        row(ui, rows[static_cast<std::size_t>(i)], high);
+    ImGui::PopStyleVar();
+  }
+  ImGui::EndChild();
+  ImGui::PopFont();
+}
+
+} // namespace isoscope

@@ -1,0 +1,224 @@
+// Steps over, into and out of the tree of stages, operations and gates.
+#include "debug/debug_actions.h"
+#include "ui/icons.h"
+#include "command/named_values.h"
+#include "model/words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+
+bool is_attempt(const Event& e) {
+  return e.operation || e.kind == EventKind::rejection || e.kind == EventKind::exhausted;
+}
+bool is_stage(const Event& e) {
+  return e.kind == EventKind::stage_begin;
+}
+
+/// The n-th event from `at` on in that direction for which `wanted` holds; -1 none. `left` tells how many
+/// there were too few.
+std::ptrdiff_t find_event(const Journal& journal, std::ptrdiff_t at, int direction, long n,
+                          bool (*wanted)(const Event&), long& left) {
+  const auto end = static_cast<std::ptrdiff_t>(complete_events(journal));
+  std::ptrdiff_t found = -1;
+  left = n;
+  for (at += direction; at >= 0 && at < end && left > 0; at += direction)
+    if (wanted(journal.events()[static_cast<std::size_t>(at)])) {
+      found = at;
+      --left;
+    }
+  return left == 0 ? found : -1;
+}
+
+std::optional<std::uint32_t> event_here(const AppModel& m) {
+  const std::ptrdiff_t at = current_event(m);
+  return at < 0 ? std::nullopt : std::optional<std::uint32_t>(static_cast<std::uint32_t>(at));
+}
+
+bool has_gates(const AppModel& m) {
+  const auto here = event_here(m);
+  if (!here) return false;
+  const Event& e = m.run.journal->events()[*here];
+  return e.detail != 0 || (e.vertex.valid() && e.other.valid() && e.stage != Stage::improve);
+}
+
+std::vector<GateView> sweeps_of(const Journal& journal, const Event& e) {
+  std::vector<GateView> gates;
+  const double delta = journal.parameters_at(e.step).delta;
+  const RepairDetail& sweeps = journal.repairs()[e.detail];
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const RepairSweep& s = sweeps[i];
+    GateView gate;
+    gate.title = "sweep " + std::to_string(i + 1) + " of " + std::to_string(sweeps.size());
+    gate.failed = s.distance_left > delta;
+    gate.state = gate.failed ? "above δ" : "below δ";
+    gate.numbers = "largest d " + number_beside(s.largest_distance / delta, 1) + " → " +
+                   number_beside(s.distance_left / delta, 1) + " δ, moved " + std::to_string(s.moved) +
+                   ", flipped " + std::to_string(s.flipped);
+    gates.push_back(std::move(gate));
+  }
+  GateView end;
+  end.failed = e.kind == EventKind::rejection;
+  end.title = end.failed ? "rolled back" : "committed";
+  end.state = std::string(end.failed ? name(e.reason) : "all facets below δ");
+  end.numbers =
+      number_beside(e.value / delta, e.limit / delta) + " δ against " + short_number(e.limit / delta) + " δ";
+  if (end.failed && e.value > e.limit)
+    end.numbers += ", too much by " + short_number((e.value - e.limit) / delta) + " δ";
+  if (squared_length(e.witness) > 0) end.witness = e.witness;
+  gates.push_back(std::move(end));
+  return gates;
+}
+
+std::vector<GateView> checks_of(const EdgeXray& x) {
+  std::vector<GateView> gates;
+  for (std::size_t i = 0; i < collapse_check_count; ++i) {
+    const auto check = static_cast<CollapseCheck>(i);
+    const CheckVerdict& v = x.attempt.check(check);
+    GateView gate;
+    gate.title = check_title(check);
+    gate.failed = v.state == CheckVerdict::State::failed;
+    gate.state = v.state == CheckVerdict::State::passed ? "passed" : gate.failed ? "failed" : "not asked";
+    if (v.state != CheckVerdict::State::skipped && (v.value != 0 || v.limit != 0)) {
+      // Lengths are told in δ.
+      const bool length = check == CollapseCheck::kernel || check == CollapseCheck::containment;
+      const double unit = length && x.criteria.delta > 0 ? x.criteria.delta : 1;
+      gate.numbers = number_beside(v.value / unit, v.limit / unit) + (length ? " δ against " : " against ") +
+                     short_number(v.limit / unit) + (length ? " δ" : "");
+    }
+    if (gate.failed && squared_length(v.witness) > 0) gate.witness = v.witness;
+    gates.push_back(std::move(gate));
+  }
+  GateView cost;
+  cost.title = "cost";
+  cost.state = x.attempt.possible() ? "possible" : "stays";
+  if (x.attempt.possible()) {
+    cost.numbers = short_number(x.attempt.cost) + ", " + short_number(x.attempt.unconstrained_cost) +
+                   " without constraints";
+    cost.witness = x.attempt.target;
+  }
+  gates.push_back(std::move(cost));
+  return gates;
+}
+
+Result<long> count_of(const Arguments& a) {
+  if (a.empty()) return 1L;
+  const auto n = parse_number(a[0]);
+  if (!n || *n < 1 || *n > 1e9 || *n != std::floor(*n))
+    return Error{ErrorCode::usage, "\"" + a[0] + "\" is not a count of steps.", ""};
+  return static_cast<long>(*n);
+}
+
+/// Lets a held run go on to the n-th such event.
+Status run_to(AppModel& m, long n, bool (*wanted)(const Event&)) {
+  if (m.run.phase != SessionPhase::paused)
+    return Error{ErrorCode::usage, "There is no such step in that direction.", ""};
+  auto left = std::make_shared<long>(n);
+  m.session.run_until([left, wanted](const Journal&, const Event& event) {
+    return wanted(event) && --*left == 0 ? std::string(stepping_note) : std::string();
+  });
+  m.transport.follow();
+  return {};
+}
+
+Status advance(AppModel& m, long n, int direction, bool (*wanted)(const Event&)) {
+  long left = 0;
+  const std::ptrdiff_t found = find_event(*m.run.journal, current_event(m), direction, n, wanted, left);
+  if (found >= 0) {
+    show_event(m, static_cast<std::uint32_t>(found));
+    return {};
+  }
+  if (direction > 0) return run_to(m, left, wanted);
+  return Error{ErrorCode::usage, "There is no such step in that direction.", ""};
+}
+
+} // namespace
+
+std::vector<GateView> gates_of(const AppModel& m) {
+  const auto here = event_here(m);
+  if (!here) return {};
+  const Event& e = m.run.journal->events()[*here];
+  if (e.detail != 0) return sweeps_of(*m.run.journal, e);
+  const auto xray = m.xray();
+  return xray ? checks_of(*xray) : std::vector<GateView>();
+}
+
+std::string breadcrumb(const AppModel& m) {
+  const std::string between = std::string("  ") + icon::right + "  ";
+  const auto here = event_here(m);
+  if (!here) return "setup";
+  const Event& e = m.run.journal->events()[*here];
+  std::string text(stage_title(e.stage));
+  if (m.debug.level == DebugLevel::stage) return text;
+  text += between + std::string(name(e.kind)) + " " + grouped(*here);
+  if (m.debug.level == DebugLevel::operation) return text;
+  const auto gates = gates_of(m);
+  if (m.debug.gate >= gates.size()) return text + between + "…";
+  const GateView& gate = gates[m.debug.gate];
+  return text + between + std::to_string(m.debug.gate + 1) + " " + gate.title + ": " + gate.state +
+         (gate.numbers.empty() ? "" : ", " + gate.numbers);
+}
+
+namespace actions {
+
+Status step_over(AppModel& m, const Arguments& a, Direction direction) {
+  const auto n = count_of(a);
+  if (!n) return n.error();
+  Debugger& d = m.debug;
+  const int sign = direction == Direction::forward ? 1 : -1;
+  switch (d.level) {
+  case DebugLevel::stage:
+    return advance(m, *n, sign, is_stage);
+  case DebugLevel::operation:
+    return advance(m, *n, sign, is_attempt);
+  case DebugLevel::gate:
+    break;
+  }
+  const auto count = static_cast<long>(gates_of(m).size());
+  const long wanted = static_cast<long>(d.gate) + sign * *n;
+  if (wanted >= 0 && wanted < count) {
+    d.gate = static_cast<std::size_t>(wanted);
+    return {};
+  }
+  // Past the last gate one is at the next operation, before the first one at the operation itself.
+  d.level = DebugLevel::operation;
+  return wanted < 0 ? Status() : advance(m, 1, 1, is_attempt);
+}
+
+Status step_into(AppModel& m, const Arguments&) {
+  Debugger& d = m.debug;
+  switch (d.level) {
+  case DebugLevel::stage: {
+    d.level = DebugLevel::operation;
+    const auto here = event_here(m);
+    return here && is_attempt(m.run.journal->events()[*here]) ? Status() : advance(m, 1, 1, is_attempt);
+  }
+  case DebugLevel::operation: {
+    if (!has_gates(m))
+      return Error{ErrorCode::usage, "This event has no steps inside.",
+                   "Collapses, edges that stay and repairs have."};
+    const auto here = event_here(m);
+    if (m.selection.event != here) show_event(m, *here);
+    d.level = DebugLevel::gate;
+    d.gate = 0;
+    d.gate_event = here;
+    return {};
+  }
+  case DebugLevel::gate:
+    break;
+  }
+  return Error{ErrorCode::usage, "A gate is the innermost level.", "Shift+F11 leaves it."};
+}
+
+Status step_out(AppModel& m, const Arguments&) {
+  Debugger& d = m.debug;
+  if (d.level == DebugLevel::stage)
+    return Error{ErrorCode::usage, "Stages are the outermost level.", "F11 goes into one."};
+  d.level = d.level == DebugLevel::gate ? DebugLevel::operation : DebugLevel::stage;
+  return {};
+}
+
+} // namespace actions
+} // namespace isoscope

@@ -1,0 +1,140 @@
+// From the narrowest condition to the widest.
+#include "debug/suggested_breaks.h"
+
+#include "debug/debug_actions.h"
+#include "scene/pick_geometry.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace isoscope {
+namespace {
+
+/// The reason with which a check rejects; none for one that does not.
+Reason rejection_of(std::size_t gate) {
+  constexpr std::array<Reason, collapse_check_count> reasons{
+      Reason::none,         Reason::link_condition, Reason::zero_link_condition, Reason::kernel_empty,
+      Reason::no_candidate, Reason::misclassified,  Reason::outside_tolerance,   Reason::normals,
+      Reason::witness_side};
+  return gate < reasons.size() ? reasons[gate] : Reason::none;
+}
+
+std::string short_text(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+std::string place_of(Vec3 p) {
+  return short_text(p.x) + "," + short_text(p.y) + "," + short_text(p.z);
+}
+
+SuggestedBreak rejected(Reason reason) {
+  return {"rejection && reason == " + std::string(name(reason)),
+          "any edge that stays: " + std::string(reason_style(reason).title)};
+}
+
+class Suggestions {
+ public:
+  explicit Suggestions(const AppModel& model) : model_(model) {}
+
+  std::vector<SuggestedBreak> made() {
+    gate();
+    const Pick& p = model_.selection.picked;
+    const std::string id = std::to_string(p.id);
+    switch (p.kind) {
+    case Pick::Kind::edge:
+      edge("edge(" + id + "," + std::to_string(p.other) + ")");
+      near("edge near (", ") ", "any edge within δ of its middle");
+      break;
+    case Pick::Kind::sample:
+      add("sample(" + id + ").class changes", "it becomes good or bad");
+      add("sample(" + id + ")", "an event names it");
+      near("near(", ",", "anything within δ of it", ")");
+      break;
+    case Pick::Kind::vertex:
+      add("vertex(" + id + ")", "an event names it");
+      near("near(", ",", "anything within δ of it", ")");
+      break;
+    case Pick::Kind::tet:
+      add("tet(" + id + ")", "an event names it");
+      near("near(", ",", "anything within δ of its middle", ")");
+      break;
+    case Pick::Kind::facet:
+      near("near(", ",", "anything within δ of its middle", ")");
+      break;
+    case Pick::Kind::none:
+      event();
+      break;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void add(std::string condition, std::string words) {
+    const auto same = [&](const SuggestedBreak& s) { return s.condition == condition; };
+    if (std::none_of(found_.begin(), found_.end(), same))
+      found_.push_back({std::move(condition), std::move(words)});
+  }
+
+  /// Stepping through gates: the gate shown, where it stopped the edge.
+  void gate() {
+    if (model_.debug.level != DebugLevel::gate) return;
+    const auto gates = gates_of(model_);
+    const std::size_t i = model_.debug.gate;
+    if (i >= gates.size() || !gates[i].failed || gates.size() != collapse_check_count + 1) return;
+    if (const Reason reason = rejection_of(i); reason != Reason::none) found_.push_back(rejected(reason));
+  }
+
+  void edge(const std::string& which) {
+    if (const auto index = model_.selected_event()) {
+      const Event& e = model_.run.journal->events()[*index];
+      std::string text = which + " && " + std::string(name(e.kind));
+      if (e.reason != Reason::none) text += " && reason == " + std::string(name(e.reason));
+      add(text, "this edge, decided so again");
+    }
+    add(which, "any attempt on this edge");
+    if (const auto xray = model_.xray(); xray && xray->attempt.rejected != Reason::none) {
+      const SuggestedBreak any = rejected(xray->attempt.rejected);
+      add(any.condition, any.words);
+    }
+  }
+
+  void near(const std::string& before, const std::string& between, const std::string& words,
+            const std::string& after = "") {
+    const auto state = model_.state();
+    if (!state || state->criteria.delta <= 0) return;
+    const Box3 box = pick_bounds(*state, model_.selection.picked);
+    if (box.empty()) return;
+    add(before + place_of(box.center()) + between + short_text(state->criteria.delta) + after, words);
+  }
+
+  /// Nothing is selected: events like the one that led here.
+  void event() {
+    const std::ptrdiff_t here = current_event(model_);
+    if (here < 0) return;
+    const Event& e = model_.run.journal->events()[static_cast<std::size_t>(here)];
+    std::string text(name(e.kind));
+    if (e.reason != Reason::none) text += " && reason == " + std::string(name(e.reason));
+    add(text, "events like this one");
+  }
+
+  const AppModel& model_;
+  std::vector<SuggestedBreak> found_;
+};
+
+} // namespace
+
+std::vector<SuggestedBreak> suggested_breaks(const AppModel& model) {
+  if (!model.run.journal) return {};
+  return Suggestions(model).made();
+}
+
+bool breaks_on(const AppModel& model, const std::string& condition) {
+  const auto list = model.debug.breakpoints->list();
+  return std::any_of(list.begin(), list.end(), [&](const BreakpointState& b) { return b.text == condition; });
+}
+
+} // namespace isoscope

@@ -1,0 +1,213 @@
+// What the journal says of an edge: its event with the number that decided, the sweeps of a repair, its
+// history.
+#include "model/words.h"
+#include "journal/describe.h"
+#include "edge/edge_parts.h"
+#include "ui/widgets.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace isoscope::panels {
+namespace {
+
+/// The largest distance before the repair and after every sweep, against δ.
+void distance_curve(const Ui& ui, const RepairDetail& sweeps, double delta) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, high = ui.px(84);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.ground, 0.6f), ui.px(5));
+  std::vector<double> values{sweeps.front().largest_distance / delta};
+  for (const RepairSweep& s : sweeps) values.push_back(s.distance_left / delta);
+  const double most = std::max(1.1, *std::max_element(values.begin(), values.end()));
+  const auto y_of = [&](double v) {
+    return at.y + high - ui.px(6) - static_cast<float>(v / most) * (high - ui.px(14));
+  };
+  const float limit = y_of(1), step = (width - ui.px(20)) / static_cast<float>(values.size() - 1);
+  list.AddLine({at.x, limit}, {at.x + width, limit}, to_u32(ui.colors.text, 0.8f));
+  widgets::draw_text(list, ui.fonts.small, {at.x + width - ui.px(14), limit - ui.px(16)},
+                     to_u32(ui.colors.quiet), "δ");
+  std::vector<ImVec2> line;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    line.push_back({at.x + ui.px(10) + static_cast<float>(i) * step, y_of(values[i])});
+  list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(ui.colors.accent), 0, ui.px(1.6f));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool good = values[i] <= 1;
+    if (i > 0 && at_gate(ui, i - 1))
+      list.AddCircle(line[i], ui.px(8), to_u32(ui.colors.selection), 24, ui.px(2));
+    widgets::glyph(ui, line[i], 4, good ? ui.colors.good : ui.colors.bad_text,
+                   good ? MarkerShape::disc : MarkerShape::cross);
+  }
+  ImGui::Dummy({width, high});
+}
+
+/// How the transaction ended, in one line.
+void repair_end(const Ui& ui, const Event& e, const RepairDetail& sweeps, double delta) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, high = ui.px(22);
+  if (at_gate(ui, sweeps.size())) gate_ground(ui, at, {width, high});
+  const bool good = e.kind != EventKind::rejection;
+  widgets::glyph(ui, {at.x + ui.px(8), at.y + high / 2}, 4.5f, good ? ui.colors.good : ui.colors.bad_text,
+                 good ? MarkerShape::disc : MarkerShape::cross);
+  std::string text =
+      good ? "committed: every facet below δ" : "rolled back: " + std::string(reason_style(e.reason).title);
+  if (!good && e.value > e.limit && e.limit > 0)
+    text += " by " + short_number((e.value - e.limit) / delta) + " δ";
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+                     {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.text),
+                     text);
+  ImGui::Dummy({width, high});
+}
+
+/// The inner level of a transaction.
+void repair(Ui& ui, const Event& event, const RepairDetail& sweeps, double delta) {
+  if (sweeps.empty()) return;
+  subtitle(ui, "Repair, sweep by sweep");
+  distance_curve(ui, sweeps, delta);
+  ImGui::PushFont(ui.fonts.mono);
+  constexpr std::array<const char*, 5> heads{"sweep", "d / δ", "moved", "flips", "points"};
+  if (ImGui::BeginTable("sweeps", 5, ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_RowBg)) {
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::TableNextRow();
+    for (const char* head : heads) {
+      ImGui::TableNextColumn();
+      ImGui::TextColored(to_vec(ui.colors.quiet), "%s", head);
+    }
+    ImGui::PopFont();
+    const auto row = [&](const std::array<std::string, 5>& cells) {
+      ImGui::TableNextRow();
+      for (const std::string& cell : cells) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(cell.c_str());
+      }
+    };
+    row({"before", short_number(sweeps.front().largest_distance / delta), "", "", ""});
+    for (std::size_t i = 0; i < sweeps.size(); ++i) {
+      const RepairSweep& s = sweeps[i];
+      row({std::to_string(i + 1), short_number(s.distance_left / delta), grouped(s.moved), grouped(s.flipped),
+           grouped(s.points_added)});
+      if (at_gate(ui, i)) {
+        ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, to_u32(ui.colors.selection, 0.25f));
+        if (gate_reached(ui)) ImGui::SetScrollHereY(0.5f);
+      }
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopFont();
+  repair_end(ui, event, sweeps, delta);
+  widgets::quiet_text(ui,
+                      event.kind == EventKind::rejection
+                          ? "The worst facet is drawn, with its distance. F11 and F10 go through the sweeps."
+                          : "F11 and F10 go through the sweeps; the worst facet after each is drawn.",
+                      true);
+}
+
+} // namespace
+
+void subtitle(const Ui& ui, const char* text) {
+  ImGui::Dummy({0, ui.px(4)});
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+bool at_gate(const Ui& ui, std::size_t gate) {
+  return ui.model.debug.level == DebugLevel::gate && ui.model.debug.gate == gate;
+}
+
+bool gate_reached(const Ui& ui) {
+  const int gate = static_cast<int>(ui.model.debug.gate) + 1 +
+                   1000 * static_cast<int>(ui.model.debug.gate_event.value_or(0) % 100000);
+  int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("gate shown"), 0);
+  return std::exchange(shown, gate) != gate;
+}
+
+void gate_ground(const Ui& ui, ImVec2 low, ImVec2 size) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 from{low.x - ui.px(4), low.y}, to{low.x + size.x + ui.px(4), low.y + size.y};
+  list.AddRectFilled(from, to, to_u32(ui.colors.selection, 0.16f), ui.px(4));
+  list.AddRectFilled({from.x - ui.px(4), low.y}, {from.x - ui.px(1), to.y}, to_u32(ui.colors.selection));
+  if (!gate_reached(ui)) return;
+  const float middle = low.y + size.y / 2 - ImGui::GetWindowPos().y, high = ImGui::GetWindowHeight();
+  if (middle < 0.1f * high || middle > 0.9f * high) ImGui::SetScrollFromPosY(middle, 0.5f);
+}
+
+Measured measured(Reason reason, double value, double limit, double delta) {
+  switch (reason) {
+  case Reason::outside_tolerance:
+  case Reason::unproven:
+  case Reason::stays_above:
+    return {value / delta, limit / delta, "δ", true, true};
+  case Reason::misclassified:
+    return {value, limit, "", true, true};
+  case Reason::normals:
+    return {value, limit, "", false, true};
+  case Reason::kernel_empty:
+    return {value / delta, 0, "δ", false, true};
+  default:
+    return {};
+  }
+}
+
+void measured_row(const Ui& ui, std::string_view label, const Measured& m) {
+  if (!m.number) return;
+  const bool good = m.upper ? m.value <= m.limit : m.value > m.limit;
+  if (m.limit > 0)
+    widgets::limit_bar(ui, label, m.value, m.limit, good, m.unit, m.upper);
+  else
+    widgets::value_row(ui, label, short_number(m.value) + (*m.unit ? " " : "") + m.unit,
+                       good ? ui.colors.good_text : ui.colors.bad_text);
+}
+
+void event_details(Ui& ui, const Journal& journal, std::uint32_t index) {
+  const Event& e = journal.events()[index];
+  const double delta = journal.parameters_at(e.step).delta;
+  ImGui::PushFont(ui.fonts.small);
+  widgets::wrapped_text(describe(journal, e));
+  ImGui::PopFont();
+  const bool repaired =
+      e.kind == EventKind::repair || e.kind == EventKind::relaxation || e.kind == EventKind::shake;
+  const Reason reason = repaired ? Reason::stays_above : e.reason;
+  if (e.kind == EventKind::rejection || repaired)
+    measured_row(ui, repaired ? "largest d" : reason_style(reason).title,
+                 measured(reason, e.value, e.limit, delta > 0 ? delta : 1));
+  const bool witnessed = e.kind == EventKind::rejection && squared_length(e.witness) > 0;
+  if (witnessed && widgets::link_row(ui, "witness", "witness",
+                                     short_number(e.witness.x) + "  " + short_number(e.witness.y) + "  " +
+                                         short_number(e.witness.z),
+                                     "Marks and frames the point that decided. Key J."))
+    ui.commands.post("witness");
+  if (e.detail > 0 && e.detail < journal.repairs().size())
+    repair(ui, e, journal.repairs()[e.detail], delta > 0 ? delta : 1);
+}
+
+void edge_history(Ui& ui, const Journal& journal, VertexId a, VertexId b) {
+  constexpr std::size_t most = 8, reach = 200000;
+  std::vector<std::uint32_t> found;
+  const auto& range = ui.model.debug.range;
+  const std::size_t end = journal.events().size();
+  for (std::size_t i = end; i > end - std::min(end, reach) && found.size() < most; --i) {
+    const Event& e = journal.events()[i - 1];
+    if (range && !range->holds(e.step)) continue;
+    if ((e.vertex == a && e.other == b) || (e.vertex == b && e.other == a))
+      found.push_back(static_cast<std::uint32_t>(i - 1));
+  }
+  if (found.empty()) return;
+  subtitle(ui, "In the journal");
+  for (const std::uint32_t index : found) {
+    const Event& e = journal.events()[index];
+    ImGui::PushID(static_cast<int>(index));
+    const std::string what = e.kind == EventKind::rejection
+                                 ? "stayed: " + std::string(reason_style(e.reason).title)
+                             : e.kind == EventKind::repair ? std::string("collapsed with repair")
+                                                           : std::string("collapsed");
+    if (widgets::link_row(ui, "event", what, "step " + grouped(e.step + (e.operation ? 1u : 0u)),
+                          describe(journal, e)))
+      ui.commands.post("event", {std::to_string(index)});
+    ImGui::PopID();
+  }
+}
+
+} // namespace isoscope::panels

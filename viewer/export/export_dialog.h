@@ -1,0 +1,26 @@
+// Size, ground and kind of the pictures and films to be written.
+#pragma once
+
+#include "ui/ui.h"
+
+#include <array>
+
+namespace isoscope {
+
+class ExportDialog {
+ public:
+  /// Fills the present window of the interface; posts the command that does what is chosen.
+  void draw(Ui& ui);
+
+ private:
+  void steps(Ui& ui);
+  void export_button(Ui& ui);
+  enum Kind { picture, figure, turntable, step_frames };
+  int kind_ = picture;
+  int width_ = 1920, height_ = 1080;
+  int frames_ = 120, from_ = 0, to_ = 0, every_ = 1, rate_ = 25;
+  bool alpha_ = false, film_ = false, fresh_ = true;
+  std::array<char, 512> name_{};
+};
+
+} // namespace isoscope

@@ -1,0 +1,274 @@
+// Makes pictures, figures and films, a tile a frame.
+#include "export/exporter.h"
+
+#include "model/words.h"
+#include "scene/picture_view.h"
+#include "scene/section_svg.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+
+namespace isoscope {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr auto at_once = std::chrono::seconds(0);
+
+std::string frame_name(std::size_t frame) {
+  std::array<char, 40> name{};
+  std::snprintf(name.data(), name.size(), "frame_%04zu.png", frame + 1);
+  return name.data();
+}
+
+/// ffmpeg reads % in its input as a pattern.
+std::string without_patterns(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '%' ? "%%" : std::string(1, c);
+  return out;
+}
+
+/// The last words of a program's log.
+std::string last_words(const fs::path& log) {
+  std::ifstream in(log);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  constexpr std::size_t most = 400;
+  if (text.size() > most) text = "…" + text.substr(text.size() - most);
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
+  return text;
+}
+
+Status write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out)
+    return Error{ErrorCode::io, "The figure " + file.string() + " cannot be written.",
+                 "Check that the folder exists, is writable and has room."};
+  return {};
+}
+
+} // namespace
+
+Exporter::~Exporter() {
+  if (file_.valid()) file_.wait();
+}
+
+void Exporter::fail(AppModel& model, Error error) {
+  model.report(error);
+  if (model.scripted) std::fprintf(stderr, "isoscope: %s\n", error.line().c_str());
+  model.exports.error = std::move(error);
+  finish(model, "");
+}
+
+void Exporter::finish(AppModel& model, const std::string& word) {
+  const auto* sequence = std::get_if<SequenceRequest>(&request_);
+  if (stage_ != Stage::idle && sequence != nullptr && sequence->kind == SequenceRequest::Kind::steps) {
+    if (return_following_)
+      model.transport.follow();
+    else
+      model.transport.jump(return_to_);
+  }
+  stage_ = Stage::idle;
+  picture_.reset();
+  film_.reset();
+  if (!film_log_.empty()) {
+    std::error_code ignored;
+    fs::remove(std::exchange(film_log_, {}), ignored);
+  }
+  model.exports.busy = false;
+  model.exports.doing.clear();
+  model.exports.part = 0;
+  if (!word.empty() && !model.scripted) model.tell(word);
+}
+
+Shot Exporter::shot_of(const AppModel& model, const ViewState& state, const PictureFormat& format,
+                       const ViewExtent& extent) const {
+  Shot shot;
+  shot.width = format.width > 0 ? format.width : extent.width;
+  shot.height = format.height > 0 ? format.height : extent.height;
+  shot.alpha = format.alpha;
+  const double from = static_cast<double>(extent.width) / extent.height,
+               to = static_cast<double>(shot.width) / shot.height;
+  shot.camera = model.camera;
+  shot.camera.set(fitted(state.camera, from, to));
+  shot.view = state.view;
+  shot.section = state.section;
+  shot.section.height *= std::max(1.0, from / to);
+  // Discs and lines keep their part of the picture.
+  const double factor = std::min(static_cast<double>(shot.width) / extent.width,
+                                 static_cast<double>(shot.height) / extent.height);
+  shot.pixel_scale = extent.pixel_scale * static_cast<float>(factor);
+  shot.selection = model.selection.picked;
+  shot.mark = model.selection.mark;
+  return shot;
+}
+
+void Exporter::begin_figure(AppModel& model, const FigureRequest& request, const ViewExtent& extent) {
+  SectionFigure figure;
+  figure.section = model.section;
+  figure.view = model.shown_view();
+  figure.aspect = static_cast<double>(extent.width) / extent.height;
+  figure.delta = model.run.scene ? model.run.scene->delta : 0;
+  figure.model = model.run.scene && model.run.scene->input ? model.run.scene->input->name : "model";
+  file_ =
+      std::async(std::launch::async,
+                 [state = model.state(), grid = model.grid.grid(), figure, file = request.file]() -> Status {
+                   return write_text(file, section_svg(*state, grid.get(), figure));
+                 });
+  stage_ = Stage::writing;
+}
+
+void Exporter::begin(AppModel& model, const ViewExtent& extent) {
+  request_ = std::move(model.exports.wanted.front());
+  model.exports.wanted.pop_front();
+  model.exports.busy = true;
+  model.exports.error.reset();
+  frame_ = 0;
+  const ViewState now{model.camera.pose(), model.shown_view(), model.section};
+  if (const auto* figure = std::get_if<FigureRequest>(&request_)) {
+    begin_figure(model, *figure, extent);
+  } else if (const auto* picture = std::get_if<PictureRequest>(&request_)) {
+    shot_ = shot_of(model, picture->view.value_or(now), picture->format, extent);
+    stage_ = Stage::drawing;
+  } else if (const auto* sequence = std::get_if<SequenceRequest>(&request_)) {
+    shot_ = shot_of(model, now, sequence->format, extent);
+    return_to_ = model.transport.step();
+    return_following_ = model.transport.mode() == Transport::Mode::following;
+    std::error_code error;
+    fs::create_directories(sequence->folder, error);
+    stage_ = Stage::drawing;
+    if (error)
+      fail(model, {ErrorCode::io,
+                   "The folder " + sequence->folder + " cannot be made: " + error.message() + ".", ""});
+    else if (!sequence->film.empty() && !find_program("ffmpeg"))
+      fail(model, {ErrorCode::io, "A film needs the program ffmpeg, which is not on PATH.",
+                   "Install ffmpeg, or write the frames alone."});
+  }
+}
+
+void Exporter::draw(AppModel& model, Renderer& renderer) {
+  Shot shot = shot_;
+  const auto* sequence = std::get_if<SequenceRequest>(&request_);
+  if (!picture_ && sequence != nullptr && sequence->kind == SequenceRequest::Kind::turntable)
+    shot.camera.set(turned(shot_.camera.pose(), 2 * std::numbers::pi * static_cast<double>(frame_) /
+                                                    static_cast<double>(sequence->frames)));
+  if (sequence != nullptr && sequence->kind == SequenceRequest::Kind::steps) {
+    const Step step = sequence->step(frame_);
+    if (model.transport.step() != step || model.transport.moving()) {
+      model.transport.jump(step);
+      model.transport.pause();
+      return;
+    }
+    if (!model.state_is_current() || model.state() == nullptr || model.state()->step != step) return;
+  }
+  if (!picture_) picture_ = std::make_unique<TiledPicture>(std::move(shot));
+  const auto complete = picture_->advance(renderer);
+  if (!complete) return fail(model, complete.error());
+  if (*complete) write(model, picture_->take());
+}
+
+void Exporter::write(AppModel&, Image image) {
+  picture_.reset();
+  fs::path file;
+  if (const auto* sequence = std::get_if<SequenceRequest>(&request_))
+    file = fs::path(sequence->folder) / frame_name(frame_);
+  else if (const auto* picture = std::get_if<PictureRequest>(&request_))
+    file = picture->file;
+  file_ = std::async(std::launch::async,
+                     [file, image = std::move(image)]() -> Status { return write_png(file, image); });
+  stage_ = Stage::writing;
+}
+
+void Exporter::written(AppModel& model) {
+  Exports& desk = model.exports;
+  if (const Status status = file_.get(); !status) return fail(model, status.error());
+  if (const auto* picture = std::get_if<PictureRequest>(&request_)) {
+    ++desk.pictures;
+    return finish(model, "The picture is written to " + picture->file + ".");
+  }
+  if (const auto* figure = std::get_if<FigureRequest>(&request_)) {
+    ++desk.figures;
+    return finish(model, "The section is written to " + figure->file + ".");
+  }
+  const auto& sequence = std::get<SequenceRequest>(request_);
+  ++desk.frames;
+  stage_ = Stage::drawing;
+  if (++frame_ < sequence.count()) return;
+  if (sequence.film.empty())
+    return finish(model, grouped(frame_) + " frames are written to " + sequence.folder + ".");
+  start_film(model);
+}
+
+void Exporter::start_film(AppModel& model) {
+  const auto& sequence = std::get<SequenceRequest>(request_);
+  const auto ffmpeg = find_program("ffmpeg");
+  if (!ffmpeg) return fail(model, {ErrorCode::io, "The program ffmpeg is no longer on PATH.", ""});
+  const fs::path folder = fs::absolute(sequence.folder);
+  film_log_ = folder / "ffmpeg.log";
+  // An even size is what the usual codec wants.
+  auto started = ChildProcess::start(
+      *ffmpeg,
+      {"-y", "-loglevel", "error", "-framerate", std::to_string(sequence.rate), "-i",
+       without_patterns(folder.string()) + "/frame_%04d.png", "-frames:v", std::to_string(sequence.count()),
+       "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", fs::absolute(sequence.film).string()},
+      film_log_);
+  if (!started) return fail(model, started.error());
+  film_ = std::move(*started);
+  stage_ = Stage::filming;
+}
+
+void Exporter::watch_film(AppModel& model) {
+  const auto status = film_->poll();
+  if (!status) return;
+  const auto& sequence = std::get<SequenceRequest>(request_);
+  if (*status != 0) {
+    const std::string words = last_words(film_log_);
+    return fail(model,
+                {ErrorCode::io, "ffmpeg could not make the film" + (words.empty() ? "." : ": " + words),
+                 "The frames are in " + sequence.folder + "."});
+  }
+  ++model.exports.films;
+  finish(model, "The film is written to " + sequence.film + ".");
+}
+
+bool Exporter::advance(AppModel& model, Renderer& renderer, const ViewExtent& extent) {
+  Exports& desk = model.exports;
+  if (desk.cancel) {
+    desk.wanted.clear();
+    if (file_.valid() && file_.wait_for(at_once) != std::future_status::ready) return true;
+    desk.cancel = false;
+    file_ = {};
+    if (stage_ != Stage::idle) finish(model, "The export is cancelled.");
+    return true;
+  }
+  if (stage_ == Stage::idle) {
+    if (desk.wanted.empty() || extent.width <= 0 || extent.height <= 0 || !model.state()) return false;
+    if (model.scripted && !model.state_is_current()) return false;
+    begin(model, extent);
+  } else if (stage_ == Stage::drawing) {
+    draw(model, renderer);
+  } else if (stage_ == Stage::writing) {
+    if (file_.wait_for(at_once) == std::future_status::ready) written(model);
+  } else {
+    watch_film(model);
+  }
+  if (stage_ == Stage::idle) return true;
+  const double inner = picture_ ? picture_->part() : stage_ == Stage::writing ? 1 : 0;
+  if (const auto* sequence = std::get_if<SequenceRequest>(&request_)) {
+    const auto count = static_cast<double>(sequence->count());
+    desk.part = (static_cast<double>(frame_) + (stage_ == Stage::filming ? 0 : inner)) / count;
+    desk.doing = stage_ == Stage::filming
+                     ? "ffmpeg makes the film"
+                     : "frame " + grouped(frame_ + 1) + " of " + grouped(sequence->count());
+  } else {
+    desk.part = inner;
+    desk.doing = stage_ == Stage::writing ? "writing the file" : "drawing the picture";
+  }
+  return true;
+}
+
+} // namespace isoscope

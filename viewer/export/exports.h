@@ -1,0 +1,64 @@
+// Pictures, figures and films that commands ask for, and how far they are; the program makes them.
+#pragma once
+
+#include "model/view_state.h"
+#include "base/ids.h"
+#include "base/status.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace isoscope {
+
+/// Size and ground of pictures.
+struct PictureFormat {
+  int width = 0, height = 0; ///< 0: the view's
+  bool alpha = false;        ///< without ground
+};
+constexpr int picture_least = 16, picture_most = 16384; ///< of a side, pixels
+
+/// The view as one PNG.
+struct PictureRequest {
+  std::string file;
+  PictureFormat format;
+  std::optional<ViewState> view; ///< instead of the window's
+};
+/// The section as SVG.
+struct FigureRequest {
+  std::string file;
+};
+/// Frames of a turn about the up axis, or of steps, as frame_0001.png ... in a folder.
+struct SequenceRequest {
+  enum class Kind : std::uint8_t { turntable, steps };
+  Kind kind = Kind::turntable;
+  std::string folder;
+  PictureFormat format;
+  std::size_t frames = 0;           ///< of a turntable
+  Step from = 0, to = 0, every = 1; ///< of steps; both ends are shown
+  std::string film;                 ///< an MP4 to be made of them; empty: none
+  int rate = 25;                    ///< of the film, frames a second
+  std::size_t count() const { return kind == Kind::turntable ? frames : (to - from + every - 1) / every + 1; }
+  Step step(std::size_t frame) const {
+    return static_cast<Step>(std::min<std::size_t>(from + frame * every, to));
+  }
+};
+using ExportRequest = std::variant<PictureRequest, FigureRequest, SequenceRequest>;
+
+/// The desk where commands leave what they want and the exporter tells how far it is.
+struct Exports {
+  std::deque<ExportRequest> wanted;
+  bool cancel = false; ///< asked: what is under way and what waits is dropped
+  // Told by the exporter.
+  bool busy = false;
+  std::string doing;                                            ///< "frame 12 of 120"
+  double part = 0;                                              ///< done, in [0, 1]
+  std::size_t pictures = 0, figures = 0, frames = 0, films = 0; ///< written since the start
+  std::optional<Error> error;                                   ///< of the last request that failed
+  bool pending() const { return busy || !wanted.empty(); }
+};
+
+} // namespace isoscope

@@ -1,0 +1,81 @@
+// A worker that owns a playback of the journal and describes the state at the step asked for; newer requests
+// replace older.
+#pragma once
+
+#include "criteria/nearest_sample.h"
+#include "questions/snapshot.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace isoscope {
+
+/// A sample set with its search trees, kept alive together.
+struct SampleIndex {
+  explicit SampleIndex(std::shared_ptr<const BoundarySamples> samples)
+      : set(std::move(samples)), nearest(set->positions, set->labels) {}
+  std::shared_ptr<const BoundarySamples> set;
+  NearestSample nearest;
+};
+
+/// What is wanted of the play head.
+struct PlayheadRequest {
+  std::uint64_t generation = 0; ///< of the session's run: another value means another journal
+  std::shared_ptr<const Journal> journal;
+  Step step = 0;
+  SnapshotOptions options;
+  /// What the journal and the keyframes may take together in memory, bytes. Half of it is the journal's: what
+  /// is older goes to the disk; keyframes get the rest.
+  std::size_t history_limit = std::size_t{2048} << 20;
+  friend bool operator==(const PlayheadRequest& a, const PlayheadRequest& b) {
+    return a.generation == b.generation && a.journal == b.journal && a.step == b.step &&
+           a.history_limit == b.history_limit && a.options.orientation == b.options.orientation &&
+           a.options.recent == b.options.recent && a.options.criteria == b.options.criteria;
+  }
+};
+
+/// The newest answer. Everything in it is immutable.
+struct PlayheadResult {
+  PlayheadRequest request;
+  std::shared_ptr<const StateSnapshot> state;
+  std::size_t keyframe_bytes = 0;           ///< of the play head's keyframes
+  std::shared_ptr<const SampleIndex> index; ///< null until a request asked for orientation
+};
+
+/// A live preview: how many samples and tetrahedra would violate under these parameters, at the state shown.
+struct Preview {
+  CriteriaParameters criteria;
+  ViolationPreview violations;
+};
+
+/// Methods are for one thread, the window's; the work happens on the worker's.
+class Playhead {
+ public:
+  /// `notify` is called from the worker whenever an answer is ready.
+  explicit Playhead(std::function<void()> notify);
+  ~Playhead();
+  Playhead(Playhead&&) noexcept;
+  Playhead& operator=(Playhead&&) noexcept;
+
+  /// Replaces any request that was not begun yet.
+  void request(PlayheadRequest request);
+  void request_preview(const CriteriaParameters& criteria);
+  /// Drops everything: the next request starts from nothing.
+  void clear();
+
+  /// The newest state, null before the first.
+  std::shared_ptr<const PlayheadResult> result() const;
+  std::optional<Preview> preview() const;
+  /// Whether every request has been answered.
+  bool idle() const;
+  /// Blocks until idle; for tests and scripts.
+  void wait() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace isoscope

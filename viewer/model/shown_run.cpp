@@ -1,0 +1,59 @@
+// The way from the session's snapshot to the state shown.
+#include "model/shown_run.h"
+
+namespace isoscope {
+
+Box3 ShownRun::scene_bounds() const {
+  Box3 box;
+  if (run.scene && run.scene->input) box = run.scene->input->bounds().grown(run.scene->delta);
+  return box;
+}
+
+bool ShownRun::take_snapshot() {
+  run = session.snapshot();
+  const bool another = run.generation != generation_;
+  if (another) {
+    generation_ = run.generation;
+    playhead.clear();
+    result_.reset();
+    asked_.reset();
+    index.reset(nullptr);
+  }
+  if (run.journal && index.journal() != run.journal) index.reset(run.journal);
+  if (run.scene != scene_seen_) {
+    scene_seen_ = run.scene;
+    grid.want(run.scene);
+  }
+  return another;
+}
+
+void ShownRun::request_state(Step recent, std::size_t history_limit, bool moving) {
+  if (!run.journal) return;
+  PlayheadRequest wanted;
+  wanted.generation = run.generation;
+  wanted.journal = run.journal;
+  wanted.step = transport.step();
+  wanted.history_limit = history_limit;
+  wanted.options.recent = recent;
+  wanted.options.orientation = !moving || (transport.at_live_end(live_step()) && !running());
+  if (moving && asked_ && !playhead.idle()) return;
+  if (asked_ == wanted) return;
+  asked_ = wanted;
+  playhead.request(std::move(wanted));
+}
+
+bool ShownRun::take_result() {
+  const auto newest = playhead.result();
+  if (newest == result_ || (newest && newest->request.generation != run.generation)) return false;
+  result_ = newest;
+  return true;
+}
+
+bool ShownRun::is_current() const {
+  if (!playhead.idle() || !index.complete() || grid.working()) return false;
+  if (!run.journal) return true;
+  return result_ && asked_ && result_->request == *asked_ && asked_->step == transport.step() &&
+         (!transport.moving() || transport.step() >= live_step());
+}
+
+} // namespace isoscope

@@ -1,0 +1,98 @@
+// The play head's motion.
+#include "model/transport.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+constexpr double automatic_seconds = 10; ///< a whole run is told in this time
+constexpr double catch_up_seconds = 0.5; ///< the lag behind a run that is still growing after that
+constexpr std::array<double, 15> offered{
+    Transport::automatic, 0.25, 0.5, 1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, Transport::unlimited};
+} // namespace
+
+std::span<const double> Transport::speeds() {
+  return offered;
+}
+
+void Transport::restart() {
+  mode_ = Mode::following;
+  position_ = 0;
+  elapsed_ = 0;
+}
+
+void Transport::play() {
+  if (mode_ == Mode::paused) elapsed_ = 0;
+  mode_ = Mode::playing;
+}
+
+void Transport::follow() {
+  mode_ = Mode::following;
+  // Asked for in the middle of a run, following means being there soon.
+  elapsed_ = std::max(elapsed_, automatic_seconds);
+}
+
+void Transport::jump(Step step) {
+  mode_ = Mode::paused;
+  dwell_ = 0;
+  position_ = step;
+}
+
+void Transport::step_by(long steps, Step live) {
+  mode_ = Mode::paused;
+  dwell_ = 0;
+  const double wanted = static_cast<double>(step()) + static_cast<double>(steps);
+  position_ = std::clamp(wanted, 0.0, static_cast<double>(live));
+}
+
+void Transport::set_speed(double steps_per_second) {
+  speed_ = std::clamp(steps_per_second, 0.0, unlimited);
+}
+
+// position(t) = end (t / T)^2: slow while single operations change the picture, faster where there are
+// thousands. Solved for the speed from where the head is, so that an end that moves on is followed smoothly.
+double Transport::automatic_speed(double remaining, double end) const {
+  const double t = std::max(elapsed_, 0.05), total = automatic_seconds;
+  if (t >= total - catch_up_seconds) return std::max(remaining / catch_up_seconds, end / total);
+  return std::max(2 * t * remaining / (total * total - t * t), 1.0);
+}
+
+// Where the head is after `seconds` when it would go from `from` to `to`: never past a moment, slower the
+// nearer it is, and at rest there for a while.
+double Transport::advance(double from, double to, double seconds) {
+  constexpr double ease = 3, least = 2; // a third of a second from anywhere near; steps a second at least
+  if (dwell_ > 0) {
+    dwell_ -= seconds;
+    return from;
+  }
+  const auto next = std::upper_bound(moments_.begin(), moments_.end(), from,
+                                     [](double at, Step moment) { return at < static_cast<double>(moment); });
+  if (next == moments_.end() || to <= from) return to;
+  const double ahead = static_cast<double>(*next) - from;
+  const double slowed = std::min(to, from + std::max(ease * ahead, least) * seconds);
+  if (slowed < static_cast<double>(*next)) return slowed;
+  dwell_ = dwell_seconds;
+  return static_cast<double>(*next);
+}
+
+void Transport::update(double seconds, Step live, bool growing) {
+  const double end = live;
+  position_ = std::min(position_, end);
+  if (mode_ == Mode::paused) return;
+  if (immediate_ && mode_ == Mode::following) {
+    dwell_ = 0;
+    position_ = end;
+    return;
+  }
+  elapsed_ += seconds;
+  const double remaining = end - position_;
+  const double velocity = speed_ == automatic ? automatic_speed(remaining, end) : speed_;
+  position_ = std::min(end, advance(position_, position_ + std::max(velocity, 0.0) * seconds, seconds));
+  // The last fraction of a step would otherwise take for ever.
+  if (speed_ == automatic && end - position_ < 0.5) position_ = end;
+  if (mode_ == Mode::playing && position_ >= end) mode_ = growing ? Mode::following : Mode::paused;
+}
+
+} // namespace isoscope

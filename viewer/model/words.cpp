@@ -1,0 +1,150 @@
+// The words, in the order of the enumerations that they name.
+#include "model/words.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace isoscope {
+namespace {
+
+constexpr std::array<LayerName, 11> layers{{
+    {"outer", "Ω outer boundary",
+     "The outer boundary surface of the tolerance volume Ω, d = δ outside (§2.1).", &ViewSettings::outer},
+    {"inner", "Ω inner boundary",
+     "The inner boundary surface of the tolerance volume Ω, d = δ inside (§2.1).", &ViewSettings::inner},
+    {"zero", "Z zero set",
+     "Z, the zero set of the piecewise linear function f: the mesh under construction (§2.3).",
+     &ViewSettings::zero_set},
+    {"samples", "S samples", "The σ-dense samples S of ∂Ω with their labels F = ±1 (§2.2).",
+     &ViewSettings::samples},
+    {"good", "Good samples", "Samples that f classifies as their label says: ε(s) < 1 (§2.2).",
+     &ViewSettings::good_samples},
+    {"bad", "Bad samples", "Samples on the wrong side of Z: ε(s) ≥ 1 (§2.2).", &ViewSettings::bad_samples},
+    {"tets", "T tetrahedra", "Tetrahedra of the triangulation T that the filter lets through.",
+     &ViewSettings::tetrahedra},
+    {"gamma", "∂Γ boundary of Γ", "The boundary of Γ, the union of tetrahedra that carry Z (§2.3).",
+     &ViewSettings::gamma},
+    {"highlight", "Current operation",
+     "What the last operation touched: added elements solid, removed ones dashed, moves as arrows, the "
+     "violated tetrahedron.",
+     &ViewSettings::highlight},
+    {"xray", "X-ray of the edge",
+     "Of the selected edge: kernel, candidate points by reason, simplices that break the link condition, "
+     "optimum and target (§2.4).",
+     &ViewSettings::xray},
+    {"input", "Input triangles", "The triangles as they were read.", &ViewSettings::input},
+}};
+
+} // namespace
+
+std::string_view phase_word(SessionPhase phase) {
+  constexpr std::array<std::string_view, 7> words{"idle",      "preparing", "running", "paused",
+                                                  "following", "finished",  "failed"};
+  return words.at(static_cast<std::size_t>(phase));
+}
+std::string_view transport_word(Transport::Mode mode) {
+  constexpr std::array<std::string_view, 3> words{"paused", "playing", "following"};
+  return words.at(static_cast<std::size_t>(mode));
+}
+std::string_view pick_word(Pick::Kind kind) {
+  constexpr std::array<std::string_view, 6> words{"none", "vertex", "edge", "tet", "sample", "facet"};
+  return words.at(static_cast<std::size_t>(kind));
+}
+std::string_view theme_word(ThemeKind theme) {
+  constexpr std::array<std::string_view, 3> words{"dark", "light", "paper"};
+  return words.at(static_cast<std::size_t>(theme));
+}
+std::span<const LayerName> layer_names() {
+  return layers;
+}
+std::string_view stage_title(Stage stage) {
+  constexpr std::array<std::string_view, 7> words{"set-up", "refine", "∂Γ",     "tessellate",
+                                                  "Z",      "all",    "improve"};
+  return words.at(static_cast<std::size_t>(stage));
+}
+std::string_view stage_help(Stage stage) {
+  constexpr std::array<std::string_view, stage_count> words{
+      "The loose bounding box and the samples. §2.2",
+      "Inserts samples until Z has the right topology and keeps inside Ω. §2.3",
+      "Collapses edges of ∂Γ. §2.4.1",
+      "Puts Z into T: its vertices and facets become those of T. §2.4.2",
+      "Collapses edges of Z. §2.4.3",
+      "Collapses edges between Z and Γ, which make room, and edges of Z again. §2.4.4",
+      "Takes Z out of T, relocates its vertices, flips, and collapses with repair."};
+  return words.at(static_cast<std::size_t>(stage));
+}
+std::string_view check_title(CollapseCheck check) {
+  constexpr std::array<std::string_view, collapse_check_count> words{
+      "eligible",        "link condition in T", "link condition in Z", "kernel",
+      "candidates",      "classification",      "containment in Ω",    "normals",
+      "region witnesses"};
+  return words.at(static_cast<std::size_t>(check));
+}
+std::string_view check_help(CollapseCheck check) {
+  constexpr std::array<std::string_view, collapse_check_count> words{
+      "The edge is of the kind that the stage collapses: of ∂Γ, of Z, or between both. §2.4",
+      "Lk(a) ∩ Lk(b) = Lk(ab) in T, or the collapse would pinch it. Figure 6",
+      "The same in Z, for edges of Z. §2.4",
+      "The points from which the whole one-ring is seen; its largest ball has this radius. Figures 7 and 11",
+      "Points of the kernel that were judged as targets until one passed every check. Figures 8, 9, 11 and "
+      "12",
+      "Sampled mode: every sample keeps its class. §2.4.1",
+      "Certified mode: every changed facet of Z is proven to keep d ≤ δ.",
+      "Condition 3 is violated nowhere where it was not before. §2.4",
+      "The deepest point of each region stays on its side of Z."};
+  return words.at(static_cast<std::size_t>(check));
+}
+std::string_view condition_title(Condition condition) {
+  constexpr std::array<std::string_view, 7> words{
+      "set-up", "1 classification", "2 height", "3 orientation", "4 topology", "containment", "witness"};
+  return words.at(static_cast<std::size_t>(condition));
+}
+
+std::string short_number(double value) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
+  const double size = std::abs(value);
+  if (size >= 10000 && size < 1e12)
+    return (value < 0 ? "−" : "") + grouped(static_cast<std::size_t>(std::llround(size)));
+  std::array<char, 40> text{};
+  if (size != 0 && (size < 1e-4 || size >= 1e12))
+    std::snprintf(text.data(), text.size(), "%.2e", value);
+  else
+    std::snprintf(text.data(), text.size(), "%.*f",
+                  size >= 1000  ? 0
+                  : size >= 100 ? 1
+                  : size >= 10  ? 2
+                  : size >= 1   ? 3
+                                : 4,
+                  value);
+  return text.data();
+}
+
+std::string number_beside(double value, double limit) {
+  if (value == limit || !std::isfinite(value) || !std::isfinite(limit) ||
+      short_number(value) != short_number(limit))
+    return short_number(value);
+  for (int digits = 4; digits < 16; ++digits) {
+    std::array<char, 40> text{}, other{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+    std::snprintf(other.data(), other.size(), "%.*f", digits, limit);
+    if (std::string(text.data()) != other.data()) return text.data();
+  }
+  return short_number(value);
+}
+
+std::string bytes_text(std::size_t bytes) {
+  constexpr std::array<const char*, 4> units{"B", "kB", "MB", "GB"};
+  double value = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  while (value >= 1000 && unit + 1 < units.size()) {
+    value /= 1000;
+    ++unit;
+  }
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), value < 10 && unit > 0 ? "%.1f %s" : "%.0f %s", value, units[unit]);
+  return text.data();
+}
+
+} // namespace isoscope

@@ -1,0 +1,176 @@
+// The file browser.
+#include "ui/icons.h"
+#include "model/words.h"
+#include "app/overlays.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+namespace isoscope {
+namespace {
+
+/// What a chosen file is opened by.
+const char* open_command(const Ui& ui) {
+  return ui.model.files_beside ? "open-beside" : "open";
+}
+
+namespace fs = std::filesystem;
+constexpr std::size_t entry_limit = 20000;
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool is_model(const std::string& name) {
+  const std::string end = lower(fs::path(name).extension().string());
+  return end == ".off" || end == ".obj" || end == ".ply" || end == ".stl" || end == ".json" ||
+         end == ".isorun";
+}
+
+void store(std::array<char, 1024>& out, const std::string& text) {
+  out.fill(0);
+  std::memcpy(out.data(), text.data(), std::min(text.size(), out.size() - 1));
+}
+
+} // namespace
+
+void FileBrowser::go(const fs::path& folder) {
+  std::error_code error;
+  std::vector<Entry> found;
+  for (fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
+       !error && it != end && found.size() < entry_limit; it.increment(error)) {
+    Entry entry;
+    std::error_code ignored;
+    entry.name = it->path().filename().string();
+    entry.folder = it->is_directory(ignored);
+    if (entry.name.starts_with('.') || (!entry.folder && !is_model(entry.name))) continue;
+    if (!entry.folder) entry.bytes = it->file_size(ignored);
+    found.push_back(std::move(entry));
+  }
+  trouble_ = error ? folder.string() + " cannot be read: " + error.message() + "." : "";
+  if (error) return;
+  std::sort(found.begin(), found.end(), [](const Entry& a, const Entry& b) {
+    return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+  });
+  entries_ = std::move(found);
+  folder_ = folder;
+  store(path_, folder.string());
+  filter_.fill(0);
+}
+
+void FileBrowser::sidebar(Ui& ui, float width) {
+  ImGui::BeginChild("places", {width, 0});
+  const auto place = [&](const char* glyph, const std::string& name, const fs::path& target) {
+    if (ImGui::Selectable((std::string(glyph) + "   " + name).c_str(), folder_ == target, 0, {0, ui.px(24)}))
+      go(target);
+  };
+  widgets::quiet_text(ui, "Places");
+  if (const char* home = std::getenv("HOME")) place(icon::home, "Home", home);
+  std::error_code ignored;
+  place(icon::folder, "Working folder", fs::current_path(ignored));
+  place(icon::disk, "Computer", "/");
+  ImGui::Dummy({0, ui.px(8)});
+  widgets::quiet_text(ui, "Recent");
+  for (const std::string& file : ui.model.settings.recent) {
+    ImGui::PushID(file.c_str());
+    if (ImGui::Selectable((std::string(icon::history) + "   " + fs::path(file).filename().string()).c_str(),
+                          false, 0, {0, ui.px(24)}))
+      ui.commands.post(open_command(ui), {file});
+    widgets::tip(ui, {}, file);
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+}
+
+void FileBrowser::listing(Ui& ui) {
+  ImGui::BeginChild("entries", {0, 0});
+  fs::path next;
+  const std::string part = lower(filter_.data());
+  std::vector<const Entry*> shown;
+  for (const Entry& entry : entries_)
+    if (lower(entry.name).find(part) != std::string::npos) shown.push_back(&entry);
+  const float high = ui.px(26);
+  ImGuiListClipper clipper;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  clipper.Begin(static_cast<int>(shown.size()), high);
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const Entry& entry = *shown[static_cast<std::size_t>(i)];
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      const float width = ImGui::GetContentRegionAvail().x;
+      ImGui::PushID(i);
+      const bool pressed = ImGui::InvisibleButton("entry", {std::max(width, 1.0f), high});
+      ImGui::PopID();
+      ImDrawList& list = *ImGui::GetWindowDrawList();
+      if (ImGui::IsItemHovered())
+        list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover), ui.px(5));
+      const float y = at.y + (high - ui.fonts.ui->FontSize) / 2;
+      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(10), y},
+                         to_u32(entry.folder ? ui.colors.accent_text : ui.colors.quiet),
+                         entry.folder ? icon::folder : icon::cube);
+      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(36), y}, to_u32(ui.colors.text),
+                         widgets::fitted(entry.name, width - ui.px(140)));
+      if (!entry.folder) {
+        const std::string size = bytes_text(entry.bytes);
+        const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, size.c_str()).x;
+        widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(10), y},
+                           to_u32(ui.colors.quiet), size);
+      }
+      if (!pressed) continue;
+      if (entry.folder)
+        next = folder_ / entry.name;
+      else
+        ui.commands.post(open_command(ui), {(folder_ / entry.name).string()});
+    }
+  ImGui::PopStyleVar();
+  if (shown.empty()) widgets::quiet_text(ui, "No models here: OFF, OBJ, PLY, STL, or a view as JSON.");
+  ImGui::EndChild();
+  if (!next.empty()) go(next);
+}
+
+void FileBrowser::draw(Ui& ui) {
+  AppModel& m = ui.model;
+  if (std::exchange(fresh_, false)) {
+    std::error_code ignored;
+    go(m.settings.last_folder.empty() ? fs::current_path(ignored) : fs::path(m.settings.last_folder));
+    if (folder_.empty()) go("/");
+  }
+  m.settings.last_folder = folder_.string();
+  ImGui::PushFont(ui.fonts.title);
+  ImGui::TextUnformatted(m.files_beside ? "Open beside" : "Open");
+  ImGui::PopFont();
+  ImGui::SameLine();
+  ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - ui.px(28), ui.px(14)});
+  if (widgets::icon_button(ui, "close", icon::close)) ui.commands.post("clear");
+  if (widgets::icon_button(ui, "up", icon::level_up, false, folder_.has_parent_path()))
+    go(folder_.parent_path());
+  widgets::tip(ui, "To the folder above");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ui.px(210));
+  if (ImGui::InputTextWithHint("##path", "a path", path_.data(), path_.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue)) {
+    std::error_code ignored;
+    if (fs::is_directory(path_.data(), ignored))
+      go(path_.data());
+    else
+      ui.commands.post(open_command(ui), {path_.data()});
+  }
+  widgets::tip(ui, "Path", "Type a folder or a model and press Enter.");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##filter", (std::string(icon::search) + "  filter").c_str(), filter_.data(),
+                           filter_.size());
+  if (!trouble_.empty()) ImGui::TextColored(to_vec(ui.colors.warning_text), "%s", trouble_.c_str());
+  ImGui::Dummy({0, ui.px(4)});
+  sidebar(ui, ui.px(210));
+  ImGui::SameLine(0, ui.px(14));
+  listing(ui);
+}
+
+} // namespace isoscope

@@ -1,0 +1,170 @@
+// The line at the bottom and the messages over the view.
+#include "ui/icons.h"
+#include "model/words.h"
+#include "app/panels.h"
+#include "ui/widgets.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+
+namespace isoscope::panels {
+namespace {
+
+std::string phase_text(const AppModel& m) {
+  switch (m.run.phase) {
+  case SessionPhase::idle:
+    return "no run";
+  case SessionPhase::preparing:
+    return "preparing " + m.run.part;
+  case SessionPhase::running:
+    return m.run.part.empty() ? "running" : "running: " + m.run.part;
+  case SessionPhase::paused:
+    return m.run.pause_note.empty() ? "held" : "held: " + m.run.pause_note;
+  case SessionPhase::following:
+    return "following";
+  case SessionPhase::finished:
+    if (m.run.recording && m.run.recording->cut_short) return "ended without finishing";
+    return !m.run.result                       ? "finished"
+           : m.run.result->certificate.holds() ? "finished, certified"
+                                               : "finished, not certified";
+  case SessionPhase::failed:
+    return "failed";
+  }
+  return {};
+}
+
+/// The operation in a word or three.
+std::string operation_words(const Event& e) {
+  switch (e.kind) {
+  case EventKind::insertion:
+    return "insertion for " + std::string(condition_title(e.condition));
+  case EventKind::collapse:
+    return "collapse: " + std::string(reason_style(e.reason).title);
+  case EventKind::repair:
+    return "collapse with repair";
+  case EventKind::relaxation:
+    return "relocation sweep";
+  case EventKind::shake:
+    return "shake";
+  case EventKind::tessellation:
+    return "mutual tessellation";
+  case EventKind::departure:
+    return "Z leaves T";
+  default:
+    return std::string(name(e.kind));
+  }
+}
+
+/// "records torus.isorun 1.2 MB"
+std::string recording_text(const RecordingState& r) {
+  const char* verb = r.error ? "stopped " : r.opened ? "reads " : "records ";
+  return std::string(icon::record) + " " + verb + r.file.filename().string() + " " + bytes_text(r.bytes);
+}
+
+/// Operations a second over the last tenth of the run.
+std::string rate_text(const AppModel& m) {
+  if (!m.run.journal || m.run.journal->operations().size() < 20) return {};
+  const auto& operations = m.run.journal->operations();
+  const std::size_t last = operations.size() - 1,
+                    first = last - std::min<std::size_t>(last, std::max<std::size_t>(20, last / 10));
+  const auto& seconds_by_step = m.index.values(Figure::seconds);
+  if (seconds_by_step.size() <= last) return {};
+  const double seconds = static_cast<double>(seconds_by_step[last] - seconds_by_step[first]);
+  if (!(seconds > 0)) return {};
+  const double rate = static_cast<double>(last - first) / seconds;
+  return rate >= 1000 ? short_number(rate / 1000) + " k ops/s" : short_number(rate) + " ops/s";
+}
+
+} // namespace
+
+void status_bar(Ui& ui) {
+  const AppModel& m = ui.model;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2;
+  float x = low.x + ui.px(12);
+  const float end = low.x + size.x - ui.px(12);
+  const auto put = [&](std::string_view s, Rgb color, bool separator = true) {
+    if (s.empty()) return;
+    const float width =
+        ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, s.data(), s.data() + s.size()).x;
+    if (x + width > end) return;
+    if (separator) {
+      list.AddCircleFilled({x + ui.px(2), low.y + size.y / 2}, ui.px(1.5f), to_u32(ui.colors.quiet, 0.7f), 8);
+      x += ui.px(12);
+    }
+    widgets::draw_text(list, ui.fonts.small, {x, y}, to_u32(color), s);
+    x += width + ui.px(8);
+  };
+  put("step " + grouped(m.transport.step()) + " of " + grouped(m.live_step()), ui.colors.text, false);
+  const bool failed =
+      m.run.phase == SessionPhase::failed ||
+      (m.run.phase == SessionPhase::finished && m.run.result && !m.run.result->certificate.holds());
+  const auto shown = m.state();
+  if (shown && shown->event) {
+    put(std::string(stage_title(shown->event->stage)), stage_color(ui.theme, shown->event->stage));
+    put(operation_words(*shown->event), ui.colors.text);
+  }
+  put(phase_text(m), failed ? ui.colors.warning_text : ui.colors.quiet);
+  if (const auto state = m.state()) {
+    if (state->complex.form == ZeroForm::interpolated)
+      put(grouped(state->bad_samples) + " bad of " + grouped(state->samples ? state->samples->size() : 0) +
+              " samples",
+          state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+    put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
+  }
+  put(rate_text(m), ui.colors.quiet);
+  if (m.run.journal) {
+    const AppModel::HistoryMemory h = m.history_memory();
+    const bool over = h.journal > h.limit;
+    put((over ? std::string(icon::warning) + " " : "") + "history " + bytes_text(h.bytes()) + " of " +
+            bytes_text(h.limit) + (h.disk > 0 ? ", " + bytes_text(h.disk) + " on disk" : ""),
+        over ? ui.colors.warning_text : ui.colors.quiet);
+  }
+  if (m.run.recording)
+    put(recording_text(*m.run.recording),
+        m.run.recording->error || m.run.recording->cut_short ? ui.colors.warning_text : ui.colors.quiet);
+  if (m.run.scene && !m.run.scene->warnings.empty())
+    put(std::string(icon::warning) + " " + grouped(m.run.scene->warnings.size()) +
+            (m.run.scene->warnings.size() == 1 ? " warning" : " warnings"),
+        ui.colors.warning_text);
+  if (m.run.scene) put(m.run.scene->thickening_note, ui.colors.warning_text);
+}
+
+void messages(Ui& ui, ImVec2 low, float width) {
+  AppModel& m = ui.model;
+  float y = low.y;
+  for (std::size_t i = 0; i < m.messages.size(); ++i) {
+    const Message message = m.messages[i];
+    const std::string name = "##message" + std::to_string(i);
+    ImGui::SetNextWindowPos({low.x, y});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12), ui.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(7));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(ui.colors.raised));
+    ImGui::Begin(name.c_str(), nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    const Rgb color = message.error ? ui.colors.bad_text : ui.colors.accent_text;
+    ImGui::TextColored(to_vec(color), "%s", message.error ? icon::error : icon::info);
+    ImGui::SameLine(0, ui.px(10));
+    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(width - ui.px(52));
+    ImGui::TextUnformatted(message.text.c_str());
+    if (!message.remedy.empty()) widgets::quiet_text(ui, message.remedy);
+    ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
+    ImGui::SetCursorPos({width - ui.px(38), ui.px(4)});
+    const bool closed = widgets::icon_button(ui, "close", icon::close);
+    y += ImGui::GetWindowHeight() + ui.px(6);
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+    if (closed) {
+      m.messages.erase(m.messages.begin() + static_cast<std::ptrdiff_t>(i));
+      break;
+    }
+  }
+}
+
+} // namespace isoscope::panels

@@ -1,0 +1,237 @@
+// The bar on top: menus, the model and δ, stage chips, transport, LIVE.
+#include "ui/icons.h"
+#include "model/words.h"
+#include "app/panels.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <array>
+
+namespace isoscope::panels {
+namespace {
+
+constexpr std::array<const char*, 7> menu_names{"File", "Run", "Select", "View", "Talk", "Window", "Help"};
+
+void menu_entry(Ui& ui, const Command& command) {
+  const bool enabled = command.enabled == nullptr || command.enabled(ui.model);
+  const bool checked = command.checked != nullptr && command.checked(ui.model);
+  const std::string key = command.keys.empty() ? "" : text(command.keys.front());
+  if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str(), checked, enabled))
+    ui.commands.post(std::string(command.name));
+  widgets::tip(ui, {}, command.help);
+}
+
+void recent_files(Ui& ui) {
+  const auto& recent = ui.model.settings.recent;
+  if (!ImGui::BeginMenu("Recent", !recent.empty())) return;
+  for (const std::string& file : recent)
+    if (ImGui::MenuItem(file.c_str())) ui.commands.post("open", {file});
+  ImGui::EndMenu();
+}
+
+void menus(Ui& ui) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
+  for (const char* name : menu_names) {
+    const ImVec2 extent = widgets::text_size(name), at = ImGui::GetCursorScreenPos();
+    const float width = extent.x + ui.px(16), high = ui.px(28);
+    ImGui::PushID(name);
+    const bool pressed = ImGui::InvisibleButton("menu", {width, high});
+    const bool open = ImGui::IsPopupOpen("entries"), hovered = ImGui::IsItemHovered();
+    if (pressed) ImGui::OpenPopup("entries");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (open || hovered)
+      list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover), ui.px(5));
+    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(8), at.y + (high - extent.y) / 2},
+                       to_u32(ui.colors.text, 0.92f), name);
+    ImGui::SetNextWindowPos({at.x, at.y + high + ui.px(4)});
+    if (ImGui::BeginPopup("entries")) {
+      for (const Command& command : command_table()) {
+        if (command.menu != name) continue;
+        menu_entry(ui, command);
+        if (command.name == "gallery") recent_files(ui);
+      }
+      ImGui::EndPopup();
+    }
+    ImGui::PopID();
+    ImGui::SameLine(0, 0);
+  }
+  ImGui::PopStyleVar();
+}
+
+/// Returns the width it took.
+void model_name(Ui& ui, float room) {
+  const AppModel& m = ui.model;
+  std::string name = m.run.scene && m.run.scene->input ? m.run.scene->input->name : m.run.parameters.input;
+  if (name.empty()) name = "no model";
+  const std::string delta = m.run.parameters.input.empty() ? "" : "δ " + m.run.parameters.tolerance.text();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushFont(ui.fonts.mono);
+  const float delta_width = widgets::text_size(delta).x;
+  ImGui::PopFont();
+  ImGui::PushFont(ui.fonts.bold);
+  name = widgets::fitted(name, std::max(room - delta_width - ui.px(8), ui.px(40)));
+  const ImVec2 extent = widgets::text_size(name);
+  ImGui::PopFont();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float high = ui.px(28);
+  widgets::draw_text(list, ui.fonts.bold, {at.x, at.y + (high - extent.y) / 2}, to_u32(ui.colors.text), name);
+  widgets::draw_text(list, ui.fonts.mono,
+                     {at.x + extent.x + ui.px(8), at.y + (high - ui.fonts.mono->FontSize) / 2},
+                     to_u32(ui.colors.quiet), delta);
+  ImGui::InvisibleButton("model", {extent.x + delta_width + ui.px(8), high});
+  widgets::tip(ui, m.run.parameters.input,
+               "δ is the tolerance: half the thickness of Ω, in percent of the longest edge of the input's "
+               "bounding box or as a length. §2.1");
+  ImGui::SameLine(0, ui.px(14));
+}
+
+enum class ChipState { left_out, next, running, done };
+
+ChipState chip_state(const AppModel& m, Stage stage) {
+  const RunParameters& p = m.run.parameters;
+  const bool asked = stage <= p.last_stage() && !p.skipped.at(static_cast<std::size_t>(stage));
+  ChipState state = asked ? ChipState::next : ChipState::left_out;
+  for (const JournalIndex::StageSpan& span : m.index.stages())
+    if (span.stage == stage)
+      state = span.open && m.run.phase != SessionPhase::finished ? ChipState::running : ChipState::done;
+  return state;
+}
+
+/// The stages; those that no longer fit are left out.
+void stage_chips(Ui& ui, float room) {
+  constexpr std::array<Stage, 6> stages{Stage::refinement, Stage::gamma, Stage::tessellation,
+                                        Stage::zero_set,   Stage::all,   Stage::improve};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float high = ui.px(28), pad = ui.px(7);
+  float used = 0;
+  const auto state_shown = ui.model.state();
+  const Stage shown = state_shown && state_shown->event ? state_shown->event->stage : Stage::setup;
+  ImGui::PushFont(ui.fonts.small);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const ChipState state = chip_state(ui.model, stages[i]);
+    std::string label(stage_title(stages[i]));
+    if (state == ChipState::done) label = std::string(icon::check) + " " + label;
+    const ImVec2 extent = widgets::text_size(label), at = ImGui::GetCursorScreenPos();
+    const float width = extent.x + 2 * pad + (i > 0 ? ui.px(12) : 0);
+    used += width;
+    if (used > room) break;
+    float x = at.x;
+    if (i > 0) {
+      widgets::draw_text(list, ui.fonts.small, {x + ui.px(3), at.y + (high - extent.y) / 2},
+                         to_u32(ui.colors.quiet, 0.6f), icon::right);
+      x += ui.px(12);
+    }
+    ImGui::PushID(static_cast<int>(i));
+    const bool begun = state == ChipState::running || state == ChipState::done;
+    if (ImGui::InvisibleButton("stage", {width, high}) && (begun || state == ChipState::next))
+      ui.commands.post("stage", {std::string(name(stages[i]))});
+    const bool hovered = ImGui::IsItemHovered();
+    ImGui::PopID();
+    const ImVec2 low{x, at.y + ui.px(4)}, end{x + extent.x + 2 * pad, at.y + high - ui.px(4)};
+    // The stage of the step shown is outlined, the one that the run works at is filled.
+    if (state == ChipState::running)
+      list.AddRectFilled(low, end, to_u32(ui.colors.accent, 0.22f), ui.px(10));
+    else if (hovered && begun)
+      list.AddRectFilled(low, end, to_u32(ui.colors.hover), ui.px(10));
+    if (shown == stages[i])
+      list.AddRect(low, end, to_u32(stage_color(ui.theme, stages[i])), ui.px(10), 0, ui.px(1.2f));
+    const Rgb color = state == ChipState::running ? ui.colors.accent_text
+                      : state == ChipState::done  ? ui.colors.good_text
+                                                  : ui.colors.quiet;
+    widgets::draw_text(list, ui.fonts.small, {x + pad, at.y + (high - extent.y) / 2},
+                       to_u32(color, state == ChipState::left_out ? 0.5f : 1.0f), label);
+    widgets::tip(ui, "Stage: " + std::string(stage_title(stages[i])),
+                 std::string(stage_help(stages[i])) +
+                     (state == ChipState::running ? " Under way; click for its beginning."
+                      : state == ChipState::done  ? " Done; click for its beginning."
+                      : state == ChipState::next  ? " Not begun; a click lets a held run go on until it does."
+                                                  : " Left out of this run."));
+    ImGui::SameLine(0, 0);
+  }
+  ImGui::PopFont();
+}
+
+void speed_menu(Ui& ui) {
+  const float width = ui.px(62), high = ui.px(28);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("speed", {width, high})) ImGui::OpenPopup("speeds");
+  widgets::tip(
+      ui, "Speed   , and .",
+      "Operations that the play head shows in a second; auto tells a whole run in about ten seconds.");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({at.x, at.y + ui.px(1)}, {at.x + width, at.y + high - ui.px(1)},
+                     to_u32(ImGui::IsItemHovered() ? ui.colors.hover : ui.colors.raised), ui.px(5));
+  widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(8), at.y + (high - ui.fonts.mono->FontSize) / 2},
+                     to_u32(ui.colors.text), widgets::speed_text(ui.model.transport.speed()));
+  widgets::draw_text(list, ui.fonts.ui, {at.x + width - ui.px(16), at.y + (high - ui.fonts.ui->FontSize) / 2},
+                     to_u32(ui.colors.quiet), icon::down);
+  ImGui::SetNextWindowPos({at.x, at.y + high + ui.px(4)});
+  if (ImGui::BeginPopup("speeds")) {
+    for (const double speed : Transport::speeds())
+      if (ImGui::MenuItem((widgets::speed_text(speed) + "##" + std::to_string(speed)).c_str(), nullptr,
+                          speed == ui.model.transport.speed()))
+        ui.model.transport.set_speed(speed);
+    ImGui::EndPopup();
+  }
+}
+
+void live_badge(Ui& ui, float width) {
+  const AppModel& m = ui.model;
+  const bool following =
+      m.transport.mode() == Transport::Mode::following && m.transport.at_live_end(m.live_step());
+  const float high = ui.px(28);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("live", {width, high})) ui.commands.post("end");
+  widgets::tip(ui, "Follow the live end   End", "Lit while the step shown is the newest one.");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 low{at.x, at.y + ui.px(4)}, end{at.x + width, at.y + high - ui.px(4)};
+  const bool live = following && m.running();
+  if (live)
+    list.AddRectFilled(low, end, to_u32(ui.colors.good, 0.28f), ui.px(10));
+  else
+    list.AddRect(low, end, to_u32(ui.colors.line), ui.px(10));
+  const Rgb color = live ? ui.colors.good_text : following ? ui.colors.text : ui.colors.quiet;
+  list.AddCircleFilled({at.x + ui.px(13), at.y + high / 2}, ui.px(3.5f), to_u32(color), 16);
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(color), "LIVE");
+}
+
+void transport(Ui& ui) {
+  const AppModel& m = ui.model;
+  widgets::command_button(ui, "first");
+  ImGui::SameLine(0, ui.px(2));
+  widgets::command_button(ui, "back");
+  ImGui::SameLine(0, ui.px(2));
+  widgets::command_button(ui, "play", m.playing() ? icon::pause : icon::play);
+  ImGui::SameLine(0, ui.px(2));
+  widgets::command_button(ui, "step");
+  ImGui::SameLine(0, ui.px(2));
+  widgets::command_button(ui, "next-change");
+  ImGui::SameLine(0, ui.px(2));
+  widgets::command_button(ui, "end");
+  ImGui::SameLine(0, ui.px(8));
+  speed_menu(ui);
+  ImGui::SameLine(0, ui.px(8));
+  live_badge(ui, ui.px(58));
+}
+
+} // namespace
+
+void top_bar(Ui& ui) {
+  const float transport_width = ui.px(6 * 28 + 5 * 2 + 8 + 62 + 8 + 58);
+  const float right = ImGui::GetWindowWidth() - ui.px(10) - transport_width;
+  const float y = ui.px(6);
+  ImGui::SetCursorPos({ui.px(8), y});
+  menus(ui);
+  float x = ImGui::GetCursorPosX() + ui.px(10);
+  const float room = right - x - ui.px(12);
+  ImGui::SetCursorPos({x, y});
+  model_name(ui, std::min(room * 0.5f, ui.px(260)));
+  x = ImGui::GetCursorPosX();
+  ImGui::SetCursorPos({x, y});
+  stage_chips(ui, right - x - ui.px(10));
+  ImGui::SetCursorPos({right, y});
+  transport(ui);
+}
+
+} // namespace isoscope::panels

@@ -1,0 +1,235 @@
+// The plots: vertices of Z with stage marks (Figure 21), tetrahedra, rejections by reason, figures of the
+// refinement; over steps or seconds.
+#include "model/words.h"
+#include "timeline/timeline_panel.h"
+#include "ui/widgets.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isoscope {
+
+struct TimelinePane::Plot {
+  const char* name;
+  Figure figure;
+  Rgb color;
+  bool whole; ///< a count
+  const char* unit;
+  float weight;       ///< of its width
+  bool ruled = false; ///< with lines and numbers of the axis
+};
+
+namespace {
+
+constexpr float title_high = 24;
+constexpr double decade = 10;
+
+/// A vertical axis, logarithmic where the values span more than a decade.
+struct Axis {
+  double least = 0, most = 1;
+  bool logarithmic = false;
+  double shown(double v) const { return logarithmic ? std::log10(std::max(v, 1e-3)) : v; }
+  float y(double v, float top, float bottom) const {
+    const double reach = std::max(shown(most) - shown(least), 1e-9);
+    const double part = std::clamp((shown(v) - shown(least)) / reach, 0.0, 1.0);
+    return bottom - static_cast<float>(part) * (bottom - top);
+  }
+};
+
+Axis axis_for(double least, double most) {
+  Axis axis{least, most, least > 0 && most / least > decade};
+  if (!axis.logarithmic && least > 0 && least < 0.5 * most) axis.least = 0;
+  return axis;
+}
+
+} // namespace
+
+double TimelinePane::part_of(double step) const {
+  if (seconds_ == nullptr || seconds_->empty())
+    return (step - range_.begin) / std::max(range_.end - range_.begin, 1e-9);
+  // seconds[k] is the time after operation k, that is at step k + 1.
+  const auto time = [&](double s) {
+    const auto k = static_cast<std::size_t>(std::clamp(s, 0.0, static_cast<double>(seconds_->size())));
+    return k == 0 ? 0.0 : static_cast<double>((*seconds_)[k - 1]);
+  };
+  const double begin = time(range_.begin), end = time(range_.end);
+  return (time(step) - begin) / std::max(end - begin, 1e-9);
+}
+
+double TimelinePane::from_part(double part) const {
+  if (seconds_ == nullptr || seconds_->empty()) return range_.begin + part * (range_.end - range_.begin);
+  double low = range_.begin, high = range_.end;
+  while (high - low > 0.5) {
+    const double middle = 0.5 * (low + high);
+    (part_of(middle) < part ? low : high) = middle;
+  }
+  return high;
+}
+
+void TimelinePane::axis_switch(Ui& ui, float left, float y) {
+  constexpr std::array<const char*, 2> labels{"steps", "seconds"};
+  const float width = ui.px(150), right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (right - width < left) return;
+  const ImVec2 before = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos({right - width, y});
+  int chosen = ui.model.plot_time ? 1 : 0;
+  ImGui::PushFont(ui.fonts.small);
+  if (widgets::segmented(ui, "axis", labels, chosen, width)) ui.model.plot_time = chosen == 1;
+  ImGui::PopFont();
+  ImGui::SetCursorScreenPos(before);
+}
+
+void TimelinePane::stage_marks(const Ui& ui, ImVec2 low, ImVec2 size, bool named) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  float free_from = low.x;
+  for (const JournalIndex::StageSpan& span : ui.model.index.stages()) {
+    const float x = std::round(low.x + static_cast<float>(part_of(span.begin)) * size.x);
+    if (x < low.x || x > low.x + size.x) continue;
+    const Rgb color = stage_color(ui.theme, span.stage);
+    list.AddLine({x, low.y}, {x, low.y + size.y}, to_u32(color, 0.75f), ui.px(1));
+    const std::string_view title = stage_title(span.stage);
+    const float extent =
+        ui.fonts.small
+            ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, title.data(), title.data() + title.size())
+            .x;
+    if (!named || span.end <= span.begin + 1 || x + ui.px(3) < free_from ||
+        x + extent + ui.px(4) > low.x + size.x)
+      continue;
+    widgets::draw_text(list, ui.fonts.small, {x + ui.px(3), low.y + size.y - ui.px(16)},
+                       to_u32(ui.colors.quiet), title);
+    free_from = x + extent + ui.px(8);
+  }
+}
+
+void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2 size) const {
+  const AppModel& m = ui.model;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::vector<float>& values = m.index.values(plot.figure);
+  const float top = low.y + ui.px(title_high), bottom = low.y + size.y - ui.px(plot.ruled ? 18 : 6);
+  const auto first = static_cast<std::size_t>(range_.begin);
+  const std::size_t last = std::min(values.size(), static_cast<std::size_t>(range_.end) + 1);
+  // T is gone once Z has left it, and with it what is measured on it.
+  const auto absent = [&](std::size_t k) {
+    return plot.figure != Figure::zero_set_vertices && m.index.stage(static_cast<Step>(k)) == Stage::improve;
+  };
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t k = first; k < last; ++k)
+    if (std::isfinite(values[k]) && (plot.whole || values[k] > 0) && !absent(k)) {
+      least = std::min(least, static_cast<double>(values[k]));
+      most = std::max(most, static_cast<double>(values[k]));
+    }
+  if (last <= first || most < least) return;
+  const Axis axis = axis_for(std::max(least, plot.whole ? 1.0 : 1e-3), std::max(most, 1e-3));
+  if (plot.ruled && axis.logarithmic)
+    for (double d = std::pow(decade, std::ceil(std::log10(axis.least))); d <= axis.most; d *= decade) {
+      const float y = axis.y(d, top, bottom);
+      list.AddLine({low.x, y}, {low.x + size.x, y}, to_u32(ui.colors.line));
+      widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(4), y - ui.px(15)},
+                         to_u32(ui.colors.quiet, 0.8f), grouped(static_cast<std::size_t>(d)));
+    }
+  // Two values a pixel pair where steps are dense, each step once where they are not.
+  const auto columns = static_cast<std::size_t>(size.x);
+  std::vector<ImVec2> line;
+  const std::size_t stride = std::max<std::size_t>(1, (last - first) / std::max<std::size_t>(2 * columns, 1));
+  for (std::size_t k = first; k < last; k += stride) {
+    if (!std::isfinite(values[k]) || absent(k)) continue;
+    const float x = low.x + static_cast<float>(part_of(static_cast<double>(k + 1))) * size.x;
+    line.push_back({x, axis.y(static_cast<double>(values[k]), top, bottom)});
+  }
+  list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(plot.color), 0, ui.px(1.6f));
+  const Step step = m.transport.step();
+  if (step == 0 || step > values.size()) return;
+  const auto number = static_cast<double>(values[step - 1]);
+  const std::string value =
+      (plot.whole ? grouped(static_cast<std::size_t>(number)) : short_number(number)) + plot.unit;
+  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  widgets::draw_text(list, ui.fonts.mono, {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)},
+                     to_u32(plot.color), value);
+}
+
+// How many edges each reason has rejected so far; all on one logarithmic axis.
+void TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const {
+  const JournalIndex& index = ui.model.index;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float top = low.y + ui.px(title_high), bottom = low.y + size.y - ui.px(6);
+  std::uint32_t most = 1, all = 0;
+  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
+    most = std::max(most, index.rejections(static_cast<Reason>(r), 0, index.steps() + 1));
+    all += index.rejections(static_cast<Reason>(r), 0, ui.model.transport.step() + 1);
+  }
+  const Axis axis{1, static_cast<double>(std::max(most, 2u)), most > decade};
+  const int columns = std::max(2, static_cast<int>(size.x / ui.px(2)));
+  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
+    const auto reason = static_cast<Reason>(r);
+    if (index.rejections(reason).empty()) continue;
+    std::vector<ImVec2> line;
+    for (int i = 0; i <= columns; ++i) {
+      const double part = static_cast<double>(i) / columns;
+      const auto step = static_cast<Step>(std::max(from_part(part), 0.0));
+      const auto n = index.rejections(reason, 0, step + 1);
+      if (n == 0) continue;
+      line.push_back({low.x + static_cast<float>(part) * size.x, axis.y(n, top, bottom)});
+    }
+    if (line.size() > 1)
+      list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(reason_style(reason).color), 0,
+                       ui.px(1.5f));
+    if (!line.empty())
+      widgets::glyph(ui, {std::min(line.back().x, low.x + size.x - ui.px(6)), line.back().y}, 4,
+                     reason_style(reason).color, reason_style(reason).shape);
+  }
+  const std::string value = grouped(all);
+  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  widgets::draw_text(list, ui.fonts.mono, {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)},
+                     to_u32(ui.colors.text), value);
+}
+
+void TimelinePane::plots(Ui& ui) {
+  const AppModel& m = ui.model;
+  seconds_ = m.plot_time ? &m.index.values(Figure::seconds) : nullptr;
+  std::vector<Plot> all{{"vertices of Z", Figure::zero_set_vertices, ui.colors.text, true, "", 2.2f, true},
+                        {"tetrahedra", Figure::tets, ui.colors.accent_text, true, "", 1},
+                        {"bad samples", Figure::bad_samples, ui.colors.bad_text, true, "", 1},
+                        {"largest ε", Figure::largest_error, ui.colors.warning_text, false, "", 1},
+                        {"smallest height", Figure::smallest_height, ui.colors.good_text, false, " δ", 1}};
+  bool rejections = false;
+  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r)
+    rejections = rejections || !m.index.rejections(static_cast<Reason>(r)).empty();
+  if (rejections) all.pop_back(); // heights belong to the refinement alone
+  constexpr float rejection_weight = 1.7f;
+  float weights = rejections ? rejection_weight : 0;
+  for (const Plot& plot : all) weights += plot.weight;
+  const std::size_t cards = all.size() + (rejections ? 1 : 0);
+  const ImVec2 origin = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  const float gap = ui.px(8), unit = (room.x - static_cast<float>(cards - 1) * gap) / weights;
+  if (unit < ui.px(50) || room.y < ui.px(40)) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  float x = origin.x;
+  const auto card = [&](const char* name, float weight, bool named, auto&& draw) {
+    const ImVec2 low{x, origin.y}, size{weight * unit, room.y}, high{low.x + size.x, low.y + size.y};
+    ImGui::PushID(name);
+    scrub(ui, "plot", low, size);
+    ImGui::PopID();
+    list.AddRectFilled(low, high, to_u32(ui.colors.ground, 0.6f), ui.px(5));
+    list.PushClipRect(low, high, true);
+    stage_marks(ui, {low.x, low.y + ui.px(20)}, {size.x, size.y - ui.px(20)}, named);
+    draw(low, size);
+    const float head = std::round(low.x + static_cast<float>(part_of(m.transport.step())) * size.x);
+    list.AddLine({head, low.y + ui.px(20)}, {head, high.y}, to_u32(ui.colors.selection), ui.px(1.5f));
+    widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(10), low.y + ui.px(5)}, to_u32(ui.colors.quiet),
+                       name);
+    list.PopClipRect();
+    x = high.x + gap;
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    card(all[i].name, all[i].weight, all[i].ruled,
+         [&](ImVec2 low, ImVec2 size) { plot_curve(ui, all[i], low, size); });
+    if (rejections && i == 1)
+      card("edges that stayed, by reason", rejection_weight, false,
+           [&](ImVec2 low, ImVec2 size) { plot_rejections(ui, low, size); });
+  }
+  seconds_ = nullptr;
+}
+
+} // namespace isoscope

@@ -1,0 +1,87 @@
+// Which lanes there are.
+#include "timeline/timeline_lanes.h"
+
+#include "model/words.h"
+#include "timeline/timeline_panel.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace isoscope {
+namespace {
+
+struct KindLane {
+  EventKind kind;
+  std::string_view title, help;
+  Rgb color;
+  MarkerShape shape;
+};
+constexpr std::array<KindLane, 4> kinds{
+    {{EventKind::collapse, "collapses", "Edges that were collapsed. §2.4", 0x009E73, MarkerShape::disc},
+     {EventKind::relaxation, "relocation sweeps", "Sweeps of relocations and flips over Z.", 0x3D8FD1,
+      MarkerShape::diamond},
+     {EventKind::repair, "collapses with repair",
+      "Edges that were collapsed with their neighbourhood repaired.", 0xD9A02B, MarkerShape::triangle},
+     {EventKind::shake, "shakes", "Edges of Z flipped against the energy, to leave a minimum.", 0xCC79A7,
+      MarkerShape::square}}};
+
+} // namespace
+
+std::vector<TimelineLane> timeline_lanes(const AppModel& model, ThemeKind theme, std::size_t most) {
+  const JournalIndex& index = model.index;
+  const auto& range = model.debug.range;
+  const Step begin = range ? range->begin : 0;
+  // Rejections after the last operation have a step of their own.
+  const Step end = range ? std::min(range->end, index.steps()) + 1 : index.steps() + 1;
+  const Step operations_end = std::max(begin, std::min(end, index.steps()));
+  std::vector<TimelineLane> filters;
+  for (std::size_t i = 0; i < model.debug.lanes.size(); ++i) {
+    const FilteredEvents& lane = model.debug.lanes[i];
+    filters.push_back({model.settings.filters[i], "A saved filter of the events.", lane_color(i),
+                       MarkerShape::square, true, lane.count(begin, end),
+                       [&lane](Step a, Step b) { return lane.count(a, b); }, lane_letter(i)});
+  }
+  std::vector<TimelineLane> lanes;
+  const auto conditions = index.counts(std::min(begin, index.steps()), operations_end);
+  for (std::size_t c = 1; c < conditions.size(); ++c)
+    lanes.push_back({std::string(condition_title(static_cast<Condition>(c))),
+                     "Points inserted for this condition. §2.3",
+                     condition_color(theme, static_cast<int>(c)),
+                     MarkerShape::square,
+                     false,
+                     conditions[c],
+                     [&index, c](Step a, Step b) { return index.counts(a, b)[c]; },
+                     {}});
+  for (const KindLane& k : kinds)
+    lanes.push_back({std::string(k.title),
+                     k.help,
+                     k.color,
+                     k.shape,
+                     false,
+                     index.count(k.kind, begin, operations_end),
+                     [&index, kind = k.kind](Step a, Step b) { return index.count(kind, a, b); },
+                     {}});
+  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
+    const auto reason = static_cast<Reason>(r);
+    const ReasonStyle& style = reason_style(reason);
+    lanes.push_back({std::string(style.title),
+                     style.help,
+                     style.color,
+                     style.shape,
+                     true,
+                     index.rejections(reason, begin, end),
+                     [&index, reason](Step a, Step b) { return index.rejections(reason, a, b); },
+                     {}});
+  }
+  std::erase_if(lanes, [](const TimelineLane& lane) { return lane.total == 0; });
+  most -= std::min(most, filters.size());
+  while (lanes.size() > most && !lanes.empty())
+    lanes.erase(
+        std::min_element(lanes.begin(), lanes.end(),
+                         [](const TimelineLane& a, const TimelineLane& b) { return a.total < b.total; }));
+  filters.insert(filters.end(), std::make_move_iterator(lanes.begin()), std::make_move_iterator(lanes.end()));
+  return filters;
+}
+
+} // namespace isoscope

@@ -1,0 +1,336 @@
+// Stage lanes, density per condition, kind and reason, play head.
+#include "timeline/timeline_panel.h"
+
+#include "ui/icons.h"
+#include "model/words.h"
+#include "journal/describe.h"
+#include "ask/questions.h"
+#include "timeline/timeline_lanes.h"
+#include "ui/widgets.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+
+void StepRange::fit(Step steps) {
+  begin = 0;
+  end = std::max<double>(steps, 1);
+  fits = true;
+}
+
+void StepRange::zoom(double factor, double around, Step steps) {
+  const double all = std::max<double>(steps, 1);
+  const double width = std::clamp((end - begin) * factor, std::min(20.0, all), all);
+  const double part = (around - begin) / std::max(end - begin, 1e-9);
+  begin = std::clamp(around - part * width, 0.0, all - width);
+  end = begin + width;
+  fits = width >= all;
+}
+
+void StepRange::pan(double by, Step steps) {
+  const double all = std::max<double>(steps, 1), width = end - begin;
+  begin = std::clamp(begin + by, 0.0, std::max(all - width, 0.0));
+  end = begin + width;
+}
+
+float TimelinePane::to_x(double step, ImVec2 low, ImVec2 size) const {
+  return low.x +
+         static_cast<float>((step - range_.begin) / std::max(range_.end - range_.begin, 1e-9)) * size.x;
+}
+
+void TimelinePane::tabs(Ui& ui) {
+  constexpr std::array<const char*, 7> names{"Timeline", "Plots", "Events", "Breakpoints",
+                                             "History",  "Work",  "Compare"};
+  constexpr std::array<const char*, 7> glyphs{icon::clock,   icon::chart, icon::list, icon::dot,
+                                              icon::history, icon::bolt,  icon::split};
+  constexpr std::array<const char*, 7> words{"timeline", "plots", "events", "breakpoints",
+                                             "history",  "work",  "compare"};
+  const int tab = ui.model.settings.panes.tab;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  float left = 0;
+  const float y = ImGui::GetCursorScreenPos().y;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string label = std::string(glyphs[i]) + "  " + names[i];
+    const bool lit = tab == static_cast<int>(i);
+    const ImVec2 extent = widgets::text_size(label);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = extent.x + ui.px(20), high = ui.px(28);
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::InvisibleButton("tab", {width, high})) ui.commands.post("tab", {words[i]});
+    ImGui::PopID();
+    const Rgb color = lit ? ui.colors.text : ui.colors.quiet;
+    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(10), at.y + (high - extent.y) / 2},
+                       to_u32(ImGui::IsItemHovered() ? ui.colors.text : color), label);
+    if (lit)
+      list.AddRectFilled({at.x + ui.px(8), at.y + high - ui.px(2)}, {at.x + width - ui.px(8), at.y + high},
+                         to_u32(ui.colors.accent), ui.px(1));
+    ImGui::SameLine(0, 0);
+    left = at.x + width + ui.px(20);
+  }
+  ImGui::NewLine();
+  left += range_chip(ui, left, y);
+  // What the colours mean, where no lanes say it.
+  if (tab == 0 || tab > 2) return breadcrumb_line(ui, left, y);
+  if (tab == 1) return axis_switch(ui, left, y);
+  const JournalIndex& index = ui.model.index;
+  const auto& range = ui.model.debug.range;
+  const Step begin = range ? std::min(range->begin, index.steps()) : 0;
+  const auto counts =
+      index.counts(begin, range ? std::clamp(range->end + 1, begin, index.steps()) : index.steps());
+  float x = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+
+  for (int c = condition_count - 1; c > 0; --c) {
+    const auto n = counts[static_cast<std::size_t>(c)];
+    if (n == 0) continue;
+    const std::string label = std::string(condition_title(static_cast<Condition>(c))) + "  " + grouped(n);
+    const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.c_str()).x;
+    x -= width;
+    if (x - ui.px(14) < left) break;
+    widgets::draw_text(list, ui.fonts.small, {x, y + (ui.px(28) - ui.fonts.small->FontSize) / 2},
+                       to_u32(ui.colors.quiet), label);
+    x -= ui.px(14);
+    list.AddRectFilled({x, y + ui.px(10)}, {x + ui.px(8), y + ui.px(18)},
+                       to_u32(condition_color(ui.theme, c)), ui.px(2));
+    x -= ui.px(16);
+  }
+}
+
+bool TimelinePane::scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size) {
+  AppModel& m = ui.model;
+  const Step live = m.live_step();
+  ImGui::SetCursorScreenPos(low);
+  ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  const ImGuiIO& io = ImGui::GetIO();
+  const double step = from_part(static_cast<double>((io.MousePos.x - low.x) / size.x));
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+    range_.zoom(std::pow(0.8, static_cast<double>(io.MouseWheel)), step, live);
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(1)) range_.fit(live);
+  if (!ImGui::IsItemActive()) return false;
+  if (ImGui::IsMouseDown(1)) {
+    range_.pan(-static_cast<double>(io.MouseDelta.x / size.x) * (range_.end - range_.begin), live);
+    return false;
+  }
+  if (choose_range(ui, step)) return false;
+  // Dragging past the end takes hold of the live end again.
+  if (step >= static_cast<double>(live) && range_.fits)
+    m.transport.follow();
+  else
+    m.transport.jump(static_cast<Step>(std::clamp(std::round(step), 0.0, static_cast<double>(live))));
+  return true;
+}
+
+void TimelinePane::playhead(const Ui& ui, ImVec2 low, ImVec2 size) const {
+  const AppModel& m = ui.model;
+  const float x = std::round(to_x(m.transport.step(), low, size));
+  if (x < low.x - 1 || x > low.x + size.x + 1) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 color = to_u32(ui.colors.selection);
+  list.AddLine({x, low.y}, {x, low.y + size.y}, color, ui.px(1.5f));
+  const float r = ui.px(5);
+  list.AddTriangleFilled({x - r, low.y}, {x + r, low.y}, {x, low.y + r * 1.4f}, color);
+}
+
+void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const JournalIndex::StageSpan& span : ui.model.index.stages()) {
+    const float x0 = to_x(span.begin, low, size), x1 = std::max(to_x(span.end, low, size), x0 + ui.px(3));
+    list.AddRectFilled({x0, low.y}, {x1 - 1, low.y + size.y},
+                       to_u32(stage_color(ui.theme, span.stage), span.open ? 0.55f : 0.34f), ui.px(4));
+    const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2;
+    const std::string_view title = stage_title(span.stage);
+    const float extent =
+        ui.fonts.small
+            ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, title.data(), title.data() + title.size())
+            .x;
+    const float from = std::max(x0, low.x) + ui.px(6);
+    if (x1 - from > extent + ui.px(4))
+      widgets::draw_text(list, ui.fonts.small, {from, y}, to_u32(ui.colors.text, 0.95f), title);
+  }
+}
+
+// A lane a reason: bars a few pixels wide, as high as the lane's share of the steps below them; for
+// rejections by the logarithm of their number.
+void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) const {
+  const AppModel& m = ui.model;
+  const float gap = ui.px(1), least = ui.px(12);
+  const auto most = static_cast<std::size_t>(std::max(1.0f, (size.y + gap) / (least + gap)));
+  const std::vector<TimelineLane> lanes = timeline_lanes(m, ui.theme, most);
+  if (lanes.empty()) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto used = static_cast<float>(lanes.size());
+  const float lane = std::min((size.y - gap * (used - 1)) / used, ui.px(30));
+  const double steps = range_.end - range_.begin;
+  const int bins =
+      std::max(1, static_cast<int>(std::min(static_cast<double>(size.x / ui.px(3)), std::ceil(steps))));
+  const auto edge = [&](int i) { return static_cast<Step>(range_.begin + steps * i / bins); };
+  float y = low.y;
+  for (const TimelineLane& row : lanes) {
+    const float text_y = y + (lane - ui.fonts.small->FontSize) / 2;
+    const std::string count = grouped(row.total);
+    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
+    if (row.letter.empty())
+      widgets::glyph(ui, {low.x - gutter + ui.px(5), y + lane / 2}, 4.5f, row.color, row.shape);
+    else
+      widgets::draw_text(list, ui.fonts.bold, {low.x - gutter, y + (lane - ui.fonts.bold->FontSize) / 2},
+                         to_u32(row.color), row.letter);
+    widgets::draw_text(list, ui.fonts.small, {low.x - gutter + ui.px(15), text_y},
+                       to_u32(ui.colors.text, 0.85f),
+                       widgets::fitted(row.title, gutter - extent - ui.px(32)));
+    widgets::draw_text(list, ui.fonts.mono, {low.x - extent - ui.px(10), text_y}, to_u32(ui.colors.quiet),
+                       count);
+    list.AddRectFilled({low.x, y}, {low.x + size.x, y + lane}, to_u32(ui.colors.ground, 0.6f), ui.px(3));
+    std::vector<std::uint32_t> numbers(static_cast<std::size_t>(bins), 0);
+    std::uint32_t largest = 1;
+    for (int i = 0; i < bins; ++i) {
+      // The last bin also holds what was rejected after the last operation.
+      const Step begin = edge(i), end = std::max(edge(i + 1), begin + 1) + (i + 1 == bins ? 1 : 0);
+      auto& n = numbers[static_cast<std::size_t>(i)];
+      n = row.count(begin, row.rejections ? end : std::min(end, m.index.steps()));
+      largest = std::max(largest, n);
+    }
+    for (int i = 0; i < bins; ++i) {
+      const auto n = static_cast<float>(numbers[static_cast<std::size_t>(i)]);
+      if (n == 0) continue;
+      const Step begin = edge(i);
+      const auto width = static_cast<float>(std::max(edge(i + 1), begin + 1) - begin);
+      const float share = row.rejections ? std::log1p(n) / std::log1p(static_cast<float>(largest))
+                                         : std::sqrt(std::min(n / width, 1.0f));
+      const float x0 = low.x + size.x * static_cast<float>(i) / static_cast<float>(bins),
+                  x1 = low.x + size.x * static_cast<float>(i + 1) / static_cast<float>(bins);
+      const float high = std::max(ui.px(2), (lane - ui.px(1)) * share);
+      list.AddRectFilled({x0, y + lane - high}, {std::max(x1, x0 + 1), y + lane},
+                         to_u32(row.color, begin < m.transport.step() ? 0.9f : 0.38f));
+    }
+    y += lane + gap;
+  }
+}
+
+void TimelinePane::marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const JournalIndex::Mark& mark : ui.model.index.marks()) {
+    const float x = to_x(mark.step, low, size);
+    if (x < low.x || x > low.x + size.x) continue;
+    const Rgb color = mark.kind == EventKind::warning || mark.kind == EventKind::stopped ? ui.colors.warning
+                      : mark.kind == EventKind::topology_check                           ? ui.colors.gamma
+                                                                                         : ui.colors.text;
+    list.AddCircleFilled({x, y}, ui.px(3), to_u32(color), 12);
+  }
+  const auto& bookmarks = ui.model.bookmarks.all();
+  for (std::size_t i = 0; i < bookmarks.size(); ++i) {
+    const float x = to_x(bookmarks[i].step, low, size), r = ui.px(4);
+    if (x < low.x || x > low.x + size.x) continue;
+    const bool current = ui.model.bookmarks.current() == i;
+    const std::string number = std::to_string(i + 1);
+    const float extent = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, number.c_str()).x;
+    const bool fits = x + ui.px(4) + extent < low.x + size.x;
+    list.AddLine({x, low.y}, {x, y}, to_u32(ui.colors.accent, current ? 0.9f : 0.45f));
+    list.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, to_u32(ui.colors.accent));
+    widgets::draw_text(list, ui.fonts.small, {fits ? x + ui.px(4) : x - ui.px(4) - extent, y - ui.px(14)},
+                       to_u32(ui.colors.text), number);
+  }
+}
+
+void TimelinePane::ruler(const Ui& ui, ImVec2 low, ImVec2 size) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const double span = range_.end - range_.begin,
+               wanted = span / std::max(1.0, static_cast<double>(size.x / ui.px(110)));
+  const double decade = std::pow(10.0, std::floor(std::log10(std::max(wanted, 1.0))));
+  const double part = wanted / decade;
+  const double tick = std::max(1.0, (part > 5 ? 10 : part > 2 ? 5 : part > 1 ? 2 : 1) * decade);
+  for (double s = std::ceil(range_.begin / tick) * tick; s <= range_.end; s += tick) {
+    const float x = to_x(s, low, size);
+    list.AddLine({x, low.y}, {x, low.y + ui.px(4)}, to_u32(ui.colors.quiet, 0.7f));
+    const std::string label = grouped(static_cast<std::size_t>(s));
+    const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.c_str()).x;
+    if (x + ui.px(4) + width < low.x + size.x)
+      widgets::draw_text(list, ui.fonts.small, {x + ui.px(4), low.y + ui.px(1)}, to_u32(ui.colors.quiet),
+                         label);
+  }
+}
+
+void TimelinePane::timeline(Ui& ui) {
+  const AppModel& m = ui.model;
+  const JournalIndex& index = m.index;
+  const ImVec2 origin = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
+  const float gutter = ui.px(176);
+  if (all.x < gutter + ui.px(60) || all.y < ui.px(50)) return;
+  const float ruler_high = ui.px(18), stage_high = ui.px(18);
+  const ImVec2 low{origin.x + gutter, origin.y}, size{all.x - gutter - ui.px(4), all.y};
+  scrub(ui, "timeline", low, size);
+  const bool hovered = ImGui::IsItemHovered();
+  const float top = low.y + stage_high + ui.px(4), bottom = low.y + size.y - ruler_high;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (index.steps() == 0) {
+    widgets::draw_text(list, ui.fonts.small, {low.x, (top + bottom) / 2}, to_u32(ui.colors.quiet),
+                       "Operations appear here as the run makes them. Drag to scrub, wheel to zoom.");
+    return;
+  }
+  widgets::draw_text(list, ui.fonts.small, {origin.x, low.y + ui.px(2)}, to_u32(ui.colors.quiet), "stage");
+  density(ui, {low.x, top}, {size.x, bottom - top - ui.px(6)}, gutter);
+  list.PushClipRect({low.x - ui.px(6), low.y}, {low.x + size.x + ui.px(6), low.y + size.y}, true);
+  stage_lane(ui, low, {size.x, stage_high});
+  marks(ui, low, size, bottom - ui.px(1));
+  ruler(ui, {low.x, bottom}, {size.x, ruler_high});
+  const float live_x = to_x(m.live_step(), low, size);
+  if (m.running())
+    list.AddRectFilled({live_x - ui.px(2), low.y}, {live_x, bottom}, to_u32(ui.colors.good_text));
+  shade_range(ui, {low.x, low.y}, {size.x, bottom - low.y});
+  playhead(ui, low, {size.x, bottom - low.y});
+  list.PopClipRect();
+  if (!hovered || ImGui::IsAnyMouseDown()) return;
+  const double at = range_.begin + static_cast<double>((ImGui::GetIO().MousePos.x - low.x) / size.x) *
+                                       (range_.end - range_.begin);
+  const auto step = static_cast<Step>(std::clamp(at, 0.0, static_cast<double>(index.steps() - 1)));
+  const Journal& journal = *index.journal();
+  std::string text = describe(journal, journal.events()[journal.operations()[step].event]);
+  const double column = (range_.end - range_.begin) * static_cast<double>(ui.px(3) / size.x);
+  const Step reach = std::max<Step>(1, static_cast<Step>(column));
+  std::string stayed;
+  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
+    const auto n = index.rejections(static_cast<Reason>(r), step, step + reach);
+    if (n > 0)
+      stayed += (stayed.empty() ? "\nEdges that stayed here: " : ", ") + grouped(n) + " " +
+                std::string(reason_style(static_cast<Reason>(r)).title);
+  }
+  widgets::tip(ui, "Step " + grouped(step + 1), text + stayed);
+}
+
+void TimelinePane::draw(Ui& ui) {
+  if (range_.fits) range_.fit(ui.model.live_step());
+  tabs(ui);
+  switch (ui.model.settings.panes.tab) {
+  case 1: {
+    // A chosen range is what the plots show.
+    const StepRange shown = range_;
+    const auto& chosen = ui.model.debug.range;
+    if (chosen)
+      range_ = {static_cast<double>(chosen->begin), std::max(chosen->end, chosen->begin + 1) * 1.0, false};
+    plots(ui);
+    if (chosen) range_ = shown;
+    break;
+  }
+  case 2:
+    events_.draw(ui);
+    break;
+  case 3:
+    breakpoints_.draw(ui);
+    break;
+  case history_tab:
+    panels::history_tab(ui);
+    break;
+  case work_tab:
+    panels::work_tab(ui);
+    break;
+  case comparison_tab:
+    panels::compare_tab(ui);
+    break;
+  default:
+    timeline(ui);
+    break;
+  }
+}
+
+} // namespace isoscope

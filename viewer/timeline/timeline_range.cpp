@@ -1,0 +1,75 @@
+// The chosen range of steps on the timeline, and the line that tells where one is.
+#include "debug/debug_actions.h"
+#include "ui/icons.h"
+#include "model/words.h"
+#include "timeline/timeline_panel.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+
+bool TimelinePane::choose_range(Ui& ui, double step) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool begins = ImGui::IsMouseClicked(0);
+  if (begins && (io.KeyShift || io.KeyCtrl)) range_from_ = step;
+  if (begins && !io.KeyShift && !io.KeyCtrl) range_from_.reset();
+  if (!range_from_) return false;
+  const auto live = static_cast<double>(ui.model.live_step());
+  const auto place = [&](double at) { return static_cast<Step>(std::clamp(std::round(at), 0.0, live)); };
+  ui.model.debug.range = StepSpan{place(std::min(*range_from_, step)), place(std::max(*range_from_, step))};
+  return true;
+}
+
+float TimelinePane::range_chip(Ui& ui, float left, float y) const {
+  const auto& range = ui.model.debug.range;
+  if (!range) return 0;
+  const std::string text = "range: " + grouped(range->begin) + "–" + grouped(range->end) + "  " + icon::close;
+  ImGui::PushFont(ui.fonts.small);
+  const ImVec2 extent = widgets::text_size(text);
+  ImGui::PopFont();
+  const float width = extent.x + ui.px(20), high = ui.px(22);
+  const ImVec2 before = ImGui::GetCursorScreenPos(), at{left, y + ui.px(3)};
+  ImGui::SetCursorScreenPos(at);
+  if (ImGui::InvisibleButton("range chip", {width, high})) ui.commands.post("range");
+  const bool hovered = ImGui::IsItemHovered();
+  widgets::tip(
+      ui, "Only these steps",
+      "Lanes, plots, events, history, work and heat map count the chosen steps alone. A click or Esc "
+      "counts all again; Shift or Ctrl and a drag on the timeline chooses others.");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.accent, hovered ? 0.36f : 0.22f),
+                     high / 2);
+  list.AddRect(at, {at.x + width, at.y + high}, to_u32(ui.colors.accent), high / 2, 0, ui.px(1));
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(10), at.y + (high - extent.y) / 2},
+                     to_u32(ui.colors.text), text);
+  ImGui::SetCursorScreenPos(before);
+  return width + ui.px(14);
+}
+
+void TimelinePane::shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const {
+  const auto& range = ui.model.debug.range;
+  if (!range) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float right = low.x + size.x;
+  const float x0 = std::clamp(to_x(range->begin, low, size), low.x, right),
+              x1 = std::clamp(to_x(range->end, low, size), low.x, right);
+  const ImU32 shade = to_u32(ui.colors.ground, 0.72f), edge = to_u32(ui.colors.accent_text, 0.8f);
+  list.AddRectFilled(low, {x0, low.y + size.y}, shade);
+  list.AddRectFilled({x1, low.y}, {right, low.y + size.y}, shade);
+  list.AddLine({x0, low.y}, {x0, low.y + size.y}, edge, ui.px(1));
+  list.AddLine({x1, low.y}, {x1, low.y + size.y}, edge, ui.px(1));
+}
+
+void TimelinePane::breadcrumb_line(const Ui& ui, float left, float y) const {
+  const AppModel& m = ui.model;
+  if (!m.run.journal || m.live_step() == 0) return;
+  const std::string text = breadcrumb(m);
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+                     {left, y + (ui.px(28) - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet),
+                     widgets::fitted(text, right - left - ui.px(8)));
+}
+
+} // namespace isoscope

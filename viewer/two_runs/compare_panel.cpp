@@ -1,0 +1,285 @@
+// What differs between two runs, in three columns: parameters and links, the stages side by side, the
+// decisions.
+#include "ui/icons.h"
+#include "model/words.h"
+#include "journal/describe.h"
+#include "ask/questions.h"
+#include "two_runs/run_views.h"
+#include "ui/widgets.h"
+#include "scene/reason_style.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace isoscope::panels {
+namespace {
+
+constexpr float row_units = 20;
+
+void head(const Ui& ui, const char* text) {
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+float width_of(ImFont* font, std::string_view text) {
+  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
+}
+
+/// A line of a table: a quiet label, cells flush right in columns of equal width.
+template <std::size_t N>
+void table_row(const Ui& ui, std::string_view label, const std::array<std::string, N>& cells,
+               float label_width, Rgb color = 0, Rgb label_color = 0) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, high = ui.px(row_units);
+  const float each = (width - label_width) / static_cast<float>(N);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushFont(ui.fonts.small);
+  widgets::draw_text(list, ui.fonts.small, {at.x, at.y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(label_color != 0 ? label_color : ui.colors.quiet),
+                     widgets::fitted(label, label_width - ui.px(6)));
+  ImGui::PopFont();
+  ImGui::PushFont(ui.fonts.mono);
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::string text = widgets::fitted(cells[i], each - ui.px(4));
+    const float right = at.x + label_width + each * static_cast<float>(i + 1);
+    widgets::draw_text(list, ui.fonts.mono,
+                       {right - width_of(ui.fonts.mono, text), at.y + (high - ui.fonts.mono->FontSize) / 2},
+                       to_u32(color != 0 ? color : ui.colors.text), text);
+  }
+  ImGui::PopFont();
+  ImGui::Dummy({width, high - ImGui::GetStyle().ItemSpacing.y});
+}
+
+void run_line(Ui& ui, const ShownRun& run, bool b) {
+  const bool active = b == ui.model.comparison.active_is_b();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float badge = run_badge(ui, at, b, active), width = ImGui::GetContentRegionAvail().x;
+  std::string text(phase_word(run.run.phase));
+  if (run.run.result) text += run.run.result->certificate.holds() ? ", certified" : ", not certified";
+  text += "  ·  " + grouped(run.live_step()) + " steps";
+  if (run.shows_recording()) text = run.run.recording->file.filename().string() + "  ·  " + text;
+  ImGui::PushFont(ui.fonts.small);
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+                     {at.x + badge + ui.px(8), at.y + (ui.px(19) - ui.fonts.small->FontSize) / 2},
+                     to_u32(active ? ui.colors.text : ui.colors.quiet),
+                     widgets::fitted(text, width - badge - ui.px(8)));
+  ImGui::PopFont();
+  ImGui::Dummy({width, ui.px(21) - ImGui::GetStyle().ItemSpacing.y});
+}
+
+/// A switch with a label that posts its command.
+void linked(Ui& ui, const char* label, bool on, const char* command) {
+  bool changed = on;
+  if (widgets::toggle(ui, command, changed)) ui.commands.post(command);
+  widgets::command_tip(ui, *find_command(std::string_view(command)));
+  ImGui::SameLine(0, ui.px(8));
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(2));
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::TextUnformatted(label);
+  ImGui::PopFont();
+}
+
+void parameters_column(Ui& ui, const RunComparison* found) {
+  const AppModel& m = ui.model;
+  run_line(ui, *compared_run(m, false), false);
+  run_line(ui, *compared_run(m, true), true);
+  const float label_width = ui.px(110);
+  if (found != nullptr) {
+    if (found->parameters.empty() && found->same_samples)
+      widgets::quiet_text(ui, "The same parameters.");
+    else
+      table_row<2>(ui, "differing", {"A", "B"}, label_width, ui.colors.quiet);
+    for (const ParameterDifference& p : found->parameters) table_row<2>(ui, p.name, {p.a, p.b}, label_width);
+    if (!found->same_samples)
+      table_row<2>(ui, "samples of ∂Ω", {grouped(found->samples_a), grouped(found->samples_b)}, label_width);
+  }
+  ImGui::Dummy({0, ui.px(2)});
+  linked(ui, "one camera", m.comparison.linked_cameras, "link-cameras");
+  linked(ui, "play heads together", m.comparison.linked_steps, "link-steps");
+  ImGui::Dummy({0, ui.px(2)});
+  const float third = (ImGui::GetContentRegionAvail().x - 2 * ui.px(6)) / 3;
+  const auto button = [&](const char* label, const char* command) {
+    if (widgets::plain_button(ui, label, true, third)) ui.commands.post(command);
+    widgets::command_tip(ui, *find_command(std::string_view(command)));
+  };
+  button("Change", "other-run");
+  ImGui::SameLine(0, ui.px(6));
+  button(m.comparison.beside() ? "Hide" : "Two views", "side-by-side");
+  ImGui::SameLine(0, ui.px(6));
+  button("Close", "close-other");
+}
+
+std::string seconds(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+
+void stages_column(Ui& ui, const RunComparison* found) {
+  const float label_width = ui.px(74);
+  table_row<4>(ui, "", {"operations", "vertices of Z", "refused", "seconds"}, label_width, ui.colors.quiet);
+  table_row<8>(ui, "stage", {"A", "B", "A", "B", "A", "B", "A", "B"}, label_width, ui.colors.quiet);
+  if (found == nullptr) return;
+  std::array<std::size_t, reason_count> refused_a{}, refused_b{};
+  for (const StageComparison& s : found->stages) {
+    const auto of = [](const std::optional<StageStatistics>& stage, auto value) {
+      return stage ? std::string(value(*stage)) : std::string("–");
+    };
+    const auto operations = [](const StageStatistics& f) { return grouped(f.operations); };
+    const auto vertices = [](const StageStatistics& f) { return grouped(f.zero_set_vertices); };
+    const auto refused = [](const StageStatistics& f) { return grouped(f.rejections()); };
+    const auto time = [](const StageStatistics& f) { return seconds(f.seconds); };
+    table_row<8>(ui, stage_title(s.stage),
+                 {of(s.a, operations), of(s.b, operations), of(s.a, vertices), of(s.b, vertices),
+                  of(s.a, refused), of(s.b, refused), of(s.a, time), of(s.b, time)},
+                 label_width, 0, stage_color(ui.theme, s.stage));
+    for (std::size_t r = 0; r < refused_a.size(); ++r) {
+      refused_a[r] += s.a ? s.a->rejected[r] : 0;
+      refused_b[r] += s.b ? s.b->rejected[r] : 0;
+    }
+  }
+  ImGui::Dummy({0, ui.px(6)});
+  table_row<2>(ui, "refused, by reason", {"A", "B"}, ui.px(220), ui.colors.quiet);
+  for (std::size_t r = 0; r < refused_a.size(); ++r) {
+    if (refused_a[r] == refused_b[r]) continue;
+    const auto reason = static_cast<Reason>(r);
+    const bool rejects = reason >= first_rejection && reason <= last_rejection;
+    table_row<2>(ui, rejects ? reason_style(reason).title : name(reason),
+                 {grouped(refused_a[r]), grouped(refused_b[r])}, ui.px(220));
+  }
+}
+
+void side(Ui& ui, const std::string& text, bool b) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float badge = run_badge(ui, at, b, b == ui.model.comparison.active_is_b());
+  ImGui::SetCursorScreenPos({at.x + badge + ui.px(8), at.y});
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  const float below = std::max(ImGui::GetCursorScreenPos().y, at.y + ui.px(22));
+  ImGui::SetCursorScreenPos({at.x, below});
+}
+
+void difference(Ui& ui, const RunComparison& found) {
+  const AppModel& m = ui.model;
+  const auto& d = found.decision ? found.decision : found.measure;
+  if (!d) {
+    head(ui, "The runs do not differ");
+    return widgets::quiet_text(ui,
+                               grouped(found.events_a) + " events, every decision and number is the same.");
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, button = ui.px(96);
+  head(ui, found.decision ? "First differing decision" : "First differing number");
+  ImGui::SetCursorScreenPos({at.x + width - button, at.y - ui.px(2)});
+  if (widgets::primary_button(ui, "Go there   D", true, button)) ui.commands.post("first-difference");
+  widgets::command_tip(ui, *find_command(std::string_view("first-difference")));
+  ImGui::SetCursorScreenPos({at.x, at.y + ui.px(22)});
+  std::string place = "event " + grouped(d->event) + ", after " + grouped(d->step) + " common operations";
+  if (found.decision && found.measure)
+    place += "; judged by other numbers from event " + grouped(found.measure->event) + " on";
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.quiet));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - button - ui.px(10));
+  ImGui::TextUnformatted(place.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  side(ui, describe(*d, *compared_run(m, false)->run.journal, d->in_a), false);
+  side(ui, describe(*d, *compared_run(m, true)->run.journal, d->in_b), true);
+}
+
+void decision_row(Ui& ui, const DecisionTable& table, std::size_t index, float high) {
+  const DecisionDifference& d = table.rows[index];
+  const AppModel& m = ui.model;
+  const Journal &maker = *compared_run(m, !d.made_by_a)->run.journal,
+                &other = *compared_run(m, d.made_by_a)->run.journal;
+  const Event& e = maker.events()[d.event];
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
+  ImGui::PushID(static_cast<int>(index));
+  if (ImGui::InvisibleButton("row", {width, high})) ui.commands.post("difference", {std::to_string(index)});
+  ImGui::PopID();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool here = m.comparison.row == index, hovered = ImGui::IsItemHovered();
+  if (hovered || here)
+    list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover, here ? 0.7f : 1.0f),
+                       ui.px(4));
+  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
+  widgets::draw_text(list, ui.fonts.bold, {at.x + ui.px(4), at.y + (high - ui.fonts.bold->FontSize) / 2},
+                     to_u32(ui.colors.text), d.made_by_a ? "A" : "B");
+  list.AddRectFilled({at.x + ui.px(20), at.y + ui.px(5)}, {at.x + ui.px(26), at.y + high - ui.px(5)},
+                     to_u32(stage_color(ui.theme, d.stage)), ui.px(2));
+  std::string text = describe(maker, e);
+  const std::string refusal = d.refusal ? describe(other, other.events()[*d.refusal]) : "";
+  if (d.refusal)
+    text = std::string(d.made_by_a ? "B" : "A") + " refused it, " +
+           std::string(reason_style(other.events()[*d.refusal].reason).title) + ":  " + text;
+  ImGui::PushFont(ui.fonts.small);
+  text = widgets::fitted(text, width - ui.px(38));
+  ImGui::PopFont();
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(34), y}, to_u32(ui.colors.text), text);
+  if (!hovered) return;
+  const std::string in_other = std::string("\nIn ") + (d.made_by_a ? "B: " : "A: ") +
+                               (refusal.empty() ? "never asked for at this place." : refusal);
+  widgets::tip(ui, std::string(d.made_by_a ? "A" : "B") + " alone, " + std::string(stage_title(d.stage)),
+               describe(maker, e) + in_other);
+}
+
+void decisions_column(Ui& ui, const RunComparison* found) {
+  if (found == nullptr) return widgets::quiet_text(ui, "The journals are being compared …");
+  difference(ui, *found);
+  const DecisionTable& table = found->decisions;
+  if (table.rows.empty()) return;
+  ImGui::Dummy({0, ui.px(2)});
+  widgets::quiet_text(ui,
+                      "From there on " + grouped(table.both()) + " decisions by both, " +
+                          grouped(table.only_a()) + " by A alone, " + grouped(table.only_b()) +
+                          " by B alone; G goes through them.",
+                      true);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  const float high = ui.px(22);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(table.rows.size()), high);
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      decision_row(ui, table, static_cast<std::size_t>(i), high);
+  ImGui::PopStyleVar();
+}
+
+void invitation(Ui& ui) {
+  head(ui, "One run is shown");
+  widgets::quiet_text(
+      ui,
+      "Change α, σ, shrink or anything else under Parameters and run it beside this one, or open a "
+      "recording beside it. What a branch (Ctrl+D) leaves can be compared too.",
+      true);
+  const bool possible = ui.model.run.scene != nullptr;
+  if (widgets::primary_button(ui, "Run beside   Ctrl+Shift+Enter", possible)) ui.commands.post("run-beside");
+  ImGui::SameLine(0, ui.px(8));
+  if (widgets::plain_button(ui, "Open beside…   Ctrl+Shift+O", possible)) ui.commands.post("open-beside");
+}
+
+} // namespace
+
+void compare_tab(Ui& ui) {
+  const AppModel& m = ui.model;
+  if (m.comparison.other() == nullptr) return invitation(ui);
+  const auto found = m.comparison.found();
+  const float gap = ui.px(22), all = ImGui::GetContentRegionAvail().x - 2 * gap;
+  const auto column = [&](const char* id, float share, void (*draw)(Ui&, const RunComparison*)) {
+    if (ImGui::BeginChild(id, {std::floor(all * share), 0})) draw(ui, found.get());
+    ImGui::EndChild();
+  };
+  column("parameters", 0.22f, parameters_column);
+  ImGui::SameLine(0, gap);
+  column("stages", 0.37f, stages_column);
+  ImGui::SameLine(0, gap);
+  column("decisions", 0.41f, decisions_column);
+}
+
+} // namespace isoscope::panels

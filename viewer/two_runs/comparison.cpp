@@ -1,0 +1,148 @@
+// The second run's frame, and when the two are compared anew.
+#include "two_runs/comparison.h"
+
+#include "app/app_model.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace isoscope {
+namespace {
+
+constexpr double regrowth = 1.25; ///< a pair of growing journals is compared again once it is so much longer
+
+std::shared_ptr<const RunComparison> compare(const CompareQuestion& q, RunControl& control) {
+  return std::make_shared<const RunComparison>(compare_runs(q.a, *q.journal_a, q.b, *q.journal_b, control));
+}
+
+bool same_pair(const CompareQuestion& x, const CompareQuestion& y) {
+  return x.journal_a == y.journal_a && x.journal_b == y.journal_b;
+}
+
+} // namespace
+
+Comparison::Comparison(const std::function<void()>& notify) : worker_(compare, notify) {}
+
+void Comparison::set_beside(bool beside) {
+  beside_ = beside;
+  linked_.reset();
+}
+
+void Comparison::take(std::unique_ptr<ShownRun> other, bool active_is_b, bool beside) {
+  drop();
+  other_ = std::move(other);
+  active_is_b_ = active_is_b;
+  beside_ = beside;
+}
+
+void Comparison::drop() {
+  worker_.stop();
+  if (other_)
+    ending_ =
+        std::async(std::launch::async,
+                   [ending = std::shared_ptr<ShownRun>(std::move(other_))]() mutable { ending.reset(); });
+  asked_.reset();
+  linked_.reset();
+  picked = {};
+  row.reset();
+  beside_ = active_is_b_ = false;
+  error_seen_.clear();
+}
+
+void Comparison::exchange(AppModel& model) {
+  std::swap<ShownRun>(model, *other_);
+  active_is_b_ = !active_is_b_;
+  picked = {};
+  if (!linked_cameras) std::swap(model.camera, camera);
+  keep_steps(model);
+}
+
+CompareQuestion Comparison::question(const AppModel& model) const {
+  const ShownRun &active = model, &a = active_is_b_ ? *other_ : active, &b = active_is_b_ ? active : *other_;
+  return {a.run.parameters, b.run.parameters, a.run.journal, b.run.journal,
+          a.run.journal->events().size() + b.run.journal->events().size()};
+}
+
+bool Comparison::ask(const AppModel& model) {
+  if (!model.run.scene || !other_->run.scene || !model.run.journal || !other_->run.journal) return false;
+  CompareQuestion now = question(model);
+  const bool same = asked_ && same_pair(*asked_, now);
+  if (same && (now.events == asked_->events || !worker_.idle())) return false;
+  const bool resting = !model.running() && !other_->running();
+  if (same && !resting && static_cast<double>(now.events) < regrowth * static_cast<double>(asked_->events))
+    return false;
+  if (!same) row.reset();
+  asked_ = now;
+  worker_.ask(std::move(now));
+  return true;
+}
+
+std::shared_ptr<const RunComparison> Comparison::found() const {
+  const auto answered = worker_.answered();
+  return answered && asked_ && same_pair(answered->question, *asked_) ? answered->answer : nullptr;
+}
+
+void Comparison::keep_steps(const AppModel& model) {
+  linked_ = Linked{model.transport.step(), found()};
+}
+
+void Comparison::link(const AppModel& model, double seconds) {
+  const auto newest = found();
+  if (!linked_steps || !newest) {
+    other_->transport.set_immediate(model.scripted);
+    other_->transport.update(seconds, other_->live_step(), other_->growing());
+    return;
+  }
+  Linked wanted{model.transport.step(), newest};
+  if (linked_ == wanted) return;
+  const RunAlignment& alignment = newest->alignment;
+  other_->transport.jump(active_is_b_ ? alignment.to_a(wanted.step) : alignment.to_b(wanted.step));
+  linked_ = std::move(wanted);
+  picked = {};
+}
+
+bool Comparison::update(AppModel& model, double seconds) {
+  if (!other_) return false;
+  ShownRun& o = *other_;
+  if (o.take_snapshot()) picked = {};
+  if (o.run.error && o.run.error->message != error_seen_) {
+    error_seen_ = o.run.error->message;
+    model.report(*o.run.error);
+  }
+  bool changed = o.index.update() || ask(model);
+  if (beside_) {
+    const Step before = o.transport.step();
+    link(model, std::min(seconds, 0.1));
+    o.request_state(model.view.tets.recent, model.history_share(), model.transport.moving());
+    changed |= before != o.transport.step();
+  }
+  changed |= o.take_result();
+  return changed || running() || !worker_.idle();
+}
+
+bool Comparison::at_rest() const {
+  return !beside() || other_->running() || (other_->result_taken() && worker_.idle());
+}
+
+bool Comparison::is_current(const AppModel& model) const {
+  if (!beside()) return true;
+  if (other_->running() || !worker_.idle()) return false;
+  if (other_->run.phase == SessionPhase::failed) return true;
+  if (!other_->is_current()) return false;
+  return !model.run.scene || (asked_ && asked_->events == question(model).events);
+}
+
+std::optional<std::uint32_t> telling_event(const Journal& journal, std::uint32_t from) {
+  for (std::size_t i = from, n = journal.events().size(); i < n; ++i) {
+    const Event& e = journal.events()[i];
+    if (e.operation || e.kind == EventKind::rejection || e.kind == EventKind::exhausted)
+      return static_cast<std::uint32_t>(i);
+  }
+  return std::nullopt;
+}
+
+const ShownRun* compared_run(const AppModel& model, bool b) {
+  return b == model.comparison.active_is_b() ? &model : model.comparison.other();
+}
+
+} // namespace isoscope

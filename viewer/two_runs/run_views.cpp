@@ -1,0 +1,130 @@
+// A is always on the left: changing to the other run moves nothing.
+#include "two_runs/run_views.h"
+
+#include "model/words.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+
+namespace isoscope {
+namespace {
+
+constexpr float strip_units = 28, narrow_units = 560; ///< a view below that wants the room of the panes
+
+float width_of(ImFont* font, std::string_view text) {
+  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
+}
+
+/// What the run was asked that the other one was not: "α 0.3  ·  σ/δ 0.4".
+std::string told_apart(const AppModel& m, const ShownRun& run, bool b) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "  ·  ") + part; };
+  if (run.shows_recording()) add(run.run.recording->file.filename().string());
+  if (const auto found = m.comparison.found())
+    for (const ParameterDifference& p : found->parameters) add(p.name + " " + (b ? p.b : p.a));
+  if (run.run.result && !run.run.result->branch.empty()) add(run.run.result->branch);
+  return text.empty() ? run.run.parameters.input : text;
+}
+
+std::string place_of(const ShownRun& run) {
+  const auto state = run.state();
+  if (!state) return std::string(phase_word(run.run.phase));
+  return "step " + grouped(state->step) + " of " + grouped(run.live_step()) + "  ·  Z " +
+         grouped(state->zero_set.vertices.size()) + " vertices";
+}
+
+void strip(Ui& ui, bool b, float width) {
+  const AppModel& m = ui.model;
+  const ShownRun* run = compared_run(m, b);
+  if (run == nullptr) return;
+  const bool active = b == m.comparison.active_is_b();
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float high = ui.px(strip_units);
+  ImGui::InvisibleButton("strip", {width, high});
+  if (ImGui::IsItemClicked() && !active) ui.commands.post("other-run");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, {low.x + width, low.y + high},
+                     to_u32(ImGui::IsItemHovered() && !active ? ui.colors.hover : ui.colors.panel));
+  if (active)
+    list.AddRectFilled({low.x, low.y + high - ui.px(2)}, {low.x + width, low.y + high},
+                       to_u32(ui.colors.accent));
+  const float badge = run_badge(ui, {low.x + ui.px(8), low.y + ui.px(4)}, b, active);
+  const float y = low.y + (high - ui.fonts.small->FontSize) / 2, left = low.x + ui.px(16) + badge;
+  std::string place = place_of(*run);
+  float end = low.x + width - ui.px(10);
+  if (end - width_of(ui.fonts.small, place) < left + ui.px(120) && run->state())
+    place = "step " + grouped(run->state()->step);
+  end -= width_of(ui.fonts.small, place);
+  widgets::draw_text(list, ui.fonts.small, {end, y}, to_u32(ui.colors.quiet), place);
+  ImGui::PushFont(ui.fonts.small);
+  const std::string title = widgets::fitted(told_apart(m, *run, b), std::max(end - ui.px(12) - left, 1.0f));
+  ImGui::PopFont();
+  widgets::draw_text(list, ui.fonts.small, {left, y}, to_u32(active ? ui.colors.text : ui.colors.quiet),
+                     title);
+  widgets::tip(ui, std::string(b ? "Run B" : "Run A") + (active ? ", the active one" : "   Tab"),
+               active ? "Panels, keys and questions speak of this run."
+                      : "Click here or into the view: panels, keys and questions then speak of this run.");
+}
+
+} // namespace
+
+float run_badge(const Ui& ui, ImVec2 at, bool b, bool active) {
+  const float side = ui.px(19);
+  const char* letter = b ? "B" : "A";
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 high{at.x + side, at.y + side};
+  if (active)
+    list.AddRectFilled(at, high, to_u32(ui.colors.accent), ui.px(4));
+  else
+    list.AddRect(at, high, to_u32(ui.colors.quiet), ui.px(4), 0, ui.px(1));
+  widgets::draw_text(
+      list, ui.fonts.bold,
+      {at.x + (side - width_of(ui.fonts.bold, letter)) / 2, at.y + (side - ui.fonts.bold->FontSize) / 2},
+      to_u32(active ? ui.colors.on_accent : ui.colors.text), letter);
+  return side;
+}
+
+void RunViews::make_room(Ui& ui) {
+  PaneLayout& panes = ui.model.settings.panes;
+  if (!ui.model.comparison.beside()) {
+    if (before_) {
+      panes.show_left |= before_->show_left;
+      panes.show_right |= before_->show_right;
+      before_.reset();
+    }
+    return;
+  }
+  if (before_) return;
+  before_ = panes;
+  const float half = ImGui::GetContentRegionAvail().x / 2 / ui.scale;
+  if (half < narrow_units) panes.show_left = false;
+  if (half + (before_->show_left ? panes.left / 2 : 0) < narrow_units) panes.show_right = false;
+}
+
+void RunViews::draw(Ui& ui) {
+  make_room(ui);
+  if (!ui.model.comparison.beside()) {
+    other_.release();
+    active_->draw(ui);
+    return;
+  }
+  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
+  const float gap = ui.px(3), half = std::floor((all.x - gap) / 2);
+  for (const bool b : {false, true}) {
+    ImGui::SetCursorScreenPos({low.x + (b ? half + gap : 0), low.y});
+    const ImVec2 size{b ? all.x - half - gap : half, all.y};
+    if (ImGui::BeginChild(b ? "run B" : "run A", size, false, flags)) {
+      const ImVec2 corner = ImGui::GetCursorScreenPos();
+      strip(ui, b, size.x);
+      ImGui::SetCursorScreenPos({corner.x, corner.y + ui.px(strip_units)});
+      if (b == ui.model.comparison.active_is_b())
+        active_->draw(ui);
+      else
+        other_.draw(ui);
+    }
+    ImGui::EndChild();
+  }
+}
+
+} // namespace isoscope

@@ -1,0 +1,398 @@
+// The shared pieces.
+#include "ui/widgets.h"
+
+#include "ui/icons.h"
+#include "model/words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope::widgets {
+namespace {
+
+void text(std::string_view s) {
+  ImGui::TextUnformatted(s.data(), s.data() + s.size());
+}
+
+bool hovered_at_rest() {
+  return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
+         !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+}
+
+/// A decimal number without the zeros at its end.
+std::string trimmed(std::string number) {
+  if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.') number.pop_back();
+  return number;
+}
+
+/// The time that the last item has been hovered, kept in the window's storage.
+double hover_seconds() {
+  const ImGuiID id = ImGui::GetID("hover-clock");
+  ImGuiStorage* store = ImGui::GetStateStorage();
+  const ImVec2 at = ImGui::GetItemRectMin();
+  const int key = static_cast<int>(at.x) * 7919 + static_cast<int>(at.y) + 1;
+  const float now = static_cast<float>(ImGui::GetTime());
+  if (store->GetInt(id) != key) {
+    store->SetInt(id, key);
+    store->SetFloat(id + 1, now);
+  }
+  return static_cast<double>(now - store->GetFloat(id + 1));
+}
+
+} // namespace
+
+std::string speed_text(double speed) {
+  if (speed == Transport::automatic) return "auto";
+  if (speed >= Transport::unlimited) return "max";
+  if (speed == 0.25) return "¼×";
+  if (speed == 0.5) return "½×";
+  return grouped(static_cast<std::size_t>(speed)) + "×";
+}
+
+ImVec2 text_size(std::string_view s) {
+  return ImGui::CalcTextSize(s.data(), s.data() + s.size());
+}
+
+void draw_text(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 color, std::string_view s) {
+  list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, color, s.data(),
+               s.data() + s.size());
+}
+
+std::string fitted(std::string_view s, float width) {
+  if (text_size(s).x <= width) return std::string(s);
+  std::string cut(s);
+  while (!cut.empty() && text_size(cut + "…").x > width) {
+    do {
+      const auto last = static_cast<unsigned char>(cut.back());
+      cut.pop_back();
+      if ((last & 0xC0) != 0x80) break;
+    } while (!cut.empty());
+  }
+  return cut + "…";
+}
+
+void wrapped_text(std::string_view s) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::string lines;
+  std::size_t begin = 0;
+  while (begin < s.size()) {
+    std::size_t end = std::min(s.find(' ', begin), s.size());
+    while (end < s.size()) {
+      const std::size_t next = std::min(s.find(' ', end + 1), s.size());
+      if (text_size(s.substr(begin, next - begin)).x > width) break;
+      end = next;
+    }
+    if (!lines.empty()) lines += '\n';
+    lines += s.substr(begin, end - begin);
+    begin = end + 1;
+  }
+  text(lines);
+}
+
+void tip(const Ui& ui, std::string_view title, std::string_view body) {
+  if (!hovered_at_rest()) return;
+  constexpr double delay = 0.5;
+  if (hover_seconds() < delay) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(320));
+  if (!title.empty()) {
+    ImGui::PushFont(ui.fonts.bold);
+    text(title);
+    ImGui::PopFont();
+  }
+  if (!body.empty()) {
+    ImGui::PushFont(ui.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.text, 0.85f));
+    text(body);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void command_tip(const Ui& ui, const Command& command) {
+  std::string title(command.title);
+  if (!command.keys.empty()) title += "   " + isoscope::text(command.keys.front());
+  tip(ui, title, command.help);
+}
+
+bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit, bool enabled, float width) {
+  const float side = ui.px(28);
+  const ImVec2 size{width > 0 ? width : side, side};
+  ImGui::PushID(id);
+  ImGui::BeginDisabled(!enabled);
+  const bool pressed = ImGui::InvisibleButton("button", size);
+  ImGui::EndDisabled();
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool hovered = enabled && ImGui::IsItemHovered();
+  if (lit)
+    list.AddRectFilled(low, high, to_u32(ui.colors.accent, hovered ? 0.30f : 0.20f), ui.px(5));
+  else if (hovered)
+    list.AddRectFilled(low, high, to_u32(ui.colors.hover), ui.px(5));
+  const Rgb color = lit ? ui.colors.accent_text : ui.colors.text;
+  const ImVec2 extent = text_size(icon);
+  draw_text(list, ImGui::GetFont(), {low.x + (size.x - extent.x) / 2, low.y + (size.y - extent.y) / 2},
+            to_u32(color, enabled ? (hovered || lit ? 1.0f : 0.85f) : 0.3f), icon);
+  ImGui::PopID();
+  return pressed && enabled;
+}
+
+void command_button(const Ui& ui, std::string_view name, const char* icon, Arguments arguments) {
+  const Command* command = find_command(name);
+  if (command == nullptr) return;
+  const bool enabled = command->enabled == nullptr || command->enabled(ui.model);
+  const bool lit = command->checked != nullptr && command->checked(ui.model);
+  const std::string id(name);
+  if (icon_button(ui, id.c_str(), icon ? icon : command->icon, lit, enabled))
+    ui.commands.post(id, std::move(arguments));
+  command_tip(ui, *command);
+}
+
+void key_button(const Ui& ui, std::string_view name, float width) {
+  const Command* command = find_command(name);
+  if (command == nullptr || command->keys.empty()) return;
+  const bool enabled = command->enabled == nullptr || command->enabled(ui.model);
+  const bool lit = command->checked != nullptr && command->checked(ui.model);
+  const std::string id(name),
+      label = std::string(command->icon) + " " + isoscope::text(command->keys.front());
+  ImGui::PushFont(ui.fonts.small);
+  if (icon_button(ui, id.c_str(), label.c_str(), lit, enabled, width)) ui.commands.post(id);
+  ImGui::PopFont();
+  command_tip(ui, *command);
+}
+
+bool primary_button(const Ui& ui, const char* label, bool enabled, float width) {
+  ImGui::BeginDisabled(!enabled);
+  ImGui::PushStyleColor(ImGuiCol_Button, to_vec(ui.colors.accent));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, to_vec(ui.colors.accent_text));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, to_vec(ui.colors.accent));
+  ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.on_accent));
+  ImGui::PushFont(ui.fonts.bold);
+  const bool pressed = ImGui::Button(label, {width, ui.px(30)});
+  ImGui::PopFont();
+  ImGui::PopStyleColor(4);
+  ImGui::EndDisabled();
+  return pressed;
+}
+
+bool plain_button(const Ui& ui, const char* label, bool enabled, float width, float height) {
+  ImGui::BeginDisabled(!enabled);
+  ImGui::PushStyleColor(ImGuiCol_Button, to_vec(ui.colors.hover));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, to_vec(ui.colors.line));
+  const bool pressed = ImGui::Button(label, {width, height > 0 ? height : ui.px(30)});
+  ImGui::PopStyleColor(2);
+  ImGui::EndDisabled();
+  return pressed;
+}
+
+bool section(const Ui& ui, const char* title, bool open_at_first) {
+  ImGuiStorage* store = ImGui::GetStateStorage();
+  const ImGuiID id = ImGui::GetID(title);
+  bool open = store->GetBool(id, open_at_first);
+  ImGui::PushID(title);
+  const float height = ui.px(30);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (ImGui::InvisibleButton("fold", {std::max(width, 1.0f), height})) {
+    open = !open;
+    store->SetBool(id, open);
+  }
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float y = at.y + (height - ui.fonts.bold->FontSize) / 2;
+  draw_text(list, ui.fonts.bold, {at.x, y}, to_u32(ui.colors.text, hovered ? 1.0f : 0.92f), title);
+  const char* arrow = open ? icon::down : icon::left;
+  draw_text(list, ui.fonts.ui, {at.x + width - ui.px(12), y}, to_u32(ui.colors.quiet), arrow);
+  ImGui::PopID();
+  return open;
+}
+
+void quiet_text(const Ui& ui, std::string_view s, bool wrapped) {
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.quiet));
+  if (wrapped)
+    wrapped_text(s);
+  else
+    text(s);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb color) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(21);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2},
+            to_u32(ui.colors.quiet), label);
+  ImGui::PushFont(ui.fonts.mono);
+  const float label_width =
+      ui.fonts.small
+          ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.data(), label.data() + label.size())
+          .x;
+  const std::string shown = fitted(value, std::max(width - label_width - ui.px(10), ui.px(40)));
+  const float extent = text_size(shown).x;
+  ImGui::PopFont();
+  draw_text(list, ui.fonts.mono, {at.x + width - extent, at.y + (height - ui.fonts.mono->FontSize) / 2},
+            to_u32(color != 0 ? color : ui.colors.text), shown);
+  ImGui::Dummy({width, height - ImGui::GetStyle().ItemSpacing.y});
+}
+
+bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_view value,
+              std::string_view hint) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), height = ui.px(23);
+  ImGui::PushID(id);
+  const bool pressed = ImGui::InvisibleButton("row", {width, height});
+  ImGui::PopID();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered) {
+    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + height},
+                       to_u32(ui.colors.hover), ui.px(4));
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2},
+            to_u32(ui.colors.accent_text), label);
+  ImGui::PushFont(ui.fonts.mono);
+  const float extent = text_size(value).x;
+  ImGui::PopFont();
+  draw_text(list, ui.fonts.mono, {at.x + width - extent, at.y + (height - ui.fonts.mono->FontSize) / 2},
+            to_u32(ui.colors.text), value);
+  if (!hint.empty()) tip(ui, label, hint);
+  ImGui::SetCursorScreenPos({at.x, at.y + height});
+  return pressed;
+}
+
+void limit_bar(const Ui& ui, std::string_view label, double value, double limit, bool good,
+               std::string_view unit, bool limit_is_upper) {
+  const std::string_view sign = value < limit ? " < " : value > limit ? " > " : " = ";
+  std::string shown = number_beside(value, limit) + std::string(sign) + trimmed(short_number(limit));
+  if (!unit.empty()) shown += " " + std::string(unit);
+  value_row(ui, label, shown, good ? ui.colors.good_text : ui.colors.bad_text);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, thick = ui.px(6);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 low{at.x, at.y + ui.px(2)}, high{at.x + width, at.y + ui.px(2) + thick};
+  const double reach = 2 * limit;
+  const float part = static_cast<float>(std::clamp(reach > 0 ? value / reach : 0.0, 0.0, 1.0));
+  const float mark = at.x + width * 0.5f;
+  list.AddRectFilled(low, high, to_u32(ui.colors.line), thick / 2);
+  // The forbidden side is tinted, so that colour is not the only sign.
+  if (limit_is_upper)
+    list.AddRectFilled({mark, low.y}, high, to_u32(ui.colors.bad, 0.22f), thick / 2);
+  else
+    list.AddRectFilled(low, {mark, high.y}, to_u32(ui.colors.bad, 0.22f), thick / 2);
+  if (part > 0)
+    list.AddRectFilled(low, {std::max(low.x + width * part, low.x + thick), high.y},
+                       to_u32(good ? ui.colors.good : ui.colors.bad), thick / 2);
+  list.AddRectFilled({mark - ui.px(1), low.y - ui.px(3)}, {mark + ui.px(1), high.y + ui.px(3)},
+                     to_u32(ui.colors.text));
+  ImGui::Dummy({width, thick + ui.px(4)});
+  tip(ui, std::string(label),
+      std::string(limit_is_upper ? "Must not exceed " : "Must not fall below ") + short_number(limit) + " " +
+          std::string(unit) + ".");
+}
+
+bool toggle(const Ui& ui, const char* id, bool& on) {
+  const float height = ui.px(16), width = ui.px(28);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushID(id);
+  const bool pressed = ImGui::InvisibleButton("toggle", {width, ui.px(20)});
+  ImGui::PopID();
+  if (pressed) on = !on;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float y = at.y + ui.px(2), radius = height / 2;
+  const float bright = ImGui::IsItemHovered() ? 1.0f : 0.9f;
+  list.AddRectFilled({at.x, y}, {at.x + width, y + height},
+                     on ? to_u32(ui.colors.accent, bright) : to_u32(ui.colors.quiet, 0.45f), radius);
+  list.AddCircleFilled({on ? at.x + width - radius : at.x + radius, y + radius}, radius - ui.px(2.5f),
+                       to_u32(on ? ui.colors.on_accent : ui.colors.panel), 24);
+  return pressed;
+}
+
+bool segmented(const Ui& ui, const char* id, std::span<const char* const> labels, int& chosen, float width) {
+  if (width <= 0) width = ImGui::GetContentRegionAvail().x;
+  const float height = ui.px(26), each = width / static_cast<float>(labels.size());
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = ui.px(5);
+  list.AddRectFilled(at, {at.x + width, at.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+  bool changed = false;
+  ImGui::PushID(id);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const float x = at.x + each * static_cast<float>(i);
+    ImGui::SetCursorScreenPos({x, at.y});
+    ImGui::PushID(static_cast<int>(i));
+    const bool pressed = ImGui::InvisibleButton("segment", {each, height});
+    ImGui::PopID();
+    const bool lit = chosen == static_cast<int>(i);
+    if (pressed && !lit) {
+      chosen = static_cast<int>(i);
+      changed = true;
+    }
+    if (lit)
+      list.AddRectFilled({x + ui.px(2), at.y + ui.px(2)}, {x + each - ui.px(2), at.y + height - ui.px(2)},
+                         to_u32(ui.colors.accent, 0.24f), rounding - ui.px(1));
+    const std::string shown = fitted(labels[i], each - ui.px(4));
+    const ImVec2 extent = text_size(shown);
+    draw_text(
+        list, ImGui::GetFont(), {x + (each - extent.x) / 2, at.y + (height - extent.y) / 2},
+        to_u32(lit ? ui.colors.accent_text : ui.colors.text, lit || ImGui::IsItemHovered() ? 1.0f : 0.8f),
+        shown);
+  }
+  ImGui::PopID();
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy({width, height});
+  return changed;
+}
+
+bool slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format,
+            bool logarithmic) {
+  ImGui::PushFont(ui.fonts.mono);
+  ImGui::SetNextItemWidth(-1);
+  const bool changed =
+      ImGui::SliderFloat(id, &value, low, high, format,
+                         ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+  ImGui::PopFont();
+  return changed;
+}
+
+void heading(Ui& ui, const char* icon, const std::string& title, const std::string& note) {
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted((std::string(icon) + "  " + title).c_str());
+  ImGui::PopFont();
+  const float buttons = 2 * ui.px(28) + ui.px(56);
+  ImGui::SameLine();
+  ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - buttons, ImGui::GetCursorPosY() - ui.px(5)});
+  key_button(ui, "break-here", ui.px(48));
+  ImGui::SameLine(0, ui.px(4));
+  command_button(ui, "frame", isoscope::icon::target);
+  ImGui::SameLine(0, ui.px(4));
+  command_button(ui, "clear", isoscope::icon::close);
+  if (!note.empty()) quiet_text(ui, note);
+  ImGui::Dummy({0, ui.px(2)});
+}
+
+void verdict_glyph(const Ui& ui, bool good) {
+  const float side = ImGui::GetTextLineHeight();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 middle{at.x + side / 2, at.y + side / 2};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float r = ui.px(4.5f);
+  if (good) {
+    list.AddCircleFilled(middle, r, to_u32(ui.colors.good), 20);
+  } else {
+    const ImU32 color = to_u32(ui.colors.bad_text);
+    list.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, color, ui.px(2));
+    list.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, color, ui.px(2));
+  }
+  ImGui::Dummy({side, side});
+}
+
+} // namespace isoscope::widgets

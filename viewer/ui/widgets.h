@@ -1,0 +1,66 @@
+// Small pieces that several panels share: icon buttons, value rows, limit bars, section titles, tooltips.
+#pragma once
+
+#include "ui/ui.h"
+#include "scene/marker_shape.h"
+
+#include <string>
+#include <string_view>
+
+namespace isoscope::widgets {
+
+/// A tooltip for the last item after half a second: a title in bold and a paragraph below.
+void tip(const Ui& ui, std::string_view title, std::string_view text = {});
+/// A tooltip made from a command: its title, key and help.
+void command_tip(const Ui& ui, const Command& command);
+
+/// A flat button with an icon; `lit` shows it as switched on. True when pressed.
+bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit = false, bool enabled = true,
+                 float width = 0);
+/// An icon button that posts a command; disabled when the command is.
+void command_button(const Ui& ui, std::string_view command, const char* icon = nullptr,
+                    Arguments arguments = {});
+/// The same with the command's key beside its icon.
+void key_button(const Ui& ui, std::string_view command, float width);
+/// A filled button with text in the accent colour.
+bool primary_button(const Ui& ui, const char* label, bool enabled = true, float width = 0);
+/// A button without weight.
+bool plain_button(const Ui& ui, const char* label, bool enabled = true, float width = 0, float height = 0);
+
+/// A pane's section with a title that folds it; call the content only when true.
+bool section(const Ui& ui, const char* title, bool open_at_first = true);
+/// A quiet label on the left, a monospaced value flush right.
+void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb color = 0);
+/// A row that selects what it names: true when clicked.
+bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_view value,
+              std::string_view hint = {});
+/// A number beside its limit: a bar on [0, reach] with the limit marked. `good`: the number keeps it.
+void limit_bar(const Ui& ui, std::string_view label, double value, double limit, bool good,
+               std::string_view unit, bool limit_is_upper);
+
+/// A switch with an accent-coloured track. True when changed.
+bool toggle(const Ui& ui, const char* id, bool& on);
+/// Buttons of which one is lit. True when changed.
+bool segmented(const Ui& ui, const char* id, std::span<const char* const> labels, int& chosen,
+               float width = 0);
+/// A slider with its value in the field, over the width that is left.
+bool slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format,
+            bool logarithmic = false);
+
+/// The head of an inspector: what is selected, with buttons to frame and to clear it, and a quiet note.
+void heading(Ui& ui, const char* icon, const std::string& title, const std::string& note);
+/// Good: a disc; bad: a cross; drawn at the cursor like a glyph of the present line.
+void verdict_glyph(const Ui& ui, bool good);
+/// A mark of the view in a panel; the radius in units of the interface.
+void glyph(const Ui& ui, ImVec2 middle, float radius, Rgb color, MarkerShape shape);
+void quiet_text(const Ui& ui, std::string_view text, bool wrapped = false);
+/// In the present font over the width that is left, broken at blanks alone: never within "1.000".
+void wrapped_text(std::string_view text);
+/// Text cut with an ellipsis to a width.
+std::string fitted(std::string_view text, float width);
+/// A speed of the play head: "¼×", "64×", "auto", "max".
+std::string speed_text(double steps_per_second);
+ImVec2 text_size(std::string_view text);
+void draw_text(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 color, std::string_view text);
+
+} // namespace isoscope::widgets

@@ -1,0 +1,132 @@
+// Layers: an eye, a name, an opacity each; and what colours and shapes mean.
+#include "ui/icons.h"
+#include "model/words.h"
+#include "app/panels.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+
+namespace isoscope::panels {
+namespace {
+
+enum class Swatch { surface, disc, cross, line, cell };
+
+struct Row {
+  std::string_view layer;
+  Swatch swatch;
+  Rgb Palette::*color;
+};
+constexpr Row rows[] = {
+    {"outer", Swatch::surface, &Palette::outer}, {"inner", Swatch::surface, &Palette::inner},
+    {"zero", Swatch::surface, &Palette::zero},   {"good", Swatch::disc, &Palette::good},
+    {"bad", Swatch::cross, &Palette::bad},       {"tets", Swatch::cell, &Palette::warning},
+    {"gamma", Swatch::line, &Palette::gamma},    {"highlight", Swatch::line, &Palette::selection},
+    {"xray", Swatch::cell, &Palette::inner},     {"input", Swatch::surface, &Palette::quiet},
+};
+
+void draw_swatch(const Ui& ui, Swatch swatch, Rgb color, ImVec2 middle, float strength) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float r = ui.px(5);
+  const ImU32 c = to_u32(color, strength);
+  switch (swatch) {
+  case Swatch::surface:
+    list.AddRectFilled({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, c, ui.px(3));
+    break;
+  case Swatch::disc:
+    list.AddCircleFilled(middle, r, c, 20);
+    break;
+  case Swatch::cross:
+    list.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, c, ui.px(2));
+    list.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, c, ui.px(2));
+    break;
+  case Swatch::line:
+    list.AddLine({middle.x - r, middle.y + r * 0.6f}, {middle.x + r, middle.y - r * 0.6f}, c, ui.px(2));
+    break;
+  case Swatch::cell:
+    list.AddTriangle({middle.x, middle.y - r}, {middle.x - r, middle.y + r * 0.8f},
+                     {middle.x + r, middle.y + r * 0.8f}, c, ui.px(1.5f));
+    break;
+  }
+}
+
+/// A slim slider without frame; true while it is dragged.
+bool opacity(const Ui& ui, float& value, float width, bool active) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ui.px(26), thick = ui.px(4), grab = ui.px(5);
+  ImGui::InvisibleButton("opacity", {width, height});
+  const bool held = ImGui::IsItemActive();
+  if (held) value = std::clamp((ImGui::GetIO().MousePos.x - at.x - grab) / (width - 2 * grab), 0.0f, 1.0f);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float y = at.y + height / 2, x = at.x + grab + value * (width - 2 * grab);
+  list.AddRectFilled({at.x + grab, y - thick / 2}, {at.x + width - grab, y + thick / 2},
+                     to_u32(ui.colors.line), thick / 2);
+  list.AddRectFilled({at.x + grab, y - thick / 2}, {x, y + thick / 2},
+                     to_u32(ui.colors.accent, active ? 0.9f : 0.35f), thick / 2);
+  const bool hot = held || ImGui::IsItemHovered();
+  list.AddCircleFilled({x, y}, hot ? grab + ui.px(1) : grab,
+                       to_u32(active ? ui.colors.text : ui.colors.quiet, hot ? 1.0f : 0.85f), 20);
+  return held;
+}
+
+void layer_row(Ui& ui, const Row& row) {
+  const auto names = layer_names();
+  const auto name =
+      std::find_if(names.begin(), names.end(), [&](const LayerName& l) { return l.name == row.layer; });
+  LayerSettings& layer = ui.model.view.*(name->member);
+  ImGui::PushID(name->title.data());
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, high = ui.px(26), slider = ui.px(84);
+  if (ImGui::InvisibleButton("eye", {ui.px(24), high})) {
+    // With Ctrl: this one alone, as layer lists elsewhere do.
+    if (ImGui::GetIO().KeyCtrl)
+      for (const Row& other : rows)
+        for (const LayerName& l : names)
+          if (l.name == other.layer) (ui.model.view.*(l.member)).visible = l.name == row.layer;
+    if (!ImGui::GetIO().KeyCtrl) layer.visible = !layer.visible;
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float strength = layer.visible ? 1.0f : 0.35f;
+  const float y = at.y + (high - ui.fonts.ui->FontSize) / 2;
+  widgets::draw_text(
+      list, ui.fonts.ui, {at.x + ui.px(2), y},
+      to_u32(ImGui::IsItemHovered() ? ui.colors.accent_text : ui.colors.text, layer.visible ? 0.9f : 0.4f),
+      layer.visible ? icon::eye : icon::eye_off);
+  widgets::tip(ui, layer.visible ? "Hide" : "Show", "Ctrl-click shows this layer alone.");
+  const auto state = ui.model.state();
+  const bool unclassified = row.layer == "good" && state != nullptr && state->complex.form == ZeroForm::free;
+  draw_swatch(ui, row.swatch, unclassified ? ui.colors.quiet : ui.colors.*(row.color),
+              {at.x + ui.px(36), at.y + high / 2}, strength);
+  ImGui::SetCursorScreenPos({at.x + ui.px(26), at.y});
+  ImGui::InvisibleButton("name", {width - slider - ui.px(30), high});
+  const std::string_view title = unclassified ? "Samples, not classified" : name->title;
+  widgets::tip(ui, title,
+               unclassified ? "Z has left T: f no longer classifies the samples of S. They are drawn grey."
+                            : name->tip);
+  ImGui::PushFont(ui.fonts.small);
+  const std::string shown = widgets::fitted(title, width - slider - ui.px(54));
+  ImGui::PopFont();
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(50), at.y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(ui.colors.text, layer.visible ? 1.0f : 0.55f), shown);
+  ImGui::SetCursorScreenPos({at.x + width - slider, at.y});
+  opacity(ui, layer.opacity, slider, layer.visible);
+  widgets::tip(ui, "Opacity",
+               "From invisible to solid, 0 to 1; now " + short_number(static_cast<double>(layer.opacity)) +
+                   ".");
+  ImGui::SetCursorScreenPos({at.x, at.y + high});
+  ImGui::PopID();
+}
+
+} // namespace
+
+void layers(Ui& ui) {
+  if (!widgets::section(ui, "Layers")) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
+  for (const Row& row : rows) layer_row(ui, row);
+  ImGui::PopStyleVar();
+  // The group switch of the samples follows its two halves.
+  ViewSettings& view = ui.model.view;
+  view.samples.visible = view.good_samples.visible || view.bad_samples.visible;
+  ImGui::Dummy({0, ui.px(4)});
+}
+
+} // namespace isoscope::panels

@@ -1,0 +1,26 @@
+// What lies over the view: axes, scale bar, the sentence of the current operation, mode switch, hover,
+// progress.
+#pragma once
+
+#include "ui/ui.h"
+
+namespace isoscope::overlay {
+
+/// `corner`: the view's top right.
+void mode_switch(Ui& ui, ImVec2 corner);
+void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size);
+/// `height`: scene units over the view's height; nothing where `delta` is 0.
+void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double height);
+/// Of a camera, where it looks.
+double height_at_target(const Camera& camera);
+/// An event's text in the top left corner with its glyph, cut to `room`; null: none led here.
+void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room);
+void caption(const Ui& ui, ImVec2 low, ImVec2 size);
+void section_caption(const Ui& ui, ImVec2 low, ImVec2 size);
+void hover_tip(const Ui& ui);
+/// What to do where there is no model: open one, or choose from the gallery.
+void invitation(Ui& ui, ImVec2 low, ImVec2 size);
+/// What is being prepared of a run, with Cancel, which posts the command.
+void progress(Ui& ui, const ShownRun& run, const char* cancel, ImVec2 low, ImVec2 size);
+
+} // namespace isoscope::overlay

@@ -1,0 +1,281 @@
+// Mouse, pictures and what lies over them.
+#include "view/scene_view.h"
+
+#include "view/scene_overlay.h"
+#include "ui/widgets.h"
+#include "questions/target_study.h"
+#include "scene/pick_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+
+constexpr double hover_delay = 0.12;
+
+ImVec2 local(ImVec2 mouse, ImVec2 low) {
+  return {mouse.x - low.x, mouse.y - low.y};
+}
+
+} // namespace
+
+void SceneView::draw(Ui& ui) {
+  AppModel& m = ui.model;
+  renderer_->set_scene(m.run.scene);
+  renderer_->set_grid(m.grid.grid());
+  renderer_->set_state(m.state());
+  xray_ = m.xray();
+  renderer_->set_xray(xray_);
+  // Until the next answer is there, the last one stays: a drag would flicker otherwise.
+  if (const auto newest = m.study(); newest || !m.selection.what_if || !xray_) study_ = newest;
+  renderer_->set_study(study_);
+  annotation_ = m.investigation.annotation();
+  renderer_->set_annotation(annotation_);
+  frame_requests(ui);
+
+  const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
+  scene_shown_ = m.view.mode != ViewMode::section;
+  section_shown_ = m.view.mode != ViewMode::scene;
+  if (!scene_shown_) scene_.rest();
+  if (!section_shown_) section_.rest();
+  if (m.view.mode == ViewMode::split) {
+    const float gap = ui.px(2), half = std::floor((all.x - gap) / 2);
+    draw_scene(ui, {low, {half, all.y}});
+    draw_section(ui, {{low.x + half + gap, low.y}, {all.x - half - gap, all.y}});
+  } else if (scene_shown_) {
+    draw_scene(ui, {low, all});
+  } else {
+    draw_section(ui, {low, all});
+  }
+  if (!m.presenter.on) {
+    overlay::mode_switch(ui, {low.x + all.x, low.y});
+    overlay::caption(ui, low, all);
+  }
+  overlay::progress(ui, m, "stop", low, all);
+  overlay::invitation(ui, low, all);
+}
+
+void SceneView::render(Ui& ui, Area area, bool section) {
+  const AppModel& m = ui.model;
+  const ViewSettings view = m.shown_view();
+  ViewPicture::Key key;
+  key.view = view;
+  key.state = m.state().get();
+  key.grid = m.grid.grid().get();
+  key.scene = m.run.scene.get();
+  key.xray = xray_.get();
+  key.study = study_.get();
+  key.annotation = annotation_.get();
+  key.mark = m.selection.mark;
+  key.selection = m.selection.picked;
+  key.hover = m.selection.hovered;
+  if (section)
+    key.u = m.section.u, key.v = m.section.v, key.height = m.section.height;
+  else
+    key.pose = m.camera.pose();
+  (section ? section_ : scene_).draw(ui, area, key, [&](const FrameRequest& request) {
+    return section ? renderer_->render_section(m.section, view, request)
+                   : renderer_->render(m.camera, view, request);
+  });
+}
+
+void SceneView::draw_scene(Ui& ui, Area area) {
+  if (area.size.x < 1 || area.size.y < 1) return;
+  ImGui::SetCursorScreenPos(area.low);
+  ImGui::InvisibleButton("scene", area.size, every_button);
+  ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
+  frame_untouched(ui, area.size.x / area.size.y);
+  ui.model.scene_area = {area.low.x, area.low.y, area.size.x, area.size.y};
+  scene_mouse(ui, area);
+  render(ui, area, false);
+  const AppModel& m = ui.model;
+  overlay::axes(ui, m.camera, area.low, area.size);
+  overlay::scale_bar(ui, m.run.scene ? m.run.scene->delta : 0, area.low, area.size,
+                     overlay::height_at_target(m.camera));
+}
+
+void SceneView::draw_section(Ui& ui, Area area) {
+  if (area.size.x < 1 || area.size.y < 1) return;
+  ImGui::SetCursorScreenPos(area.low);
+  ImGui::InvisibleButton("section", area.size, every_button);
+  ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
+  place_untouched_section(ui.model, area.size.x / area.size.y);
+  section_mouse(ui, area);
+  render(ui, area, true);
+  overlay::section_caption(ui, area.low, area.size);
+  const auto& scene = ui.model.run.scene;
+  overlay::scale_bar(ui, scene ? scene->delta : 0, area.low, area.size, ui.model.section.height);
+}
+
+void SceneView::picked(Ui& ui, const Pick& pick) {
+  ui.model.selection.pick(pick);
+  if (pick.kind != Pick::Kind::none) ui.model.settings.panes.show_right = true;
+}
+
+Pick SceneView::hover_pick(Ui& ui, Area area, bool section) {
+  AppModel& m = ui.model;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MousePos.x != hover_at_.x || io.MousePos.y != hover_at_.y) {
+    hover_at_ = io.MousePos;
+    hover_since_ = m.clock;
+    hover_asked_ = false;
+  }
+  if (hover_asked_ || m.transport.moving() || m.clock - hover_since_ < hover_delay)
+    return m.selection.hovered;
+  hover_asked_ = true;
+  const ImVec2 at = local(io.MousePos, area.low);
+  const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
+  return section ? renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height,
+                                           m.selection.kinds)
+                 : renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds);
+}
+
+void SceneView::scene_mouse(Ui& ui, Area area) {
+  AppModel& m = ui.model;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  const ImVec2 at = local(io.MousePos, area.low);
+  const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
+  const auto under = [&] {
+    return renderer_->point_under(m.camera, m.shown_view(), at.x, at.y, width, height);
+  };
+  if (handle_.update(ui, area.low, area.size, hovered)) {
+    mouse_.take();
+    return;
+  }
+  mouse_.update(ui, m.camera, area, under);
+  if (ImGui::IsItemDeactivated() && !mouse_.dragged() && hovered) {
+    if (ImGui::IsMouseReleased(0))
+      picked(ui, renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds));
+    if (ImGui::IsMouseReleased(1)) picked(ui, {});
+  }
+  if (hovered && !ImGui::IsAnyMouseDown()) {
+    m.selection.hovered = hover_pick(ui, area, false);
+    overlay::hover_tip(ui);
+  } else if (scene_shown_ && !section_shown_) {
+    m.selection.hovered = {};
+  }
+}
+
+void SceneView::section_mouse(Ui& ui, Area area) {
+  AppModel& m = ui.model;
+  ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  const ImVec2 at = local(io.MousePos, area.low);
+  const int width = static_cast<int>(area.size.x), height = static_cast<int>(area.size.y);
+  const double unit = m.section.height / static_cast<double>(area.size.y);
+  if (ImGui::IsItemActivated()) dragged_ = false;
+  if (ImGui::IsItemActive()) {
+    const int button = ImGui::IsMouseDown(0) ? 0 : ImGui::IsMouseDown(1) ? 1 : 2;
+    const ImVec2 total = ImGui::GetMouseDragDelta(button, 0);
+    dragged_ = dragged_ || std::hypot(total.x, total.y) > ui.px(4);
+    if (dragged_) {
+      m.section.u -= io.MouseDelta.x * unit;
+      m.section.v += io.MouseDelta.y * unit;
+      m.section_set = true;
+    }
+  }
+  if (hovered && io.MouseWheel != 0) {
+    const double factor = std::pow(0.88, static_cast<double>(io.MouseWheel));
+    const double du = (static_cast<double>(at.x) - area.size.x / 2) * unit,
+                 dv = (area.size.y / 2 - static_cast<double>(at.y)) * unit;
+    m.section.u += du * (1 - factor);
+    m.section.v += dv * (1 - factor);
+    m.section.height *= factor;
+    m.section_set = true;
+  }
+  if (ImGui::IsItemDeactivated() && !dragged_ && hovered) {
+    if (ImGui::IsMouseReleased(0))
+      picked(ui, renderer_->pick_section(m.section, m.shown_view(), at.x, at.y, width, height,
+                                         m.selection.kinds));
+    if (ImGui::IsMouseReleased(1)) picked(ui, {});
+  }
+  if (hovered && !ImGui::IsAnyMouseDown()) {
+    m.selection.hovered = hover_pick(ui, area, true);
+    overlay::hover_tip(ui);
+  } else if (section_shown_ && !scene_shown_) {
+    m.selection.hovered = {};
+  }
+}
+
+// Until somebody moves the camera, the whole model stays in sight, however narrow the view becomes.
+void SceneView::frame_untouched(Ui& ui, float aspect) {
+  AppModel& m = ui.model;
+  const Box3 box = m.scene_bounds();
+  if (m.camera.was_set() || box.empty()) return;
+  if (aspect == framed_aspect_ && box.lo == framed_box_.lo && box.hi == framed_box_.hi) return;
+  framed_aspect_ = aspect;
+  framed_box_ = box;
+  m.camera.frame(box, false);
+  CameraPose pose = m.camera.pose();
+  pose.distance /= std::min(1.0, static_cast<double>(aspect));
+  m.camera.set(pose);
+}
+
+// The same for the section: what the plane cuts of the input is centred.
+void SceneView::place_untouched_section(AppModel& m, float aspect) {
+  ClipSettings plane;
+  plane.point = m.view.clip.point;
+  plane.normal = m.view.clip.normal;
+  plane.flipped = m.view.clip.flipped;
+  if (m.section_set || !m.run.scene || !m.run.scene->input) return;
+  if (plane == placed_clip_ && placed_scene_ == m.run.scene.get() && placed_aspect_ == aspect) return;
+  placed_clip_ = plane;
+  placed_scene_ = m.run.scene.get();
+  placed_aspect_ = aspect;
+  const PlaneAxes axes = plane_axes(plane.flipped ? -plane.normal : plane.normal);
+  Box3 box; // in the plane's coordinates
+  const TriangleSoup& soup = *m.run.scene->input;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    const Triangle3 t = soup.triangle(i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 a = t[k] - plane.point, b = t[(k + 1) % 3] - plane.point;
+      const double da = dot(a, plane.normal), db = dot(b, plane.normal);
+      if ((da < 0) == (db < 0)) continue;
+      const Vec3 p = a + da / (da - db) * (b - a);
+      box.add(Vec3{dot(p, axes.u), dot(p, axes.v), 0});
+    }
+  }
+  if (box.empty()) return;
+  const Vec3 extent = box.extent(), middle = box.center();
+  const double margin = 8 * m.run.scene->delta;
+  m.section = {middle.x, middle.y, 1.1 * std::max(extent.y, extent.x / static_cast<double>(aspect)) + margin};
+}
+
+void SceneView::frame_requests(Ui& ui) {
+  AppModel& m = ui.model;
+  // What is selected may belong to a step that is still being made.
+  const bool ready = m.state_is_current() || m.running();
+  const bool all = std::exchange(m.requests.frame_all, false);
+  const bool selected = ready && std::exchange(m.requests.frame_selection, false);
+  if (!all && !selected) return;
+  Box3 box = m.scene_bounds();
+  if (box.empty()) box = renderer_->bounds();
+  const Pick& pick = m.selection.picked;
+  const auto state = m.state();
+  if (selected && !all && pick.kind != Pick::Kind::none && state) {
+    const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * box.longest_edge();
+    box = pick_bounds(*state, pick);
+    if (box.empty()) box.add(pick.point);
+    if (m.selection.mark) box.add(*m.selection.mark);
+    box = box.grown(margin + 0.5 * box.longest_edge());
+    // What lies on the far side of the model or in a fold of it would be framed from within.
+    const Vec3 now = normalized(m.camera.eye() - m.camera.pose().target);
+    const double reach = 2 * box.longest_edge(); // about the distance of the camera once it is framed
+    const Vec3 normal = surface_normal(*state, pick);
+    const Vec3 from = squared_length(normal) > 0
+                          ? unhidden_direction(state->zero_set, box.center(), now, normal, reach)
+                          : now;
+    if (from != now) m.camera.look_from(from, false);
+  }
+  m.camera.frame(box, !m.scripted);
+  m.camera.mark_set();
+  const PlaneAxes axes = plane_axes(m.view.clip.normal);
+  const Vec3 offset = box.center() - m.view.clip.point;
+  m.section.u = dot(offset, axes.u);
+  m.section.v = dot(offset, axes.v);
+  m.section.height = 1.15 * box.longest_edge();
+}
+
+} // namespace isoscope

@@ -1,0 +1,48 @@
+// When a picture is made, and at which quality.
+#include "view/view_picture.h"
+
+#include <cstdint>
+
+namespace isoscope {
+namespace {
+
+constexpr double settle_seconds = 0.15; ///< after the last change the picture is drawn at full quality
+
+} // namespace
+
+void ViewPicture::draw(const Ui& ui, ViewArea area, Key key, const Render& render) {
+  const AppModel& m = ui.model;
+  const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
+  key.width = static_cast<int>(area.size.x * density.x);
+  key.pixel_height = static_cast<int>(area.size.y * density.y);
+  key.scale = ui.scale;
+  if (key.width <= 0 || key.pixel_height <= 0) return;
+
+  FrameRequest request;
+  request.width = key.width;
+  request.height = key.pixel_height;
+  request.pixel_scale = pixel_scale_ = ui.scale * density.x;
+  request.selection = key.selection;
+  request.mark = key.mark;
+  request.hover = key.hover;
+  const auto make = [&](Quality quality) {
+    request.quality = quality;
+    frame_ = render(request);
+  };
+  if (key != key_) {
+    const bool first = changed_at_ < 0;
+    key_ = key;
+    changed_at_ = m.clock;
+    unfinished_ = !first && !m.scripted;
+    make(unfinished_ ? Quality::moving : Quality::rest);
+  } else if (unfinished_ && m.clock - changed_at_ > settle_seconds) {
+    unfinished_ = false;
+    make(Quality::rest);
+  }
+  if (frame_.texture == 0) return;
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(frame_.texture));
+  ImGui::GetWindowDrawList()->AddImage(texture, area.low,
+                                       {area.low.x + area.size.x, area.low.y + area.size.y}, {0, 1}, {1, 0});
+}
+
+} // namespace isoscope
