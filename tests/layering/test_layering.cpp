@@ -55,7 +55,16 @@ TEST_CASE("includes follow the arrows") {
   CHECK(includes("core/criteria/height.cpp", "#include \"journal/event.h\"") == 1);
   CHECK(includes("core/run/session.cpp", "#include \"scene/camera.h\"") == 1);
   CHECK(includes("core/attic/old.cpp", "#include \"base/ids.h\"") == 1);
-  CHECK(includes("viewer/scene/camera.h", "#include \"run/snapshot.h\"") == 0);
+  CHECK(includes("core/improve/relaxation.cpp", "#include \"collapse/tet_patch.h\"") == 0);
+  CHECK(includes("core/collapse/tet_patch.cpp", "#include \"improve/relaxation.h\"") == 1);
+  CHECK(includes("core/questions/snapshot.cpp", "#include \"compare/compare_runs.h\"") == 1);
+  CHECK(includes("core/run/session.cpp", "#include \"edge/probe.h\"") == 1);
+  CHECK(includes("viewer/scene/camera.h", "#include \"questions/snapshot.h\"") == 0);
+  CHECK(includes("viewer/edge/probe.h", "#include \"ask/investigation.h\"") == 1);
+  CHECK(includes("viewer/edge/probe.h", "#include \"model/shown_run.h\"") == 0);
+  CHECK(includes("viewer/talk/bookmarks.h", "#include \"app/app_model.h\"") == 1);
+  CHECK(includes("viewer/app/app.h", "#include \"cli/exit_status.h\"") == 0);
+  CHECK(includes("viewer/ui/theme.h", "#include \"cli/exit_status.h\"") == 1);
   CHECK(includes("viewer/gl/buffer.h", "#include \"scene/camera.h\"") == 1);
   CHECK(includes("viewer/platform/window.h", "#include \"mesh/complex.h\"") == 1);
 }
@@ -75,7 +84,7 @@ TEST_CASE("libraries stay in their places") {
   CHECK(includes("core/run/session.cpp", "#include \"imgui.h\"") == 1);
   CHECK(includes("viewer/scene/camera.h", "#include <glm/glm.hpp>") == 0);
   CHECK(includes("viewer/scene/camera.h", "#include \"imgui.h\"") == 1);
-  CHECK(includes("viewer/panels/layers.cpp", "#include <imgui.h>") == 0);
+  CHECK(includes("viewer/ui/widgets.cpp", "#include <imgui.h>") == 0);
 }
 
 TEST_CASE("purpose, length and words") {
