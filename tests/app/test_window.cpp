@@ -1,5 +1,6 @@
 // Sessions of the real window: scripts with expectations, pictures against references, a real mouse and
 // keyboard.
+#include "app/picture_regions.h"
 #include "app/window_script.h"
 #include "platform/image_file.h"
 
@@ -18,30 +19,11 @@ namespace {
 
 const fs::path results = ISOSCOPE_RESULTS;
 const fs::path reference = ISOSCOPE_REFERENCE;
+/// Of a region of a window's picture; what a word more or less makes of it is more.
+constexpr double most_difference = 0.06;
 
 std::string picture(const std::string& name) {
   return (results / (name + ".png")).string();
-}
-
-/// The mean difference of two pictures' channels after averaging 8 by 8 pixels, in [0, 1]: blind to how a
-/// font is rasterised, awake to what is where.
-double difference(const Image& a, const Image& b) {
-  constexpr int cell = 8;
-  double sum = 0;
-  int count = 0;
-  for (int y = 0; y + cell <= a.height; y += cell)
-    for (int x = 0; x + cell <= a.width; x += cell)
-      for (int c = 0; c < 3; ++c) {
-        int difference = 0;
-        for (int j = 0; j < cell; ++j)
-          for (int i = 0; i < cell; ++i) {
-            const auto at = static_cast<std::size_t>(((y + j) * a.width + x + i) * 4 + c);
-            difference += a.pixels[at] - b.pixels[at];
-          }
-        sum += std::abs(difference) / (255.0 * cell * cell);
-        ++count;
-      }
-  return sum / count;
 }
 
 void compare(const std::string& name) {
@@ -56,10 +38,35 @@ void compare(const std::string& name) {
   REQUIRE(found->width == expected->width);
   REQUIRE(found->height == expected->height);
   CAPTURE(name);
-  CHECK(difference(*found, *expected) < 0.025);
+  const PictureDifference differs = compare_regions(*found, *expected);
+  CHECK(differs.mean < 0.025);
+  CAPTURE(differs.x);
+  CAPTURE(differs.y);
+  CHECK(differs.worst < most_difference);
 }
 
 } // namespace
+
+TEST_CASE("a word that vanishes from a picture is found, noise in all of it is not") {
+  Image before{640, 400, std::vector<std::uint8_t>(640 * 400 * 4, 40)}, after = before;
+  // Twelve letters, a third of whose pixels are bright.
+  for (int y = 203; y < 213; ++y)
+    for (int x = 111; x < 191; x += 3) before.pixels[static_cast<std::size_t>((y * 640 + x) * 4 + 1)] = 220;
+  for (int y = 203; y < 213; ++y)
+    for (int x = 111; x < 191; x += 3)
+      for (const int channel : {0, 2})
+        before.pixels[static_cast<std::size_t>((y * 640 + x) * 4 + channel)] = 220;
+  const PictureDifference word = compare_regions(before, after);
+  CHECK(word.mean < 0.025);
+  CHECK(word.worst > most_difference);
+  CHECK(word.x >= 80);
+  CHECK(word.x <= 168);
+  for (std::size_t i = 0; i < after.pixels.size(); ++i) after.pixels[i] = i % 7 < 3 ? 47 : 35;
+  const PictureDifference noise =
+      compare_regions(after, Image{640, 400, std::vector<std::uint8_t>(640 * 400 * 4, 40)});
+  CHECK(noise.worst < most_difference);
+  CHECK(compare_regions(before, Image{}).mean == 1);
+}
 
 TEST_CASE("a run is watched, stepped and judged") {
   CHECK(run_window("steps", R"(

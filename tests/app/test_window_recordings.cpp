@@ -49,3 +49,14 @@ TEST_CASE("a file that is no recording is told") {
                    "open " + file.string() + "\nwait 2\nexpect phase == failed\nexpect messages == 1\nquit\n",
                    "gallery:sphere --paused") == 0);
 }
+
+TEST_CASE("a window that is closed while it works leaves a recording that opens") {
+  const std::string file = (results / "closed.isorun").string();
+  fs::remove(file);
+  // In the middle of a computation: no pause, no waiting for the run.
+  CHECK(run_window("closing", "wait 2\nexpect phase == running\nexpect recording.events > 0\nquit\n",
+                   "gallery:rings --tolerance 0.6% --record " + file) == 0);
+  CHECK(!fs::exists(file + "-wal"));
+  CHECK(run_window("closed", "wait settled\nexpect recording == opened\nexpect steps > 0\nquit\n", file) ==
+        0);
+}
