@@ -46,15 +46,6 @@ bool same_measure(const Journal& journal_a, const Event& a, const Journal& journ
          journal_a.repairs()[a.detail] == journal_b.repairs()[b.detail];
 }
 
-/// Events that are there with their operations.
-std::size_t complete_events(const Journal& journal) {
-  std::size_t n = journal.events().size();
-  while (n > 0 && journal.events()[n - 1].operation &&
-         journal.events()[n - 1].step >= journal.operations().size())
-    --n;
-  return n;
-}
-
 bool same_set(const BoundarySamples& a, const BoundarySamples& b) {
   return a.positions == b.positions && a.labels == b.labels;
 }

@@ -7,14 +7,6 @@
 
 namespace isoscope {
 
-std::string_view name(CollapseCheck check) {
-  static constexpr std::array<std::string_view, collapse_check_count> names{
-      "eligible",       "link",        "zero-link", "kernel", "candidates",
-      "classification", "containment", "normals",   "witness"};
-  const auto i = static_cast<std::size_t>(check);
-  return i < names.size() ? names[i] : "unknown";
-}
-
 std::string_view name(TargetStrategy strategy) {
   static constexpr std::array<std::string_view, 4> names{"optimum", "constraints", "sampling", "octree"};
   const auto i = static_cast<std::size_t>(strategy);

@@ -13,7 +13,6 @@
 namespace isoscope {
 namespace {
 
-constexpr std::string_view gallery_prefix = "gallery:";
 constexpr std::size_t message_limit = 4;
 constexpr double note_seconds = 8; ///< after which what is no error goes away by itself
 
