@@ -129,7 +129,7 @@ std::string comparison_text(const RunComparison& found, const ComparedRun& a, co
   std::string text = heading("A", a) + heading("B", b);
   if (!found.parameters.empty() || !found.same_samples) {
     text += "\n" + left("Parameters", 20) + right("A", 13) + right("B", 13) + "\n";
-    for (const ParameterDifference& p : found.parameters) text += row(p.name, {p.a, p.b});
+    for (const FieldDifference& p : found.parameters) text += row(p.name, {p.a, p.b});
     if (!found.same_samples)
       text += row("samples of ∂Ω", {grouped(found.samples_a), grouped(found.samples_b)});
   }
