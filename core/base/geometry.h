@@ -64,6 +64,13 @@ inline bool is_finite(Vec3 a) {
 
 using Triangle3 = std::array<Vec3, 3>;
 
+inline Vec3 centroid(const Triangle3& t) {
+  return (t[0] + t[1] + t[2]) / 3.0;
+}
+inline double area(const Triangle3& t) {
+  return 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
+}
+
 /// Signed solid angle of a triangle seen from p, in (−2π, 2π) (van Oosterom and Strackee 1983).
 inline double solid_angle(Vec3 p, const Triangle3& t) {
   const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;

@@ -2,7 +2,7 @@
 #include "cli/comparison_text.h"
 #include "cli/words.h"
 
-#include "base/grouped.h"
+#include "base/numbers.h"
 #include "journal/describe.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ template <class Value> std::string of(const std::optional<StageStatistics>& stag
   return stage ? value(*stage) : "-";
 }
 
-std::string stage_table(const RunComparison& found) {
+std::string stages_text(const RunComparison& found) {
   std::string text = "\n" + left("Stage", 20) + right("operations", 20) + right("vertices of Z", 20) +
                      right("rejected", 20) + right("seconds", 20) + "\n" +
                      row("", {"A", "B", "A", "B", "A", "B", "A", "B"}, 10);
@@ -64,7 +64,7 @@ std::string stage_table(const RunComparison& found) {
   return text;
 }
 
-std::string reason_table(const RunComparison& found) {
+std::string reasons_text(const RunComparison& found) {
   std::string text;
   for (const StageComparison& s : found.stages)
     for (std::size_t r = 0; r < static_cast<std::size_t>(reason_count); ++r) {
@@ -129,13 +129,13 @@ std::string comparison_text(const RunComparison& found, const ComparedRun& a, co
   std::string text = heading("A", a) + heading("B", b);
   if (!found.parameters.empty() || !found.same_samples) {
     text += "\n" + left("Parameters", 20) + right("A", 13) + right("B", 13) + "\n";
-    for (const ParameterDifference& p : found.parameters) text += row(p.name, {p.a, p.b});
+    for (const FieldDifference& p : found.parameters) text += row(p.name, {p.a, p.b});
     if (!found.same_samples)
       text += row("samples of ∂Ω", {grouped(found.samples_a), grouped(found.samples_b)});
   }
-  text += stage_table(found);
+  text += stages_text(found);
   if (found.same()) return text + "\nEvery decision and every number is the same.\n";
-  text += reason_table(found);
+  text += reasons_text(found);
   text += difference("First event judged by other numbers", found.measure, a, b);
   text += difference("First differing decision", found.decision, a, b);
   if (!found.decision) text += "\nEvery decision is the same.\n";

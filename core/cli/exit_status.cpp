@@ -15,8 +15,8 @@ int exit_status(ErrorCode code) {
   case ErrorCode::usage:
     return 2;
   case ErrorCode::bad_input:
-    return 3;
   case ErrorCode::unsupported:
+  case ErrorCode::open_surface:
     return 3;
   case ErrorCode::cancelled:
     return 4;

@@ -1,6 +1,7 @@
 // The command line both programs share: options to RunParameters, with later stages refused in clear words.
 #pragma once
 
+#include "base/field_options.h"
 #include "base/status.h"
 #include "query/breakpoints.h"
 #include "run/parameters.h"
@@ -14,6 +15,10 @@ class App;
 }
 
 namespace isoscope {
+
+/// Registers options of fields. After parsing, `wrong` holds the first value that a field cannot have; it
+/// must outlive the parsing.
+void add_field_options(CLI::App& app, const std::vector<FieldOption>& options, std::optional<Error>& wrong);
 
 /// Registers INPUT and the options of a run on `app`. After parsing, finish() gives the parameters or says
 /// which option is wrong (usage) or belongs to a later stage (unsupported, treated as usage).

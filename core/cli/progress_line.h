@@ -1,7 +1,7 @@
 // One line per part of a run on a terminal, rewritten in place while the part goes on.
 #pragma once
 
-#include "base/grouped.h"
+#include "base/numbers.h"
 #include "journal/journal.h"
 
 #include <chrono>

@@ -1,7 +1,7 @@
 // Saves what the pages hold, proves what no checksum proves by running it again, and writes the rest of it.
 #include "cli/recover.h"
 
-#include "base/grouped.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/pending_file.h"
 #include "cli/exit_status.h"
@@ -29,16 +29,6 @@ struct RecoverOptions {
   bool quick = false, quiet = false;
   unsigned threads = 0;
 };
-
-/// The first events of a journal.
-std::shared_ptr<Journal> first_events(const Journal& journal, std::size_t events) {
-  Step operations = 0;
-  while (operations < journal.operations().size() && journal.operations()[operations].event < events)
-    ++operations;
-  auto first = std::make_shared<Journal>();
-  first->take_prefix(journal, operations, events);
-  return first;
-}
 
 /// A computation that tells how far it is and that a signal ends.
 class Watched {

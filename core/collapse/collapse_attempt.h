@@ -28,7 +28,49 @@ enum class CollapseCheck : std::uint8_t {
   normals,        ///< condition 3 is violated nowhere where it was not before
   witness         ///< the deepest point of each region keeps its side
 };
-constexpr std::size_t collapse_check_count = 9;
+constexpr std::size_t collapse_check_count = static_cast<std::size_t>(CollapseCheck::witness) + 1;
+
+struct CheckWords {
+  CollapseCheck value;
+  std::string_view name, title;
+  std::string_view help; ///< how it is judged
+  Reason reason;         ///< the rejection that it gives; containment may also be unproven
+};
+inline constexpr std::array check_table{
+    CheckWords{CollapseCheck::eligible, "eligible", "eligible",
+               "The edge is of the kind that the stage collapses: of ∂Γ, of Z, or between both. §2.4",
+               Reason::ineligible},
+    CheckWords{CollapseCheck::link, "link", "link condition in T",
+               "Lk(a) ∩ Lk(b) = Lk(ab) in T, or the collapse would pinch it. Figure 6",
+               Reason::link_condition},
+    CheckWords{CollapseCheck::zero_link, "zero-link", "link condition in Z",
+               "The same in Z, for edges of Z. §2.4", Reason::zero_link_condition},
+    CheckWords{
+        CollapseCheck::kernel, "kernel", "kernel",
+        "The points from which the whole one-ring is seen; its largest ball has this radius. Figures 7 "
+        "and 11",
+        Reason::kernel_empty},
+    CheckWords{CollapseCheck::candidates, "candidates", "candidates",
+               "Points of the kernel that were judged as targets until one passed every check. Figures 8, 9, "
+               "11 and 12",
+               Reason::no_candidate},
+    CheckWords{CollapseCheck::classification, "classification", "classification",
+               "Sampled mode: every sample keeps its class. §2.4.1", Reason::misclassified},
+    CheckWords{CollapseCheck::containment, "containment", "containment in Ω",
+               "Certified mode: every changed facet of Z is proven to keep d ≤ δ.",
+               Reason::outside_tolerance},
+    CheckWords{CollapseCheck::normals, "normals", "normals",
+               "Condition 3 is violated nowhere where it was not before. §2.4", Reason::normals},
+    CheckWords{CollapseCheck::witness, "witness", "region witnesses",
+               "The deepest point of each region stays on its side of Z.", Reason::witness_side},
+};
+static_assert(is_complete(check_table, static_cast<int>(collapse_check_count)));
+constexpr const CheckWords& words(CollapseCheck check) {
+  return check_table[static_cast<std::size_t>(check)];
+}
+constexpr std::string_view name(CollapseCheck check) {
+  return words(check).name;
+}
 
 /// One check's outcome; `value` against `limit` as the check says, at `witness`.
 struct CheckVerdict {
@@ -100,7 +142,5 @@ enum class EvaluationDetail : std::uint8_t {
   decision, ///< stop at the first check that fails: what the algorithm needs
   full      ///< every check, every candidate, the kernel: what a person asks for
 };
-
-std::string_view name(CollapseCheck);
 
 } // namespace isoscope

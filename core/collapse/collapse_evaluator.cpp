@@ -1,6 +1,7 @@
 // Runs the checks in order, cheap ones first; with full detail goes on where it could stop.
 #include "collapse/collapse_evaluator.h"
 
+#include "base/stopwatch.h"
 #include "criteria/collapse_cost.h"
 #include "criteria/kernel.h"
 #include "criteria/link.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <limits>
 
 namespace isoscope {
@@ -22,20 +22,6 @@ bool eligible(EdgeKind kind, const CollapseSettings& settings) {
   if (kind == settings.kind) return true;
   return settings.kind == EdgeKind::mixed && !settings.halfedge && kind == EdgeKind::zero;
 }
-
-/// The time between its making and its question; asked for a person alone.
-class Stopwatch {
- public:
-  explicit Stopwatch(bool on) {
-    if (on) start_ = std::chrono::steady_clock::now();
-  }
-  double seconds() const {
-    return start_ ? std::chrono::duration<double>(std::chrono::steady_clock::now() - *start_).count() : 0;
-  }
-
- private:
-  std::optional<std::chrono::steady_clock::time_point> start_;
-};
 
 constexpr std::array<CollapseCheck, 4> target_checks{CollapseCheck::classification,
                                                      CollapseCheck::containment, CollapseCheck::witness,
@@ -80,7 +66,7 @@ class Judge {
   void facets_only(Vec3 target) const {
     for (const CollapseCheck check : {CollapseCheck::containment, CollapseCheck::normals}) {
       if (check == CollapseCheck::normals && star_.form != ZeroForm::embedded) continue;
-      const Stopwatch watch(true);
+      const Stopwatch watch;
       if (const std::optional<TargetVerdict> verdict = ask(check, target))
         attempt_.check(check) = {verdict->reason == Reason::none ? State::passed : State::failed,
                                  verdict->value, verdict->limit, verdict->witness, watch.seconds()};
@@ -112,10 +98,12 @@ class Judge {
   }
 };
 
-void fail(CollapseAttempt& attempt, CollapseCheck check, Reason reason, double value = 0, double limit = 0,
-          Vec3 witness = {}) {
+/// `reason`: where it is not the check's own.
+void fail(CollapseAttempt& attempt, CollapseCheck check, double value = 0, double limit = 0,
+          Vec3 witness = {}, Reason reason = Reason::none) {
   attempt.check(check) = {State::failed, value, limit, witness, 0};
-  if (attempt.rejected == Reason::none) attempt.rejected = reason;
+  if (attempt.rejected == Reason::none)
+    attempt.rejected = reason == Reason::none ? words(check).reason : reason;
 }
 
 void pass(CollapseAttempt& attempt, CollapseCheck check) {
@@ -132,7 +120,7 @@ bool check_edge(const EdgeStar& star, const CollapseSettings& settings, Evaluati
   if (eligible(attempt.kind, settings)) {
     pass(attempt, CollapseCheck::eligible);
   } else {
-    fail(attempt, CollapseCheck::eligible, Reason::link_condition);
+    fail(attempt, CollapseCheck::eligible);
     return false;
   }
   const Stopwatch link_watch(full);
@@ -141,14 +129,14 @@ bool check_edge(const EdgeStar& star, const CollapseSettings& settings, Evaluati
   if (attempt.link.holds_in_t) {
     pass(attempt, CollapseCheck::link);
   } else {
-    fail(attempt, CollapseCheck::link, Reason::link_condition);
+    fail(attempt, CollapseCheck::link);
     if (!full) return false;
   }
   if (attempt.kind == EdgeKind::zero) {
     if (attempt.link.holds_in_zero_set) {
       pass(attempt, CollapseCheck::zero_link);
     } else {
-      fail(attempt, CollapseCheck::zero_link, Reason::zero_link_condition);
+      fail(attempt, CollapseCheck::zero_link);
       if (!full) return false;
     }
   }
@@ -157,8 +145,7 @@ bool check_edge(const EdgeStar& star, const CollapseSettings& settings, Evaluati
   attempt.kernel = compute_kernel(star);
   const double kernel_seconds = kernel_watch.seconds();
   if (attempt.kernel->empty) {
-    fail(attempt, CollapseCheck::kernel, Reason::kernel_empty, attempt.kernel->inscribed_radius, 0,
-         attempt.kernel->center);
+    fail(attempt, CollapseCheck::kernel, attempt.kernel->inscribed_radius, 0, attempt.kernel->center);
     attempt.check(CollapseCheck::kernel).seconds = kernel_seconds;
     return false;
   }
@@ -219,8 +206,7 @@ CollapseAttempt evaluate_collapse(const EdgeStar& star, const CollapseSettings& 
     return attempt;
   }
   const TargetVerdict& last = found.last_rejection;
-  const Reason reason = last.reason == Reason::none ? Reason::no_candidate : last.reason;
-  fail(attempt, CollapseCheck::candidates, reason, last.value, last.limit, last.witness);
+  fail(attempt, CollapseCheck::candidates, last.value, last.limit, last.witness, last.reason);
   attempt.check(CollapseCheck::candidates).seconds = search_seconds;
   return attempt;
 }
@@ -240,7 +226,7 @@ CollapseAttempt evaluate_target(const EdgeStar& star, Vec3 target, const Collaps
   for (const HalfSpace& h : attempt.kernel->half_spaces) slack = std::min(slack, h.slack(target));
   const Judge judge(star, context, attempt, true);
   if (!attempt.kernel->contains(target)) {
-    fail(attempt, CollapseCheck::candidates, Reason::no_candidate, slack, 0, target);
+    fail(attempt, CollapseCheck::candidates, slack, 0, target);
     judge.facets_only(target);
     judge.add_margins(target);
     return attempt;

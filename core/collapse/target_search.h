@@ -13,7 +13,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace isoscope {
@@ -72,7 +71,5 @@ TargetSearchResult search_kernel(const EdgeStar& star, const Kernel& kernel, con
 TargetSearchResult search_candidates(const EdgeStar& star, const Kernel& kernel, const CollapseCost& cost,
                                      std::span<const Vec3> points, Reason found_by, const TargetJudge& judge,
                                      const TargetSearchOptions& options);
-
-std::string_view name(TargetStrategy);
 
 } // namespace isoscope

@@ -6,17 +6,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdio>
 
 namespace isoscope {
 
 namespace {
-
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 /// As bits: NaN is the same as itself.
 bool same(double a, double b) {
@@ -44,15 +37,6 @@ bool same_measure(const Journal& journal_a, const Event& a, const Journal& journ
   return same(a.value, b.value) && same(a.limit, b.limit) && same(a.witness, b.witness) &&
          a.count == b.count && a.tet == b.tet && a.sample == b.sample &&
          journal_a.repairs()[a.detail] == journal_b.repairs()[b.detail];
-}
-
-/// Events that are there with their operations.
-std::size_t complete_events(const Journal& journal) {
-  std::size_t n = journal.events().size();
-  while (n > 0 && journal.events()[n - 1].operation &&
-         journal.events()[n - 1].step >= journal.operations().size())
-    --n;
-  return n;
 }
 
 bool same_set(const BoundarySamples& a, const BoundarySamples& b) {
@@ -103,65 +87,19 @@ std::vector<StageComparison> compare_stages(const Journal& a, const Journal& b) 
   return rows;
 }
 
-std::string conditions(const RunParameters& p) {
-  std::string text;
-  const std::array<bool, 4> on{p.condition_1, p.condition_2, p.condition_3, p.condition_4};
-  for (std::size_t i = 0; i < on.size(); ++i)
-    if (on[i]) text += (text.empty() ? "" : " ") + std::to_string(i + 1);
-  return text.empty() ? "none" : text;
-}
-
-std::string skipped(const RunParameters& p) {
-  std::string text;
-  for (int i = 0; i < stage_count; ++i)
-    if (p.skipped[static_cast<std::size_t>(i)])
-      text += (text.empty() ? "" : " ") + std::string(name(static_cast<Stage>(i)));
-  return text.empty() ? "none" : text;
-}
-
-std::string sigma(const RunParameters& p, const Journal& journal) {
-  if (journal.parameters().empty()) return p.sigma > 0 ? number(p.sigma) : "default";
+/// As asked for, but with the σ that the journal began with.
+RunParameters told(RunParameters p, const Journal& journal) {
+  if (journal.parameters().empty()) return p;
   const CriteriaParameters& c = journal.parameters()[0].criteria;
-  return number(c.delta > 0 ? c.sigma / c.delta : p.sigma);
-}
-
-std::string cover(const RunParameters& p) {
-  return p.cover ? number(*p.cover) + " δ" : "off";
+  if (c.delta > 0) p.sigma = c.sigma / c.delta;
+  return p;
 }
 
 } // namespace
 
-std::vector<ParameterDifference> differing_parameters(const RunParameters& a, const Journal& journal_a,
-                                                      const RunParameters& b, const Journal& journal_b) {
-  std::vector<ParameterDifference> rows;
-  const auto add = [&](const char* name, std::string of_a, std::string of_b) {
-    if (of_a != of_b) rows.push_back({name, std::move(of_a), std::move(of_b)});
-  };
-  const auto text = [](std::string_view word) { return std::string(word); };
-  add("input", a.input, b.input);
-  add("δ", a.tolerance.text(), b.tolerance.text());
-  add("σ/δ", sigma(a, journal_a), sigma(b, journal_b));
-  add("α", number(a.alpha), number(b.alpha));
-  add("shrink", number(a.shrink), number(b.shrink));
-  add("containment", a.containment == Containment::certified ? "certified" : "sampled",
-      b.containment == Containment::certified ? "certified" : "sampled");
-  add("topology", a.topology == TopologyMode::keep ? "keep" : "separate",
-      b.topology == TopologyMode::keep ? "keep" : "separate");
-  add("sides", text(name(a.sides)), text(name(b.sides)));
-  add("conditions", conditions(a), conditions(b));
-  add("until", text(name(a.last_stage())), text(name(b.last_stage())));
-  add("skipped", skipped(a), skipped(b));
-  add("target", text(name(a.target)), text(name(b.target)));
-  add("error over", a.cost_ring == CostRing::one ? "1-ring" : "2-ring",
-      b.cost_ring == CostRing::one ? "1-ring" : "2-ring");
-  add("effort", std::to_string(a.effort), std::to_string(b.effort));
-  add("improver", text(name(a.improver)), text(name(b.improver)));
-  add("drop small", number(a.drop_small) + " δ", number(b.drop_small) + " δ");
-  add("thin parts", a.drop_thin ? "left out" : "refused", b.drop_thin ? "left out" : "refused");
-  add("cover", cover(a), cover(b));
-  add("time limit", number(a.time_limit) + " s", number(b.time_limit) + " s");
-  add("memory limit", number(a.memory_limit) + " MiB", number(b.memory_limit) + " MiB");
-  return rows;
+std::vector<FieldDifference> differing_parameters(const RunParameters& a, const Journal& journal_a,
+                                                  const RunParameters& b, const Journal& journal_b) {
+  return differing_fields(told(a, journal_a), told(b, journal_b));
 }
 
 bool same_decision(const Journal& journal_a, const Event& a, const Journal& journal_b, const Event& b) {

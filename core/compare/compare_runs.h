@@ -15,12 +15,6 @@
 
 namespace isoscope {
 
-/// A parameter with the values that the runs were asked for, as people write them.
-struct ParameterDifference {
-  std::string name, a, b;
-  friend bool operator==(const ParameterDifference&, const ParameterDifference&) = default;
-};
-
 /// A stage in both runs, or in the one that has it.
 struct StageComparison {
   Stage stage = Stage::refinement;
@@ -35,7 +29,7 @@ struct JournalDifference {
 };
 
 struct RunComparison {
-  std::vector<ParameterDifference> parameters;
+  std::vector<FieldDifference> parameters;
   std::vector<StageComparison> stages;
   /// Of the sample sets that the runs began with; 0 before there is one.
   std::size_t samples_a = 0, samples_b = 0;
@@ -54,10 +48,10 @@ struct RunComparison {
   bool same() const { return same_samples && !decision && !measure; }
 };
 
-/// What may change a result, in the order of the options; the number of threads is left out. σ and δ are
-/// those of the journals where these have begun.
-std::vector<ParameterDifference> differing_parameters(const RunParameters& a, const Journal& journal_a,
-                                                      const RunParameters& b, const Journal& journal_b);
+/// What may change a result; the number of threads is left out. σ is that of the journals where these have
+/// begun.
+std::vector<FieldDifference> differing_parameters(const RunParameters& a, const Journal& journal_a,
+                                                  const RunParameters& b, const Journal& journal_b);
 
 /// Whether two events decide the same: their numbers (ε, d, limits, candidates judged) may differ, and so may
 /// sample ids, which belong to a sample set.

@@ -28,7 +28,7 @@ OrientationVerdict check_orientation(const std::array<Vec3, 4>& p, const std::ar
 
 std::array<FacetOrientationTest, 6> check_facet_orientation(const Triangle3& facet, double shrink,
                                                             double reach, const NearestSample& samples) {
-  const Vec3 centroid = (facet[0] + facet[1] + facet[2]) / 3.0;
+  const Vec3 centroid = isoscope::centroid(facet);
   const Vec3 normal = normalized(cross(facet[1] - facet[0], facet[2] - facet[0]));
   std::array<FacetOrientationTest, 6> tests;
   for (std::size_t i = 0; i < tests.size(); ++i) {

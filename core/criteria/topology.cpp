@@ -36,6 +36,11 @@ bool nearly_touches(const ToleranceVolume& volume) {
          !find_near_contacts(volume.index(), volume.sides(), t.delta, t.boundary, RunControl()).empty();
 }
 
+void expect_nothing(ExpectedTopology& expected, const char* why) {
+  expected.nothing = why;
+  expected.source = "nothing: " + expected.nothing;
+}
+
 } // namespace
 
 ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode mode) {
@@ -59,7 +64,7 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
   const bool meets_itself = input.sides_known() && !one_surface;
   const Side outer = side_of(volume, +1), inner = side_of(volume, -1);
   if (outer.components == 0 || inner.components == 0) {
-    expected.source = "nothing: Ω has no boundary on one side";
+    expect_nothing(expected, "Ω has no boundary on one side");
     return expected;
   }
   if (thickening) {
@@ -78,7 +83,7 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
   }
   expected.required = false;
   if (!outer.resolved() || !inner.resolved()) {
-    expected.source = "nothing: the boundaries of Ω are too close to each other to count";
+    expect_nothing(expected, "the boundaries of Ω are too close to each other to count");
     return expected;
   }
   const std::size_t components = std::min(outer.components, inner.components);

@@ -3,9 +3,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
-
-#include <algorithm>
-#include <tuple>
+#include "tolerance/welded_mesh.h"
 
 namespace isoscope {
 namespace {
@@ -13,39 +11,15 @@ namespace {
 /// Below this share of δ a distance has no weight in an energy.
 constexpr double without_weight = 0.5;
 
-/// An edge of an input triangle, its ends in a fixed order.
-struct SoupEdge {
-  Vec3 low, high;
-  std::uint32_t triangle;
-  bool forward; ///< whether the triangle runs from low to high
-};
-
-auto key(const Vec3& p) {
-  return std::tie(p.x, p.y, p.z);
-}
-
 /// Union-find over the triangles: joined across edges of exactly two that run through it in opposite
 /// directions.
 DisjointSets consistent_pieces(const ClosestPointIndex& index) {
-  std::vector<SoupEdge> edges;
-  edges.reserve(3 * index.size());
-  for (std::uint32_t t = 0; t < index.size(); ++t) {
-    const Triangle3& corners = index.triangle(TriangleId(t));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 a = corners[k], b = corners[(k + 1) % 3];
-      const bool forward = key(a) < key(b);
-      edges.push_back({forward ? a : b, forward ? b : a, t, forward});
-    }
-  }
-  const auto same = [](const SoupEdge& a, const SoupEdge& b) { return a.low == b.low && a.high == b.high; };
-  std::sort(edges.begin(), edges.end(), [](const SoupEdge& a, const SoupEdge& b) {
-    return std::tuple(key(a.low), key(a.high), a.triangle) < std::tuple(key(b.low), key(b.high), b.triangle);
-  });
+  const std::vector<EdgeUse> edges = sorted_edge_uses(weld(index).triangles);
   DisjointSets pieces(index.size());
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i + 1;
-    while (end < edges.size() && same(edges[i], edges[end])) ++end;
-    if (end - i == 2 && edges[i].forward != edges[i + 1].forward)
+    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+    if (end - i == 2 && edges[i].ascends != edges[i + 1].ascends)
       pieces.unite(edges[i].triangle, edges[i + 1].triangle);
     i = end;
   }
@@ -65,7 +39,7 @@ InputSurface::InputSurface(const ClosestPointIndex& index, double delta, const T
     const Triangle3& corners = index.triangle(TriangleId(t));
     const Vec3 area = cross(corners[1] - corners[0], corners[2] - corners[0]);
     normals_[t] = normalized(area);
-    const ClosestPoint near = near_surface.closest((corners[0] + corners[1] + corners[2]) / 3.0);
+    const ClosestPoint near = near_surface.closest(centroid(corners));
     if (!near.triangle.valid()) return;
     const Triangle3& facet = near_surface.triangle(near.triangle);
     votes[t] = dot(area, normalized(cross(facet[1] - facet[0], facet[2] - facet[0])));

@@ -77,6 +77,16 @@ std::span<const GalleryEntry> gallery() {
   return entries;
 }
 
+std::string gallery_input(std::string_view name) {
+  return std::string(gallery_prefix) + std::string(name);
+}
+
+const GalleryEntry* gallery_entry(std::string_view input) {
+  for (const GalleryEntry& e : entries)
+    if (input.starts_with(gallery_prefix) && input.substr(gallery_prefix.size()) == e.name) return &e;
+  return nullptr;
+}
+
 Result<TriangleSoup> make_gallery_model(std::string_view name) {
   TriangleSoup model;
   if (name == "bracket")

@@ -19,8 +19,15 @@ struct GalleryEntry {
   long euler_characteristic; ///< of the surface (all components together)
 };
 
+/// What stands before the name of a bundled model where an input is asked for.
+constexpr std::string_view gallery_prefix = "gallery:";
+
 /// All bundled models; the first is the one the program opens by default.
 std::span<const GalleryEntry> gallery();
+/// "gallery:torus".
+std::string gallery_input(std::string_view name);
+/// The model that such an input names; null for a file and for an unknown name.
+const GalleryEntry* gallery_entry(std::string_view input);
 
 /// Makes a bundled model; the same bits on every machine and call. Fails with bad_input on an unknown name (and lists the names).
 Result<TriangleSoup> make_gallery_model(std::string_view name);

@@ -210,7 +210,7 @@ TriangleSoup make_defective(const TriangleSoup& model, double noise) {
     if (i % 13 == 5) continue; // a gap
     Triangle3 t = model.triangle(i);
     if (i % 17 == 3) { // an overlap
-      const Vec3 center = (t[0] + t[1] + t[2]) / 3.0;
+      const Vec3 center = centroid(t);
       for (Vec3& p : t) p = center + 1.8 * (p - center);
     }
     add(t, random.next() < -0.4);

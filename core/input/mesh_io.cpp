@@ -1,7 +1,7 @@
 // Reads polygons and makes a sound triangle soup of them.
 #include "input/mesh_io.h"
 
-#include "base/grouped.h"
+#include "base/numbers.h"
 #include "input/input_mesh.h"
 #include "input/mesh_format.h"
 #include "input/mesh_readers.h"
@@ -56,7 +56,7 @@ struct PolygonFigures {
                " corners by a Delaunay triangulation); corners leave their face's plane by up to",
            largest_deviation});
     if (crossing > 0)
-      notes.push_back({grouped(crossing) + (crossing == 1 ? " face" : " faces") + " of more than " +
+      notes.push_back({counted(crossing, "face") + " of more than " +
                        std::to_string(most_clipped_corners) + " corners " +
                        (crossing == 1 ? "crosses itself and is" : "cross themselves and are") +
                        " cut into strips, which may leave the outline."});

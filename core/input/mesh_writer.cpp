@@ -1,4 +1,5 @@
 // Writes a mesh in the format that the name of the file asks for.
+#include "base/numbers.h"
 #include "base/pending_file.h"
 #include "input/file_scanner.h"
 #include "input/mesh_io.h"
@@ -7,7 +8,6 @@
 #include <array>
 #include <bit>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -33,15 +33,8 @@ Result<Format> format_of(const fs::path& file) {
                "End it in .off, .obj, .ply or .stl."};
 }
 
-/// The shortest digits that read back as the same double.
-std::string digits(double value) {
-  std::array<char, 40> text{};
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), result.ptr};
-}
-
 std::string coordinates(Vec3 p) {
-  return digits(p.x) + ' ' + digits(p.y) + ' ' + digits(p.z) + '\n';
+  return shortest(p.x) + ' ' + shortest(p.y) + ' ' + shortest(p.z) + '\n';
 }
 
 template <class T> void append_little_endian(PendingFile& out, T value) {

@@ -1,7 +1,7 @@
 // STL: triangles with their corners repeated, as text or binary; equal corners are joined again.
 #include "input/mesh_readers.h"
 
-#include "base/grouped.h"
+#include "base/numbers.h"
 #include "input/point_numbers.h"
 
 #include <algorithm>
@@ -209,7 +209,7 @@ class BinaryStl {
                              " triangles, but " + grouped(triangles_) + " are there; all of them were read." +
                              (triangles_ < announced_ ? " The file may be cut off." : "")});
     if (left > 0)
-      mesh_.notes.push_back({grouped(left) + (left == 1 ? " byte follows" : " bytes follow") +
+      mesh_.notes.push_back({counted(left, "byte follows", "bytes follow") +
                              " the last triangle of the STL file and " + (left == 1 ? "was" : "were") +
                              " left out."});
   }

@@ -24,8 +24,7 @@ struct TriangleSoup {
   double area() const {
     double sum = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const Triangle3 t = triangle(i);
-      sum += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
+      sum += isoscope::area(triangle(i));
     }
     return sum;
   }

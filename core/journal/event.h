@@ -3,102 +3,13 @@
 
 #include "base/geometry.h"
 #include "base/ids.h"
+#include "journal/vocabulary.h"
 
 #include <array>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 namespace isoscope {
-
-/// The stages of a run, in the paper's order.
-enum class Stage : std::uint8_t {
-  setup,
-  refinement,
-  gamma,        ///< collapses of edges of ∂Γ (§2.4.1)
-  tessellation, ///< Z into T (§2.4.2)
-  zero_set,     ///< collapses of edges of Z (§2.4.3)
-  all,          ///< collapses of edges between Z and Γ, and of Z again (§2.4.4)
-  improve       ///< minimax placement, flips, collapses with repair (algorithm notes §6)
-};
-constexpr int stage_count = 7;
-
-/// What kind of decision.
-enum class EventKind : std::uint8_t {
-  stage_begin,
-  stage_end,
-  insertion,        ///< a Steiner point entered T (an operation: it has a delta)
-  relabel,          ///< F of vertices changed (an operation)
-  exhausted,        ///< a tetrahedron violates a condition and no candidate is left for it
-  topology_check,   ///< components and χ of Z against the expected ones
-  parameter_change, ///< α, σ, shrink or conditions changed; an operation when S was replaced
-  warning,          ///< something the user should know; see Journal::text
-  stopped,          ///< the run ended before its goal: cancelled or a limit; see Journal::text
-  collapse,         ///< an edge was collapsed (an operation)
-  rejection,        ///< an edge could not be collapsed: `reason` is the first check that failed
-  tessellation,     ///< Z went into T (an operation)
-  departure,        ///< Z left T: its facets are free from here on (an operation)
-  relaxation,       ///< a sweep of relocations and flips over Z (an operation)
-  repair,           ///< an edge was collapsed and its neighbourhood repaired (an operation)
-  shake             ///< edges of Z were flipped against the energy, with repair (an operation)
-};
-constexpr int event_kind_count = 16;
-
-/// Which criterion asked for it (§2.3).
-enum class Condition : std::uint8_t {
-  none,
-  classification, ///< condition 1: ε(s) <= 1 − α
-  height,         ///< condition 2: height >= 2σ/α
-  orientation,    ///< condition 3: shrunk copy classified well
-  topology,       ///< condition 4: components and genus of Z
-  containment,    ///< the facet certificate (algorithm notes §4), certified mode
-  witness         ///< f has a region's sign at its deepest point
-};
-constexpr int condition_count = 7;
-
-/// Why an event came out as it did, beyond its condition.
-enum class Reason : std::uint8_t {
-  none,
-  largest_error,       ///< condition 1: the worst sample of the queue's top tetrahedron
-  circumcenter_sample, ///< conditions 2, 3, 4: the sample nearest to the circumcentre
-  projected,           ///< containment (a): the violating point projected to d = δ'
-  toward_circumcenter, ///< containment (b): first point with d = δ' on the way to the circumcentre
-  toward_opposite,     ///< containment (c): traced to a vertex of opposite label
-  violating_point,     ///< containment (d): the violating point itself, where all others are taken
-  region_witness,      ///< the deepest point of a region
-  crossing_simplex,    ///< topology: an edge or facet of one label that crosses the input
-  no_sample_inside,    ///< exhausted: no sample strictly inside the circumscribed ball
-  already_vertex,      ///< exhausted: the candidate is a vertex of T
-  too_close,           ///< exhausted: the candidate is nearer to a vertex than the spacing bound
-  budget,              ///< a limit of work was reached
-  user,                ///< asked for by the user
-  // How the target of a collapse was found (§2.4).
-  halfedge,          ///< one of the edge's ends
-  sample_candidate,  ///< a sample of S inside the kernel (Figure 8)
-  quadric_optimum,   ///< the least error inside the kernel
-  lazy_constraints,  ///< the least error under half-spaces learnt from facets that left Ω
-  kernel_sampling,   ///< a point drawn inside the kernel
-  octree_search,     ///< the octree over the kernel, pruned by Ψ (Figures 9 and 12)
-  minimax_placement, ///< the least largest distance (algorithm notes §6)
-  // Why an edge was not collapsed.
-  link_condition,      ///< Lk(a) ∩ Lk(b) ≠ Lk(ab) in T
-  zero_link_condition, ///< the same in Z
-  kernel_empty,        ///< no point sees the whole one-ring
-  no_candidate,        ///< no candidate point lies in the kernel
-  misclassified,       ///< a sample would change class (sampled mode)
-  outside_tolerance,   ///< a facet of Z would leave Ω
-  unproven,            ///< a facet could be proven neither inside nor outside
-  normals,             ///< a facet or tetrahedron would violate condition 3 that did not before
-  witness_side,        ///< the deepest point of a region would change side
-  intersection,        ///< Z would intersect itself (without T)
-  folded,              ///< a facet would turn over (without T)
-  stays_above          ///< the repair did not bring every facet below δ
-};
-constexpr int reason_count = 33;
-
-/// The first and the last reason for a collapse that was not made.
-constexpr Reason first_rejection = Reason::link_condition;
-constexpr Reason last_rejection = Reason::stays_above;
 
 /// A fixed-size record; numbers mean what `condition` says (ε against 1 − α, height against 2σ/α, d against δ
 /// ...). For collapses: `vertex` stays, `other` goes, `point` is the target, `value` the error of the order
@@ -130,6 +41,11 @@ struct Event {
   friend bool operator==(const Event&, const Event&) = default;
 };
 
+/// The step at which an event shows: the one it leads to, or the one it was decided at.
+constexpr Step step_showing(const Event& event) {
+  return event.step + (event.operation ? 1u : 0u);
+}
+
 /// One sweep of a collapse with repair: the inner level of a transaction.
 struct RepairSweep {
   double largest_distance = 0;    ///< over the facets of the neighbourhood before it, absolute
@@ -142,10 +58,5 @@ struct RepairSweep {
   friend bool operator==(const RepairSweep&, const RepairSweep&) = default;
 };
 using RepairDetail = std::vector<RepairSweep>;
-
-std::string_view name(Stage);
-std::string_view name(EventKind);
-std::string_view name(Condition);
-std::string_view name(Reason);
 
 } // namespace isoscope

@@ -28,7 +28,7 @@ void walk(const Journal& journal, const RunControl& control, AtEvent&& at_event,
 HistoryRow row(HistoryRow::Kind kind, const Event& event, std::uint32_t index) {
   HistoryRow r;
   r.kind = kind;
-  r.step = event.step + (event.operation ? 1u : 0u);
+  r.step = step_showing(event);
   r.event = index;
   r.reason = event.reason;
   return r;

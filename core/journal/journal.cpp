@@ -120,6 +120,22 @@ void Journal::add_operation(Event event, const Delta& delta, const StepFigures& 
   operations_.push_back({index, stored, figures});
 }
 
+std::size_t complete_events(const Journal& journal) {
+  const std::size_t n = journal.events().size();
+  if (n == 0) return 0;
+  const Event& last = journal.events()[n - 1];
+  return last.operation && last.step >= journal.operations().size() ? n - 1 : n;
+}
+
+std::shared_ptr<Journal> first_events(const Journal& journal, std::size_t events) {
+  Step operations = 0;
+  while (operations < journal.operations().size() && journal.operations()[operations].event < events)
+    ++operations;
+  auto first = std::make_shared<Journal>();
+  first->take_prefix(journal, operations, events);
+  return first;
+}
+
 std::uint64_t digest(const Journal& journal) {
   Digest d;
   const std::size_t operations = journal.operations().size();

@@ -122,6 +122,10 @@ class Journal {
   std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
 };
 
+/// How many events a reader may look at: a growing journal has the last one before its operation.
+std::size_t complete_events(const Journal& journal);
+/// A journal of the first events alone, with the operations among them.
+std::shared_ptr<Journal> first_events(const Journal& journal, std::size_t events);
 /// A digest (FNV-1a, 64 bit) of events, deltas and texts, without times: equal digests mean the same journal.
 std::uint64_t digest(const Journal& journal);
 

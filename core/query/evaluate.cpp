@@ -51,7 +51,7 @@ class Evaluation {
   bool named(const NameMasks& masks) const;
   bool near(const Node& node, bool edges_only) const;
   const StepFigures* figures() const {
-    const Step after = event_.step + (event_.operation ? 1u : 0u);
+    const Step after = step_showing(event_);
     return after == 0 || after > journal_.operations().size() ? nullptr
                                                               : &journal_.operations()[after - 1].figures;
   }

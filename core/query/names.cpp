@@ -2,6 +2,7 @@
 #include "query/names.h"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace isoscope {
@@ -39,15 +40,10 @@ constexpr std::array<QuantityWords, quantity_count> quantities{
      {"components", "Of Z."},
      {"euler", "χ of Z."}}};
 
-std::string hyphens(std::string_view word) {
-  std::string spelt(word);
-  std::replace(spelt.begin(), spelt.end(), '_', '-');
-  return spelt;
-}
-
-template <class Enum> std::vector<std::string> names(int count) {
-  std::vector<std::string> all;
-  for (int i = 0; i < count; ++i) all.emplace_back(name(static_cast<Enum>(i)));
+/// Names with what the screen calls the same.
+template <class Table> std::vector<NameAndTitle> rows(const Table& table) {
+  std::vector<NameAndTitle> all;
+  for (const auto& row : table) all.push_back({std::string(row.name), std::string(row.title)});
   return all;
 }
 
@@ -67,22 +63,30 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::uint64_t exact(NameSort sort, std::string_view word, bool with_none) {
-  const auto all = all_names(sort);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i] == word && (with_none || word != "none")) return std::uint64_t{1} << i;
+  const auto& all = all_names(sort);
+  for (const auto part : {&NameAndTitle::name, &NameAndTitle::title})
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (as_name(all[i].*part) == word && (with_none || all[i].name != "none")) return std::uint64_t{1} << i;
   return 0;
 }
 
 std::uint64_t beginning(NameSort sort, std::string_view word) {
   if (word.size() < least_beginning) return 0;
-  const auto all = all_names(sort);
+  const auto& all = all_names(sort);
   std::uint64_t mask = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i] != "none" && all[i].starts_with(word)) mask |= std::uint64_t{1} << i;
+    if (all[i].name != "none" && all[i].name.starts_with(word)) mask |= std::uint64_t{1} << i;
   return mask;
 }
 
 } // namespace
+
+std::string as_name(std::string_view word) {
+  std::string spelt(word);
+  for (char& c : spelt)
+    c = c == '_' || c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return spelt;
+}
 
 std::string_view name(Quantity quantity) {
   return quantities.at(static_cast<std::size_t>(quantity)).name;
@@ -102,32 +106,26 @@ std::string_view name(NameSort sort) {
   return words.at(static_cast<std::size_t>(sort));
 }
 
-std::vector<std::string> all_names(NameSort sort) {
-  switch (sort) {
-  case NameSort::stage:
-    return names<Stage>(stage_count);
-  case NameSort::kind:
-    return names<EventKind>(event_kind_count);
-  case NameSort::condition:
-    return names<Condition>(condition_count);
-  case NameSort::reason:
-    return names<Reason>(reason_count);
-  }
-  return {};
+const std::vector<NameAndTitle>& all_names(NameSort sort) {
+  static const std::array<std::vector<NameAndTitle>, name_sort_count> all{
+      rows(stage_table), rows(kind_table), rows(condition_table), rows(reason_table)};
+  return all.at(static_cast<std::size_t>(sort));
 }
 
-std::vector<std::string> quantity_names() {
-  return names<Quantity>(quantity_count);
+std::vector<NameAndTitle> quantity_names() {
+  std::vector<NameAndTitle> all;
+  for (const QuantityWords& quantity : quantities) all.push_back({std::string(quantity.name), {}});
+  return all;
 }
 
 std::uint64_t names_of(NameSort sort, std::string_view word, bool with_none) {
-  const std::string spelt = hyphens(word);
+  const std::string spelt = as_name(word);
   const std::uint64_t found = exact(sort, spelt, with_none);
   return found != 0 ? found : beginning(sort, spelt);
 }
 
 NameMasks names_of(std::string_view word) {
-  const std::string spelt = hyphens(word);
+  const std::string spelt = as_name(word);
   NameMasks masks{};
   for (int s = 0; s < name_sort_count; ++s) {
     masks[static_cast<std::size_t>(s)] = exact(static_cast<NameSort>(s), spelt, false);
@@ -149,9 +147,9 @@ std::optional<NameSort> sort_named(std::string_view word) {
 }
 
 std::optional<Quantity> quantity_named(std::string_view word) {
-  const std::string spelt = hyphens(word);
+  const std::string spelt = as_name(word);
   for (int q = 0; q < quantity_count; ++q)
-    if (hyphens(name(static_cast<Quantity>(q))) == spelt) return static_cast<Quantity>(q);
+    if (as_name(name(static_cast<Quantity>(q))) == spelt) return static_cast<Quantity>(q);
   return std::nullopt;
 }
 
@@ -162,7 +160,7 @@ std::optional<SampleClass> sample_class_named(std::string_view word) {
 }
 
 bool is_hyphenated_name(std::string_view word) {
-  const std::string spelt = hyphens(word);
+  const std::string spelt = as_name(word);
   if (spelt.find('-') == std::string::npos) return false;
   if (quantity_named(spelt)) return true;
   for (int s = 0; s < name_sort_count; ++s)
@@ -170,26 +168,45 @@ bool is_hyphenated_name(std::string_view word) {
   return false;
 }
 
-std::string suggestion(std::string_view word, const std::vector<std::string>& valid) {
+bool is_title(std::string_view words) {
+  for (int s = 0; s < name_sort_count; ++s)
+    for (const NameAndTitle& row : all_names(static_cast<NameSort>(s)))
+      if (row.name != "none" && as_name(row.title) == words) return true;
+  return false;
+}
+
+std::string suggestion(std::string_view word, const std::vector<NameAndTitle>& valid) {
   constexpr std::size_t shown = 8;
-  const std::string spelt = hyphens(word);
+  const std::string spelt = as_name(word);
   // Twice the edits; a name's beginning counts one more than the whole name.
   std::size_t least = 2 * (std::max<std::size_t>(2, spelt.size() / 3) + 1);
   std::string nearest;
-  for (const std::string& candidate : valid) {
-    const std::string whole = hyphens(candidate);
+  const auto try_one = [&](const std::string& candidate, const std::string& told) {
+    const std::string whole = as_name(candidate);
     std::size_t distance = 2 * edit_distance(spelt, whole);
     for (const std::size_t length : {spelt.size(), spelt.size() + 1})
       if (spelt.size() > least_beginning && length < whole.size())
         distance = std::min(distance, 2 * edit_distance(spelt, whole.substr(0, length)) + 1);
     if (distance < least) {
       least = distance;
-      nearest = candidate;
+      nearest = told;
+    }
+  };
+  for (const NameAndTitle& row : valid) try_one(row.name, row.name);
+  for (const NameAndTitle& row : valid) {
+    if (row.title.size() <= least_beginning || row.title == row.name) continue;
+    const std::string told = row.name + " (" + row.title + ")";
+    // The title, or the word at its end, which tells it from others: Ω.
+    try_one(row.title, told);
+    if (const std::size_t last = row.title.rfind(' ');
+        last != row.title.npos && as_name(row.title.substr(last + 1)) == spelt && least > 1) {
+      least = 1;
+      nearest = told;
     }
   }
   if (!nearest.empty()) return "Did you mean " + nearest + "?";
   std::string list = "Valid here: ";
-  for (std::size_t i = 0; i < std::min(shown, valid.size()); ++i) list += (i > 0 ? ", " : "") + valid[i];
+  for (std::size_t i = 0; i < std::min(shown, valid.size()); ++i) list += (i > 0 ? ", " : "") + valid[i].name;
   return list + (valid.size() > shown ? ", …" : ".");
 }
 

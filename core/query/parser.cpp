@@ -70,11 +70,18 @@ class Parser {
   // Types.
   static bool is_all(const Token& token) { return token.is_word("all"); }
   std::uint32_t named(const Token& token);
+  /// Its sentence says so, or that is what the screen calls it.
   std::uint32_t says(const Token& token) {
     Node node;
     node.op = Op::says;
     node.text = token.spelling;
-    return add(std::move(node));
+    const std::uint32_t said = add(std::move(node));
+    const std::string title = as_name(token.spelling);
+    if (!is_title(title)) return said;
+    Node called;
+    called.op = Op::named;
+    called.masks = names_of(title);
+    return add(Op::either, said, add(std::move(called)));
   }
   std::uint32_t truth(const Operand& operand);
   std::uint32_t number(const Operand& operand);
@@ -110,12 +117,36 @@ class Parser {
   std::optional<QueryError> error_;
 };
 
-std::vector<std::string> truth_names() {
-  std::vector<std::string> all;
+std::vector<NameAndTitle> truth_names() {
+  std::vector<NameAndTitle> all;
   for (int s = 0; s < name_sort_count; ++s)
-    for (std::string& name : all_names(static_cast<NameSort>(s)))
-      if (name != "none") all.push_back(std::move(name));
+    for (const NameAndTitle& row : all_names(static_cast<NameSort>(s)))
+      if (row.name != "none") all.push_back(row);
   return all;
+}
+
+/// Words in a row that are a title, as `outside Ω`, are one word.
+std::vector<Token> with_titles(std::vector<Token> tokens) {
+  constexpr std::size_t longest = 5;
+  const auto is_part = [](const Token& t) {
+    return t.kind == Token::Kind::word || t.kind == Token::Kind::number;
+  };
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    std::string title = tokens[i].spelling;
+    std::size_t end = i + 1, found = 0;
+    std::string longest_title;
+    for (; end < std::min(tokens.size(), i + longest) && is_part(tokens[end - 1]) && is_part(tokens[end]);
+         ++end) {
+      title += "-" + tokens[end].spelling;
+      if (is_title(title)) longest_title = title, found = end + 1;
+    }
+    if (found == 0) continue;
+    tokens[i].kind = Token::Kind::word;
+    tokens[i].spelling = longest_title;
+    tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                 tokens.begin() + static_cast<std::ptrdiff_t>(found));
+  }
+  return tokens;
 }
 
 std::uint32_t Parser::named(const Token& token) {
@@ -214,7 +245,7 @@ Operand Parser::negated() {
 Operand Parser::compare_names(const Operand& sort, const Operand& value, bool equal) {
   const NameSort of_sort = *sort_named(sort.word.spelling);
   const std::string sort_name(name(of_sort));
-  if (value.type != Operand::Type::word) {
+  if (value.word.spelling.empty()) {
     fail(value.place, sort_name + " is compared with a name.", suggestion("", all_names(of_sort)));
     return sort;
   }
@@ -308,7 +339,7 @@ Operand Parser::primary() {
   }
   case Token::Kind::text:
     ++at_;
-    return of(Operand::Type::truth, says(token), token.place);
+    return {Operand::Type::truth, says(token), token, token.place};
   case Token::Kind::word:
     if (ahead(1).is("(") || (token.spelling == "edge" && ahead(1).is_word("near"))) return form();
     ++at_;
@@ -396,7 +427,7 @@ Operand Parser::sample_form(std::size_t place) {
       const auto found = sample_class_named(now().spelling);
       if (!found)
         fail(now().place, "No class of samples is called so.",
-             suggestion(now().spelling, {"good", "margin", "bad", "outside"}));
+             suggestion(now().spelling, {{"good", {}}, {"margin", {}}, {"bad", {}}, {"outside", {}}}));
       else
         node.number = static_cast<double>(1u << static_cast<unsigned>(*found));
       ++at_;
@@ -448,8 +479,10 @@ Operand Parser::form() {
     if (node.a == 0) fail(place, "A stall takes at least one attempt.", "It is written so: stall(500)");
     expect(")", "stall(500)");
   } else {
-    fail(word.place, "There is no form " + word.spelling + "(…).",
-         suggestion(word.spelling, {"vertex", "edge", "tet", "sample", "near", "stall"}));
+    fail(
+        word.place, "There is no form " + word.spelling + "(…).",
+        suggestion(word.spelling,
+                   {{"vertex", {}}, {"edge", {}}, {"tet", {}}, {"sample", {}}, {"near", {}}, {"stall", {}}}));
   }
   return of(Operand::Type::truth, add(std::move(node)), word.place);
 }
@@ -538,7 +571,7 @@ void Parser::words() {
 ParsedQuery parse_query(std::string_view text) {
   auto tokens = tokenize(text);
   if (const auto* error = std::get_if<QueryError>(&tokens)) return *error;
-  return Parser(std::move(std::get<std::vector<Token>>(tokens))).parse(text);
+  return Parser(with_titles(std::move(std::get<std::vector<Token>>(tokens)))).parse(text);
 }
 
 } // namespace isoscope

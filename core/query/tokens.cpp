@@ -9,32 +9,36 @@
 namespace isoscope {
 namespace {
 
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+/// The bytes of the letter at `at`, Greek ones and ∂ included; 0 where there is none.
+std::size_t letter_at(std::string_view text, std::size_t at) {
+  if (at >= text.size()) return 0;
+  const char c = text[at];
+  if (std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_') return 1;
+  if ((c == '\xce' || c == '\xcf') && at + 1 < text.size()) return 2;
+  constexpr std::string_view del = "∂";
+  return text.substr(at).starts_with(del) ? del.size() : 0;
 }
 bool is_digit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
 std::size_t end_of_word(std::string_view text, std::size_t at) {
-  while (at < text.size() && (is_letter(text[at]) || is_digit(text[at]))) ++at;
+  while (at < text.size()) {
+    const std::size_t bytes = is_digit(text[at]) ? 1 : letter_at(text, at);
+    if (bytes == 0) break;
+    at += bytes;
+  }
   return at;
 }
 
 /// The end of the longest name with hyphens that begins at `at`, else of the plain word.
 std::size_t end_of_name(std::string_view text, std::size_t at) {
   std::size_t end = end_of_word(text, at), longest = end;
-  while (end + 1 < text.size() && text[end] == '-' && is_letter(text[end + 1])) {
+  while (end + 1 < text.size() && text[end] == '-' && letter_at(text, end + 1) > 0) {
     end = end_of_word(text, end + 1);
     if (is_hyphenated_name(text.substr(at, end - at))) longest = end;
   }
   return longest;
-}
-
-std::string spelt(std::string_view word) {
-  std::string name(word);
-  for (char& c : name) c = c == '_' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
 }
 
 } // namespace
@@ -51,10 +55,10 @@ std::variant<std::vector<Token>, QueryError> tokenize(std::string_view text) {
     }
     Token token;
     token.place = at;
-    if (is_letter(c)) {
+    if (letter_at(text, at) > 0) {
       const std::size_t end = end_of_name(text, at);
       token.kind = Token::Kind::word;
-      token.spelling = spelt(text.substr(at, end - at));
+      token.spelling = as_name(text.substr(at, end - at));
       at = end;
     } else if (is_digit(c) || (c == '.' && at + 1 < text.size() && is_digit(text[at + 1]))) {
       token.kind = Token::Kind::number;
@@ -63,7 +67,7 @@ std::variant<std::vector<Token>, QueryError> tokenize(std::string_view text) {
       const auto length = static_cast<std::size_t>(end - (text.data() + at));
       token.spelling = text.substr(at, length);
       at += length;
-      if (at < text.size() && is_letter(text[at]))
+      if (letter_at(text, at) > 0)
         return QueryError{at, "A letter follows a number.", "Put a blank or an operator between them."};
     } else if (c == '"') {
       const std::size_t end = text.find('"', at + 1);

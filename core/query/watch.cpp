@@ -8,13 +8,6 @@
 
 namespace isoscope {
 
-std::size_t complete_events(const Journal& journal) {
-  const std::size_t n = journal.events().size();
-  if (n == 0) return 0;
-  const Event& last = journal.events()[n - 1];
-  return last.operation && last.step >= journal.operations().size() ? n - 1 : n;
-}
-
 JournalWatch::JournalWatch(const Journal& journal, QueryNeeds needs, ExpectedGenus expected)
     : journal_(&journal), needs_(std::move(needs)),
       follows_state_(needs_.topology || needs_.positions || !needs_.samples.empty()) {
@@ -65,8 +58,7 @@ void JournalWatch::take(std::uint32_t index) {
   for (Watched& w : watched_) w.before = w.now;
   if (event.operation) apply(journal_->operations()[event.step]);
   if (event.operation || event.kind == EventKind::parameter_change)
-    for (std::size_t i = 0; i < watched_.size(); ++i)
-      watched_[i].now = judge(i, event.step + (event.operation ? 1u : 0u));
+    for (std::size_t i = 0; i < watched_.size(); ++i) watched_[i].now = judge(i, step_showing(event));
 }
 
 void JournalWatch::apply(const Operation& operation) {

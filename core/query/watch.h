@@ -16,9 +16,6 @@ namespace isoscope {
 /// The genus that Z should have, where somebody knows it: asked once a journal.
 using ExpectedGenus = std::function<std::optional<double>()>;
 
-/// How many events a reader may look at: a growing journal has the last one before its operation.
-std::size_t complete_events(const Journal& journal);
-
 /// A cursor at an event. Only what the needs ask for is followed: without needs a step costs nothing.
 class JournalWatch {
  public:

@@ -1,5 +1,9 @@
-// A mask of the parts that are there, then each part; ids as differences to the ones before.
+// A mask of the parts that are there, then each part; ids as differences to the ones before. Every part is
+// told once: the same walk writes it or reads it.
 #include "recording/delta_codec.h"
+
+#include <limits>
+#include <type_traits>
 
 namespace isoscope {
 
@@ -15,48 +19,75 @@ constexpr std::uint64_t part_vertices = 1, part_killed = 2, part_values = 4, par
 /// a byte is damage, and must not ask for memory.
 constexpr std::size_t slots_at_first = 4096, slots_per_byte = 16;
 
-/// A number that is a difference to the one before, with flags below it.
-class IdWriter {
+/// Writes what it is shown.
+class Writing {
  public:
-  explicit IdWriter(ByteWriter& out) : out_(&out) {}
-  void put(std::uint32_t id, unsigned flag_bits = 0, std::uint64_t flags = 0) {
-    const std::int64_t difference = std::int64_t{id} - std::int64_t{last_};
-    out_->number(fold_sign(difference) << flag_bits | flags);
-    last_ = id;
-  }
+  static constexpr bool writes = true;
+  explicit Writing(ByteWriter& out) : out_(&out) {}
+  void fail() const {}
+  bool failed() const { return false; }
+  void byte(std::uint8_t b) { out_->byte(b); }
+  void number(std::uint64_t v) { out_->number(v); }
+  void signed_number(std::int64_t v) { out_->signed_number(v); }
+  void real(double v) { out_->real(v); }
+  template <class List> void length(const List& list, std::size_t) { out_->number(list.size()); }
 
  private:
   ByteWriter* out_;
-  std::uint32_t last_ = 0;
 };
 
-class IdReader {
+/// Fills what it is shown.
+class Reading {
  public:
-  explicit IdReader(ByteReader& in) : in_(&in) {}
-  std::uint32_t get(unsigned flag_bits = 0, std::uint64_t* flags = nullptr) {
-    const std::uint64_t number = in_->number();
-    if (flags != nullptr) *flags = number & ((1u << flag_bits) - 1);
-    last_ = static_cast<std::uint32_t>(moved_by(last_, unfold_sign(number >> flag_bits)));
-    return last_;
-  }
+  static constexpr bool writes = false;
+  explicit Reading(ByteReader& in) : in_(&in) {}
+  void fail() { in_->fail(); }
+  bool failed() const { return in_->failed(); }
+  void byte(std::uint8_t& b) { b = in_->byte(); }
+  template <class T> void number(T& v) { v = static_cast<T>(in_->number()); }
+  template <class T> void signed_number(T& v) { v = static_cast<T>(in_->signed_number()); }
+  void real(double& v) { v = in_->real(); }
+  /// `least`: bytes of one element.
+  template <class List> void length(List& list, std::size_t least) { list.resize(in_->count(least)); }
 
  private:
   ByteReader* in_;
+};
+
+template <class Io, class T> using Shown = std::conditional_t<Io::writes, const T, T>;
+template <class Record> constexpr bool has_side = requires(Record record) {
+  record.side;
+};
+
+/// Numbers that are differences to the ones before, with flags below them.
+template <class Io> class Ids {
+ public:
+  explicit Ids(Io& io) : io_(&io) {}
+  template <class IdType> void pass(IdType& id, unsigned flag_bits, std::uint64_t& flags) {
+    std::uint64_t number = 0;
+    if constexpr (Io::writes)
+      number = fold_sign(std::int64_t{id.value} - std::int64_t{last_}) << flag_bits | flags;
+    io_->number(number);
+    if constexpr (!Io::writes) {
+      flags = number & ((1u << flag_bits) - 1);
+      id = IdType(static_cast<std::uint32_t>(moved_by(last_, unfold_sign(number >> flag_bits))));
+    }
+    last_ = id.value;
+  }
+  template <class IdType> void pass(IdType& id) {
+    std::uint64_t none = 0;
+    pass(id, 0, none);
+  }
+
+ private:
+  Io* io_;
   std::uint32_t last_ = 0;
 };
 
-void write(ByteWriter& out, Vec3 v) {
-  out.real(v.x);
-  out.real(v.y);
-  out.real(v.z);
-}
-
-Vec3 read_point(ByteReader& in) {
-  Vec3 v;
-  v.x = in.real();
-  v.y = in.real();
-  v.z = in.real();
-  return v;
+template <class Io> void pass_point(Io& io, Shown<Io, Vec3>& v) {
+  io.real(v.x);
+  io.real(v.y);
+  io.real(v.z);
 }
 
 bool same_bits(Vec3 a, Vec3 b) {
@@ -68,259 +99,155 @@ unsigned value_tag(double value) {
   return value == 1 ? 0 : value == -1 ? 1 : isoscope::same_bits(value, 0) ? 2 : 3;
 }
 
-void write_value(ByteWriter& out, double value, unsigned tag) {
-  if (tag == 3) out.real(value);
+template <class Io> void pass_value(Io& io, Shown<Io, double>& value, std::uint64_t tag) {
+  if (tag == 3)
+    io.real(value);
+  else if constexpr (!Io::writes)
+    value = tag == 0 ? 1 : tag == 1 ? -1 : 0;
 }
 
-double read_value(ByteReader& in, std::uint64_t tag) {
-  return tag == 0 ? 1 : tag == 1 ? -1 : tag == 2 ? 0 : in.real();
-}
-
-template <std::size_t N>
-void write_corners(ByteWriter& out, const std::array<VertexId, N>& v, VertexId& last) {
+template <class Io, class Corners> void pass_corners(Io& io, Corners& v, VertexId& last) {
   std::uint32_t before = last.value;
-  for (const VertexId corner : v) {
-    out.signed_number(std::int64_t{corner.value} - std::int64_t{before});
+  for (auto& corner : v) {
+    std::int64_t difference = 0;
+    if constexpr (Io::writes) difference = std::int64_t{corner.value} - std::int64_t{before};
+    io.signed_number(difference);
+    if constexpr (!Io::writes) corner = VertexId(static_cast<std::uint32_t>(moved_by(before, difference)));
     before = corner.value;
   }
   last = v[0];
 }
 
-template <std::size_t N> void read_corners(ByteReader& in, std::array<VertexId, N>& v, VertexId& last) {
-  std::uint32_t before = last.value;
-  for (VertexId& corner : v) {
-    before = static_cast<std::uint32_t>(moved_by(before, in.signed_number()));
-    corner = VertexId(before);
-  }
-  last = v[0];
-}
-
-void write_vertices(ByteWriter& out, const std::vector<Vertex>& vertices) {
-  out.number(vertices.size());
-  for (const Vertex& v : vertices) {
-    const unsigned tag = value_tag(v.value);
-    out.byte(static_cast<std::uint8_t>(static_cast<unsigned>(v.kind) | (v.alive ? 8u : 0u) | tag << 4));
-    write(out, v.position);
-    write_value(out, v.value, tag);
-    out.number(v.sample_set);
-    out.number(v.sample.value + 1u);
-  }
-}
-
-void read_vertices(ByteReader& in, std::vector<Vertex>& vertices) {
-  vertices.resize(in.count(27));
-  for (Vertex& v : vertices) {
-    const unsigned head = in.byte();
-    v.kind = static_cast<VertexKind>(head & 7);
-    v.alive = (head & 8) != 0;
-    v.position = read_point(in);
-    v.value = read_value(in, head >> 4 & 3);
-    v.sample_set = static_cast<std::uint16_t>(in.number());
-    v.sample = SampleId(static_cast<std::uint32_t>(in.number()) - 1u);
-    if ((head & 7) > static_cast<unsigned>(VertexKind::zero)) in.fail();
+template <class Io> void pass_vertices(Io& io, Shown<Io, std::vector<Vertex>>& vertices) {
+  io.length(vertices, 27);
+  for (auto& v : vertices) {
+    std::uint8_t head = 0;
+    std::uint32_t sample = 0;
+    if constexpr (Io::writes) {
+      head = static_cast<std::uint8_t>(static_cast<unsigned>(v.kind) | (v.alive ? 8u : 0u) |
+                                       value_tag(v.value) << 4);
+      sample = v.sample.value + 1u;
+    }
+    io.byte(head);
+    pass_point(io, v.position);
+    pass_value(io, v.value, head >> 4 & 3);
+    io.number(v.sample_set);
+    io.number(sample);
+    if constexpr (!Io::writes) {
+      v.kind = static_cast<VertexKind>(head & 7);
+      v.alive = (head & 8) != 0;
+      v.sample = SampleId(sample - 1u);
+      if ((head & 7) > static_cast<int>(VertexKind::zero)) io.fail();
+    }
   }
 }
 
-void write_killed(ByteWriter& out, const std::vector<VertexId>& killed) {
-  out.number(killed.size());
-  IdWriter ids(out);
-  for (const VertexId v : killed) ids.put(v.value);
+template <class Io> void pass_killed(Io& io, Shown<Io, std::vector<VertexId>>& killed) {
+  io.length(killed, 1);
+  Ids ids(io);
+  for (auto& v : killed) ids.pass(v);
 }
 
-void read_killed(ByteReader& in, std::vector<VertexId>& killed) {
-  killed.resize(in.count(1));
-  IdReader ids(in);
-  for (VertexId& v : killed) v = VertexId(ids.get());
+/// What the mirror holds of an element; null, and failed, beyond its end.
+template <class Io, class Held, class IdType> Held* held_at(Io& io, std::vector<Held>& all, IdType id) {
+  if (id.index() < all.size()) return &all[id.index()];
+  io.fail();
+  return nullptr;
 }
 
-void write_values(ByteWriter& out, const std::vector<Delta::ValueChange>& changes, DeltaMirror& mirror) {
-  out.number(changes.size());
-  IdWriter ids(out);
-  for (const auto& c : changes) {
-    double& held = mirror.values[c.vertex.index()];
-    const bool known = isoscope::same_bits(held, c.before);
-    const unsigned tag = value_tag(c.after);
-    ids.put(c.vertex.value, 3, (known ? 4u : 0u) | tag);
-    if (!known) out.real(c.before);
-    write_value(out, c.after, tag);
-    held = c.after;
-  }
-}
-
-void read_values(ByteReader& in, std::vector<Delta::ValueChange>& changes, DeltaMirror& mirror) {
-  changes.resize(in.count(1));
-  IdReader ids(in);
+template <class Io>
+void pass_values(Io& io, Shown<Io, std::vector<Delta::ValueChange>>& changes, DeltaMirror& mirror) {
+  constexpr std::uint64_t known = 4;
+  io.length(changes, 1);
+  Ids ids(io);
   for (auto& c : changes) {
     std::uint64_t flags = 0;
-    c.vertex = VertexId(ids.get(3, &flags));
-    if (c.vertex.index() >= mirror.values.size()) return in.fail();
-    double& held = mirror.values[c.vertex.index()];
-    c.before = (flags & 4) != 0 ? held : in.real();
-    c.after = read_value(in, flags & 3);
-    held = c.after;
+    if constexpr (Io::writes)
+      flags =
+          (isoscope::same_bits(mirror.values[c.vertex.index()], c.before) ? known : 0) | value_tag(c.after);
+    ids.pass(c.vertex, 3, flags);
+    double* const held = held_at(io, mirror.values, c.vertex);
+    if (held == nullptr) return;
+    if ((flags & known) == 0)
+      io.real(c.before);
+    else if constexpr (!Io::writes)
+      c.before = *held;
+    pass_value(io, c.after, flags & 3);
+    *held = c.after;
   }
 }
 
-void write_moves(ByteWriter& out, const std::vector<Delta::Move>& moves, DeltaMirror& mirror) {
-  out.number(moves.size());
-  IdWriter ids(out);
-  for (const auto& m : moves) {
-    Vec3& held = mirror.positions[m.vertex.index()];
-    const bool known = same_bits(held, m.before);
-    ids.put(m.vertex.value, 1, known ? 1 : 0);
-    if (!known) write(out, m.before);
-    write(out, m.after);
-    held = m.after;
-  }
-}
-
-void read_moves(ByteReader& in, std::vector<Delta::Move>& moves, DeltaMirror& mirror) {
-  moves.resize(in.count(25));
-  IdReader ids(in);
+template <class Io> void pass_moves(Io& io, Shown<Io, std::vector<Delta::Move>>& moves, DeltaMirror& mirror) {
+  io.length(moves, 25);
+  Ids ids(io);
   for (auto& m : moves) {
     std::uint64_t known = 0;
-    m.vertex = VertexId(ids.get(1, &known));
-    if (m.vertex.index() >= mirror.positions.size()) return in.fail();
-    Vec3& held = mirror.positions[m.vertex.index()];
-    m.before = known != 0 ? held : read_point(in);
-    m.after = read_point(in);
-    held = m.after;
+    if constexpr (Io::writes) known = same_bits(mirror.positions[m.vertex.index()], m.before) ? 1 : 0;
+    ids.pass(m.vertex, 1, known);
+    Vec3* const held = held_at(io, mirror.positions, m.vertex);
+    if (held == nullptr) return;
+    if (known == 0)
+      pass_point(io, m.before);
+    else if constexpr (!Io::writes)
+      m.before = *held;
+    pass_point(io, m.after);
+    *held = m.after;
   }
 }
 
-void write_sides(ByteWriter& out, const std::vector<Delta::SideChange>& sides, DeltaMirror& mirror) {
-  out.number(sides.size());
-  IdWriter ids(out);
-  for (const auto& s : sides) {
-    std::int8_t& held = mirror.cells[s.tet.index()].side;
-    const bool known = held == s.before;
-    ids.put(s.tet.value, 1, known ? 1 : 0);
-    if (!known) out.signed_number(s.before);
-    out.signed_number(s.after);
-    held = s.after;
-  }
-}
-
-void read_sides(ByteReader& in, std::vector<Delta::SideChange>& sides, DeltaMirror& mirror) {
-  sides.resize(in.count(2));
-  IdReader ids(in);
+template <class Io>
+void pass_sides(Io& io, Shown<Io, std::vector<Delta::SideChange>>& sides, DeltaMirror& mirror) {
+  io.length(sides, 2);
+  Ids ids(io);
   for (auto& s : sides) {
     std::uint64_t known = 0;
-    s.tet = TetId(ids.get(1, &known));
-    if (s.tet.index() >= mirror.cells.size()) return in.fail();
-    std::int8_t& held = mirror.cells[s.tet.index()].side;
-    s.before = known != 0 ? held : static_cast<std::int8_t>(in.signed_number());
-    s.after = static_cast<std::int8_t>(in.signed_number());
-    held = s.after;
+    if constexpr (Io::writes) known = mirror.cells[s.tet.index()].side == s.before ? 1 : 0;
+    ids.pass(s.tet, 1, known);
+    DeltaMirror::Cell* const held = held_at(io, mirror.cells, s.tet);
+    if (held == nullptr) return;
+    if (known == 0)
+      io.signed_number(s.before);
+    else if constexpr (!Io::writes)
+      s.before = held->side;
+    io.signed_number(s.after);
+    held->side = s.after;
   }
 }
 
-void write_removed(ByteWriter& out, const std::vector<TetRecord>& removed, const DeltaMirror& mirror) {
-  out.number(removed.size());
-  IdWriter ids(out);
+/// Of tetrahedra and of facets.
+template <class Io, class List> void pass_removed(Io& io, List& removed, const DeltaMirror& mirror) {
+  io.length(removed, 1);
+  Ids ids(io);
   VertexId last(0u);
-  for (const TetRecord& t : removed) {
-    const bool known =
-        t.id.index() < mirror.cells.size() && mirror.cells[t.id.index()] == DeltaMirror::Cell{t.v, t.side};
-    ids.put(t.id.value, 1, known ? 1 : 0);
-    if (known) continue;
-    write_corners(out, t.v, last);
-    out.signed_number(t.side);
-  }
-}
-
-void read_removed(ByteReader& in, std::vector<TetRecord>& removed, const DeltaMirror& mirror) {
-  removed.resize(in.count(1));
-  IdReader ids(in);
-  VertexId last(0u);
-  for (TetRecord& t : removed) {
+  for (auto& record : removed) {
     std::uint64_t known = 0;
-    t.id = TetId(ids.get(1, &known));
-    if (known != 0) {
-      if (t.id.index() >= mirror.cells.size()) return in.fail();
-      t.v = mirror.cells[t.id.index()].v;
-      t.side = mirror.cells[t.id.index()].side;
-      continue;
-    }
-    read_corners(in, t.v, last);
-    t.side = static_cast<std::int8_t>(in.signed_number());
-  }
-}
-
-void write_added(ByteWriter& out, const std::vector<TetRecord>& added, DeltaMirror& mirror) {
-  out.number(added.size());
-  IdWriter ids(out);
-  VertexId last(0u);
-  for (const TetRecord& t : added) {
-    ids.put(t.id.value, 2, fold_sign(t.side));
-    write_corners(out, t.v, last);
-    mirror.put(t);
-  }
-}
-
-void read_added(ByteReader& in, std::vector<TetRecord>& added, DeltaMirror& mirror, std::size_t slots) {
-  added.resize(in.count(5));
-  IdReader ids(in);
-  VertexId last(0u);
-  for (TetRecord& t : added) {
-    std::uint64_t side = 0;
-    t.id = TetId(ids.get(2, &side));
-    t.side = static_cast<std::int8_t>(unfold_sign(side));
-    read_corners(in, t.v, last);
-    if (in.failed() || t.id.value >= slots) return in.fail();
-    mirror.put(t);
-  }
-}
-
-void write_removed_facets(ByteWriter& out, const std::vector<FacetRecord>& removed,
-                          const DeltaMirror& mirror) {
-  out.number(removed.size());
-  IdWriter ids(out);
-  VertexId last(0u);
-  for (const FacetRecord& f : removed) {
-    const bool known = f.id.index() < mirror.facets.size() && mirror.facets[f.id.index()] == f.v;
-    ids.put(f.id.value, 1, known ? 1 : 0);
-    if (!known) write_corners(out, f.v, last);
-  }
-}
-
-void read_removed_facets(ByteReader& in, std::vector<FacetRecord>& removed, const DeltaMirror& mirror) {
-  removed.resize(in.count(1));
-  IdReader ids(in);
-  VertexId last(0u);
-  for (FacetRecord& f : removed) {
-    std::uint64_t known = 0;
-    f.id = FacetId(ids.get(1, &known));
+    if constexpr (Io::writes) known = mirror.holds(record) ? 1 : 0;
+    ids.pass(record.id, 1, known);
     if (known == 0) {
-      read_corners(in, f.v, last);
-      continue;
+      pass_corners(io, record.v, last);
+      if constexpr (has_side<typename List::value_type>) io.signed_number(record.side);
+    } else if constexpr (!Io::writes) {
+      if (!mirror.recall(record)) return io.fail();
     }
-    if (f.id.index() >= mirror.facets.size()) return in.fail();
-    f.v = mirror.facets[f.id.index()];
   }
 }
 
-void write_added_facets(ByteWriter& out, const std::vector<FacetRecord>& added, DeltaMirror& mirror) {
-  out.number(added.size());
-  IdWriter ids(out);
+/// `least`: bytes of one; `slots`: what their ids are below.
+template <class Io, class List>
+void pass_added(Io& io, List& added, DeltaMirror& mirror, std::size_t least, std::size_t slots) {
+  constexpr bool sided = has_side<typename List::value_type>;
+  constexpr unsigned side_bits = sided ? 2 : 0;
+  io.length(added, least);
+  Ids ids(io);
   VertexId last(0u);
-  for (const FacetRecord& f : added) {
-    ids.put(f.id.value);
-    write_corners(out, f.v, last);
-    mirror.put(f);
-  }
-}
-
-void read_added_facets(ByteReader& in, std::vector<FacetRecord>& added, DeltaMirror& mirror,
-                       std::size_t slots) {
-  added.resize(in.count(4));
-  IdReader ids(in);
-  VertexId last(0u);
-  for (FacetRecord& f : added) {
-    f.id = FacetId(ids.get());
-    read_corners(in, f.v, last);
-    if (in.failed() || f.id.value >= slots) return in.fail();
-    mirror.put(f);
+  for (auto& record : added) {
+    std::uint64_t side = 0;
+    if constexpr (Io::writes && sided) side = fold_sign(record.side);
+    ids.pass(record.id, side_bits, side);
+    if constexpr (!Io::writes && sided) record.side = static_cast<std::int8_t>(unfold_sign(side));
+    pass_corners(io, record.v, last);
+    if (io.failed() || record.id.value >= slots) return io.fail();
+    mirror.put(record);
   }
 }
 
@@ -333,6 +260,42 @@ std::uint64_t parts_of(const Delta& d) {
          (d.added_facets.empty() ? 0 : part_added_facets) |
          (d.facet_slots_before == 0 ? 0 : part_facet_slots) | (d.sample_set ? part_sample_set : 0) |
          (d.form ? part_form : 0);
+}
+
+template <class Io> void pass_form(Io& io, Shown<Io, ZeroForm>& form) {
+  auto number = static_cast<std::uint8_t>(form);
+  io.byte(number);
+  if (number > static_cast<std::uint8_t>(ZeroForm::free)) return io.fail();
+  if constexpr (!Io::writes) form = static_cast<ZeroForm>(number);
+}
+
+template <class Io> void pass(Io& io, Shown<Io, Delta>& d, DeltaMirror& mirror, std::size_t slots) {
+  std::uint64_t parts = 0;
+  if constexpr (Io::writes) parts = parts_of(d);
+  io.number(parts);
+  const auto has = [&](std::uint64_t part) { return (parts & part) != 0; };
+  if (has(part_vertices)) pass_vertices(io, d.added_vertices);
+  mirror.add(d.added_vertices);
+  if (has(part_killed)) pass_killed(io, d.killed_vertices);
+  if (has(part_values)) pass_values(io, d.values, mirror);
+  if (has(part_moves)) pass_moves(io, d.moves, mirror);
+  if (has(part_sides)) pass_sides(io, d.sides, mirror);
+  if (has(part_removed)) pass_removed(io, d.removed, mirror);
+  if (has(part_added)) pass_added(io, d.added, mirror, 5, slots);
+  if (has(part_slots)) io.number(d.slots_before);
+  if (has(part_removed_facets)) pass_removed(io, d.removed_facets, mirror);
+  if (has(part_added_facets)) pass_added(io, d.added_facets, mirror, 4, slots);
+  if (has(part_facet_slots)) io.number(d.facet_slots_before);
+  if (has(part_sample_set)) {
+    if constexpr (!Io::writes) d.sample_set.emplace();
+    io.number(d.sample_set->before);
+    io.number(d.sample_set->after);
+  }
+  if (has(part_form)) {
+    if constexpr (!Io::writes) d.form.emplace();
+    pass_form(io, d.form->before);
+    pass_form(io, d.form->after);
+  }
 }
 
 } // namespace
@@ -354,30 +317,31 @@ void DeltaMirror::put(const FacetRecord& record) {
   facets[record.id.index()] = record.v;
 }
 
+bool DeltaMirror::holds(const TetRecord& record) const {
+  return record.id.index() < cells.size() && cells[record.id.index()] == Cell{record.v, record.side};
+}
+
+bool DeltaMirror::holds(const FacetRecord& record) const {
+  return record.id.index() < facets.size() && facets[record.id.index()] == record.v;
+}
+
+bool DeltaMirror::recall(TetRecord& record) const {
+  if (record.id.index() >= cells.size()) return false;
+  record.v = cells[record.id.index()].v;
+  record.side = cells[record.id.index()].side;
+  return true;
+}
+
+bool DeltaMirror::recall(FacetRecord& record) const {
+  if (record.id.index() >= facets.size()) return false;
+  record.v = facets[record.id.index()];
+  return true;
+}
+
 std::string_view DeltaEncoder::encode(const Delta& d) {
   out_.clear();
-  const std::uint64_t parts = parts_of(d);
-  out_.number(parts);
-  if ((parts & part_vertices) != 0) write_vertices(out_, d.added_vertices);
-  mirror_.add(d.added_vertices);
-  if ((parts & part_killed) != 0) write_killed(out_, d.killed_vertices);
-  if ((parts & part_values) != 0) write_values(out_, d.values, mirror_);
-  if ((parts & part_moves) != 0) write_moves(out_, d.moves, mirror_);
-  if ((parts & part_sides) != 0) write_sides(out_, d.sides, mirror_);
-  if ((parts & part_removed) != 0) write_removed(out_, d.removed, mirror_);
-  if ((parts & part_added) != 0) write_added(out_, d.added, mirror_);
-  if ((parts & part_slots) != 0) out_.number(d.slots_before);
-  if ((parts & part_removed_facets) != 0) write_removed_facets(out_, d.removed_facets, mirror_);
-  if ((parts & part_added_facets) != 0) write_added_facets(out_, d.added_facets, mirror_);
-  if ((parts & part_facet_slots) != 0) out_.number(d.facet_slots_before);
-  if ((parts & part_sample_set) != 0) {
-    out_.number(d.sample_set->before);
-    out_.number(d.sample_set->after);
-  }
-  if ((parts & part_form) != 0) {
-    out_.byte(static_cast<std::uint8_t>(d.form->before));
-    out_.byte(static_cast<std::uint8_t>(d.form->after));
-  }
+  Writing io(out_);
+  pass(io, d, mirror_, std::numeric_limits<std::size_t>::max());
   return out_.bytes();
 }
 
@@ -386,32 +350,8 @@ bool DeltaDecoder::decode(std::string_view bytes, Delta& d) {
   bytes_ += bytes.size();
   const std::size_t slots = slots_at_first + slots_per_byte * bytes_;
   ByteReader in(bytes);
-  const std::uint64_t parts = in.number();
-  if ((parts & part_vertices) != 0) read_vertices(in, d.added_vertices);
-  mirror_.add(d.added_vertices);
-  if ((parts & part_killed) != 0) read_killed(in, d.killed_vertices);
-  if ((parts & part_values) != 0) read_values(in, d.values, mirror_);
-  if ((parts & part_moves) != 0) read_moves(in, d.moves, mirror_);
-  if ((parts & part_sides) != 0) read_sides(in, d.sides, mirror_);
-  if ((parts & part_removed) != 0) read_removed(in, d.removed, mirror_);
-  if ((parts & part_added) != 0) read_added(in, d.added, mirror_, slots);
-  if ((parts & part_slots) != 0) d.slots_before = static_cast<std::uint32_t>(in.number());
-  if ((parts & part_removed_facets) != 0) read_removed_facets(in, d.removed_facets, mirror_);
-  if ((parts & part_added_facets) != 0) read_added_facets(in, d.added_facets, mirror_, slots);
-  if ((parts & part_facet_slots) != 0) d.facet_slots_before = static_cast<std::uint32_t>(in.number());
-  if ((parts & part_sample_set) != 0) {
-    Delta::SampleSetChange change;
-    change.before = static_cast<std::uint16_t>(in.number());
-    change.after = static_cast<std::uint16_t>(in.number());
-    d.sample_set = change;
-  }
-  if ((parts & part_form) != 0) {
-    const std::uint8_t before = in.byte(), after = in.byte();
-    if (before > static_cast<std::uint8_t>(ZeroForm::free) ||
-        after > static_cast<std::uint8_t>(ZeroForm::free))
-      in.fail();
-    d.form = Delta::FormChange{static_cast<ZeroForm>(before), static_cast<ZeroForm>(after)};
-  }
+  Reading io(in);
+  pass(io, d, mirror_, slots);
   return in.exhausted() && d.slots_before <= slots && d.facet_slots_before <= slots;
 }
 

@@ -25,6 +25,11 @@ class DeltaMirror {
   void add(const std::vector<Vertex>& vertices);
   void put(const TetRecord& record);
   void put(const FacetRecord& record);
+  bool holds(const TetRecord& record) const;
+  bool holds(const FacetRecord& record) const;
+  /// Fills a record from its id; false beyond what is held.
+  bool recall(TetRecord& record) const;
+  bool recall(FacetRecord& record) const;
 };
 
 /// Writes the deltas of one run in their order.

@@ -230,8 +230,8 @@ std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume, cons
     const Triangle3& t = index.triangle(TriangleId(i));
     const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
     if (normal == Vec3{}) return;
-    const std::array<Vec3, feet_by_triangle> feet{(t[0] + t[1] + t[2]) / 3.0, 0.5 * (t[0] + t[1]),
-                                                  0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0])};
+    const std::array<Vec3, feet_by_triangle> feet{centroid(t), 0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2]),
+                                                  0.5 * (t[2] + t[0])};
     for (std::size_t k = 0; k < found[i].size(); ++k) {
       MisclassifiedPoint point;
       point.point = feet[k / 2] + (k % 2 == 0 ? start : -start) * normal;

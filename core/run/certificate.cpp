@@ -2,6 +2,7 @@
 // winding numbers.
 #include "run/certificate.h"
 
+#include "base/numbers.h"
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/place.h"
@@ -27,7 +28,6 @@ using Stop = std::function<bool()>;
 
 constexpr std::size_t piece_budget = 200000;
 constexpr int place_digits = 9;
-constexpr std::string_view nothing = "nothing: "; ///< how a source begins that expects nothing
 constexpr double input_distance_precision = 0.01; ///< in units of δ
 constexpr double finest_piece = 0.05;             ///< of the input along crossings, in units of δ
 
@@ -174,10 +174,8 @@ bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
   }
   c.max_distance = std::max(c.max_distance, worst);
   if (outside > 0) {
-    char ratio[32];
-    std::snprintf(ratio, sizeof ratio, "%.4g", worst / delta);
     c.failures.push_back(std::to_string(outside) + " facets leave the tolerance volume, the worst by d = " +
-                         ratio + " δ at " + place(where, place_digits) + ".");
+                         general(worst / delta, 4) + " δ at " + place(where, place_digits) + ".");
   }
   if (!complete) {
     if (outside == 0) c.max_distance = std::numeric_limits<double>::infinity();
@@ -191,13 +189,10 @@ bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
 
 /// "the input is farther than 3 δ from the mesh in 2 places, the farthest 33.2 δ at (0, 1, 2)"
 std::string uncovered_words(const Certificate& c, double delta) {
-  char limit[32], distance[32];
-  std::snprintf(limit, sizeof limit, "%.4g", *c.cover_limit);
-  std::snprintf(distance, sizeof distance, "%.4g", c.uncovered.front().distance / delta);
-  return "the input is farther than " + std::string(limit) + " δ from the mesh in " +
+  return "the input is farther than " + general(*c.cover_limit, 4) + " δ from the mesh in " +
          (c.uncovered_count == 1 ? "one place, "
                                  : std::to_string(c.uncovered_count) + " places, the farthest ") +
-         std::string(distance) + " δ at " + place(c.uncovered.front().point, place_digits);
+         general(c.uncovered.front().distance / delta, 4) + " δ at " + place(c.uncovered.front().point, place_digits);
 }
 
 bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, const CoverTest& test,
@@ -295,10 +290,9 @@ void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expecte
   case Topology::as_expected:
     return;
   case Topology::not_asked:
-    c.topology_note =
-        expected.source.starts_with(nothing)
-            ? "Nothing is expected of the topology: " + expected.source.substr(nothing.size()) + "."
-            : "Asked for was the " + expected.source + ": any topology will do.";
+    c.topology_note = !expected.nothing.empty()
+                          ? "Nothing is expected of the topology: " + expected.nothing + "."
+                          : "Asked for was the " + expected.source + ": any topology will do.";
     return;
   case Topology::missed:
     c.topology_note = "The topology is not guaranteed, as Ω is no thickening: the output has χ = " +

@@ -1,6 +1,7 @@
 // From half of the longest edge downwards, then between the last that closes and the first that does not.
 #include "run/closing_tolerance.h"
 
+#include "base/numbers.h"
 #include "journal/recorder.h"
 #include "refine/refinement.h"
 #include "tolerance/parameter_check.h"
@@ -137,11 +138,10 @@ Error with_closing_tolerance(Error open, const OpenInput& input, const RunParame
   if (percent) {
     const bool smallest = attempts > 1 || (open_below > 0 && closing <= open_below * precision);
     const Tolerance tolerance{*percent, true};
-    char length[40];
-    std::snprintf(length, sizeof length, "%.4g", tolerance.absolute(edge));
     open.remedy =
         (smallest ? "The smallest tolerance that closes it is about " : "It is closed by a tolerance of ") +
-        percent_text(*percent) + " of the longest edge (" + length + ");" + later;
+        percent_text(*percent) + " of the longest edge (" + general(tolerance.absolute(edge), 4) + ");" +
+        later;
   } else {
     open.remedy = "No tolerance " + (all ? std::string("up") : "from " + percent_text(100 * tried / edge)) +
                   " to " + percent_text(100 * largest_share) + " of the longest edge closes it;" + later;

@@ -26,10 +26,6 @@ struct Piece {
   double distance = 0;
 };
 
-double area(const Triangle3& t) {
-  return 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
-}
-
 /// The pieces of a triangle, of at most `radius`, whose centroids are beyond the limit.
 std::vector<Piece> pieces_beyond(const ClosestPointIndex& mesh, const Triangle3& triangle, double limit,
                                  double radius) {
@@ -38,7 +34,7 @@ std::vector<Piece> pieces_beyond(const ClosestPointIndex& mesh, const Triangle3&
   for (std::size_t looked = 0; !open.empty() && looked < most_pieces_each; ++looked) {
     const Triangle3 t = open.back();
     open.pop_back();
-    const Vec3 center = (t[0] + t[1] + t[2]) / 3.0;
+    const Vec3 center = centroid(t);
     const double d = mesh.distance(center);
     double r = 0;
     std::size_t longest = 0;

@@ -19,10 +19,6 @@ constexpr double border = 1e-6;
 /// Triangles nearer than this share of a piece touch it.
 constexpr double contact = 1e-9;
 
-Vec3 centroid(const Triangle3& t) {
-  return (t[0] + t[1] + t[2]) / 3.0;
-}
-
 /// What lies on another triangle altogether, as where faces touch, is not crossed by it.
 bool is_crossed(const ClosestPointIndex& index, TriangleId own, const Triangle3& piece) {
   const Vec3 c = centroid(piece);

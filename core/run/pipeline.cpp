@@ -1,6 +1,8 @@
 // The stages of a run, in order.
 #include "run/pipeline.h"
 
+#include "base/numbers.h"
+#include "base/stopwatch.h"
 #include "input/gallery.h"
 #include "input/input_mesh.h"
 #include "journal/playback.h"
@@ -8,11 +10,9 @@
 #include "run/closing_tolerance.h"
 #include "run/coordinate_check.h"
 #include "tolerance/index_building.h"
-#include "tolerance/region_labels.h"
 
 #include <sys/resource.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -20,24 +20,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::string_view gallery_prefix = "gallery:";
 constexpr double certified_boundary_ratio = 0.95;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-std::string short_number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 std::size_t peak_memory_bytes() {
   rusage usage{};
@@ -149,7 +132,7 @@ struct Pipeline::Impl {
   }
   /// What is wrong with the input; when it is open, with the tolerance that would close it.
   Error refused(Error error, const Scene& at, const ToleranceVolume::Options& options) const {
-    if (!is_open_surface(error)) return error;
+    if (error.code != ErrorCode::open_surface) return error;
     control->report("tolerance that closes the input", -1);
     return with_closing_tolerance(std::move(error), {at.index, at.input_topology, kept_area, options},
                                   *parameters, *control);
@@ -271,7 +254,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (!(scene->delta > 1e-9 * scene->longest_edge) || !(scene->delta < 100 * scene->longest_edge)) {
     return Error{ErrorCode::usage,
                  "--tolerance " + parameters_.tolerance.text() + " does not fit the size of the input.",
-                 "Its longest edge is " + short_number(scene->longest_edge) + "."};
+                 "Its longest edge is " + general(scene->longest_edge, 6) + "."};
   }
   if (Status fine = check_coordinates(*soup, scene->delta); !fine) return fine.error();
   scene->notes = std::move(notes);

@@ -276,10 +276,7 @@ RunParameters parameters_at_start(RunParameters parameters, const Journal& recor
     if (next * c.delta == c.sigma) parameters.sigma = next;
   parameters.alpha = c.alpha;
   parameters.shrink = c.shrink;
-  parameters.condition_1 = c.condition_1;
-  parameters.condition_2 = c.condition_2;
-  parameters.condition_3 = c.condition_3;
-  parameters.condition_4 = c.condition_4;
+  parameters.conditions = {c.condition_1, c.condition_2, c.condition_3, c.condition_4};
   return parameters;
 }
 

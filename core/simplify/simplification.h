@@ -11,7 +11,6 @@
 
 #include <array>
 #include <memory>
-#include <string_view>
 
 namespace isoscope {
 
@@ -20,7 +19,6 @@ enum class ImproverPlace : std::uint8_t {
   free,    ///< on Z alone: it leaves T first
   embedded ///< inside T: what keeps the embedding where Ω is no thickening
 };
-std::string_view name(ImproverPlace);
 
 /// What to do after refinement, and how hard to try.
 struct SimplificationParameters {

@@ -1,9 +1,10 @@
-// Contacts of a soup: edges and vertices by sorting corners, the rest by intersecting pairs of triangles.
+// Contacts of a soup: edges and vertices by welded corners, the rest by intersecting pairs of triangles.
 #include "tolerance/contacts.h"
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "tolerance/volume_components.h"
+#include "tolerance/welded_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
@@ -19,10 +20,6 @@ using Point = Kernel::Point_3;
 
 constexpr std::size_t parallel_grain = 64;
 
-bool less(const Vec3& a, const Vec3& b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
-
 Vec3 vec(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
@@ -30,21 +27,12 @@ Vec3 vec(const Point& p) {
 /// The triangles by their corners, as numbers of points; without collapsed ones and copies.
 class Corners {
  public:
-  explicit Corners(const ClosestPointIndex& index) {
-    for (std::size_t t = 0; t < index.size(); ++t)
-      for (const Vec3 p : index.triangle(TriangleId(t))) points_.push_back(p);
-    std::sort(points_.begin(), points_.end(), less);
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
-    std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> keys;
-    of_triangle_.resize(index.size());
+  explicit Corners(const ClosestPointIndex& index) : mesh_(weld(index)) {
+    std::vector<std::pair<IndexTriangle, std::uint32_t>> keys;
     for (std::uint32_t t = 0; t < index.size(); ++t) {
-      const Triangle3& corners = index.triangle(TriangleId(t));
-      auto& own = of_triangle_[t];
-      for (std::size_t k = 0; k < 3; ++k)
-        own[k] = static_cast<std::uint32_t>(
-            std::lower_bound(points_.begin(), points_.end(), corners[k], less) - points_.begin());
+      IndexTriangle& own = mesh_.triangles[t];
       std::sort(own.begin(), own.end());
-      if (own[0] != own[1] && own[1] != own[2]) keys.emplace_back(own, t);
+      if (!is_collapsed(own)) keys.emplace_back(own, t);
     }
     std::sort(keys.begin(), keys.end());
     for (std::size_t i = 0; i < keys.size(); ++i)
@@ -53,13 +41,12 @@ class Corners {
   }
 
   const std::vector<std::uint32_t>& counting() const { return counting_; }
-  const std::array<std::uint32_t, 3>& of(std::uint32_t t) const { return of_triangle_[t]; }
-  Vec3 point(std::uint32_t v) const { return points_[v]; }
-  std::size_t point_count() const { return points_.size(); }
+  const IndexTriangle& of(std::uint32_t t) const { return mesh_.triangles[t]; }
+  Vec3 point(std::uint32_t v) const { return mesh_.points[v]; }
+  std::size_t point_count() const { return mesh_.points.size(); }
 
  private:
-  std::vector<Vec3> points_; ///< ascending
-  std::vector<std::array<std::uint32_t, 3>> of_triangle_;
+  WeldedMesh mesh_;                     ///< the corners of each triangle ascending
   std::vector<std::uint32_t> counting_; ///< ascending
 };
 

@@ -89,7 +89,7 @@ FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& face
     if (stopped || verdict.pieces > search.budget || piece.depth > max_depth) {
       if (verdict.kind == Kind::outside) return verdict;
       verdict.kind = Kind::undecided;
-      verdict.witness = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3.0;
+      verdict.witness = centroid(piece.corners);
       return verdict;
     }
     if (trust_guess) {
@@ -100,7 +100,7 @@ FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& face
       }
     }
     const Triangle3& t = piece.corners;
-    const Vec3 center = (t[0] + t[1] + t[2]) / 3.0;
+    const Vec3 center = centroid(t);
     const ClosestPoint closest = index.closest_near(center, piece.guess);
     const double d = closest.distance();
     if (d - rounding > reject) {

@@ -225,10 +225,7 @@ class Orienter {
     const IndexTriangle& v = mesh_.triangles[t];
     return {mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]]};
   }
-  Vec3 centroid(std::uint32_t t) const {
-    const Triangle3 c = triangle(t);
-    return (c[0] + c[1] + c[2]) / 3.0;
-  }
+  Vec3 centroid(std::uint32_t t) const { return isoscope::centroid(triangle(t)); }
 
   const WeldedMesh& mesh_;
   const std::vector<EdgeUse>& uses_;

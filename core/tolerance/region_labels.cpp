@@ -13,7 +13,6 @@ namespace {
 /// Triangles from which the thickness of a part is measured.
 constexpr std::size_t thickness_probes = 2000;
 constexpr int place_digits = 6;
-const std::string open_surface_words = "The input is an open surface near ";
 /// Places between its walls that are asked whether a part is closed.
 constexpr std::size_t thin_part_probes = 16;
 constexpr int most_steps = 200; ///< of a climb
@@ -35,10 +34,6 @@ std::vector<TriangleId> triangles_of(const ToleranceVolume& volume, std::uint32_
   for (std::size_t t = 0; t < volume.index().size(); ++t)
     if (volume.volume_component(TriangleId(t)) == component) list.push_back(TriangleId(t));
   return list;
-}
-
-Vec3 centroid(const Triangle3& t) {
-  return (t[0] + t[1] + t[2]) / 3.0;
 }
 
 /// A point of the input's border, where the known one lies in this component of Ω'.
@@ -126,14 +121,10 @@ bool is_thin_part(const ToleranceVolume& volume, std::uint32_t component) {
 } // namespace
 
 Error open_surface_near(Vec3 p) {
-  return {ErrorCode::unsupported,
-          open_surface_words + place(p, place_digits) +
+  return {ErrorCode::open_surface,
+          "The input is an open surface near " + place(p, place_digits) +
               ": both its sides are connected outside of the tolerance volume.",
           "A larger tolerance closes gaps; approximating open surfaces comes with a later version."};
-}
-
-bool is_open_surface(const Error& error) {
-  return error.code == ErrorCode::unsupported && error.message.starts_with(open_surface_words);
 }
 
 std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component,

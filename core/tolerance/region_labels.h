@@ -13,12 +13,9 @@ namespace isoscope {
 /// Of no use once the control is cancelled.
 std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl& control);
 
-/// Whether it is what open_surface_near() says.
-bool is_open_surface(const Error& error);
-
 /// Labels for soups: alternating sides from the unbounded region. Where three regions or more meet a
-/// component of Ω', as they do at pockets, rays decide if they agree. Fails with unsupported on open and
-/// non-manifold surfaces, with anything once the control is cancelled.
+/// component of Ω', as they do at pockets, rays decide if they agree. Fails with open_surface or unsupported
+/// on open and non-manifold surfaces, with anything once the control is cancelled.
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, const RunControl& control);
 
 /// A point midway between a wall of the input and the next one along the normal.

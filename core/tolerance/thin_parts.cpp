@@ -1,6 +1,7 @@
 // Finds components of Ω' without an inside and measures them.
 #include "tolerance/thin_parts.h"
 
+#include "base/numbers.h"
 #include "base/disjoint_sets.h"
 #include "base/place.h"
 #include "input/point_numbers.h"
@@ -40,12 +41,6 @@ double two_digits_below(double value) {
   char text[32]; // the decimal number itself, not a multiple of an inexact unit
   std::snprintf(text, sizeof text, "%.1e", std::floor(value / unit * (1 + 1e-6)) * unit);
   return std::strtod(text, nullptr);
-}
-
-std::string short_number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 /// Triangles that share corners, by the smallest of their ids.
@@ -96,11 +91,10 @@ void measure(const ToleranceVolume& volume, DisjointSets& connected, ThinPart& p
   }
 }
 
-double area(const ClosestPointIndex& index) {
+double area_of(const ClosestPointIndex& index) {
   double sum = 0;
   for (std::size_t i = 0; i < index.size(); ++i) {
-    const Triangle3& t = index.triangle(TriangleId(i));
-    sum += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
+    sum += area(index.triangle(TriangleId(i)));
   }
   return sum;
 }
@@ -142,7 +136,7 @@ std::vector<ThinPart> find_thin_parts(const ToleranceVolume& volume) {
 Result<KeepingTolerance> find_keeping_tolerance(const ToleranceVolume& volume,
                                                 std::span<const ThinPart> parts, const RunControl& control) {
   const ToleranceThresholds& t = volume.thresholds();
-  const double ratio = t.boundary / t.delta, surface = area(volume.index());
+  const double ratio = t.boundary / t.delta, surface = area_of(volume.index());
   const auto cells = [&](double delta) { return cells_by_area * surface / (ratio * ratio * delta * delta); };
   KeepingTolerance keeping{two_digits_below(0.5 * keeping_share * least_thickness(parts)), true};
   for (int tries = 0; tries < most_tries && keeping.value > 0; ++tries) {
@@ -172,8 +166,8 @@ Error thin_parts_error(const ToleranceVolume& volume, std::span<const ThinPart> 
   const bool one = parts.size() == 1, all = parts.size() == volume.volume_component_count(),
              gap = thinnest->lost > 0;
   const std::string where = place(thinnest->place, place_digits);
-  const std::string width = short_number("%.3g", thinnest->thickness) + " (" +
-                            short_number("%.3g", thinnest->thickness / delta) + " δ)";
+  const std::string width =
+      general(thinnest->thickness, 3) + " (" + general(thinnest->thickness / delta, 3) + " δ)";
   if (one) {
     error.message = gap   ? "A gap inside of the input is thinner than twice the tolerance everywhere around "
                     : all ? "The input is thinner than twice the tolerance everywhere around "
@@ -186,8 +180,8 @@ Error thin_parts_error(const ToleranceVolume& volume, std::span<const ThinPart> 
         " at most, around " + where + ": nothing is left inside of them.";
   }
   if (keeping.value > 0) {
-    const std::string value = short_number("%.2g", keeping.value) + " (" +
-                              short_number("%.2g", two_digits_below(100 * keeping.value / edge)) +
+    const std::string value = general(keeping.value, 2) + " (" +
+                              general(two_digits_below(100 * keeping.value / edge), 2) +
                               "% of the longest edge)";
     error.remedy = keeping.fits ? "Choose a tolerance of at most " + value
                                 : "A tolerance that keeps " + std::string(one ? "it" : "them") +
@@ -195,9 +189,9 @@ Error thin_parts_error(const ToleranceVolume& volume, std::span<const ThinPart> 
   } else {
     error.remedy = "No tolerance keeps what has no thickness";
   }
-  if (!all) error.remedy += ", or leave " + std::string(one ? "it" : "them") + " out with --drop-thin";
-  if (!all && !(keeping.value > 0 && keeping.fits))
-    error.remedy.replace(error.remedy.rfind(", or leave"), 4, ":");
+  if (!all)
+    error.remedy += (keeping.value > 0 && keeping.fits ? ", or leave " : ": leave ") +
+                    std::string(one ? "it" : "them") + " out with --drop-thin";
   error.remedy += ".";
   return error;
 }
@@ -215,9 +209,8 @@ std::string left_out_words(std::span<const ThinPart> parts) {
                       " left out (" + std::to_string(triangles) +
                       (triangles == 1 ? " triangle)" : " triangles)");
   for (std::size_t i = 0; i < std::min(largest.size(), most_named); ++i) {
-    words += (i == 0 ? ": " : "; ") + short_number("%.3g", largest[i]->box.longest_edge()) + " long and " +
-             short_number("%.3g", largest[i]->thickness) + " thick around " +
-             place(largest[i]->place, place_digits);
+    words += (i == 0 ? ": " : "; ") + general(largest[i]->box.longest_edge(), 3) + " long and " +
+             general(largest[i]->thickness, 3) + " thick around " + place(largest[i]->place, place_digits);
   }
   if (parts.size() > most_named) words += "; and smaller ones";
   return words + ".";

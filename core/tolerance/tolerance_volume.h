@@ -94,9 +94,9 @@ class ToleranceVolume {
   };
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
-  /// Fails with unsupported on open surfaces (a component of Ω that touches one region only) and on
-  /// non-manifold ones (three regions or more), naming the place, and where the octree takes too much memory;
-  /// with cancelled when told to. Parts that are thinner than 2δ' everywhere are built: find_thin_parts()
+  /// Fails with open_surface (a component of Ω touches one region only), with unsupported on non-manifold
+  /// surfaces (three regions or more), naming the place, and where the octree takes too much memory; with
+  /// cancelled when told to. Parts that are thinner than 2δ' everywhere are built: find_thin_parts()
   /// tells them.
   static Result<ToleranceVolume> build(std::shared_ptr<const ClosestPointIndex> index,
                                        const InputTopology& input, const Options& options,

@@ -6,28 +6,46 @@
 
 namespace isoscope {
 
-WeldedMesh weld(const TriangleSoup& soup) {
+namespace {
+
+WeldedMesh weld(const std::vector<Vec3>& points, const std::vector<IndexTriangle>& triangles) {
   std::vector<std::uint32_t> order;
-  std::vector<char> used(soup.points.size(), 0);
-  for (const auto& t : soup.triangles)
+  std::vector<char> used(points.size(), 0);
+  for (const auto& t : triangles)
     for (const auto v : t) used[v] = 1;
-  for (std::uint32_t v = 0; v < soup.points.size(); ++v)
+  for (std::uint32_t v = 0; v < points.size(); ++v)
     if (used[v]) order.push_back(v);
   const auto key = [&](std::uint32_t v) {
-    const Vec3& p = soup.points[v];
+    const Vec3& p = points[v];
     return std::tuple{p.x, p.y, p.z};
   };
   std::sort(order.begin(), order.end(), [&](auto a, auto b) {
     return std::pair{key(a), a} < std::pair{key(b), b};
   });
   WeldedMesh mesh;
-  std::vector<std::uint32_t> merged(soup.points.size(), 0);
+  std::vector<std::uint32_t> merged(points.size(), 0);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i == 0 || key(order[i]) != key(order[i - 1])) mesh.points.push_back(soup.points[order[i]]);
+    if (i == 0 || key(order[i]) != key(order[i - 1])) mesh.points.push_back(points[order[i]]);
     merged[order[i]] = static_cast<std::uint32_t>(mesh.points.size() - 1);
   }
-  for (const auto& t : soup.triangles) mesh.triangles.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
+  for (const auto& t : triangles) mesh.triangles.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
   return mesh;
+}
+
+} // namespace
+
+WeldedMesh weld(const TriangleSoup& soup) {
+  return weld(soup.points, soup.triangles);
+}
+
+WeldedMesh weld(const ClosestPointIndex& index) {
+  std::vector<Vec3> points;
+  std::vector<IndexTriangle> triangles;
+  for (std::uint32_t t = 0; t < index.size(); ++t) {
+    for (const Vec3 p : index.triangle(TriangleId(t))) points.push_back(p);
+    triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  return weld(points, triangles);
 }
 
 std::vector<EdgeUse> sorted_edge_uses(const std::vector<IndexTriangle>& triangles) {

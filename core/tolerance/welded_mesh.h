@@ -1,7 +1,8 @@
-// A soup with equal points merged, and what its edges tell.
+// Triangles with equal points merged, and what its edges tell.
 #pragma once
 
 #include "input/triangle_soup.h"
+#include "tolerance/closest_point.h"
 
 #include <array>
 #include <cstdint>
@@ -11,12 +12,13 @@ namespace isoscope {
 
 using IndexTriangle = std::array<std::uint32_t, 3>;
 
-/// The soup with bitwise equal points merged and unused ones dropped; triangles keep their ids.
+/// Triangles with bitwise equal points merged and unused ones dropped; triangles keep their ids.
 struct WeldedMesh {
-  std::vector<Vec3> points;
+  std::vector<Vec3> points; ///< ascending by x, y, z
   std::vector<IndexTriangle> triangles;
 };
 WeldedMesh weld(const TriangleSoup& soup);
+WeldedMesh weld(const ClosestPointIndex& index);
 
 /// One side of an edge: its ends in order, its triangle, and whether that runs from the lower end to the
 /// higher one.

@@ -146,7 +146,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
     if (normal == Vec3{}) return;
     for (std::size_t side = 0; side < 2; ++side) {
       const double offset = (side == 0 ? 1 : -1) * delta * (1 + offset_margin);
-      Vec3 p = (t[0] + t[1] + t[2]) / 3.0 + offset * normal;
+      Vec3 p = centroid(t) + offset * normal;
       double depth = index.distance(p);
       if (depth <= delta * (1 + 0.5 * offset_margin) || climb(index, cells, delta, p, depth)) continue;
       found[2 * i + side] = {p, volume.sides().label(p), depth};

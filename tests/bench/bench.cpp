@@ -32,7 +32,7 @@ Outcome run_ours(const Case& asked, const Options& options) {
   RunParameters parameters;
   parameters.input = asked.model;
   parameters.tolerance = asked.tolerance;
-  parameters.condition_3 = !options.no_normals;
+  parameters.conditions[2] = !options.no_normals;
   parameters.time_limit = options.time_limit;
   auto soup = asked.load();
   if (!soup) return {false, 0, soup.error().message};
@@ -68,7 +68,7 @@ Row run_case(const Case& asked, Measured lindstrom_turk, const Options& options)
 Result<std::vector<Case>> cases_for(const Options& options) {
   std::vector<Tolerance> tolerances;
   for (const std::string& text : options.tolerances) {
-    const auto tolerance = parse_tolerance(text);
+    const auto tolerance = read_field<Tolerance>(field_of(&RunParameters::tolerance), "--tolerance", text);
     if (!tolerance) return tolerance.error();
     tolerances.push_back(*tolerance);
   }

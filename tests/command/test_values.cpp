@@ -28,6 +28,7 @@ TEST_CASE("ranges are kept") {
   CHECK(!find_value("alpha")->set(model, "0").ok());
   CHECK(!find_value("alpha")->set(model, "1").ok());
   CHECK(!find_value("alpha")->set(model, "nan").ok());
+  CHECK(find_value("alpha")->set(model, "0.995").ok()); // as the command line takes it
   CHECK(find_value("alpha")->set(model, "0.3").ok());
   CHECK(find_value("layer.zero")->set(model, "off").ok());
   CHECK(!model.view.zero_set.visible);
@@ -56,4 +57,21 @@ TEST_CASE("expectations") {
   CHECK(expect(model, "stepp == 0").error().code == ErrorCode::usage);
   CHECK(expect(model, "step == 0 or step == 1").error().code == ErrorCode::usage);
   CHECK(expect(model, "phase < idle").error().code == ErrorCode::usage);
+}
+
+TEST_CASE("a draft differs by what is in force, and every parameter but a few needs a restart") {
+  AppModel model([] {});
+  auto scene = std::make_shared<Scene>();
+  scene->default_sigma = 0.9;
+  model.run.scene = scene;
+  CHECK(!model.draft_differs());
+  model.draft.sigma = 0.9; // what the run takes anyway
+  CHECK(!model.draft_differs());
+  model.draft.sigma = 0.5;
+  CHECK(model.draft_differs());
+  CHECK(!model.draft_needs_restart());
+  model.draft.sigma = 0;
+  model.draft.sides = SidesMode::winding;
+  CHECK(model.draft_differs());
+  CHECK(model.draft_needs_restart());
 }

@@ -131,7 +131,7 @@ TEST_CASE("another α is first another limit, then another decision") {
   const CompleteRun& other = made("torus, α 0.3", parameters);
   const RunComparison found = compare(torus(), other);
   REQUIRE(found.parameters.size() == 1);
-  CHECK(found.parameters[0] == ParameterDifference{"α", "0.2", "0.3"});
+  CHECK(found.parameters[0] == FieldDifference{"α", "0.2", "0.3"});
   CHECK(found.same_samples);
   REQUIRE(found.measure);
   REQUIRE(found.decision);
@@ -243,7 +243,7 @@ TEST_CASE("a run that stops differs where it stops") {
   const CompleteRun& shorter = made("torus until gamma", parameters);
   const RunComparison found = compare(torus(), shorter);
   REQUIRE(found.parameters.size() == 1);
-  CHECK(found.parameters[0] == ParameterDifference{"until", "improve", "gamma"});
+  CHECK(found.parameters[0] == FieldDifference{"until", "improve", "gamma"});
   REQUIRE(found.decision);
   CHECK(!found.measure);
   CHECK(found.decision->in_a);

@@ -28,38 +28,122 @@ Journal& journal_with_delta() {
 
 } // namespace
 
-TEST_CASE("Every kind, condition and reason has a name of its own") {
-  std::set<std::string_view> kinds, conditions, reasons, stages;
-  for (int i = 0; i <= static_cast<int>(EventKind::stopped); ++i)
-    kinds.insert(name(static_cast<EventKind>(i)));
-  for (int i = 0; i < condition_count; ++i) conditions.insert(name(static_cast<Condition>(i)));
-  for (int i = 0; i < reason_count; ++i) reasons.insert(name(static_cast<Reason>(i)));
-  for (int i = 0; i <= static_cast<int>(Stage::improve); ++i) stages.insert(name(static_cast<Stage>(i)));
-  CHECK(kinds.size() == 9);
+TEST_CASE("Every stage, kind, condition and reason has a name and words of its own") {
+  std::set<std::string_view> kinds, conditions, reasons, stages, sentences, plain;
+  for (const KindWords& row : kind_table) {
+    kinds.insert(row.name);
+    sentences.insert(row.sentence);
+    plain.insert(row.plain);
+    CHECK(!row.title.empty());
+    CHECK(!row.one.empty());
+    CHECK(!row.help.empty());
+  }
+  CHECK(kinds.size() == event_kind_count);
+  CHECK(sentences.size() == event_kind_count);
+  CHECK(plain.size() == event_kind_count);
+  for (const ConditionWords& row : condition_table) conditions.insert(row.name);
   CHECK(conditions.size() == condition_count);
+  for (const ReasonWords& row : reason_table) {
+    reasons.insert(row.name);
+    CAPTURE(row.name);
+    CHECK((row.role == ReasonRole::none) == row.sentence.empty());
+    CHECK((row.role == ReasonRole::rejection) == rejects(row.value));
+    CHECK(rejects(row.value) == !row.plain.empty());
+  }
   CHECK(reasons.size() == reason_count);
-  CHECK(stages.size() == 7);
-  CHECK(!kinds.contains(""));
-  CHECK(!conditions.contains(""));
-  CHECK(!reasons.contains(""));
+  for (const StageWords& row : stage_table) stages.insert(row.name);
+  CHECK(stages.size() == stage_count);
 }
 
 TEST_CASE("Every combination of kind, condition and reason has a sentence") {
   Journal& journal = journal_with_delta();
-  for (int kind = 0; kind <= static_cast<int>(EventKind::stopped); ++kind) {
-    for (int condition = 0; condition < condition_count; ++condition) {
-      for (int reason = 0; reason < reason_count; ++reason) {
+  for (const KindWords& kind : kind_table)
+    for (const ConditionWords& condition : condition_table)
+      for (const ReasonWords& reason : reason_table) {
         Event e;
-        e.kind = static_cast<EventKind>(kind);
-        e.condition = static_cast<Condition>(condition);
-        e.reason = static_cast<Reason>(reason);
+        e.kind = kind.value;
+        e.condition = condition.value;
+        e.reason = reason.value;
+        e.vertex = VertexId(3);
+        e.other = VertexId(4);
         const std::string text = describe(journal, e);
+        CAPTURE(text);
         CHECK(!text.empty());
         CHECK(!contains(text, "  "));
         CHECK(!contains(text, "4294967295"));
+        // Every figure is known.
+        CHECK(text.find_first_of("{}?") == std::string::npos);
+        CHECK(plain_words(journal, e).find_first_of("{}?") == std::string::npos);
       }
-    }
+}
+
+TEST_CASE("Rejections tell the edge, the reason and the number that decided") {
+  Journal& journal = journal_with_delta();
+  Event e;
+  e.kind = EventKind::rejection;
+  e.vertex = VertexId(3);
+  e.other = VertexId(4);
+  e.value = 0.75;
+  e.limit = 0.5;
+  std::set<std::string> texts;
+  for (const ReasonWords& reason : reason_table) {
+    if (!rejects(reason.value)) continue;
+    e.reason = reason.value;
+    const std::string text = describe(journal, e);
+    CHECK(text.starts_with("edge 3–4 stays: "));
+    texts.insert(text);
   }
+  CHECK(texts.size() ==
+        static_cast<std::size_t>(last_rejection) - static_cast<std::size_t>(first_rejection) + 1);
+  const auto said = [&](Reason reason) {
+    e.reason = reason;
+    return describe(journal, e);
+  };
+  CHECK(said(Reason::misclassified) == "edge 3–4 stays: a sample would change class, ε = 0.75 (limit 0.50)");
+  CHECK(said(Reason::outside_tolerance) == "edge 3–4 stays: Z would leave Ω, d = 1.500 δ (limit 1.000 δ)");
+  CHECK(said(Reason::folded) == "edge 3–4 stays: a facet would turn over");
+  CHECK(said(Reason::ineligible) == "edge 3–4 stays: it is not of the kind that the stage collapses");
+  CHECK(said(Reason::budget) == "edge 3–4 stays: a limit of work was reached");
+  e.facet = {VertexId(5), VertexId(17), VertexId(40)};
+  CHECK(said(Reason::outside_tolerance) ==
+        "edge 3–4 stays: Z would leave Ω at facet 5–17–40, d = 1.500 δ (limit 1.000 δ)");
+  CHECK(said(Reason::stays_above) ==
+        "edge 3–4 stays: the repair was rolled back, facet 5–17–40 stays at d = 1.500 δ (limit 1.000 δ), "
+        "0.500 δ too far");
+}
+
+TEST_CASE("The kinds of the later stages tell what they did") {
+  Journal& journal = journal_with_delta();
+  Event e;
+  e.operation = true;
+  e.step = 6;
+  e.count = 12;
+  e.value = 0.25;
+  e.vertex = VertexId(3);
+  e.other = VertexId(4);
+  const auto said = [&](EventKind kind) {
+    e.kind = kind;
+    return describe(journal, e);
+  };
+  e.reason = Reason::quadric_optimum;
+  CHECK(said(EventKind::collapse) == "7 · edge 3–4 collapses to the least error in its kernel");
+  CHECK(said(EventKind::tessellation) == "7 · mutual tessellation: 12 vertices of Z go into T");
+  CHECK(said(EventKind::departure) == "7 · Z leaves T: from here on its own facets are kept inside Ω");
+  CHECK(said(EventKind::relaxation) == "7 · 12 vertices relocated in a sweep over Z, largest d = 0.500 δ");
+  CHECK(said(EventKind::repair) == "7 · edge 3–4 collapses, repaired in 0 sweeps, largest d = 0.500 δ");
+  CHECK(said(EventKind::shake) == "7 · Z shaken: edges flipped against the energy and 12 vertices relocated "
+                                  "around them, largest d = 0.500 δ");
+  CHECK(said(EventKind::relabel) == "7 · labels of 12 vertices change side");
+  CHECK(describe_event(journal, e) == "labels of 12 vertices change side");
+  e.operation = false;
+  e.kind = EventKind::exhausted;
+  e.condition = Condition::height;
+  e.reason = Reason::too_close;
+  e.limit = 0.5;
+  e.tet = TetId(8);
+  CHECK(describe(journal, e) ==
+        "condition 2 stays violated: height 0.500 δ (at least 1.000 δ) in tetrahedron "
+        "8; the candidate is too close to a vertex");
 }
 
 TEST_CASE("Insertions tell the violation beside its limit") {

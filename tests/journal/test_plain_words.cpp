@@ -1,5 +1,5 @@
 // Every kind of event has a short sentence for an audience.
-#include "journal/plain_words.h"
+#include "journal/describe.h"
 
 #include <doctest/doctest.h>
 

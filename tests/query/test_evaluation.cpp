@@ -121,6 +121,39 @@ TEST_CASE("every stage, kind, condition and reason can be asked for by its name"
   }
 }
 
+TEST_CASE("what the screen calls a thing is a name of it") {
+  const auto passes = [](const std::string& text, const Event& event) {
+    Journal journal;
+    journal.add_event(event);
+    return holds(*read(text), journal, 0, nullptr);
+  };
+  const auto asked = [&](const auto& row, auto Event::*member, const char* sort) {
+    Event e, other;
+    e.*member = row.value;
+    other.*member = static_cast<decltype(row.value)>(row.value == decltype(row.value){} ? 1 : 0);
+    const std::string title(row.title);
+    for (const std::string& text : {std::string(sort) + " == " + title, std::string(sort) + " == \"" + title + "\""}) {
+      CAPTURE(text);
+      CHECK(passes(text, e));
+      CHECK(!passes(text, other));
+    }
+  };
+  for (const StageWords& row : stage_table) asked(row, &Event::stage, "stage");
+  for (const KindWords& row : kind_table) asked(row, &Event::kind, "kind");
+  for (const ConditionWords& row : condition_table) asked(row, &Event::condition, "condition");
+  for (const ReasonWords& row : reason_table) asked(row, &Event::reason, "reason");
+  Event e;
+  e.kind = EventKind::rejection;
+  e.reason = Reason::outside_tolerance;
+  for (const char* text : {"outside Ω", "\"outside Ω\"", "reason == outside_Ω", "reject outside Ω",
+                           "+reject +(link in T outside Ω)", "rejections && reason == Outside Ω"}) {
+    CAPTURE(text);
+    CHECK(passes(text, e));
+  }
+  CHECK(!passes("outside the kernel", e));
+  CHECK(!passes("reject -(outside Ω)", e));
+}
+
 TEST_CASE("the next and the previous match") {
   const auto journal = test::hand_made_events();
   const RunControl control;

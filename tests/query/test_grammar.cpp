@@ -111,7 +111,11 @@ TEST_CASE("a wrong expression says where and what would be right") {
       {"(reject) + 1 > 2", 1, "reject is a name, not a number"},
       {"(value > 1) + 1 > 2", 0, "a number is asked for"},
       {"+reject -halfedg3x", 9, "Nothing is called halfedg3x"},
-      {"δ > 3", 0, "no meaning"},
+      {"δ > 3", 0, "No number is called δ"},
+      {"≤ 3", 0, "no meaning"},
+      {"reason == Ω", 10, "Did you mean outside-tolerance (outside Ω)?"},
+      {"reason == outsid_Ω", 10, "Did you mean outside-tolerance (outside Ω)?"},
+      {"reason == xy", 10, "Valid here: "},
   };
   for (const Wrong& wrong : cases) {
     CAPTURE(wrong.text);

@@ -27,7 +27,7 @@ struct Bench {
     parameters.until = Stage::all;
     parameters.target = target;
     parameters.containment = containment;
-    if (containment == Containment::sampled) parameters.sigma = 0.5, parameters.condition_2 = false;
+    if (containment == Containment::sampled) parameters.sigma = 0.5, parameters.conditions[1] = false;
     run = std::make_unique<test::CompleteRun>(parameters);
     REQUIRE(run->run());
     nearest = std::make_unique<NearestSample>(run->scene->samples->positions, run->scene->samples->labels);

@@ -19,7 +19,7 @@ std::unique_ptr<test::CompleteRun> simplified(const std::string& model, Containm
   parameters.until = Stage::all;
   if (containment == Containment::sampled) {
     parameters.sigma = 0.5; // coarse: the test looks at verdicts, not at the result
-    parameters.condition_2 = false;
+    parameters.conditions[1] = false;
   }
   auto run = std::make_unique<test::CompleteRun>(parameters);
   REQUIRE(run->run());
@@ -42,7 +42,7 @@ Tally ask_again(const test::CompleteRun& run, std::size_t stride) {
     const Event& e = run.journal->events()[i];
     if (e.kind != EventKind::collapse && e.kind != EventKind::rejection) continue;
     if (seen++ % stride != 0) continue;
-    const Step step = e.step + (e.operation ? 1 : 0);
+    const Step step = step_showing(e);
     if (!state || state->step != step) state = make_snapshot(playback, step, {}, nullptr, state.get());
     const auto xray = edge_xray(*state, {e.vertex, e.other, static_cast<std::uint32_t>(i)}, context);
     REQUIRE(xray.has_value());

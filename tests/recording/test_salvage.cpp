@@ -31,13 +31,7 @@ std::size_t check_salvage(const fs::path& file, const Journal& whole) {
   if (!found->header.input) return 0;
   CHECK(found->proven <= found->journal->events().size());
   CHECK(found->journal->events().size() <= whole.events().size());
-  Journal proven;
-  Step operations = 0;
-  while (operations < found->journal->operations().size() &&
-         found->journal->operations()[operations].event < found->proven)
-    ++operations;
-  proven.take_prefix(*found->journal, operations, found->proven);
-  check_prefix(proven, whole);
+  check_prefix(*first_events(*found->journal, found->proven), whole);
   return found->journal->events().size();
 }
 

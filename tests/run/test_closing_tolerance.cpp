@@ -72,7 +72,7 @@ TEST_CASE("A hole is closed by the tolerance that the refusal names, and by none
     const auto open = refined(soup, 5);
     REQUIRE_FALSE(open->run());
     REQUIRE(open->error.has_value());
-    CHECK(open->error->code == ErrorCode::unsupported);
+    CHECK(open->error->code == ErrorCode::open_surface);
     CHECK(open->error->message.find("open surface near (") != std::string::npos);
     CAPTURE(open->error->remedy);
     const double named =

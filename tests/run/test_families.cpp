@@ -127,7 +127,7 @@ TEST_CASE("Holes wider than the tolerance volume are refused at the place, also 
       CHECK(run.result->certificate.holds());
     } else {
       REQUIRE(run.error.has_value());
-      CHECK(run.error->code == ErrorCode::unsupported);
+      CHECK(run.error->code == ErrorCode::open_surface);
       CHECK(run.error->message.find("open surface near (") != std::string::npos);
     }
   }

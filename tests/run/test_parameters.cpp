@@ -10,6 +10,10 @@ using namespace isoscope;
 
 namespace {
 
+Result<Tolerance> read_tolerance(const char* text) {
+  return read_field<Tolerance>(field_of(&RunParameters::tolerance), "--tolerance", text);
+}
+
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -17,24 +21,24 @@ bool contains(const std::string& text, const std::string& part) {
 } // namespace
 
 TEST_CASE("Tolerances are percentages or lengths") {
-  const auto percent = parse_tolerance("0.6%");
+  const auto percent = read_tolerance("0.6%");
   REQUIRE(percent.ok());
   CHECK(percent->percent);
   CHECK(percent->value == 0.6);
   CHECK(percent->absolute(50) == doctest::Approx(0.3));
   CHECK(percent->text() == "0.6%");
-  const auto length = parse_tolerance("0.012");
+  const auto length = read_tolerance("0.012");
   REQUIRE(length.ok());
   CHECK(!length->percent);
   CHECK(length->absolute(50) == 0.012);
   CHECK(length->text() == "0.012");
-  CHECK(parse_tolerance("1e-3").ok());
+  CHECK(read_tolerance("1e-3").ok());
 }
 
 TEST_CASE("What is no positive finite number is refused as a tolerance, by name") {
   for (const char* text :
        {"", "%", "0", "0%", "-1", "-0.5%", "nan", "inf", "1 %", "1.2.3", "0.6 percent", "1e999"}) {
-    const auto tolerance = parse_tolerance(text);
+    const auto tolerance = read_tolerance(text);
     CAPTURE(text);
     REQUIRE(!tolerance.ok());
     CHECK(tolerance.error().code == ErrorCode::usage);
@@ -78,7 +82,7 @@ TEST_CASE("Criteria follow from the parameters") {
   CHECK(p.criteria(2.0).sigma == 0.25);
   CHECK(!p.criteria(2.0).certified);
   p.sigma = 0.1;
-  p.condition_3 = false;
+  p.conditions[2] = false;
   p.alpha = 0.5;
   const CriteriaParameters c = p.criteria(2.0);
   CHECK(c.sigma == doctest::Approx(0.2));

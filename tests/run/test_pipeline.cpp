@@ -134,7 +134,7 @@ TEST_CASE("Sampled mode keeps the paper's margin") {
   parameters.containment = Containment::sampled;
   parameters.sigma = 0.25;
   // Condition 3 makes flat tetrahedra that condition 2, which cannot hold here, then refines for minutes.
-  parameters.condition_3 = false;
+  parameters.conditions[2] = false;
   CompleteRun run(parameters);
   REQUIRE(run.run());
   CHECK(run.scene->thresholds.boundary == run.scene->delta);
@@ -149,7 +149,7 @@ TEST_CASE("Sampled mode keeps the paper's margin") {
 
 TEST_CASE("A condition that is off asks for nothing") {
   RunParameters parameters = gallery_parameters("torus");
-  parameters.condition_3 = false;
+  parameters.conditions[2] = false;
   CompleteRun run(parameters);
   REQUIRE(run.run());
   for (const StageStatistics& stage : gather_statistics(*run.journal)) {

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <string>
 #include <unistd.h>
 
 using namespace isoscope;
@@ -148,6 +150,23 @@ TEST_CASE("runs that differ have sidecars of their own") {
   b = a;
   b.skipped[static_cast<std::size_t>(Stage::gamma)] = true;
   CHECK(run_key(a) != run_key(b));
+  std::set<std::string> keys{run_key(a)};
+  const auto differs = [&](auto&& edit) {
+    b = a;
+    edit(b);
+    CHECK(keys.insert(run_key(b)).second);
+  };
+  differs([](RunParameters& p) { p.improver = ImproverPlace::embedded; });
+  differs([](RunParameters& p) { p.sides = SidesMode::winding; });
+  differs([](RunParameters& p) { p.drop_thin = true; });
+  differs([](RunParameters& p) { p.drop_small = 4; });
+  differs([](RunParameters& p) { p.cover.reset(); });
+  differs([](RunParameters& p) { p.conditions[3] = false; });
+  differs([](RunParameters& p) { p.tolerance.percent = false; });
+  differs([](RunParameters& p) { p.until = Stage::gamma; });
+  b = a;
+  b.until = a.last_stage(); // what was said is what was not
+  CHECK(run_key(a) == run_key(b));
   CHECK(bookmark_files({}, {}, a).beside.empty());
   CHECK(bookmark_files({}, {}, a).fallback.empty());
   const BookmarkFiles files = bookmark_files("/any/x/settings.json", {}, a);

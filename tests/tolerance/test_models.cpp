@@ -88,7 +88,7 @@ TEST_CASE("open models are told from others") {
     const auto v = ToleranceVolume::build(index, analyse_input(*soup),
                                           {0.006 * index->bounds().longest_edge(), 0.95}, RunControl());
     REQUIRE_FALSE(v.ok());
-    CHECK(v.error().code == ErrorCode::unsupported);
+    CHECK(v.error().code == ErrorCode::open_surface);
     CHECK(v.error().message.find("open surface near (") != std::string::npos);
   }
 }

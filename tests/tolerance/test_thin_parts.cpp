@@ -157,7 +157,7 @@ TEST_CASE("parts that intersect each other have thin parts too, and those with g
   const auto volume = ToleranceVolume::build(std::make_shared<const ClosestPointIndex>(gaps),
                                              analyse_input(gaps), {0.05, 0.95}, RunControl());
   REQUIRE_FALSE(volume.ok());
-  CHECK(is_open_surface(volume.error()));
+  CHECK(volume.error().code == ErrorCode::open_surface);
 }
 
 TEST_CASE("walls without a distance are kept by no tolerance") {

@@ -145,7 +145,7 @@ TEST_CASE("open surfaces are named with a place on their border") {
   });
   const auto v = build(soup, 0.05);
   REQUIRE_FALSE(v.ok());
-  CHECK(v.error().code == ErrorCode::unsupported);
+  CHECK(v.error().code == ErrorCode::open_surface);
   CHECK(v.error().message.find("open surface near") != std::string::npos);
   CHECK_FALSE(v.error().remedy.empty());
 }

@@ -13,7 +13,6 @@
 namespace isoscope {
 namespace {
 
-constexpr std::string_view gallery_prefix = "gallery:";
 constexpr std::size_t message_limit = 4;
 constexpr double note_seconds = 8; ///< after which what is no error goes away by itself
 
@@ -43,9 +42,7 @@ AppModel::AppModel(std::function<void()> notify)
 void AppModel::open(const std::string& input, bool paused) {
   draft.input = input;
   if (input.starts_with(gallery_prefix)) {
-    for (const GalleryEntry& entry : gallery())
-      if (entry.name == std::string_view(input).substr(gallery_prefix.size()))
-        draft.tolerance = {entry.tolerance_percent, true};
+    if (const GalleryEntry* entry = gallery_entry(input)) draft.tolerance = {entry->tolerance_percent, true};
   } else if (!scripted) {
     settings.add_recent(input);
   }
@@ -77,21 +74,14 @@ Status AppModel::apply() {
 }
 
 bool AppModel::draft_needs_restart() const {
-  const RunParameters& p = run.parameters;
-  return draft.input != p.input || draft.tolerance.value != p.tolerance.value ||
-         draft.tolerance.percent != p.tolerance.percent || draft.containment != p.containment ||
-         draft.topology != p.topology || draft.until != p.until || draft.skipped != p.skipped ||
-         draft.target != p.target || draft.cost_ring != p.cost_ring || draft.effort != p.effort ||
-         draft.improver != p.improver || draft.drop_thin != p.drop_thin || draft.cover != p.cover ||
-         draft.drop_small != p.drop_small;
+  return fields_differ(draft, run.parameters, [](const FieldFacts& f) { return f.restart; });
 }
 
 bool AppModel::draft_differs() const {
-  const RunParameters& p = run.parameters;
-  return draft_needs_restart() || draft.sigma_ratio() != p.sigma_ratio() || draft.alpha != p.alpha ||
-         draft.shrink != p.shrink || draft.condition_1 != p.condition_1 ||
-         draft.condition_2 != p.condition_2 || draft.condition_3 != p.condition_3 ||
-         draft.condition_4 != p.condition_4;
+  const double by_default = run.scene ? run.scene->default_sigma : 0.5;
+  RunParameters wanted = draft, now = run.parameters;
+  for (RunParameters* p : {&wanted, &now}) p->sigma = p->sigma_ratio(by_default);
+  return fields_differ(wanted, now, [](const FieldFacts&) { return true; });
 }
 
 void AppModel::abandon() {

@@ -18,6 +18,7 @@ int status_of(isoscope::ErrorCode code) {
   switch (code) {
   case isoscope::ErrorCode::bad_input:
   case isoscope::ErrorCode::unsupported:
+  case isoscope::ErrorCode::open_surface:
     return 3;
   case isoscope::ErrorCode::cancelled:
     return 4;

@@ -20,8 +20,7 @@ void head(const Ui& ui, const std::string& text) {
 }
 
 std::string reason_text(Reason reason) {
-  const bool rejects = reason >= first_rejection && reason <= last_rejection;
-  return rejects ? std::string(reason_style(reason).title) : std::string(name(reason));
+  return std::string(rejects(reason) ? reason_style(reason).title : name(reason));
 }
 
 void places(Ui& ui, const WorkMap& map, const char* which) {

@@ -64,85 +64,11 @@ void add_choice(Table& t, std::string name, std::string help, std::vector<std::s
 }
 
 void add_parameters(Table& t) {
-  add_number(
-      t, "alpha", "α, margin of condition 1", [](auto& m) -> auto& { return m.draft.alpha; }, 0.01, 0.99);
-  add_number(
-      t, "sigma", "σ/δ, density of the samples; 0 is the mode's own",
-      [](auto& m) -> auto& { return m.draft.sigma; }, 0, 1);
-  add_number(
-      t, "shrink", "factor of condition 3's copy", [](auto& m) -> auto& { return m.draft.shrink; }, 0.01, 1);
-  t.push_back({"tolerance", "δ: a percentage of the longest edge, or a length",
-               [](const AppModel& m) { return m.draft.tolerance.text(); },
-               [](AppModel& m, const std::string& text) -> Status {
-                 const auto tolerance = parse_tolerance(text);
-                 if (!tolerance) return tolerance.error();
-                 m.draft.tolerance = *tolerance;
-                 return {};
-               }});
-  add_number(
-      t, "drop-small", "components of the input smaller than so many δ are left out; 0: none",
-      [](auto& m) -> auto& { return m.draft.drop_small; }, 0, 1e6);
-  add_choice(
-      t, "containment", "how Z is kept inside Ω", {"certified", "sampled"},
-      [](auto& m) -> auto& { return m.draft.containment; });
-  add_choice(
-      t, "topology", "what is asked of Z where Ω is no thickening", {"keep", "separate"},
-      [](auto& m) -> auto& { return m.draft.topology; });
-  add_choice(
-      t, "sides", "what tells inside from outside", {"auto", "winding", "parity"},
-      [](auto& m) -> auto& { return m.draft.sides; });
-  add_switch(
-      t, "condition-1", "classification", [](auto& m) -> auto& { return m.draft.condition_1; });
-  add_switch(
-      t, "condition-2", "heights", [](auto& m) -> auto& { return m.draft.condition_2; });
-  add_switch(
-      t, "condition-3", "orientation", [](auto& m) -> auto& { return m.draft.condition_3; });
-  add_switch(
-      t, "condition-4", "topology", [](auto& m) -> auto& { return m.draft.condition_4; });
-}
-
-void add_stages(Table& t) {
-  t.push_back({"until", "the last stage; default: improve in certified mode, all in sampled mode",
-               [](const AppModel& m) { return std::string(name(m.draft.last_stage())); },
-               [](AppModel& m, const std::string& text) -> Status {
-                 if (text == "default") {
-                   m.draft.until.reset();
-                   return {};
-                 }
-                 for (int i = static_cast<int>(Stage::refinement); i < stage_count; ++i)
-                   if (name(static_cast<Stage>(i)) == text) {
-                     m.draft.until = static_cast<Stage>(i);
-                     return {};
-                   }
-                 return wrong(text, "a stage, or default");
-               }});
-  for (const Stage stage : {Stage::gamma, Stage::zero_set, Stage::all, Stage::improve}) {
-    const auto i = static_cast<std::size_t>(stage);
-    add_switch(t, "skip." + std::string(name(stage)), "the stage is left out",
-               [i](auto& m) -> decltype(auto) { return (m.draft.skipped[i]); });
-  }
-  t.push_back({"cover", "how far the input may be from the result, in δ, or off",
-               [](const AppModel& m) { return m.draft.cover ? text_of(*m.draft.cover) : std::string("off"); },
-               [](AppModel& m, const std::string& text) -> Status {
-                 const auto cover = parse_cover(text);
-                 if (!cover) return cover.error();
-                 m.draft.cover = *cover;
-                 return {};
-               }});
-  add_switch(
-      t, "drop-thin", "parts thinner than twice the tolerance everywhere are left out",
-      [](auto& m) -> auto& { return m.draft.drop_thin; });
-  add_choice(
-      t, "target", "how targets of collapses are looked for",
-      {"optimum", "constraints", "sampling", "octree"}, [](auto& m) -> auto& { return m.draft.target; });
-  add_choice(
-      t, "cost-ring", "whose planes make the error of a collapse", {"one", "two"},
-      [](auto& m) -> auto& { return m.draft.cost_ring; });
-  add_number(
-      t, "effort", "of the improver, 0 to 3", [](auto& m) -> auto& { return m.draft.effort; }, 0, 3);
-  add_choice(
-      t, "improver", "on Z alone or inside T", {"free", "embedded"},
-      [](auto& m) -> auto& { return m.draft.improver; });
+  for (NamedField<RunParameters>& f : named_fields<RunParameters>())
+    t.push_back(
+        {std::move(f.name), std::move(f.help),
+         [get = std::move(f.get)](const AppModel& m) { return get(m.draft); },
+         [set = std::move(f.set)](AppModel& m, const std::string& text) { return set(m.draft, text); }});
 }
 
 Status set_normal(AppModel& m, const std::string& text) {
@@ -267,7 +193,6 @@ void add_view(Table& t) {
 Table make_table() {
   Table t;
   add_parameters(t);
-  add_stages(t);
   add_view(t);
   add_readings(t);
   add_edge_readings(t);

@@ -126,7 +126,7 @@ std::ptrdiff_t current_event(const AppModel& m) {
   const Step step = m.transport.step();
   if (m.selection.event && *m.selection.event < journal.events().size()) {
     const Event& e = journal.events()[*m.selection.event];
-    if (e.step + (e.operation ? 1u : 0u) == step) return *m.selection.event;
+    if (step_showing(e) == step) return *m.selection.event;
   }
   return step > 0 && step <= journal.steps()
              ? static_cast<std::ptrdiff_t>(journal.operations()[step - 1].event)

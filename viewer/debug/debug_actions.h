@@ -16,10 +16,6 @@ std::ptrdiff_t current_event(const AppModel& model);
 /// Lets the worker look for the next event; the window goes there when it has the answer.
 void search_events(AppModel& model, std::vector<std::shared_ptr<const Expression>> expressions,
                    Direction direction, bool goes_on);
-/// The step that shows an event: after its operation, or at which it came.
-inline Step step_showing(const Event& event) {
-  return event.step + (event.operation ? 1u : 0u);
-}
 /// The edge or the sample that an event names; none where it names neither.
 Pick pick_of(const Event& event);
 /// Goes to an event, selects and frames what it names.

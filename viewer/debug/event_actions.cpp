@@ -100,8 +100,8 @@ Status next_event(AppModel& model, const Arguments& a, int direction) {
 
 Status go_to_stage(AppModel& model, const Arguments& a) {
   std::optional<Stage> stage;
-  for (int i = static_cast<int>(Stage::refinement); i < stage_count && !a.empty(); ++i)
-    if (name(static_cast<Stage>(i)) == a[0]) stage = static_cast<Stage>(i);
+  for (const StageWords& row : stage_table)
+    if (!a.empty() && row.value != Stage::setup && is_called(row, a[0])) stage = row.value;
   if (!stage) return usage("stage", "Which stage?");
   if (const auto begin = model.index.begin_of(*stage)) {
     model.transport.jump(*begin);
@@ -139,7 +139,7 @@ Status mark_witness(AppModel& model, const Arguments& a) {
     for (std::size_t i = 0; i < collapse_check_count && !found; ++i) {
       const auto check = static_cast<CollapseCheck>(i);
       const bool failed = attempt.check(check).state == CheckVerdict::State::failed;
-      if (a.empty() ? failed : name(check) == a[0]) found = witness_of(*xray, attempt, check);
+      if (a.empty() ? failed : is_called(words(check), a[0])) found = witness_of(*xray, attempt, check);
     }
   }
   if (!found && a.empty())

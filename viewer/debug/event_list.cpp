@@ -11,51 +11,29 @@
 namespace isoscope {
 namespace {
 
-/// The sentence without the step in front, which has a column of its own.
-std::string sentence(const Journal& journal, const Event& event) {
-  const std::string text = describe(journal, event);
-  constexpr std::string_view dot = " · ";
-  const std::size_t at = text.find(dot);
-  return at == std::string::npos || at > 10 ? text : text.substr(at + dot.size());
-}
-
 /// How an event is marked: reasons of rejections by their own glyphs, the rest by kind.
 struct EventStyle {
   Rgb color;
   MarkerShape shape;
 };
 EventStyle style_of(const Ui& ui, const Event& e) {
-  switch (e.kind) {
-  case EventKind::rejection:
+  const KindWords& kind = words(e.kind);
+  switch (kind.role) {
+  case ColorRole::reason:
     return {reason_style(e.reason).color, reason_style(e.reason).shape};
-  case EventKind::collapse:
-    return {ui.colors.good, MarkerShape::disc};
-  case EventKind::repair:
-    return {ui.colors.warning, MarkerShape::triangle};
-  case EventKind::relaxation:
-  case EventKind::shake:
-    return {ui.colors.accent, MarkerShape::diamond};
-  case EventKind::stage_begin:
-  case EventKind::stage_end:
-  case EventKind::tessellation:
-  case EventKind::departure:
-    return {stage_color(ui.theme, e.stage), MarkerShape::square};
-  case EventKind::warning:
-  case EventKind::stopped:
-    return {ui.colors.warning, MarkerShape::hollow_triangle};
-  default:
-    return {condition_color(ui.theme, static_cast<int>(e.condition)),
-            e.operation ? MarkerShape::disc : MarkerShape::hollow_square};
+  case ColorRole::good:
+    return {ui.colors.good, kind.shape};
+  case ColorRole::warning:
+    return {ui.colors.warning, kind.shape};
+  case ColorRole::accent:
+    return {ui.colors.accent, kind.shape};
+  case ColorRole::stage:
+    return {stage_color(ui.theme, e.stage), kind.shape};
+  case ColorRole::condition:
+    break;
   }
-}
-
-std::string_view kind_title(EventKind kind) {
-  constexpr std::array<std::string_view, event_kind_count> words{
-      "stage begins",    "stage ends",   "insertions", "relabelling",       "exhausted",
-      "topology checks", "parameters",   "warnings",   "stopped",           "collapses",
-      "rejections",      "tessellation", "departure",  "relocation sweeps", "collapses with repair",
-      "shakes"};
-  return words.at(static_cast<std::size_t>(kind));
+  return {condition_color(ui.theme, static_cast<int>(e.condition)),
+          e.operation ? kind.shape : MarkerShape::hollow_square};
 }
 
 /// A button that opens a list of what may pass; lit when it holds something back. True when changed.
@@ -131,7 +109,7 @@ void EventList::row(Ui& ui, std::uint32_t index, float high) {
   AppModel& m = ui.model;
   const Journal& journal = *m.run.journal;
   const Event& event = journal.events()[index];
-  const Step target = event.step + (event.operation ? 1u : 0u);
+  const Step target = step_showing(event);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -155,7 +133,7 @@ void EventList::row(Ui& ui, std::uint32_t index, float high) {
   widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y},
                      to_u32(ui.colors.text, event.kind == EventKind::rejection ? 0.8f : 1.0f),
-                     widgets::fitted(sentence(journal, event), width - ui.px(100)));
+                     widgets::fitted(describe_event(journal, event), width - ui.px(100)));
 }
 
 void EventList::draw(Ui& ui) {
@@ -169,7 +147,7 @@ void EventList::draw(Ui& ui) {
               [](std::size_t i) { return stage_title(static_cast<Stage>(i)); });
   ImGui::SameLine(0, ui.px(5));
   filter_menu(ui, "kind", f.kinds, std::bitset<event_kind_count>().set(),
-              [](std::size_t i) { return kind_title(static_cast<EventKind>(i)); });
+              [](std::size_t i) { return words(static_cast<EventKind>(i)).title; });
   ImGui::SameLine(0, ui.px(5));
   filter_menu(ui, "condition", f.conditions, std::bitset<condition_count>().set(),
               [](std::size_t i) { return i == 0 ? "none" : condition_title(static_cast<Condition>(i)); });
@@ -201,7 +179,7 @@ void EventList::draw(Ui& ui) {
                              ? std::lower_bound(rows.begin(), rows.end(), *m.selection.event)
                              : std::partition_point(rows.begin(), rows.end(), [&](std::uint32_t row) {
                                  const Event& e = journal->events()[row];
-                                 return e.step + (e.operation ? 1u : 0u) < step;
+                                 return step_showing(e) < step;
                                });
     const std::uint32_t place = m.selection.event.value_or(step);
     if (place != scrolled_to_) {

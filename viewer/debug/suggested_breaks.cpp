@@ -2,33 +2,17 @@
 #include "debug/suggested_breaks.h"
 
 #include "debug/debug_actions.h"
+#include "base/numbers.h"
 #include "scene/pick_geometry.h"
 #include "scene/reason_style.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace isoscope {
 namespace {
 
-/// The reason with which a check rejects; none for one that does not.
-Reason rejection_of(std::size_t gate) {
-  constexpr std::array<Reason, collapse_check_count> reasons{
-      Reason::none,         Reason::link_condition, Reason::zero_link_condition, Reason::kernel_empty,
-      Reason::no_candidate, Reason::misclassified,  Reason::outside_tolerance,   Reason::normals,
-      Reason::witness_side};
-  return gate < reasons.size() ? reasons[gate] : Reason::none;
-}
-
-std::string short_text(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
 std::string place_of(Vec3 p) {
-  return short_text(p.x) + "," + short_text(p.y) + "," + short_text(p.z);
+  return general(p.x, 6) + "," + general(p.y, 6) + "," + general(p.z, 6);
 }
 
 SuggestedBreak rejected(Reason reason) {
@@ -84,8 +68,8 @@ class Suggestions {
     if (model_.debug.level != DebugLevel::gate) return;
     const auto gates = gates_of(model_);
     const std::size_t i = model_.debug.gate;
-    if (i >= gates.size() || !gates[i].failed || gates.size() != collapse_check_count + 1) return;
-    if (const Reason reason = rejection_of(i); reason != Reason::none) found_.push_back(rejected(reason));
+    if (i >= collapse_check_count || gates.size() != collapse_check_count + 1 || !gates[i].failed) return;
+    found_.push_back(rejected(words(static_cast<CollapseCheck>(i)).reason));
   }
 
   void edge(const std::string& which) {
@@ -108,7 +92,7 @@ class Suggestions {
     if (!state || state->criteria.delta <= 0) return;
     const Box3 box = pick_bounds(*state, model_.selection.picked);
     if (box.empty()) return;
-    add(before + place_of(box.center()) + between + short_text(state->criteria.delta) + after, words);
+    add(before + place_of(box.center()) + between + general(state->criteria.delta, 6) + after, words);
   }
 
   /// Nothing is selected: events like the one that led here.

@@ -203,8 +203,7 @@ void edge_history(Ui& ui, const Journal& journal, VertexId a, VertexId b) {
                                  ? "stayed: " + std::string(reason_style(e.reason).title)
                              : e.kind == EventKind::repair ? std::string("collapsed with repair")
                                                            : std::string("collapsed");
-    if (widgets::link_row(ui, "event", what, "step " + grouped(e.step + (e.operation ? 1u : 0u)),
-                          describe(journal, e)))
+    if (widgets::link_row(ui, "event", what, "step " + grouped(step_showing(e)), describe(journal, e)))
       ui.commands.post("event", {std::to_string(index)});
     ImGui::PopID();
   }

@@ -17,19 +17,6 @@ double delta_of(const EdgeXray& x) {
   return x.criteria.delta > 0 ? x.criteria.delta : 1;
 }
 
-Reason reason_of(CollapseCheck check) {
-  switch (check) {
-  case CollapseCheck::classification:
-    return Reason::misclassified;
-  case CollapseCheck::containment:
-    return Reason::outside_tolerance;
-  case CollapseCheck::normals:
-    return Reason::normals;
-  default:
-    return Reason::none;
-  }
-}
-
 /// One candidate: glyph, number, reason; hovering shows its ghost, a click keeps it.
 void candidate_row(Ui& ui, const EdgeXray& x, std::uint32_t i) {
   const CandidateRecord& c = x.attempt.candidates[i];
@@ -84,7 +71,7 @@ std::string check_text(CollapseCheck check, const CheckVerdict& v, const Collaps
   default:
     break;
   }
-  const Measured m = measured(reason_of(check), v.value, v.limit, delta);
+  const Measured m = measured(words(check).reason, v.value, v.limit, delta);
   if (!m.number || (v.witness == Vec3{} && v.value == 0)) return {};
   const std::string limit = m.limit == 1 ? "1" : m.limit == 0 ? "0" : short_number(m.limit);
   const std::string_view sign = m.upper ? " / " : m.value > m.limit ? " > " : " ≤ ";

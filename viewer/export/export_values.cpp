@@ -16,6 +16,7 @@ std::string_view error_word(ErrorCode code) {
   case ErrorCode::bad_input:
     return "bad-input";
   case ErrorCode::unsupported:
+  case ErrorCode::open_surface:
     return "unsupported";
   case ErrorCode::cancelled:
     return "cancelled";

@@ -59,46 +59,19 @@ std::span<const LayerName> layer_names() {
   return layers;
 }
 std::string_view stage_title(Stage stage) {
-  constexpr std::array<std::string_view, 7> words{"set-up", "refine", "∂Γ",     "tessellate",
-                                                  "Z",      "all",    "improve"};
-  return words.at(static_cast<std::size_t>(stage));
+  return words(stage).title;
 }
 std::string_view stage_help(Stage stage) {
-  constexpr std::array<std::string_view, stage_count> words{
-      "The loose bounding box and the samples. §2.2",
-      "Inserts samples until Z has the right topology and keeps inside Ω. §2.3",
-      "Collapses edges of ∂Γ. §2.4.1",
-      "Puts Z into T: its vertices and facets become those of T. §2.4.2",
-      "Collapses edges of Z. §2.4.3",
-      "Collapses edges between Z and Γ, which make room, and edges of Z again. §2.4.4",
-      "Takes Z out of T, relocates its vertices, flips, and collapses with repair."};
-  return words.at(static_cast<std::size_t>(stage));
+  return words(stage).help;
 }
 std::string_view check_title(CollapseCheck check) {
-  constexpr std::array<std::string_view, collapse_check_count> words{
-      "eligible",        "link condition in T", "link condition in Z", "kernel",
-      "candidates",      "classification",      "containment in Ω",    "normals",
-      "region witnesses"};
-  return words.at(static_cast<std::size_t>(check));
+  return words(check).title;
 }
 std::string_view check_help(CollapseCheck check) {
-  constexpr std::array<std::string_view, collapse_check_count> words{
-      "The edge is of the kind that the stage collapses: of ∂Γ, of Z, or between both. §2.4",
-      "Lk(a) ∩ Lk(b) = Lk(ab) in T, or the collapse would pinch it. Figure 6",
-      "The same in Z, for edges of Z. §2.4",
-      "The points from which the whole one-ring is seen; its largest ball has this radius. Figures 7 and 11",
-      "Points of the kernel that were judged as targets until one passed every check. Figures 8, 9, 11 and "
-      "12",
-      "Sampled mode: every sample keeps its class. §2.4.1",
-      "Certified mode: every changed facet of Z is proven to keep d ≤ δ.",
-      "Condition 3 is violated nowhere where it was not before. §2.4",
-      "The deepest point of each region stays on its side of Z."};
-  return words.at(static_cast<std::size_t>(check));
+  return words(check).help;
 }
 std::string_view condition_title(Condition condition) {
-  constexpr std::array<std::string_view, 7> words{
-      "set-up", "1 classification", "2 height", "3 orientation", "4 topology", "containment", "witness"};
-  return words.at(static_cast<std::size_t>(condition));
+  return words(condition).title;
 }
 
 std::string short_number(double value) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/transport.h"
-#include "base/grouped.h"
+#include "base/numbers.h"
 #include "journal/event.h"
 #include "run/session.h"
 #include "scene/view_settings.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/geometry.h"
-#include "scene/marker_shape.h"
+#include "journal/vocabulary.h"
 
 #include <array>
 #include <cstdint>

@@ -4,7 +4,7 @@
 
 #include "gl/buffer.h"
 #include "gl/program.h"
-#include "scene/marker_shape.h"
+#include "journal/vocabulary.h"
 #include "scene/mesh_batch.h"
 
 #include <glm/vec3.hpp>

@@ -2,23 +2,18 @@
 // them.
 #pragma once
 
-#include "journal/event.h"
-#include "scene/marker_shape.h"
 #include "collapse/collapse_attempt.h"
+#include "journal/vocabulary.h"
 
 #include <string_view>
 
 namespace isoscope {
 
-/// How a reason is shown; never by colour alone.
-struct ReasonStyle {
-  std::uint32_t color = 0; ///< 0xRRGGBB, told apart on dark and light grounds
-  MarkerShape shape = MarkerShape::disc;
-  std::string_view title; ///< "outside Ω"
-  std::string_view help;  ///< one sentence
-};
-/// Reason::none is what was taken. Reasons that reject nothing share a quiet style.
-const ReasonStyle& reason_style(Reason reason);
+/// How a reason is shown, never by colour alone. Reason::none is what was taken.
+using ReasonStyle = ReasonWords;
+constexpr const ReasonStyle& reason_style(Reason reason) {
+  return words(reason);
+}
 
 /// How the fate of a cell of the octree search is shown.
 struct FateStyle {

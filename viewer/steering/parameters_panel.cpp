@@ -7,133 +7,147 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <type_traits>
+#include <vector>
 
 namespace isoscope::panels {
 namespace {
 
-/// A label with a tooltip on the left, the control on the right of it.
-void label(const Ui& ui, const char* symbol, const char* tip_title, const char* tip, float units = 22) {
+using P = RunParameters;
+
+/// Where groups of rows begin, by FieldFacts::place.
+constexpr int first_number = 1, first_word = 11, first_condition = 31;
+
+/// A label with the field's tooltip on the left, the control on the right of it.
+void label(const Ui& ui, const FieldFacts& f, float units) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float high = ui.px(units), width = ui.px(92);
-  ImGui::PushID(tip_title);
+  ImGui::PushID(f.title.data());
   ImGui::InvisibleButton("label", {width, high});
   ImGui::PopID();
-  widgets::tip(ui, tip_title, tip);
+  widgets::tip(ui, f.title, f.tip);
   widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
-                     {at.x, at.y + (high - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet), symbol);
+                     {at.x, at.y + (high - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet),
+                     f.label.empty() ? f.symbol : f.label);
   ImGui::SameLine(0, 0);
 }
 
-void number(const Ui& ui, const char* id, double& value, float low, float high, const char* format,
-            bool logarithmic = false) {
+/// What a slider offers: the field's range, one digit inside where an end is not part of it.
+void slider(const Ui& ui, const FieldFacts& f, double& value) {
+  const int digits = f.format[2] - '0'; // "%.2f"
+  const double step = std::pow(10.0, -digits);
+  const double low = f.slider_from > 0 ? f.slider_from : f.range.low + (f.range.low_included ? 0 : step);
+  const double high = f.range.high - (f.range.high_included ? 0 : step);
   auto shown = static_cast<float>(value);
-  if (widgets::slider(ui, id, shown, low, high, format, logarithmic))
+  if (widgets::slider(ui, f.name.data(), shown, static_cast<float>(low), static_cast<float>(high),
+                      f.format.data(), f.logarithmic))
     value = std::round(static_cast<double>(shown) * 1e4) / 1e4;
 }
 
-void tolerance(Ui& ui, RunParameters& p) {
-  constexpr const char* tip =
-      "δ, half the thickness of Ω. In percent of the longest edge of the input's bounding box, or as a "
-      "length of the input's units. Range: above 0. A change needs a restart. §2.1";
-  label(ui, "δ tolerance", "Tolerance δ", tip);
+/// A number that is typed; what the field cannot be is not taken. True when changed.
+template <class Takes> bool typed(const FieldFacts& f, double& value, const char* format, Takes&& takes) {
+  double wanted = value;
+  if (!ImGui::InputDouble(("##" + std::string(f.name)).c_str(), &wanted, 0, 0, format) || !takes(wanted))
+    return false;
+  value = wanted;
+  return true;
+}
+
+void control(Ui& ui, P& p, const Field<P, double>& f) {
+  double& value = p.*(f.member);
+  if (f.format.empty()) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::PushFont(ui.fonts.mono);
+    typed(f, value, "%.6g", [&](double v) { return check_range(f, {}, v).ok(); });
+    ImGui::PopFont();
+  } else if (f.member == &P::sigma) {
+    const double by_default = ui.model.run.scene ? ui.model.run.scene->default_sigma : 0.5;
+    double sigma = p.sigma_ratio(by_default);
+    slider(ui, f, sigma);
+    if (sigma != p.sigma_ratio(by_default)) value = sigma;
+  } else {
+    slider(ui, f, value);
+  }
+  widgets::tip(ui, f.title, f.tip);
+}
+
+void control(Ui& ui, P& p, const Field<P, Tolerance>& f) {
+  Tolerance& tolerance = p.*(f.member);
   const float unit = ui.px(52);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit - ui.px(6));
   ImGui::PushFont(ui.fonts.mono);
-  double value = p.tolerance.value;
-  if (ImGui::InputDouble("##delta", &value, 0, 0, "%.6g") && std::isfinite(value) && value > 0)
-    p.tolerance.value = value;
+  typed(f, tolerance.value, "%.6g", [](double v) { return Tolerance{v, false}.check({}, {}).ok(); });
   ImGui::PopFont();
-  widgets::tip(ui, "Tolerance δ", tip);
+  widgets::tip(ui, f.title, f.tip);
   ImGui::SameLine(0, ui.px(6));
-  if (widgets::plain_button(ui, p.tolerance.percent ? "%##unit" : "abs##unit", true, unit,
+  if (widgets::plain_button(ui, tolerance.percent ? "%##unit" : "abs##unit", true, unit,
                             ImGui::GetFrameHeight())) {
     const double edge = ui.model.run.scene ? ui.model.run.scene->longest_edge : 0;
     if (edge > 0)
-      p.tolerance.value = p.tolerance.percent ? p.tolerance.absolute(edge) : 100 * p.tolerance.value / edge;
-    p.tolerance.percent = !p.tolerance.percent;
+      tolerance.value = tolerance.percent ? tolerance.absolute(edge) : 100 * tolerance.value / edge;
+    tolerance.percent = !tolerance.percent;
   }
   widgets::tip(ui, "Unit of δ", "Percent of the longest edge, or a length in the input's units.");
 }
 
-void small_parts(Ui& ui, RunParameters& p) {
-  constexpr const char* tip = "Connected components of the input whose bounding box is smaller than so many "
-                              "δ are left out; 0 leaves out "
-                              "none. Needs a restart.";
-  label(ui, "drop small", "Small parts of the input", tip);
-  ImGui::SetNextItemWidth(-1);
-  ImGui::PushFont(ui.fonts.mono);
-  double value = p.drop_small;
-  if (ImGui::InputDouble("##drop-small", &value, 0, 0, "%.6g") && std::isfinite(value) && value >= 0 &&
-      value <= 1e6)
-    p.drop_small = value;
-  ImGui::PopFont();
-  widgets::tip(ui, "Small parts of the input", tip);
-}
-
-void cover(Ui& ui, RunParameters& p) {
-  constexpr const char* tip =
-      "How far from the finished mesh a point of the input may be, in δ. Off: as far as it likes, as in the "
-      "paper. Needs a restart.";
-  label(ui, "cover", "Cover", tip, 26);
+void control(Ui& ui, P& p, const Field<P, std::optional<double>>& f) {
+  std::optional<double>& value = p.*(f.member);
   constexpr std::array<const char*, 2> kinds{"within", "off"};
-  int chosen = p.cover ? 0 : 1;
-  const float field = ui.px(64);
-  if (p.cover) {
-    ImGui::SetNextItemWidth(field);
-    double value = *p.cover;
-    if (ImGui::InputDouble("##cover", &value, 0, 0, "%.4g") && std::isfinite(value) && value > 0)
-      p.cover = value;
-    widgets::tip(ui, "Cover", tip);
+  int chosen = value ? 0 : 1;
+  if (value) {
+    ImGui::SetNextItemWidth(ui.px(64));
+    typed(f, *value, "%.4g", [&](double v) { return check_range(f, {}, v).ok(); });
+    widgets::tip(ui, f.title, f.tip);
     ImGui::SameLine(0, ui.px(6));
   }
-  if (widgets::segmented(ui, "cover", kinds, chosen)) {
-    if (chosen == 1)
-      p.cover.reset();
-    else if (!p.cover)
-      p.cover = RunParameters().cover;
-  }
+  if (!widgets::segmented(ui, f.name.data(), kinds, chosen)) return;
+  if (chosen == 1)
+    value.reset();
+  else
+    value = P().*(f.member);
 }
 
-void conditions(Ui& ui, RunParameters& p) {
-  struct Row {
-    const char* name;
-    const char* tip;
-    bool RunParameters::*member;
-    Condition condition;
-  };
-  constexpr std::array<Row, 4> rows{{
-      {"1  classification", "ε(s) ≤ 1 − α for every sample s: f classifies S with a margin. §2.3",
-       &RunParameters::condition_1, Condition::classification},
-      {"2  height", "Every tetrahedron that carries Z is at least 2σ/α high. §2.3, Figure 5",
-       &RunParameters::condition_2, Condition::height},
-      {"3  orientation",
-       "The shrunk copy of a tetrahedron that carries Z classifies its nearest samples. §2.3, Figure 4",
-       &RunParameters::condition_3, Condition::orientation},
-      {"4  topology", "Z has the components and the genus that are expected. §2.3",
-       &RunParameters::condition_4, Condition::topology},
-  }};
-  for (const Row& row : rows) {
-    ImGui::PushID(row.name);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    widgets::toggle(ui, "on", p.*(row.member));
-    widgets::tip(ui, "Condition " + std::string(row.name), row.tip);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddCircleFilled({at.x + ui.px(43), at.y + ui.px(10)}, ui.px(4),
-                         to_u32(condition_color(ui.theme, static_cast<int>(row.condition))), 16);
-    widgets::draw_text(list, ui.fonts.small,
-                       {at.x + ui.px(54), at.y + ui.px(10) - ui.fonts.small->FontSize / 2},
-                       to_u32(ui.colors.text), row.name);
-    ImGui::PopID();
+/// One of the field's words: side by side where they fit, else in a list.
+bool word(const Ui& ui, const FieldFacts& f, int& chosen) {
+  constexpr std::size_t letters_beside = 24;
+  static constexpr std::array<Choice, 2> switched{{{"off"}, {"on"}}};
+  std::vector<const char*> shown;
+  std::size_t letters = 0;
+  for (const Choice& c : f.choices.empty() ? std::span<const Choice>(switched) : f.choices) {
+    shown.push_back((c.shown.empty() ? c.name : c.shown).data());
+    letters += std::string_view(shown.back()).size();
   }
-}
-
-/// A choice that opens as a list.
-template <class Visit> void choice(const char* id, std::string_view shown, Visit&& entries) {
+  if (letters <= letters_beside) return widgets::segmented(ui, f.name.data(), shown, chosen);
+  bool changed = false;
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::BeginCombo(id, std::string(shown).c_str())) {
-    entries();
+  if (ImGui::BeginCombo(("##" + std::string(f.name)).c_str(), shown[static_cast<std::size_t>(chosen)])) {
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      if (f.choices[i].offered && ImGui::Selectable(shown[i], static_cast<int>(i) == chosen)) {
+        chosen = static_cast<int>(i);
+        changed = true;
+      }
     ImGui::EndCombo();
   }
+  return changed;
+}
+
+/// Switches, numbers with words and enumerations; a number without words is typed.
+template <class T> void control(Ui& ui, P& p, const Field<P, T>& f) {
+  if constexpr (FieldNumber<T>)
+    if (f.choices.empty()) {
+      auto value = static_cast<double>(p.*(f.member));
+      ImGui::SetNextItemWidth(-1);
+      if (typed(f, value, "%.0f", [&](double v) { return check_range(f, {}, v).ok(); }))
+        p.*(f.member) = static_cast<T>(std::round(value));
+      return;
+    }
+  int chosen = static_cast<int>(p.*(f.member));
+  if (word(ui, f, chosen)) p.*(f.member) = static_cast<T>(chosen);
+}
+template <class T> void control(Ui& ui, P& p, const Field<P, std::optional<T>>& f) {
+  int chosen = static_cast<int>(*f.value(p));
+  if (word(ui, f, chosen)) p.*(f.member) = static_cast<T>(chosen);
 }
 
 /// A chip of a stage that can be left out.
@@ -161,21 +175,13 @@ void skip_chip(const Ui& ui, Stage stage, bool& skipped, float width) {
                std::string(stage_help(stage)) + " Click to leave it out or to take it in; needs a restart.");
 }
 
-void stages(Ui& ui, RunParameters& p) {
-  label(ui, "until", "The last stage",
-        "Where the run ends: a valid mesh is there after every stage. Needs a restart.", 26);
-  choice("##until", stage_title(p.last_stage()), [&] {
-    for (int i = static_cast<int>(Stage::refinement); i < stage_count; ++i) {
-      const auto stage = static_cast<Stage>(i);
-      if (ImGui::Selectable(std::string(stage_title(stage)).c_str(), stage == p.last_stage()))
-        p.until = stage;
-    }
-  });
-  label(ui, "stages", "Stages", "Those struck through are left out. Needs a restart.", 26);
-  constexpr std::array<Stage, 4> optional{Stage::gamma, Stage::zero_set, Stage::all, Stage::improve};
+void control(Ui& ui, P& p, const Field<P, std::array<bool, stage_count>>& f) {
+  std::vector<Stage> optional;
+  for (std::size_t i = 0; i < f.choices.size(); ++i)
+    if (f.choices[i].offered) optional.push_back(static_cast<Stage>(i));
   const float gap = ui.px(4);
   // As wide as their titles and the same room around each.
-  std::array<float, optional.size()> widths{};
+  std::vector<float> widths(optional.size());
   float room = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(optional.size() - 1);
   ImGui::PushFont(ui.fonts.small);
   for (std::size_t i = 0; i < optional.size(); ++i) {
@@ -185,39 +191,39 @@ void stages(Ui& ui, RunParameters& p) {
   ImGui::PopFont();
   for (std::size_t i = 0; i < optional.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
-    skip_chip(ui, optional[i], p.skipped.at(static_cast<std::size_t>(optional[i])),
+    skip_chip(ui, optional[i], (p.*(f.member)).at(static_cast<std::size_t>(optional[i])),
               widths[i] + room / static_cast<float>(optional.size()));
   }
-  label(ui, "target", "Target strategy",
-        "How the target of a collapse is looked for in its kernel: the least error alone, again under learnt "
-        "half-spaces, also by points drawn in the kernel, or by the paper's octree with invalid regions Ψ. "
-        "Needs a restart. §2.4, Figures 9 and 12",
-        26);
-  constexpr std::array<TargetStrategy, 4> strategies{TargetStrategy::optimum, TargetStrategy::constraints,
-                                                     TargetStrategy::sampling, TargetStrategy::octree};
-  choice("##target", name(p.target), [&] {
-    for (const TargetStrategy s : strategies)
-      if (ImGui::Selectable(std::string(name(s)).c_str(), s == p.target)) p.target = s;
-  });
-  constexpr std::array<const char*, 2> rings{"1-ring", "2-ring"};
-  constexpr std::array<const char*, 4> efforts{"0", "1", "2", "3"};
-  int ring = static_cast<int>(p.cost_ring), effort = p.effort;
-  label(ui, "error over", "Ring of the error",
-        "Facets of Z whose planes make the error of a collapse; the paper takes two rings. Needs a restart. "
-        "§2.4",
-        26);
-  if (widgets::segmented(ui, "ring", rings, ring)) p.cost_ring = static_cast<CostRing>(ring);
-  label(ui, "effort", "Effort of the improver",
-        "0 to 3: more rounds of relocation and repair for fewer vertices. Needs a restart.", 26);
-  if (widgets::segmented(ui, "effort", efforts, effort)) p.effort = effort;
-  constexpr std::array<const char*, 2> places{"Z alone", "inside T"};
-  int place = static_cast<int>(p.improver);
-  label(ui, "improver", "Where the improver works",
-        "On Z alone it gets by with fewer vertices; inside T every step keeps the embedding, which is the "
-        "proof "
-        "where Ω is no thickening. Needs a restart.",
-        26);
-  if (widgets::segmented(ui, "improver", places, place)) p.improver = static_cast<ImproverPlace>(place);
+}
+
+void conditions(Ui& ui, P& p) {
+  const auto& f = field_of(&P::conditions);
+  for (std::size_t i = 0; i < p.conditions.size(); ++i) {
+    const Choice& row = f.choices[i];
+    ImGui::PushID(row.name.data());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    widgets::toggle(ui, "on", p.conditions[i]);
+    widgets::tip(ui, std::string(f.title) + std::string(row.shown), row.tip);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddCircleFilled({at.x + ui.px(43), at.y + ui.px(10)}, ui.px(4),
+                         to_u32(condition_color(ui.theme, static_cast<int>(i) + 1)), 16);
+    widgets::draw_text(list, ui.fonts.small,
+                       {at.x + ui.px(54), at.y + ui.px(10) - ui.fonts.small->FontSize / 2},
+                       to_u32(ui.colors.text), row.shown);
+    ImGui::PopID();
+  }
+}
+
+/// The rows of places from `first` up to `end`, each `units` high.
+void rows(Ui& ui, P& p, int first, int end, float units) {
+  for (int place = first; place < end; ++place)
+    for_each_field<P>([&]<class T>(const Field<P, T>& f) {
+      if constexpr (!std::is_same_v<T, std::string> && !std::is_same_v<T, std::array<bool, 4>>) {
+        if (f.place != place) return;
+        label(ui, f, units);
+        control(ui, p, f);
+      }
+    });
 }
 
 void preview_line(const Ui& ui, const char* name, std::size_t now, std::size_t then, bool known) {
@@ -298,58 +304,10 @@ void buttons(Ui& ui) {
 void parameters(Ui& ui) {
   if (!widgets::section(ui, "Parameters")) return;
   RunParameters& p = ui.model.draft;
-  label(ui, "α margin", "Margin α",
-        "How far f must be on the right side at every sample: ε(s) ≤ 1 − α. No unit, in (0, 1). Larger is "
-        "safer and asks for more Steiner points. §2.3");
-  number(ui, "##alpha", p.alpha, 0.02f, 0.95f, "%.2f");
-  widgets::tip(ui, "Margin α", "No unit, in (0, 1); 0.2 in the paper. §2.3");
-  label(ui, "σ/δ density", "Sampling density σ",
-        "Radius within which every point of ∂Ω has a sample, as a fraction of δ, in (0, 1]. Smaller means "
-        "more samples. §2.2");
-  const double by_default = ui.model.run.scene ? ui.model.run.scene->default_sigma : 0.5;
-  double sigma = p.sigma_ratio(by_default);
-  number(ui, "##sigma", sigma, 0.05f, 1.0f, "%.3f", true);
-  if (sigma != p.sigma_ratio(by_default)) p.sigma = sigma;
-  widgets::tip(ui, "Sampling density σ/δ", "Fraction of δ, in (0, 1]. §2.2");
-  label(ui, "shrink", "Shrink factor",
-        "Size of the shrunk copy about its centroid by which condition 3 judges a tetrahedron, in (0, 1]. "
-        "§2.3, Figure 4");
-  number(ui, "##shrink", p.shrink, 0.05f, 1.0f, "%.2f");
-  widgets::tip(ui, "Shrink factor of condition 3", "No unit, in (0, 1]; 0.7 in the paper. §2.3");
-  tolerance(ui, p);
-  small_parts(ui, p);
+  rows(ui, p, first_number, first_word, 22);
   ImGui::Dummy({0, ui.px(2)});
   ImGui::PushFont(ui.fonts.small);
-  constexpr std::array<const char*, 2> containment{"certified", "sampled"}, topology{"keep", "separate"};
-  int chosen = static_cast<int>(p.containment);
-  label(ui, "containment", "Containment of Z in Ω",
-        "Certified: every facet of Z is proven inside Ω; a coarse S suffices. Sampled: the paper to the "
-        "letter, dense S and condition 2. Needs a restart.",
-        26);
-  if (widgets::segmented(ui, "containment", containment, chosen))
-    p.containment = static_cast<Containment>(chosen);
-  chosen = static_cast<int>(p.topology);
-  label(ui, "topology", "Topology mode",
-        "What is asked of Z where Ω is no thickening of a surface: keep the input's topology, or only "
-        "separate the two sides. Needs a restart. §1.2",
-        26);
-  if (widgets::segmented(ui, "topology", topology, chosen)) p.topology = static_cast<TopologyMode>(chosen);
-  constexpr std::array<const char*, 2> thin{"refuse", "leave out"};
-  chosen = p.drop_thin ? 1 : 0;
-  label(ui, "thin parts", "Parts thinner than 2δ",
-        "Of a part that is thinner than 2δ everywhere Ω leaves no inside that Z could enclose: the input is "
-        "refused, or the part is left out and named. Needs a restart.",
-        26);
-  if (widgets::segmented(ui, "thin", thin, chosen)) p.drop_thin = chosen == 1;
-  cover(ui, p);
-  chosen = static_cast<int>(p.sides);
-  label(ui, "sides", "What tells inside from outside",
-        "Auto: parity where closed parts do not meet, and the winding number where they overlap or touch, so "
-        "that what lies in several parts is inside. Needs a restart.",
-        26);
-  constexpr std::array<const char*, 3> sides{"auto", "winding", "parity"};
-  if (widgets::segmented(ui, "sides", sides, chosen)) p.sides = static_cast<SidesMode>(chosen);
-  stages(ui, p);
+  rows(ui, p, first_word, first_condition, 26);
   ImGui::PopFont();
   ImGui::Dummy({0, ui.px(2)});
   conditions(ui, p);

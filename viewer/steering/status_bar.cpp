@@ -40,18 +40,8 @@ std::string operation_words(const Event& e) {
     return "insertion for " + std::string(condition_title(e.condition));
   case EventKind::collapse:
     return "collapse: " + std::string(reason_style(e.reason).title);
-  case EventKind::repair:
-    return "collapse with repair";
-  case EventKind::relaxation:
-    return "relocation sweep";
-  case EventKind::shake:
-    return "shake";
-  case EventKind::tessellation:
-    return "mutual tessellation";
-  case EventKind::departure:
-    return "Z leaves T";
   default:
-    return std::string(name(e.kind));
+    return std::string(words(e.kind).one);
   }
 }
 

@@ -3,15 +3,14 @@
 
 #include "model/words.h"
 #include "base/pending_file.h"
+#include "input/gallery.h"
+#include "journal/digest.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 namespace isoscope {
 namespace {
@@ -83,7 +82,7 @@ Error no_bookmarks(const std::string& why) {
 }
 
 bool is_file(const std::string& input) {
-  return !input.starts_with("gallery:");
+  return !input.starts_with(gallery_prefix);
 }
 
 } // namespace
@@ -142,24 +141,12 @@ std::optional<std::size_t> Bookmarks::neighbour(int direction) const {
 }
 
 std::string run_key(const RunParameters& p) {
-  std::ostringstream words;
-  words.precision(17);
+  RunParameters named = p;
   std::error_code ignored;
-  words << (is_file(p.input) ? std::filesystem::weakly_canonical(p.input, ignored).string() : p.input) << '|'
-        << p.tolerance.value << '|' << p.tolerance.percent << '|' << p.sigma << '|' << p.alpha << '|'
-        << p.shrink << '|' << static_cast<int>(p.containment) << '|' << static_cast<int>(p.topology) << '|'
-        << p.condition_1 << p.condition_2 << p.condition_3 << p.condition_4 << '|'
-        << static_cast<int>(p.last_stage()) << '|';
-  for (const bool skipped : p.skipped) words << skipped;
-  words << '|' << static_cast<int>(p.target) << '|' << static_cast<int>(p.cost_ring) << '|' << p.effort;
-  if (p.drop_small != 0) words << "|drop small " << p.drop_small;
-  if (p.drop_thin) words << "|drop-thin";
-  if (p.cover != RunParameters().cover) words << "|cover" << p.cover.value_or(0);
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const char c : words.str()) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  std::array<char, 20> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return text.data();
+  if (is_file(p.input)) named.input = std::filesystem::weakly_canonical(p.input, ignored).string();
+  Digest digest;
+  digest.add(std::string_view(fields_key(named)));
+  return digest_text(digest.value());
 }
 
 BookmarkFiles bookmark_files(const std::filesystem::path& settings, const std::filesystem::path& recording,

@@ -1,7 +1,7 @@
 // Named values of bookmarks, undo and the presenter mode, and the caption they share.
 #include "talk/caption.h"
 #include "command/named_table.h"
-#include "journal/plain_words.h"
+#include "journal/describe.h"
 
 namespace isoscope {
 

@@ -11,20 +11,8 @@
 namespace isoscope {
 namespace {
 
-struct KindLane {
-  EventKind kind;
-  std::string_view title, help;
-  Rgb color;
-  MarkerShape shape;
-};
-constexpr std::array<KindLane, 4> kinds{
-    {{EventKind::collapse, "collapses", "Edges that were collapsed. §2.4", 0x009E73, MarkerShape::disc},
-     {EventKind::relaxation, "relocation sweeps", "Sweeps of relocations and flips over Z.", 0x3D8FD1,
-      MarkerShape::diamond},
-     {EventKind::repair, "collapses with repair",
-      "Edges that were collapsed with their neighbourhood repaired.", 0xD9A02B, MarkerShape::triangle},
-     {EventKind::shake, "shakes", "Edges of Z flipped against the energy, to leave a minimum.", 0xCC79A7,
-      MarkerShape::square}}};
+/// The kinds that have a lane, from above.
+constexpr std::array kinds{EventKind::collapse, EventKind::relaxation, EventKind::repair, EventKind::shake};
 
 } // namespace
 
@@ -53,15 +41,17 @@ std::vector<TimelineLane> timeline_lanes(const AppModel& model, ThemeKind theme,
                      conditions[c],
                      [&index, c](Step a, Step b) { return index.counts(a, b)[c]; },
                      {}});
-  for (const KindLane& k : kinds)
+  for (const EventKind kind : kinds) {
+    const KindWords& k = words(kind);
     lanes.push_back({std::string(k.title),
                      k.help,
                      k.color,
                      k.shape,
                      false,
-                     index.count(k.kind, begin, operations_end),
-                     [&index, kind = k.kind](Step a, Step b) { return index.count(kind, a, b); },
+                     index.count(kind, begin, operations_end),
+                     [&index, kind](Step a, Step b) { return index.count(kind, a, b); },
                      {}});
+  }
   for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
     const auto reason = static_cast<Reason>(r);
     const ReasonStyle& style = reason_style(reason);

@@ -3,7 +3,7 @@
 
 #include "app/app_model.h"
 #include "ui/theme.h"
-#include "scene/marker_shape.h"
+#include "journal/vocabulary.h"
 
 #include <functional>
 #include <string_view>

@@ -91,7 +91,7 @@ void parameters_column(Ui& ui, const RunComparison* found) {
       widgets::quiet_text(ui, "The same parameters.");
     else
       table_row<2>(ui, "differing", {"A", "B"}, label_width, ui.colors.quiet);
-    for (const ParameterDifference& p : found->parameters) table_row<2>(ui, p.name, {p.a, p.b}, label_width);
+    for (const FieldDifference& p : found->parameters) table_row<2>(ui, p.name, {p.a, p.b}, label_width);
     if (!found->same_samples)
       table_row<2>(ui, "samples of ∂Ω", {grouped(found->samples_a), grouped(found->samples_b)}, label_width);
   }
@@ -145,8 +145,7 @@ void stages_column(Ui& ui, const RunComparison* found) {
   for (std::size_t r = 0; r < refused_a.size(); ++r) {
     if (refused_a[r] == refused_b[r]) continue;
     const auto reason = static_cast<Reason>(r);
-    const bool rejects = reason >= first_rejection && reason <= last_rejection;
-    table_row<2>(ui, rejects ? reason_style(reason).title : name(reason),
+    table_row<2>(ui, rejects(reason) ? reason_style(reason).title : name(reason),
                  {grouped(refused_a[r]), grouped(refused_b[r])}, ui.px(220));
   }
 }

@@ -21,7 +21,7 @@ std::string told_apart(const AppModel& m, const ShownRun& run, bool b) {
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "  ·  ") + part; };
   if (run.shows_recording()) add(run.run.recording->file.filename().string());
   if (const auto found = m.comparison.found())
-    for (const ParameterDifference& p : found->parameters) add(p.name + " " + (b ? p.b : p.a));
+    for (const FieldDifference& p : found->parameters) add(p.name + " " + (b ? p.b : p.a));
   if (run.run.result && !run.run.result->branch.empty()) add(run.run.result->branch);
   return text.empty() ? run.run.parameters.input : text;
 }

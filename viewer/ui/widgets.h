@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/ui.h"
-#include "scene/marker_shape.h"
+#include "journal/vocabulary.h"
 
 #include <string>
 #include <string_view>
