@@ -68,6 +68,7 @@ build_preset() {
     fi
     [[ $(ninja -C "$dir" -n "$@" 2>/dev/null | tail -n 1) == "ninja: no work to do." ]] && exit 0
     say "building build/$preset"
-    ninja -C "$dir" "$@" >&2 9>&-
+    # On a terminal ninja keeps to one line.
+    NINJA_STATUS='[%f of %t, %e s] ' ninja -C "$dir" "$@" >&2 9>&-
   ) 9>"$root/build/.lock" || fail "the build failed; its messages are above"
 }

@@ -1,33 +1,73 @@
 // A view travels as JSON without loss, and what is no view is refused.
 #include "model/view_state.h"
 
+#include "model/words.h"
+#include "scene/view_fields.h"
+
 #include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <type_traits>
 
 using namespace isoscope;
 
-TEST_CASE("a view survives the journey") {
+namespace {
+
+/// Every field another value than it begins with.
+template <class Fields, class S> void change_all(const Fields& fields, S& s) {
+  for_each_view_field(fields, [&]<class T>(const ViewField<S, T>& f) {
+    if (f.key.empty()) return;
+    T& place = s.*(f.member);
+    if constexpr (std::is_enum_v<T>)
+      place = static_cast<T>((static_cast<std::size_t>(place) + 1) % f.words.size());
+    else if constexpr (std::is_same_v<T, bool>)
+      place = !place;
+    else
+      place = static_cast<T>(place == static_cast<T>(f.high) ? f.low : std::min(f.high, f.low + 7.0));
+  });
+}
+
+} // namespace
+
+TEST_CASE("a view survives the journey, all of it") {
   ViewState s;
+  change_all(view_fields, s.view);
+  change_all(tet_fields, s.view.tets);
+  change_all(clip_fields, s.view.clip);
   s.camera.target = {1.25, -2.5, 1e-7};
   s.camera.distance = 0.123456789012345;
   s.camera.orientation = {0.5, -0.5, 0.5, 0.5};
-  s.view.outer.opacity = 0.375f;
-  s.view.zero_set.visible = false;
-  s.view.tets.all = true;
-  s.view.tets.recent = 7;
-  s.view.clip.shape = ClipSettings::Shape::slab;
-  s.view.clip.normal = {0, 0.6, 0.8};
-  s.view.mode = ViewMode::split;
+  float opacity = 0.25f;
+  for (const LayerName& layer : layer_names())
+    s.view.*layer.member = {!(s.view.*layer.member).visible, opacity += 0.0625f};
+  s.view.clip.point = {1, 2, 3};
+  s.view.clip.normal = {0, 0, -1};
   s.section = {0.1, 0.2, 3};
+  REQUIRE(s.view.kernel_push != ViewSettings().kernel_push);
   const auto back = view_from_json(to_json(s), ViewState{});
   REQUIRE(back.has_value());
   CHECK(back->camera == s.camera);
-  CHECK(back->view.outer == s.view.outer);
-  CHECK(back->view.zero_set == s.view.zero_set);
-  CHECK(back->view.tets == s.view.tets);
-  CHECK(back->view.clip.shape == s.view.clip.shape);
-  CHECK(distance(back->view.clip.normal, s.view.clip.normal) < 1e-15);
-  CHECK(back->view.mode == s.view.mode);
+  CHECK(back->view == s.view);
+  CHECK(back->section.u == s.section.u);
+  CHECK(back->section.v == s.section.v);
   CHECK(back->section.height == s.section.height);
+}
+
+TEST_CASE("fields have one key and one name each") {
+  std::set<std::string_view> keys, scripts;
+  std::size_t fields = 0;
+  const auto note = [&](const auto& f) {
+    scripts.insert(f.script);
+    ++fields;
+  };
+  for_each_view_field(view_fields, note);
+  for_each_view_field(tet_fields, note);
+  for_each_view_field(clip_fields, note);
+  CHECK(scripts.size() == fields);
+  for_each_view_field(view_fields, [&](const auto& f) { keys.insert(f.key); });
+  CHECK(keys.size() == std::tuple_size_v<decltype(view_fields)>);
 }
 
 TEST_CASE("parts that are absent stay as they were") {

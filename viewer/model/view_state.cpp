@@ -2,11 +2,14 @@
 #include "model/view_state.h"
 
 #include "model/words.h"
+#include "scene/view_fields.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <type_traits>
 
 namespace isoscope {
 namespace {
@@ -47,49 +50,38 @@ bool read(const json& object, const char* key, Vec3& out) {
   return true;
 }
 
-template <class Enum> bool read_choice(const json& object, const char* key, Enum& out, int count) {
-  int value = static_cast<int>(out);
-  if (!read(object, key, value, 0, count - 1)) return false;
-  out = static_cast<Enum>(value);
-  return true;
+template <class Fields, class S> void write_fields(const Fields& fields, const S& s, json& object) {
+  for_each_view_field(fields, [&]<class T>(const ViewField<S, T>& f) {
+    if (f.key.empty()) return;
+    if constexpr (std::is_enum_v<T>)
+      object[std::string(f.key)] = static_cast<int>(s.*(f.member));
+    else
+      object[std::string(f.key)] = s.*(f.member);
+  });
 }
 
-json filter_json(const TetFilter& f) {
-  return {{"zero", f.carry_zero_set},
-          {"violate_1", f.violate_1},
-          {"violate_2", f.violate_2},
-          {"violate_3", f.violate_3},
-          {"changed", f.changed},
-          {"all", f.all},
-          {"box", f.box},
-          {"recent", f.recent},
-          {"shrink", f.shrink},
-          {"sides", static_cast<int>(f.sides)}};
-}
-
-bool read_filter(const json& o, TetFilter& f) {
-  return read(o, "zero", f.carry_zero_set) && read(o, "violate_1", f.violate_1) &&
-         read(o, "violate_2", f.violate_2) && read(o, "violate_3", f.violate_3) &&
-         read(o, "changed", f.changed) && read(o, "all", f.all) && read(o, "box", f.box) &&
-         read(o, "recent", f.recent, 1, 1e6) && read(o, "shrink", f.shrink, 0.05, 1) &&
-         read_choice(o, "sides", f.sides, 3);
-}
-
-json clip_json(const ClipSettings& c) {
-  return {{"shape", static_cast<int>(c.shape)},
-          {"mode", static_cast<int>(c.mode)},
-          {"point", vector(c.point)},
-          {"normal", vector(c.normal)},
-          {"radius", c.radius},
-          {"flipped", c.flipped}};
+template <class Fields, class S> bool read_fields(const Fields& fields, const json& object, S& s) {
+  bool sound = true;
+  for_each_view_field(fields, [&]<class T>(const ViewField<S, T>& f) {
+    if (!sound || f.key.empty()) return;
+    const std::string key(f.key);
+    if constexpr (std::is_enum_v<T>) {
+      int value = static_cast<int>(s.*(f.member));
+      sound = read(object, key.c_str(), value, 0, static_cast<double>(f.words.size()) - 1);
+      s.*(f.member) = static_cast<T>(value);
+    } else if constexpr (std::is_same_v<T, bool>) {
+      sound = read(object, key.c_str(), s.*(f.member));
+    } else {
+      sound = read(object, key.c_str(), s.*(f.member), f.low, f.high);
+    }
+  });
+  return sound;
 }
 
 bool read_clip(const json& o, ClipSettings& c) {
-  if (!(read_choice(o, "shape", c.shape, 4) && read_choice(o, "mode", c.mode, 3) &&
-        read(o, "point", c.point) && read(o, "normal", c.normal) && read(o, "radius", c.radius, 0, 1e300) &&
-        read(o, "flipped", c.flipped)))
+  if (!read_fields(clip_fields, o, c) || !read(o, "point", c.point) || !read(o, "normal", c.normal) ||
+      squared_length(c.normal) == 0)
     return false;
-  if (squared_length(c.normal) == 0) return false;
   c.normal = normalized(c.normal);
   return true;
 }
@@ -107,17 +99,14 @@ std::string to_json(const ViewState& s) {
     const LayerSettings& l = s.view.*layer.member;
     layers[std::string(layer.name)] = {{"visible", l.visible}, {"opacity", l.opacity}};
   }
-  json object;
+  json object, filter, clip{{"point", vector(s.view.clip.point)}, {"normal", vector(s.view.clip.normal)}};
+  write_fields(view_fields, s.view, object);
+  write_fields(tet_fields, s.view.tets, filter);
+  write_fields(clip_fields, s.view.clip, clip);
   object["camera"] = json::parse(to_json(s.camera));
   object["layers"] = layers;
-  object["tetrahedra"] = filter_json(s.view.tets);
-  object["clip"] = clip_json(s.view.clip);
-  object["mode"] = static_cast<int>(s.view.mode);
-  object["zero_set_edges"] = s.view.zero_set_edges;
-  object["sample_size"] = s.view.sample_size;
-  object["side_tint"] = s.view.side_tint;
-  object["invalid_regions"] = s.view.invalid_regions;
-  object["octree_cells"] = s.view.octree_cells;
+  object["tetrahedra"] = filter;
+  object["clip"] = clip;
   object["section"] = {{"u", s.section.u}, {"v", s.section.v}, {"height", s.section.height}};
   return object.dump();
 }
@@ -144,7 +133,7 @@ std::optional<ViewState> view_from_json(const std::string& text, const ViewState
   }
   if (const json* filter = part(object, "tetrahedra")) {
     any = true;
-    if (!read_filter(*filter, s.view.tets)) return std::nullopt;
+    if (!read_fields(tet_fields, *filter, s.view.tets)) return std::nullopt;
   }
   if (const json* clip = part(object, "clip")) {
     any = true;
@@ -157,13 +146,7 @@ std::optional<ViewState> view_from_json(const std::string& text, const ViewState
         !read(*section, "height", s.section.height, 1e-300, 1e300))
       return std::nullopt;
   }
-  if (!read_choice(object, "mode", s.view.mode, 3) ||
-      !read(object, "zero_set_edges", s.view.zero_set_edges) ||
-      !read(object, "side_tint", s.view.side_tint) ||
-      !read(object, "invalid_regions", s.view.invalid_regions) ||
-      !read(object, "octree_cells", s.view.octree_cells) ||
-      !read(object, "sample_size", s.view.sample_size, 1, 30))
-    return std::nullopt;
+  if (!read_fields(view_fields, object, s.view)) return std::nullopt;
   any = any || object.contains("mode");
   return any ? std::optional(s) : std::nullopt;
 }
