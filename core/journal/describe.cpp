@@ -185,7 +185,7 @@ std::string edge_words(const Event& e) {
 
 } // namespace
 
-std::string describe(const Journal& journal, const Event& e) {
+std::string describe_event(const Journal& journal, const Event& e) {
   const CriteriaParameters criteria = journal.parameters_at(e.step);
   const std::string note = e.text < journal.texts().size() ? journal.texts()[e.text] : std::string();
   std::string sentence;
@@ -246,8 +246,11 @@ std::string describe(const Journal& journal, const Event& e) {
     break;
   }
   if (!note.empty()) sentence += ": " + note;
-  if (e.operation) sentence = std::to_string(e.step + 1) + " · " + sentence;
   return sentence;
+}
+
+std::string describe(const Journal& journal, const Event& e) {
+  return (e.operation ? std::to_string(e.step + 1) + " · " : std::string()) + describe_event(journal, e);
 }
 
 } // namespace isoscope

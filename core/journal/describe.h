@@ -7,7 +7,9 @@
 
 namespace isoscope {
 
-/// "Refinement 37: condition 1, sample 412 with ε = 1.83 (limit 0.80) goes in."
+/// "37 · condition 1: sample 412 with ε = 1.83 (limit 0.80) goes in": an operation's number goes before it.
 std::string describe(const Journal& journal, const Event& event);
+/// The same without the number.
+std::string describe_event(const Journal& journal, const Event& event);
 
 } // namespace isoscope

@@ -1,7 +1,8 @@
 // Parameters with a live preview of what would violate them now; applied to the run, or for a new one.
-#include "ui/icons.h"
+#include "steering/parameters_panel.h"
+
 #include "model/words.h"
-#include "app/panels.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <array>
@@ -47,7 +48,7 @@ void tolerance(Ui& ui, RunParameters& p) {
   ImGui::SameLine(0, ui.px(6));
   if (widgets::plain_button(ui, p.tolerance.percent ? "%##unit" : "abs##unit", true, unit,
                             ImGui::GetFrameHeight())) {
-    const double edge = ui.model.run.scene ? ui.model.run.scene->longest_edge : 0;
+    const double edge = ui.window.run.scene ? ui.window.run.scene->longest_edge : 0;
     if (edge > 0)
       p.tolerance.value = p.tolerance.percent ? p.tolerance.absolute(edge) : 100 * p.tolerance.value / edge;
     p.tolerance.percent = !p.tolerance.percent;
@@ -231,9 +232,9 @@ void preview_line(const Ui& ui, const char* name, std::size_t now, std::size_t t
 
 /// What S takes at the σ of the sliders.
 void foreseen(const Ui& ui) {
-  const auto& scene = ui.model.run.scene;
+  const auto& scene = ui.window.run.scene;
   if (!scene || !(scene->sample_estimate.boundary_area > 0)) return;
-  const RunParameters& draft = ui.model.draft;
+  const RunParameters& draft = ui.window.draft;
   const double sigma = draft.sigma_ratio(scene->default_sigma) * scene->delta;
   const double bytes = scene->sample_estimate.bytes(sigma);
   char words[64];
@@ -243,12 +244,12 @@ void foreseen(const Ui& ui) {
   widgets::value_row(ui, "samples at this σ", words, fits ? ui.colors.text : ui.colors.bad_text);
 }
 
-void preview(Ui& ui) {
-  const AppModel& m = ui.model;
+void preview(Ui& ui, const Steering& steering) {
+  const WindowState& m = ui.window;
   const auto state = m.state();
   if (!state || state->complex.form == ZeroForm::free) return;
-  const bool differs = m.draft_differs();
-  const auto next = m.draft_preview();
+  const bool differs = steering.draft_differs();
+  const auto next = steering.draft_preview();
   const bool known = differs && next.has_value();
   const ViolationPreview then = known ? *next : ViolationPreview{};
   widgets::quiet_text(ui, differs ? "Would violate at this step" : "Violate at this step");
@@ -258,8 +259,8 @@ void preview(Ui& ui) {
 }
 
 void warnings(const Ui& ui) {
-  if (!ui.model.run.scene) return;
-  for (const ParameterWarning& warning : ui.model.run.scene->warnings) {
+  if (!ui.window.run.scene) return;
+  for (const ParameterWarning& warning : ui.window.run.scene->warnings) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.warning_text));
     ImGui::PushTextWrapPos(0);
@@ -270,9 +271,9 @@ void warnings(const Ui& ui) {
   }
 }
 
-void buttons(Ui& ui) {
-  const AppModel& m = ui.model;
-  const bool differs = m.draft_differs(), restart_only = m.draft_needs_restart();
+void buttons(Ui& ui, const Steering& steering) {
+  const WindowState& m = ui.window;
+  const bool differs = steering.draft_differs(), restart_only = steering.draft_needs_restart();
   const float each = (ImGui::GetContentRegionAvail().x - 2 * ui.px(8)) / 3;
   const bool can_apply = m.run.journal != nullptr && differs && !restart_only;
   if (can_apply ? widgets::primary_button(ui, "Apply", true, each)
@@ -295,9 +296,9 @@ void buttons(Ui& ui) {
 
 } // namespace
 
-void parameters(Ui& ui) {
+void parameters(Ui& ui, const Steering& steering) {
   if (!widgets::section(ui, "Parameters")) return;
-  RunParameters& p = ui.model.draft;
+  RunParameters& p = ui.window.draft;
   label(ui, "α margin", "Margin α",
         "How far f must be on the right side at every sample: ε(s) ≤ 1 − α. No unit, in (0, 1). Larger is "
         "safer and asks for more Steiner points. §2.3");
@@ -306,7 +307,7 @@ void parameters(Ui& ui) {
   label(ui, "σ/δ density", "Sampling density σ",
         "Radius within which every point of ∂Ω has a sample, as a fraction of δ, in (0, 1]. Smaller means "
         "more samples. §2.2");
-  const double by_default = ui.model.run.scene ? ui.model.run.scene->default_sigma : 0.5;
+  const double by_default = ui.window.run.scene ? ui.window.run.scene->default_sigma : 0.5;
   double sigma = p.sigma_ratio(by_default);
   number(ui, "##sigma", sigma, 0.05f, 1.0f, "%.3f", true);
   if (sigma != p.sigma_ratio(by_default)) p.sigma = sigma;
@@ -355,10 +356,10 @@ void parameters(Ui& ui) {
   conditions(ui, p);
   ImGui::Dummy({0, ui.px(2)});
   foreseen(ui);
-  preview(ui);
+  preview(ui, steering);
   warnings(ui);
   ImGui::Dummy({0, ui.px(2)});
-  buttons(ui);
+  buttons(ui, steering);
   ImGui::Dummy({0, ui.px(6)});
 }
 

@@ -1,8 +1,8 @@
 // The list and its sidecar.
 #include "talk/bookmarks.h"
 
-#include "model/words.h"
 #include "base/pending_file.h"
+#include "model/words.h"
 
 #include <nlohmann/json.hpp>
 
