@@ -35,11 +35,14 @@ const Tiers& viewer_tiers() {
                               {"viewer/model"},
                               {"viewer/command"},
                               {"viewer/ui"},
-                              {"viewer/edge", "viewer/ask"},
+                              {"viewer/edge"},
+                              {"viewer/debug"},
+                              {"viewer/ask"},
                               {"viewer/view"},
+                              {"viewer/talk", "viewer/export"},
+                              {"viewer/two_runs"},
                               {"viewer/timeline"},
-                              {"viewer/debug", "viewer/talk", "viewer/export"},
-                              {"viewer/two_runs", "viewer/steering"},
+                              {"viewer/steering"},
                               {"viewer/app"}};
   return tiers;
 }

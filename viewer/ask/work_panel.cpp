@@ -1,9 +1,10 @@
 // Where the work goes, in three columns: the busiest places, time by reason, the last attempts.
+#include "ask/work_panel.h"
+
 #include "model/words.h"
-#include "ask/questions.h"
-#include "ui/widgets.h"
 #include "scene/annotation.h"
 #include "scene/reason_style.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 #include <optional>
@@ -53,12 +54,11 @@ void heat_legend(const Ui& ui, std::size_t most) {
   ImGui::Dummy({width, high + ui.px(4) + ui.fonts.small->FontSize});
 }
 
-void map_column(Ui& ui, const WorkAnswer& w) {
+void map_column(Ui& ui, WorkKind& kind, const WorkAnswer& w) {
   head(ui, "Busiest places");
   constexpr std::array<const char*, 3> kinds{"insertions", "attempts", "rejections"};
-  int chosen = static_cast<int>(ui.model.investigation.work_kind);
-  if (widgets::segmented(ui, "kind", kinds, chosen))
-    ui.model.investigation.work_kind = static_cast<WorkKind>(chosen);
+  int chosen = static_cast<int>(kind);
+  if (widgets::segmented(ui, "kind", kinds, chosen)) kind = static_cast<WorkKind>(chosen);
   widgets::quiet_text(ui, grouped(w.map.total) + " in " + grouped(w.map.cells.size()) + " cells");
   if (!w.map.cells.empty()) heat_legend(ui, w.map.cells.front().count);
   places(ui, w.map, "work");
@@ -136,21 +136,21 @@ void stall_column(Ui& ui, const WorkAnswer& w) {
 
 } // namespace
 
-void work_tab(Ui& ui) {
-  const auto work = ui.model.investigation.work();
+void work_tab(Ui& ui, Investigation& asked) {
+  const auto work = asked.work();
   if (!work)
-    return widgets::quiet_text(ui, ui.model.running() ? "Measured when the run rests."
-                                                      : "The journal is being read …");
+    return widgets::quiet_text(ui, ui.window.running() ? "Measured when the run rests."
+                                                       : "The journal is being read …");
   const float gap = ui.px(24), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  const auto column = [&](const char* id, void (*draw)(Ui&, const WorkAnswer&)) {
-    if (ImGui::BeginChild(id, {width, 0})) draw(ui, *work);
+  const auto column = [&](const char* id, auto draw) {
+    if (ImGui::BeginChild(id, {width, 0})) draw();
     ImGui::EndChild();
   };
-  column("map", map_column);
+  column("map", [&] { map_column(ui, asked.work_kind, *work); });
   ImGui::SameLine(0, gap);
-  column("time", time_column);
+  column("time", [&] { time_column(ui, *work); });
   ImGui::SameLine(0, gap);
-  column("stall", stall_column);
+  column("stall", [&] { stall_column(ui, *work); });
 }
 
 } // namespace isoscope::panels

@@ -1,13 +1,14 @@
-// The X-ray of an edge: the verdict, every check with its number beside its limit, kernel, candidates by
-// reason, cost.
-#include "ui/icons.h"
+// The verdict, and every check with its number beside its limit.
+#include "edge/edge_inspector.h"
+
+#include "edge/edge_journal.h"
+#include "edge/edge_numbers.h"
+#include "edge/edge_what_if.h"
 #include "model/words.h"
-#include "edge/edge_parts.h"
-#include "app/panels.h"
-#include "ui/widgets.h"
-#include "questions/edge_xray.h"
 #include "scene/pick_geometry.h"
 #include "scene/reason_style.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 #include <array>
@@ -66,10 +67,10 @@ void verdict(Ui& ui, const EdgeXray& x) {
                  "The evaluator that the run used, asked again about the state of that moment.");
   }
   constexpr std::array<const char*, 4> labels{"automatic", "halfedge", "general", "octree"};
-  int chosen = static_cast<int>(ui.model.selection.target);
+  int chosen = static_cast<int>(ui.window.selection.target);
   ImGui::PushFont(ui.fonts.small);
   if (widgets::segmented(ui, "targets", labels, chosen))
-    ui.model.selection.target = static_cast<XrayTarget>(chosen);
+    ui.window.selection.target = static_cast<XrayTarget>(chosen);
   ImGui::PopFont();
   widgets::tip(ui, "Which targets",
                "As the stage looks for them, the ends of the edge alone, the search, or the paper's octree.");
@@ -132,7 +133,7 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
 }
 
 void ladder(Ui& ui, const EdgeXray& x) {
-  subtitle(ui, "Checks");
+  widgets::subtitle(ui, "Checks");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
   double seconds = 0;
   for (std::size_t i = 0; i < collapse_check_count; ++i) {
@@ -147,7 +148,7 @@ void offenders(Ui& ui, const LinkVerdict& link) {
   const std::array<const std::vector<std::vector<VertexId>>*, 2> lists{&link.offending_t,
                                                                        &link.offending_zero};
   if (lists[0]->empty() && lists[1]->empty()) return;
-  subtitle(ui, "In both links, not in that of the edge");
+  widgets::subtitle(ui, "In both links, not in that of the edge");
   constexpr std::size_t most = 6;
   int id = 0;
   std::size_t left_out = 0;
@@ -172,10 +173,10 @@ void offenders(Ui& ui, const LinkVerdict& link) {
 
 } // namespace
 
-void edge_details(Ui& ui, const StateSnapshot& s) {
-  const AppModel& m = ui.model;
+void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
+  const WindowState& m = ui.window;
   const Pick& picked = m.selection.picked;
-  const auto xray = m.xray();
+  const auto xray = probe.xray();
   const auto ends = edge_positions(s, picked);
   const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
   std::string note = xray ? std::string(kind_text(xray->attempt.kind)) : std::string("an edge of Z");
@@ -194,7 +195,7 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   if (xray) verdict(ui, *xray);
   // What is tried comes first: it is what changes.
   const bool tried = m.selection.what_if.has_value();
-  if (xray && tried) what_if(ui, *xray);
+  if (xray && tried) what_if(ui, probe, *xray);
   if (event) {
     ImGui::Dummy({0, ui.px(2)});
     event_details(ui, *m.run.journal, *event);
@@ -202,13 +203,13 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   if (xray) {
     ladder(ui, *xray);
     offenders(ui, xray->attempt.link);
-    if (!tried) what_if(ui, *xray);
+    if (!tried) what_if(ui, probe, *xray);
     candidates(ui, *xray);
     search_regions(ui, *xray);
     kernel(ui, *xray);
-    cost(ui, *xray);
-    unlock(ui);
-  } else if (!m.probe.idle()) {
+    cost(ui, *xray, probe.study().get());
+    unlock(ui, probe);
+  } else if (probe.looking()) {
     widgets::quiet_text(ui, "The edge is being looked at.");
   } else if (s.complex.form == ZeroForm::free) {
     widgets::quiet_text(

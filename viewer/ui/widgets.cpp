@@ -1,8 +1,8 @@
 // The shared pieces.
 #include "ui/widgets.h"
 
-#include "ui/icons.h"
 #include "model/words.h"
+#include "ui/icons.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,10 +115,12 @@ void tip(const Ui& ui, std::string_view title, std::string_view body) {
   ImGui::PopStyleVar();
 }
 
-void command_tip(const Ui& ui, const Command& command) {
-  std::string title(command.title);
-  if (!command.keys.empty()) title += "   " + isoscope::text(command.keys.front());
-  tip(ui, title, command.help);
+void command_tip(const Ui& ui, std::string_view name) {
+  const Command* command = ui.table.find(name);
+  if (command == nullptr) return;
+  std::string title = command->title;
+  if (!command->keys.empty()) title += "   " + isoscope::text(command->keys.front());
+  tip(ui, title, command->help);
 }
 
 bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit, bool enabled, float width) {
@@ -144,27 +146,27 @@ bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit, bool 
 }
 
 void command_button(const Ui& ui, std::string_view name, const char* icon, Arguments arguments) {
-  const Command* command = find_command(name);
+  const Command* command = ui.table.find(name);
   if (command == nullptr) return;
-  const bool enabled = command->enabled == nullptr || command->enabled(ui.model);
-  const bool lit = command->checked != nullptr && command->checked(ui.model);
+  const bool enabled = command->is_enabled();
+  const bool lit = command->is_checked();
   const std::string id(name);
   if (icon_button(ui, id.c_str(), icon ? icon : command->icon, lit, enabled))
     ui.commands.post(id, std::move(arguments));
-  command_tip(ui, *command);
+  command_tip(ui, name);
 }
 
 void key_button(const Ui& ui, std::string_view name, float width) {
-  const Command* command = find_command(name);
+  const Command* command = ui.table.find(name);
   if (command == nullptr || command->keys.empty()) return;
-  const bool enabled = command->enabled == nullptr || command->enabled(ui.model);
-  const bool lit = command->checked != nullptr && command->checked(ui.model);
+  const bool enabled = command->is_enabled();
+  const bool lit = command->is_checked();
   const std::string id(name),
       label = std::string(command->icon) + " " + isoscope::text(command->keys.front());
   ImGui::PushFont(ui.fonts.small);
   if (icon_button(ui, id.c_str(), label.c_str(), lit, enabled, width)) ui.commands.post(id);
   ImGui::PopFont();
-  command_tip(ui, *command);
+  command_tip(ui, name);
 }
 
 bool primary_button(const Ui& ui, const char* label, bool enabled, float width) {
@@ -211,6 +213,13 @@ bool section(const Ui& ui, const char* title, bool open_at_first) {
   draw_text(list, ui.fonts.ui, {at.x + width - ui.px(12), y}, to_u32(ui.colors.quiet), arrow);
   ImGui::PopID();
   return open;
+}
+
+void subtitle(const Ui& ui, const char* text) {
+  ImGui::Dummy({0, ui.px(4)});
+  ImGui::PushFont(ui.fonts.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
 }
 
 void quiet_text(const Ui& ui, std::string_view s, bool wrapped) {

@@ -1,13 +1,13 @@
 // Drawn with the interface's own lists, so that it is crisp at any scale.
 #include "view/scene_overlay.h"
 
-#include "ui/icons.h"
-#include "model/words.h"
 #include "journal/describe.h"
-#include "ui/widgets.h"
+#include "model/words.h"
 #include "scene/overlay.h"
 #include "scene/pick_geometry.h"
 #include "scene/reason_style.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 #include <glm/vec4.hpp>
 
@@ -28,7 +28,7 @@ float width_of(ImFont* font, std::string_view text) {
   return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
 }
 
-std::string pick_line(const AppModel& m, const Pick& pick) {
+std::string pick_line(const WindowState& m, const Pick& pick) {
   const auto state = m.state();
   if (!state) return {};
   switch (pick.kind) {
@@ -64,7 +64,7 @@ void mode_switch(Ui& ui, ImVec2 corner) {
   constexpr std::array<const char*, 3> commands{"scene", "section", "split"};
   const float width = ui.px(192);
   ImGui::SetCursorScreenPos({corner.x - width - ui.px(10), corner.y + ui.px(10)});
-  int chosen = static_cast<int>(ui.model.view.mode);
+  int chosen = static_cast<int>(ui.window.view.mode);
   ImGui::PushFont(ui.fonts.small);
   pill(ui, ImGui::GetCursorScreenPos(), {corner.x - ui.px(10), corner.y + ui.px(36)});
   if (widgets::segmented(ui, "mode", labels, chosen, width))
@@ -73,7 +73,7 @@ void mode_switch(Ui& ui, ImVec2 corner) {
 }
 
 void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size) {
-  if (!ui.model.view.axes || size.y < ui.px(160)) return;
+  if (!ui.window.view.axes || size.y < ui.px(160)) return;
   const glm::mat4 view = camera.view();
   const ImVec2 origin{low.x + ui.px(46), low.y + size.y - ui.px(46)};
   const float reach = ui.px(28);
@@ -105,7 +105,7 @@ double height_at_target(const Camera& camera) {
 }
 
 void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double height) {
-  if (!ui.model.view.scale_bar || delta <= 0 || height <= 0) return;
+  if (!ui.window.view.scale_bar || delta <= 0 || height <= 0) return;
   const double pixels_per_delta = delta * static_cast<double>(size.y) / height;
   const double wanted = ui.px(110) / pixels_per_delta;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
@@ -150,7 +150,7 @@ void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, fl
 }
 
 void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const auto state = m.state();
   if (!state || !m.run.journal || m.run.journal->events().empty()) return;
   // A rejection that was chosen is no operation: it is told instead of the one that led here.
@@ -167,7 +167,7 @@ void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
 }
 
 void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
-  const Vec3 n = ui.model.view.clip.normal;
+  const Vec3 n = ui.window.view.clip.normal;
   std::string name;
   for (int i = 0; i < 3; ++i)
     if (std::abs(n[i]) > 0.9999) name = std::string(1, static_cast<char>('x' + i));
@@ -180,7 +180,7 @@ void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
 }
 
 void hover_tip(const Ui& ui) {
-  const std::string line = pick_line(ui.model, ui.model.selection.hovered);
+  const std::string line = pick_line(ui.window, ui.window.selection.hovered);
   if (line.empty()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(5)});
   ImGui::BeginTooltip();
@@ -192,7 +192,7 @@ void hover_tip(const Ui& ui) {
 }
 
 void invitation(Ui& ui, ImVec2 low, ImVec2 size) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const bool nothing =
       m.run.phase == SessionPhase::idle || (m.run.phase == SessionPhase::failed && !m.run.scene);
   if (!nothing || size.x < ui.px(300)) return;
@@ -231,7 +231,7 @@ void progress(Ui& ui, const ShownRun& m, const char* cancel, ImVec2 low, ImVec2 
   const ImVec2 bar{at.x + pad, at.y + ui.px(32)};
   const float length = width - 2 * pad, thick = ui.px(5);
   list.AddRectFilled(bar, {bar.x + length, bar.y + thick}, to_u32(ui.colors.line), thick / 2);
-  const auto phase = static_cast<float>(std::fmod(ui.model.clock, 1.6) / 1.6);
+  const auto phase = static_cast<float>(std::fmod(ui.window.clock, 1.6) / 1.6);
   const float begin = fraction >= 0 ? 0 : std::max(0.0f, phase * 1.3f - 0.3f),
               end = fraction >= 0 ? static_cast<float>(std::clamp(fraction, 0.02, 1.0))
                                   : std::min(1.0f, phase * 1.3f);
