@@ -59,7 +59,7 @@ void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size)
   widgets::draw_text(list, ui.fonts.bold, {at.x + pad, at.y + picture + ui.px(10)}, to_u32(ui.colors.text),
                      entry.title);
   const std::string delta = "δ " + Tolerance{entry.tolerance_percent, true}.text();
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, delta.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, delta);
   widgets::draw_text(list, ui.fonts.mono, {end.x - pad - extent, at.y + picture + ui.px(11)},
                      to_u32(ui.colors.quiet), delta);
   const ImVec4 clip{at.x + pad, at.y + picture, end.x - pad + 1, end.y - ui.px(4)};
@@ -87,7 +87,7 @@ void drop_zone(Ui& ui, ImVec2 size) {
   }
   const std::string text =
       std::string(icon::upload) + "   Drop a model here: OFF, OBJ, PLY or STL; or click to look for one";
-  const float width = ui.fonts.ui->CalcTextSizeA(ui.fonts.ui->FontSize, 1e9f, 0, text.c_str()).x;
+  const float width = widgets::width_of(ui.fonts.ui, text);
   widgets::draw_text(list, ui.fonts.ui,
                      {at.x + (size.x - width) / 2, at.y + (size.y - ui.fonts.ui->FontSize) / 2},
                      to_u32(hovered ? ui.colors.text : ui.colors.quiet), text);
@@ -210,7 +210,7 @@ void Overlays::palette(Ui& ui) {
       const std::string key =
           enabled ? text(command.keys.front())
                   : (command.keys.empty() ? "" : text(command.keys.front()) + "  ") + "not now";
-      const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, key.c_str()).x;
+      const float extent = widgets::width_of(ui.fonts.mono, key);
       widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(12), at.y + ui.px(14)},
                          to_u32(ui.colors.accent_text, strength), key);
     }

@@ -123,9 +123,7 @@ void advice(Ui& ui, const Investigation& asked) {
     return;
   }
   ImGui::Dummy({0, ui.px(4)});
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted("Would other parameters help here?");
-  ImGui::PopFont();
+  widgets::bold_text(ui, "Would other parameters help here?");
   const double delta = m.run.scene && m.run.scene->delta > 0 ? m.run.scene->delta : 1;
   for (const ParameterAdvice& a : *found) advice_row(ui, a, delta);
 }

@@ -83,7 +83,7 @@ void draw_row(Ui& ui, const ElementHistory& h, std::size_t index, float high) {
   }
   const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
   const std::string step = grouped(row.step);
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, step.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, step);
   widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet), step);
   const RowStyle style = style_of(ui, row);
   widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);

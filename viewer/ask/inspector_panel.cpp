@@ -250,9 +250,7 @@ void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
 
 void run_summary(Ui& ui, const StateSnapshot& s) {
   const WindowState& m = ui.window;
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted("This step");
-  ImGui::PopFont();
+  widgets::bold_text(ui, "This step");
   widgets::value_row(ui, "step", grouped(s.step) + " of " + grouped(m.live_step()));
   if (s.event && s.event->vertex.valid() && s.event->other.valid() &&
       widgets::link_row(ui, "operation", "edge of the operation",
@@ -352,9 +350,7 @@ void certificate(Ui& ui) {
   const auto& result = ui.window.run.result;
   if (!result || ui.window.transport.step() < ui.window.live_step()) return;
   const Certificate& c = result->certificate;
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(c.holds() ? "Certified" : "Not certified");
-  ImGui::PopFont();
+  widgets::bold_text(ui, c.holds() ? "Certified" : "Not certified");
   const auto judged = [](bool good) { return good ? RowVerdict::good : RowVerdict::bad; };
   const double delta = ui.window.run.scene ? ui.window.run.scene->delta : 0;
   const std::array<CertificateRow, 7> rows{
@@ -402,9 +398,7 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
   const auto state = m.state();
   const Pick& picked = m.selection.picked;
   if (!state || (m.run.phase == SessionPhase::failed && !m.run.scene)) {
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted("Inspector");
-    ImGui::PopFont();
+    widgets::bold_text(ui, "Inspector");
     widgets::quiet_text(
         ui, m.run.phase == SessionPhase::preparing ? "The run is being prepared." : "Open a model to begin.",
         true);

@@ -14,9 +14,7 @@ namespace {
 
 void title(const Ui& ui, const char* text) {
   ImGui::Dummy({0, ui.px(6)});
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
+  widgets::bold_text(ui, text);
 }
 
 void violations(Ui& ui, const Investigation& asked, const StateSnapshot& s) {

@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::size_t most_places = 10;
 
-void head(const Ui& ui, const std::string& text) {
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopFont();
-}
-
 std::string reason_text(Reason reason) {
   return std::string(rejects(reason) ? reason_style(reason).title : name(reason));
 }
@@ -47,7 +41,7 @@ void heat_legend(const Ui& ui, std::size_t most) {
     list.AddRectFilledMultiColor({x, at.y}, {x + part, at.y + high}, a, b, b, a);
   }
   const std::string end = grouped(most) + " in a cell";
-  const float extent = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, end.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.small, end);
   const float y = at.y + high + ui.px(2);
   widgets::draw_text(list, ui.fonts.small, {at.x, y}, to_u32(ui.colors.quiet), "1");
   widgets::draw_text(list, ui.fonts.small, {at.x + width - extent, y}, to_u32(ui.colors.quiet), end);
@@ -55,7 +49,7 @@ void heat_legend(const Ui& ui, std::size_t most) {
 }
 
 void map_column(Ui& ui, WorkKind& kind, const WorkAnswer& w) {
-  head(ui, "Busiest places");
+  widgets::bold_text(ui, "Busiest places");
   constexpr std::array<const char*, 3> kinds{"insertions", "attempts", "rejections"};
   int chosen = static_cast<int>(kind);
   if (widgets::segmented(ui, "kind", kinds, chosen)) kind = static_cast<WorkKind>(chosen);
@@ -65,7 +59,7 @@ void map_column(Ui& ui, WorkKind& kind, const WorkAnswer& w) {
 }
 
 void time_column(Ui& ui, const WorkAnswer& w) {
-  head(ui, "Time by stage and reason");
+  widgets::bold_text(ui, "Time by stage and reason");
   double all = 0;
   for (const WorkTime& t : w.times) all += t.seconds;
   widgets::quiet_text(ui, short_number(all) + " s; between two operations shared evenly");
@@ -110,7 +104,7 @@ void band(const Ui& ui, const StallReport& s) {
 
 void stall_column(Ui& ui, const WorkAnswer& w) {
   const StallReport& s = w.stall;
-  head(ui, "Why is nothing accepted?");
+  widgets::bold_text(ui, "Why is nothing accepted?");
   widgets::quiet_text(ui, grouped(s.accepted) + " of the last " + grouped(s.attempts) +
                               " attempts accepted; " + grouped(s.since_accepted) + " since the last one");
   band(ui, s);

@@ -29,7 +29,7 @@ void break_row(Ui& ui, const SuggestedBreak& b, bool set, bool first) {
                      to_u32(set ? ui.colors.text : ui.colors.accent_text), b.words);
   if (first) {
     const char* key = "F9";
-    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, key).x;
+    const float extent = widgets::width_of(ui.fonts.mono, key);
     widgets::draw_text(list, ui.fonts.mono,
                        {at.x + width - extent, at.y + ui.px(11) - ui.fonts.mono->FontSize / 2},
                        to_u32(ui.colors.quiet), key);

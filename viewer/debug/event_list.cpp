@@ -129,7 +129,7 @@ void EventList::row(Ui& ui, std::uint32_t index, float high) {
                        ui.px(4));
   const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
   const std::string number = grouped(target);
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, number.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, number);
   widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet), number);
   const EventStyle style = style_of(ui, event);
   widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);

@@ -113,7 +113,7 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
                      to_u32(asked ? ui.colors.text : ui.colors.quiet), check_title(check));
   const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
   const std::string value = asked ? check_text(check, v, x.attempt, delta) : "not asked";
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono,
                      {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                      to_u32(!asked                          ? ui.colors.quiet
@@ -123,9 +123,8 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
                      value);
   if (v.seconds > 0) {
     const std::string time = time_text(v.seconds);
-    const float small = ui.fonts.small->FontSize;
     const float room = std::max(extent, ui.px(104)) + ui.px(10);
-    const float taken = ui.fonts.small->CalcTextSizeA(small, 1e9f, 0, time.c_str()).x;
+    const float taken = widgets::width_of(ui.fonts.small, time);
     widgets::draw_text(list, ui.fonts.small, {at.x + width - room - taken, y}, to_u32(ui.colors.quiet, 0.8f),
                        time);
   }

@@ -44,7 +44,7 @@ void candidate_row(Ui& ui, const EdgeXray& x, std::uint32_t i) {
   const Measured m = measured(c.rejected, c.value, c.limit, delta_of(x));
   const std::string value =
       m.number ? number_beside(m.value, m.limit) + (*m.unit ? " " : "") + m.unit : std::string();
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono,
                      {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                      to_u32(ui.colors.text), value);
@@ -56,9 +56,7 @@ void switched_title(const Ui& ui, const char* title, std::string_view help, bool
   ImGui::Dummy({0, ui.px(4)});
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
   ImGui::PushID(title);
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(title);
-  ImGui::PopFont();
+  widgets::bold_text(ui, title);
   widgets::tip(ui, title, help);
   ImGui::SameLine(left + width - ui.px(34));
   widgets::toggle(ui, "shown", on);
@@ -82,10 +80,7 @@ void legend_row(const Ui& ui, Rgb color, std::string_view title, std::string_vie
   list.AddRect(low, end, to_u32(color), 0, 0, ui.px(1.2f));
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2},
                      to_u32(ui.colors.text), title);
-  const float extent =
-      ui.fonts.mono
-          ->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.data(), value.data() + value.size())
-          .x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono,
                      {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                      to_u32(ui.colors.text), value);
@@ -143,7 +138,7 @@ void candidates(Ui& ui, const EdgeXray& x) {
     widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2},
                        to_u32(ui.colors.text), style.title);
     const std::string count = grouped(n);
-    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
+    const float extent = widgets::width_of(ui.fonts.mono, count);
     widgets::draw_text(list, ui.fonts.mono,
                        {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                        to_u32(ui.colors.text), count);

@@ -40,7 +40,7 @@ void change_row(Ui& ui, const EdgeXray& x, const TargetStudy& study, CollapseChe
     const bool length = check == CollapseCheck::containment;
     value = short_number(change.before->value / (length ? delta : 1)) + " → " + value;
   }
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono,
                      {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                      to_u32(good ? ui.colors.text : ui.colors.bad_text), value);

@@ -119,7 +119,7 @@ void FileBrowser::listing(Ui& ui) {
                          widgets::fitted(entry.name, width - ui.px(140)));
       if (!entry.folder) {
         const std::string size = bytes_text(entry.bytes);
-        const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, size.c_str()).x;
+        const float extent = widgets::width_of(ui.fonts.mono, size);
         widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(10), y},
                            to_u32(ui.colors.quiet), size);
       }

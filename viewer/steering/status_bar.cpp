@@ -77,8 +77,7 @@ void status_bar(Ui& ui, const HistoryMemory& h) {
   const float end = low.x + size.x - ui.px(12);
   const auto put = [&](std::string_view s, Rgb color, bool separator = true) {
     if (s.empty()) return;
-    const float width =
-        ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, s.data(), s.data() + s.size()).x;
+    const float width = widgets::width_of(ui.fonts.small, s);
     if (x + width > end) return;
     if (separator) {
       list.AddCircleFilled({x + ui.px(2), low.y + size.y / 2}, ui.px(1.5f), to_u32(ui.colors.quiet, 0.7f), 8);

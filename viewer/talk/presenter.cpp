@@ -11,10 +11,6 @@
 namespace isoscope::panels {
 namespace {
 
-float width_of(const ImFont* font, const std::string& text) {
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str()).x;
-}
-
 /// Stages as stripes, moments and bookmarks as marks, and how far the head is.
 void progress_line(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, ImVec2 size) {
   const WindowState& m = ui.window;
@@ -52,7 +48,7 @@ void presenter_bar(Ui& ui, const Talk& talk) {
     const double speed = m.transport.speed();
     place += speed == Transport::automatic ? "" : "  " + widgets::speed_text(speed);
   }
-  const float place_width = width_of(ui.fonts.small, place);
+  const float place_width = widgets::width_of(ui.fonts.small, place);
   const float place_x = low.x + size.x - ui.px(14) - place_width;
   widgets::draw_text(list, ui.fonts.small, {place_x, middle - ui.fonts.small->FontSize / 2},
                      to_u32(ui.colors.quiet), place);
@@ -88,7 +84,8 @@ void slide_title(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, float wid
   const std::string note = widgets::fitted(b.note, width - ui.px(44));
   ImGui::PopFont();
   // A ground of its own: the scene behind may be as bright as the text.
-  const float wide = std::max(width_of(ui.fonts.small, number), width_of(ui.fonts.title, note));
+  const float wide =
+      std::max(widgets::width_of(ui.fonts.small, number), widgets::width_of(ui.fonts.title, note));
   list.AddRectFilled({low.x + ui.px(10), low.y + ui.px(10)},
                      {low.x + ui.px(34) + wide, low.y + ui.px(note.empty() ? 36 : 62)},
                      to_u32(ui.colors.ground, 0.78f), ui.px(8));

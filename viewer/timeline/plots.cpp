@@ -90,10 +90,7 @@ void TimelinePane::stage_marks(const Ui& ui, ImVec2 low, ImVec2 size, bool named
     const Rgb color = stage_color(ui.theme, span.stage);
     list.AddLine({x, low.y}, {x, low.y + size.y}, to_u32(color, 0.75f), ui.px(1));
     const std::string_view title = stage_title(span.stage);
-    const float extent =
-        ui.fonts.small
-            ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, title.data(), title.data() + title.size())
-            .x;
+    const float extent = widgets::width_of(ui.fonts.small, title);
     if (!named || span.end <= span.begin + 1 || x + ui.px(3) < free_from ||
         x + extent + ui.px(4) > low.x + size.x)
       continue;
@@ -144,7 +141,7 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
   const auto number = static_cast<double>(values[step - 1]);
   const std::string value =
       (plot.whole ? grouped(static_cast<std::size_t>(number)) : short_number(number)) + plot.unit;
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono, {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)},
                      to_u32(plot.color), value);
 }
@@ -180,7 +177,7 @@ void TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const 
                      reason_style(reason).color, reason_style(reason).shape);
   }
   const std::string value = grouped(all);
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono, {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)},
                      to_u32(ui.colors.text), value);
 }

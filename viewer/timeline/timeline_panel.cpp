@@ -81,7 +81,7 @@ void TimelinePane::tabs(Ui& ui) {
     const auto n = counts[static_cast<std::size_t>(c)];
     if (n == 0) continue;
     const std::string label = std::string(condition_title(static_cast<Condition>(c))) + "  " + grouped(n);
-    const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.c_str()).x;
+    const float width = widgets::width_of(ui.fonts.small, label);
     x -= width;
     if (x - ui.px(14) < left) break;
     widgets::draw_text(list, ui.fonts.small, {x, y + (ui.px(28) - ui.fonts.small->FontSize) / 2},
@@ -137,10 +137,7 @@ void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
                        to_u32(stage_color(ui.theme, span.stage), span.open ? 0.55f : 0.34f), ui.px(4));
     const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2;
     const std::string_view title = stage_title(span.stage);
-    const float extent =
-        ui.fonts.small
-            ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, title.data(), title.data() + title.size())
-            .x;
+    const float extent = widgets::width_of(ui.fonts.small, title);
     const float from = std::max(x0, low.x) + ui.px(6);
     if (x1 - from > extent + ui.px(4))
       widgets::draw_text(list, ui.fonts.small, {from, y}, to_u32(ui.colors.text, 0.95f), title);
@@ -166,7 +163,7 @@ void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) 
   for (const TimelineLane& row : lanes) {
     const float text_y = y + (lane - ui.fonts.small->FontSize) / 2;
     const std::string count = grouped(row.total);
-    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
+    const float extent = widgets::width_of(ui.fonts.mono, count);
     if (row.letter.empty())
       widgets::glyph(ui, {low.x - gutter + ui.px(5), y + lane / 2}, 4.5f, row.color, row.shape);
     else
@@ -220,7 +217,7 @@ void TimelinePane::marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const {
     if (x < low.x || x > low.x + size.x) continue;
     const bool current = talk_.bookmarks.current() == i;
     const std::string number = std::to_string(i + 1);
-    const float extent = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, number.c_str()).x;
+    const float extent = widgets::width_of(ui.fonts.small, number);
     const bool fits = x + ui.px(4) + extent < low.x + size.x;
     list.AddLine({x, low.y}, {x, y}, to_u32(ui.colors.accent, current ? 0.9f : 0.45f));
     list.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, to_u32(ui.colors.accent));
@@ -240,7 +237,7 @@ void TimelinePane::ruler(const Ui& ui, ImVec2 low, ImVec2 size) const {
     const float x = to_x(s, low, size);
     list.AddLine({x, low.y}, {x, low.y + ui.px(4)}, to_u32(ui.colors.quiet, 0.7f));
     const std::string label = grouped(static_cast<std::size_t>(s));
-    const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.c_str()).x;
+    const float width = widgets::width_of(ui.fonts.small, label);
     if (x + ui.px(4) + width < low.x + size.x)
       widgets::draw_text(list, ui.fonts.small, {x + ui.px(4), low.y + ui.px(1)}, to_u32(ui.colors.quiet),
                          label);

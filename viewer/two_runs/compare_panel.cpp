@@ -17,16 +17,6 @@ namespace {
 
 constexpr float row_units = 20;
 
-void head(const Ui& ui, const char* text) {
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
-}
-
-float width_of(ImFont* font, std::string_view text) {
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
-}
-
 /// A line of a table: a quiet label, cells flush right in columns of equal width.
 template <std::size_t N>
 void table_row(const Ui& ui, std::string_view label, const std::array<std::string, N>& cells,
@@ -44,9 +34,10 @@ void table_row(const Ui& ui, std::string_view label, const std::array<std::strin
   for (std::size_t i = 0; i < N; ++i) {
     const std::string text = widgets::fitted(cells[i], each - ui.px(4));
     const float right = at.x + label_width + each * static_cast<float>(i + 1);
-    widgets::draw_text(list, ui.fonts.mono,
-                       {right - width_of(ui.fonts.mono, text), at.y + (high - ui.fonts.mono->FontSize) / 2},
-                       to_u32(color != 0 ? color : ui.colors.text), text);
+    widgets::draw_text(
+        list, ui.fonts.mono,
+        {right - widgets::width_of(ui.fonts.mono, text), at.y + (high - ui.fonts.mono->FontSize) / 2},
+        to_u32(color != 0 ? color : ui.colors.text), text);
   }
   ImGui::PopFont();
   ImGui::Dummy({width, high - ImGui::GetStyle().ItemSpacing.y});
@@ -165,13 +156,13 @@ void side(Ui& ui, const Comparison& m, const std::string& text, bool b) {
 void difference(Ui& ui, const Comparison& m, const RunComparison& found) {
   const auto& d = found.decision ? found.decision : found.measure;
   if (!d) {
-    head(ui, "The runs do not differ");
+    widgets::bold_text(ui, "The runs do not differ");
     return widgets::quiet_text(ui,
                                grouped(found.events_a) + " events, every decision and number is the same.");
   }
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, button = ui.px(96);
-  head(ui, found.decision ? "First differing decision" : "First differing number");
+  widgets::bold_text(ui, found.decision ? "First differing decision" : "First differing number");
   ImGui::SetCursorScreenPos({at.x + width - button, at.y - ui.px(2)});
   if (widgets::primary_button(ui, "Go there   D", true, button)) ui.commands.post("first-difference");
   widgets::command_tip(ui, "first-difference");
@@ -247,7 +238,7 @@ void decisions_column(Ui& ui, const Comparison& m, const RunComparison* found) {
 }
 
 void invitation(Ui& ui) {
-  head(ui, "One run is shown");
+  widgets::bold_text(ui, "One run is shown");
   widgets::quiet_text(
       ui,
       "Change α, σ, shrink or anything else under Parameters and run it beside this one, or open a "

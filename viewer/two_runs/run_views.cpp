@@ -11,10 +11,6 @@ namespace {
 
 constexpr float strip_units = 28, narrow_units = 560; ///< a view below that wants the room of the panes
 
-float width_of(ImFont* font, std::string_view text) {
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
-}
-
 /// What the run was asked that the other one was not: "α 0.3  ·  σ/δ 0.4".
 std::string told_apart(const Comparison& c, const ShownRun& run, bool b) {
   std::string text;
@@ -51,9 +47,9 @@ void strip(Ui& ui, const Comparison& c, bool b, float width) {
   const float y = low.y + (high - ui.fonts.small->FontSize) / 2, left = low.x + ui.px(16) + badge;
   std::string place = place_of(*run);
   float end = low.x + width - ui.px(10);
-  if (end - width_of(ui.fonts.small, place) < left + ui.px(120) && run->state())
+  if (end - widgets::width_of(ui.fonts.small, place) < left + ui.px(120) && run->state())
     place = "step " + grouped(run->state()->step);
-  end -= width_of(ui.fonts.small, place);
+  end -= widgets::width_of(ui.fonts.small, place);
   widgets::draw_text(list, ui.fonts.small, {end, y}, to_u32(ui.colors.quiet), place);
   ImGui::PushFont(ui.fonts.small);
   const std::string title = widgets::fitted(told_apart(c, *run, b), std::max(end - ui.px(12) - left, 1.0f));
@@ -76,10 +72,10 @@ float run_badge(const Ui& ui, ImVec2 at, bool b, bool active) {
     list.AddRectFilled(at, high, to_u32(ui.colors.accent), ui.px(4));
   else
     list.AddRect(at, high, to_u32(ui.colors.quiet), ui.px(4), 0, ui.px(1));
-  widgets::draw_text(
-      list, ui.fonts.bold,
-      {at.x + (side - width_of(ui.fonts.bold, letter)) / 2, at.y + (side - ui.fonts.bold->FontSize) / 2},
-      to_u32(active ? ui.colors.on_accent : ui.colors.text), letter);
+  widgets::draw_text(list, ui.fonts.bold,
+                     {at.x + (side - widgets::width_of(ui.fonts.bold, letter)) / 2,
+                      at.y + (side - ui.fonts.bold->FontSize) / 2},
+                     to_u32(active ? ui.colors.on_accent : ui.colors.text), letter);
   return side;
 }
 

@@ -55,6 +55,10 @@ ImVec2 text_size(std::string_view s) {
   return ImGui::CalcTextSize(s.data(), s.data() + s.size());
 }
 
+float width_of(const ImFont* font, std::string_view s) {
+  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, s.data(), s.data() + s.size()).x;
+}
+
 void draw_text(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 color, std::string_view s) {
   list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, color, s.data(),
                s.data() + s.size());
@@ -215,11 +219,15 @@ bool section(const Ui& ui, const char* title, bool open_at_first) {
   return open;
 }
 
+void bold_text(const Ui& ui, std::string_view s) {
+  ImGui::PushFont(ui.fonts.bold);
+  text(s);
+  ImGui::PopFont();
+}
+
 void subtitle(const Ui& ui, const char* text) {
   ImGui::Dummy({0, ui.px(4)});
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
+  bold_text(ui, text);
 }
 
 void quiet_text(const Ui& ui, std::string_view s, bool wrapped) {
@@ -240,10 +248,7 @@ void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb
   draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2},
             to_u32(ui.colors.quiet), label);
   ImGui::PushFont(ui.fonts.mono);
-  const float label_width =
-      ui.fonts.small
-          ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.data(), label.data() + label.size())
-          .x;
+  const float label_width = width_of(ui.fonts.small, label);
   const std::string shown = fitted(value, std::max(width - label_width - ui.px(10), ui.px(40)));
   const float extent = text_size(shown).x;
   ImGui::PopFont();
@@ -373,9 +378,7 @@ bool slider(const Ui& ui, const char* id, float& value, float low, float high, c
 }
 
 void heading(Ui& ui, const char* icon, const std::string& title, const std::string& note) {
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted((std::string(icon) + "  " + title).c_str());
-  ImGui::PopFont();
+  bold_text(ui, std::string(icon) + "  " + title);
   const float buttons = 2 * ui.px(28) + ui.px(56);
   ImGui::SameLine();
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - buttons, ImGui::GetCursorPosY() - ui.px(5)});

@@ -30,7 +30,8 @@ bool plain_button(const Ui& ui, const char* label, bool enabled = true, float wi
 
 /// A pane's section with a title that folds it; call the content only when true.
 bool section(const Ui& ui, const char* title, bool open_at_first = true);
-/// A bold title within a section.
+void bold_text(const Ui& ui, std::string_view text);
+/// A bold title within a section, with room above.
 void subtitle(const Ui& ui, const char* text);
 /// A quiet label on the left, a monospaced value flush right.
 void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb color = 0);
@@ -63,7 +64,9 @@ void wrapped_text(std::string_view text);
 std::string fitted(std::string_view text, float width);
 /// A speed of the play head: "¼×", "64×", "auto", "max".
 std::string speed_text(double steps_per_second);
+/// In the present font.
 ImVec2 text_size(std::string_view text);
+float width_of(const ImFont* font, std::string_view text);
 void draw_text(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 color, std::string_view text);
 
 } // namespace isoscope::widgets

@@ -24,10 +24,6 @@ void pill(const Ui& ui, ImVec2 low, ImVec2 high) {
   list.AddRect(low, high, to_u32(ui.colors.line, 0.9f), ui.px(6));
 }
 
-float width_of(ImFont* font, std::string_view text) {
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
-}
-
 std::string pick_line(const WindowState& m, const Pick& pick) {
   const auto state = m.state();
   if (!state) return {};
@@ -94,7 +90,7 @@ void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size) {
     list.AddLine(origin, end, to_u32(axis.color, strength), ui.px(2));
     const float r = ui.px(8);
     const ImVec2 tip{origin.x + axis.direction.x * (reach + r), origin.y - axis.direction.y * (reach + r)};
-    const float width = width_of(ui.fonts.small, axis.name);
+    const float width = widgets::width_of(ui.fonts.small, axis.name);
     widgets::draw_text(list, ui.fonts.small, {tip.x - width / 2, tip.y - ui.fonts.small->FontSize / 2},
                        to_u32(axis.color, strength), axis.name);
   }
@@ -123,9 +119,10 @@ void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double heigh
   list.AddLine({right.x - length, right.y}, right, color, ui.px(1.5f));
   list.AddLine({right.x - length, right.y - tick}, {right.x - length, right.y + tick}, color, ui.px(1.5f));
   list.AddLine({right.x, right.y - tick}, {right.x, right.y + tick}, color, ui.px(1.5f));
-  widgets::draw_text(list, ui.fonts.small,
-                     {right.x - length / 2 - width_of(ui.fonts.small, label) / 2, right.y - ui.px(20)}, color,
-                     label);
+  widgets::draw_text(
+      list, ui.fonts.small,
+      {right.x - length / 2 - widgets::width_of(ui.fonts.small, label) / 2, right.y - ui.px(20)}, color,
+      label);
 }
 
 void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room) {
@@ -134,7 +131,7 @@ void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, fl
   text = widgets::fitted(text, room);
   ImGui::PopFont();
   const ImVec2 at{low.x + ui.px(12), low.y + ui.px(10)};
-  const float text_width = width_of(ui.fonts.small, text), high = ui.px(26);
+  const float text_width = widgets::width_of(ui.fonts.small, text), high = ui.px(26);
   pill(ui, at, {at.x + text_width + ui.px(30), at.y + high});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool rejected = event && event->kind == EventKind::rejection;
@@ -174,7 +171,7 @@ void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   if (name.empty())
     name = "(" + short_number(n.x) + ", " + short_number(n.y) + ", " + short_number(n.z) + ")";
   const std::string text = "section, normal " + name;
-  if (width_of(ui.fonts.small, text) > size.x - ui.px(160)) return;
+  if (widgets::width_of(ui.fonts.small, text) > size.x - ui.px(160)) return;
   widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
                      {low.x + ui.px(14), low.y + size.y - ui.px(28)}, to_u32(ui.colors.quiet), text);
 }
@@ -201,9 +198,10 @@ void invitation(Ui& ui, ImVec2 low, ImVec2 size) {
   const char* title = "Drop a model here";
   const char* note = "OFF, OBJ, PLY or STL, with a closed surface";
   widgets::draw_text(list, ui.fonts.title,
-                     {middle.x - width_of(ui.fonts.title, title) / 2, middle.y - ui.px(56)},
+                     {middle.x - widgets::width_of(ui.fonts.title, title) / 2, middle.y - ui.px(56)},
                      to_u32(ui.colors.text), title);
-  widgets::draw_text(list, ui.fonts.ui, {middle.x - width_of(ui.fonts.ui, note) / 2, middle.y - ui.px(24)},
+  widgets::draw_text(list, ui.fonts.ui,
+                     {middle.x - widgets::width_of(ui.fonts.ui, note) / 2, middle.y - ui.px(24)},
                      to_u32(ui.colors.quiet), note);
   const float width = ui.px(120), gap = ui.px(10);
   ImGui::SetCursorScreenPos({middle.x - width - gap / 2, middle.y + ui.px(8)});
