@@ -125,18 +125,24 @@ std::vector<NameAndTitle> truth_names() {
   return all;
 }
 
-/// Words in a row that are a title, as `outside Ω`, are one word.
+/// Words in a row that are a title, as `outside Ω` or `learnt half-spaces`, are one word.
 std::vector<Token> with_titles(std::vector<Token> tokens) {
-  constexpr std::size_t longest = 5;
+  constexpr std::size_t longest = 6;
   const auto is_part = [](const Token& t) {
     return t.kind == Token::Kind::word || t.kind == Token::Kind::number;
   };
+  const auto is_hyphen = [&](std::size_t i) {
+    const Token &before = tokens[i - 1], &t = tokens[i];
+    return t.is("-") && is_part(before) && before.place + before.spelling.size() == t.place &&
+           is_part(tokens[i + 1]) && tokens[i + 1].place == t.place + 1;
+  };
   for (std::size_t i = 0; i < tokens.size(); ++i) {
-    std::string title = tokens[i].spelling;
-    std::size_t end = i + 1, found = 0;
-    std::string longest_title;
-    for (; end < std::min(tokens.size(), i + longest) && is_part(tokens[end - 1]) && is_part(tokens[end]);
-         ++end) {
+    if (!is_part(tokens[i])) continue;
+    std::string title = tokens[i].spelling, longest_title;
+    std::size_t found = 0;
+    for (std::size_t end = i + 1; end < std::min(tokens.size(), i + longest); ++end) {
+      if (is_hyphen(end)) continue;
+      if (!is_part(tokens[end])) break;
       title += "-" + tokens[end].spelling;
       if (is_title(title)) longest_title = title, found = end + 1;
     }

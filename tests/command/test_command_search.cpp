@@ -1,4 +1,5 @@
 // The palette finds commands by a few letters, and the manual's page is the table's.
+#include "app/app_model.h"
 #include "command/command_reference.h"
 #include "command/command_search.h"
 
@@ -13,13 +14,22 @@ using namespace isoscope;
 
 namespace {
 
+const AppModel& model() {
+  static const AppModel model([] {});
+  return model;
+}
+
+std::vector<const Command*> search(std::string_view typed) {
+  return search_commands(model().commands, typed);
+}
+
 std::string first(std::string_view typed) {
-  const auto found = search_commands(typed);
-  return found.empty() ? "" : std::string(found.front()->name);
+  const auto found = search(typed);
+  return found.empty() ? "" : found.front()->name;
 }
 
 bool finds(std::string_view typed, std::string_view name) {
-  const auto found = search_commands(typed);
+  const auto found = search(typed);
   return std::any_of(found.begin(), found.end(), [&](const Command* c) { return c->name == name; });
 }
 
@@ -43,13 +53,13 @@ TEST_CASE("commands are found by abbreviation, title, name and help") {
   CHECK(first("bookmark-go 2") == "bookmark-go");
   CHECK(first("undo") == "undo");
   CHECK(finds("never of the run", "undo"));
-  CHECK(search_commands("qqqq").empty());
-  CHECK(search_commands("").size() > 50);
-  CHECK(search_commands("  ").size() == search_commands("").size());
+  CHECK(search("qqqq").empty());
+  CHECK(search("").size() > 50);
+  CHECK(search("  ").size() == search("").size());
 }
 
 TEST_CASE("every command is first when its name is typed, and those for scripts are not offered") {
-  for (const Command& command : command_table()) {
+  for (const Command& command : model().commands.all()) {
     CAPTURE(command.name);
     if (command.for_scripts)
       CHECK(!finds(command.name, command.name));
@@ -59,10 +69,10 @@ TEST_CASE("every command is first when its name is typed, and those for scripts 
 }
 
 TEST_CASE("the manual's page of commands is the one made from the table") {
-  const std::string page = command_reference();
-  for (const Command& command : command_table()) {
+  const std::string page = command_reference(model().commands);
+  for (const Command& command : model().commands.all()) {
     CAPTURE(command.name);
-    CHECK(page.find("| `" + std::string(command.name)) != std::string::npos);
+    CHECK(page.find("| `" + command.name) != std::string::npos);
     for (const Chord& chord : command.keys) CHECK(page.find(text(chord)) != std::string::npos);
   }
   if (std::getenv("ISOSCOPE_UPDATE_REFERENCES") != nullptr) std::ofstream(ISOSCOPE_COMMANDS_PAGE) << page;

@@ -1,6 +1,6 @@
 // The worker that looks at edges: the newest question is answered, wherever the edge is.
-#include "edge/probe.h"
 #include "app/small_run.h"
+#include "edge/probe.h"
 
 #include <doctest/doctest.h>
 
@@ -22,10 +22,11 @@ TEST_CASE("the newest question is answered last") {
   const ZeroSet& zero = state->zero_set;
 
   std::atomic<int> notified{0};
-  auto owner = std::make_unique<Probe>([&] { ++notified; });
-  Probe& probe = *owner;
+  auto owner = std::make_unique<ProbeWorker>(
+      probe_work(), [&] { ++notified; }, Overtaken::finished);
+  ProbeWorker& probe = *owner;
   CHECK(probe.idle());
-  CHECK(probe.result() == nullptr);
+  CHECK(probe.answered() == nullptr);
   ProbeRequest request;
   request.state = state;
   request.journal = run.journal;
@@ -34,18 +35,18 @@ TEST_CASE("the newest question is answered last") {
   for (std::size_t i = 0; i < 40; ++i) {
     const auto& p = zero.polygons[i % zero.polygons.size()];
     request.question = {zero.vertices[p.v[0]].negative, zero.vertices[p.v[1]].negative, {}, {}};
-    probe.request(request);
+    probe.ask(request);
   }
   probe.wait();
-  REQUIRE(probe.result() != nullptr);
-  CHECK(probe.result()->request == request);
-  REQUIRE(probe.result()->xray != nullptr);
-  CHECK(probe.result()->xray->attempt.kind == EdgeKind::zero);
+  REQUIRE(probe.answered() != nullptr);
+  CHECK(probe.answered()->answer->request == request);
+  REQUIRE(probe.answered()->answer->xray != nullptr);
+  CHECK(probe.answered()->answer->xray->attempt.kind == EdgeKind::zero);
 
   request.question = {VertexId(0), VertexId(0), {}, {}};
-  probe.request(request);
+  probe.ask(request);
   probe.wait();
-  CHECK(probe.result()->xray == nullptr);
+  CHECK(probe.answered()->answer->xray == nullptr);
   owner.reset(); // a notification may come after the wait for its answer
   CHECK(notified > 0);
 }
@@ -56,12 +57,13 @@ TEST_CASE("a probe may be dropped while it works") {
   Playback playback(run.journal);
   const auto state = make_snapshot(playback, run.journal->steps(), {}, nullptr);
   for (int i = 0; i < 20; ++i) {
-    Probe probe([] {});
+    ProbeWorker probe(
+        probe_work(), [] {}, Overtaken::finished);
     ProbeRequest request;
     request.state = state;
     request.journal = run.journal;
     request.scene = run.scene;
     request.question = {VertexId(9), VertexId(10), {}, {}};
-    probe.request(request);
+    probe.ask(request);
   }
 }

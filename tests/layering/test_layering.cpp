@@ -102,5 +102,7 @@ TEST_CASE("purpose, length and words") {
   CHECK(broken_rules("core/base/a.h", purpose + "// TODO\n").size() == 1);
   CHECK(broken_rules("core/base/a.h", purpose + "int XXXX;\n").empty());
   CHECK(broken_rules("core/base/a.h", purpose + "#if 0\n#endif\n").size() == 1);
+  CHECK(broken_rules("viewer/talk/a.h", purpose + "class AppModel;\n").size() == 1);
+  CHECK(broken_rules("viewer/app/a.h", purpose + "class AppModel;\n").empty());
   CHECK(broken_rules("core/base/a.h", purpose + "// see /home/someone/model.off\n").size() == 1);
 }

@@ -31,6 +31,14 @@ TEST_CASE("counts, figures and changes agree with the journal") {
   REQUIRE(!index.stages().empty());
   CHECK(!index.stages().front().open);
 
+  // A vertex is born by the first operation that names it.
+  for (std::uint32_t v = 0; v < 40; ++v) {
+    std::optional<Step> born;
+    for (Step k = 0; k < steps && !born; ++k)
+      if (run.journal->events()[run.journal->operations()[k].event].vertex == VertexId(v)) born = k;
+    CHECK(index.birth_of(VertexId(v)) == born);
+  }
+
   if (const auto change = index.next_change(1)) {
     CHECK(index.condition(*change - 1) != index.condition(0));
     for (Step k = 1; k + 1 < *change; ++k) CHECK(index.condition(k) == index.condition(0));

@@ -101,10 +101,10 @@ TEST_CASE("every part is told apart") {
   m.filter.kinds.reset(0);
   CHECK(difference(base, m) == ViewHistory::filter);
   m = base;
-  m.kinds = 4;
+  m.kinds = PickKinds::samples;
   CHECK(difference(base, m) == ViewHistory::selection);
   m = base;
-  m.panes.tab = 2;
+  m.panes.tab = BottomTab::events;
   m.view.camera.distance = 9;
   CHECK(difference(base, m) == (ViewHistory::layout | ViewHistory::camera));
 }

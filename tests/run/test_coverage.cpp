@@ -106,7 +106,7 @@ TEST_CASE("The certificate judges coverage by the limit, tells it where thin par
   auto volume = ToleranceVolume::build(std::make_shared<const ClosestPointIndex>(input), analyse_input(input),
                                        {0.05, 0.95}, RunControl());
   REQUIRE(volume.ok());
-  const ExpectedTopology expected{2, 1, "the box", true};
+  const ExpectedTopology expected{2, 1, {}, "the box", true};
   const auto certified = [&](const CoverTest& test) {
     return certify(mesh, *volume, expected, RunControl(), test);
   };

@@ -64,11 +64,11 @@ TEST_CASE("tetrahedra: nearest first, deeper by index, nothing beside them") {
   const Camera camera = front();
   const ViewSettings view = only_tetrahedra();
   const PickAt middle = at(camera, {0, -0.2, 0});
-  CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 0).id == 0);
-  CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 1).id == 1);
-  CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 2).kind == Kind::none);
-  CHECK(pick_scene(scene, camera, view, middle, pick_samples, 0).kind == Kind::none);
-  CHECK(pick_scene(scene, camera, view, at(camera, {3, 2, 0}), pick_tetrahedra, 0).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 0).id == 0);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 1).id == 1);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 2).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::samples, 0).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, view, at(camera, {3, 2, 0}), PickKinds::tetrahedra, 0).kind == Kind::none);
 }
 
 TEST_CASE("the display shrink is respected") {
@@ -78,9 +78,9 @@ TEST_CASE("the display shrink is respected") {
   ViewSettings view = only_tetrahedra();
   const PickAt corner = at(camera, {-0.85, -0.95, 0});
   view.tets.shrink = 1;
-  CHECK(pick_scene(scene, camera, view, corner, pick_tetrahedra, 0).kind == Kind::tet);
+  CHECK(pick_scene(scene, camera, view, corner, PickKinds::tetrahedra, 0).kind == Kind::tet);
   view.tets.shrink = 0.5;
-  CHECK(pick_scene(scene, camera, view, corner, pick_tetrahedra, 0).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, view, corner, PickKinds::tetrahedra, 0).kind == Kind::none);
 }
 
 TEST_CASE("filters and layers hide from picking") {
@@ -90,11 +90,11 @@ TEST_CASE("filters and layers hide from picking") {
   ViewSettings view = only_tetrahedra();
   const PickAt middle = at(camera, {0, -0.2, 0});
   view.tets.all = false;
-  CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 0).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 0).kind == Kind::none);
   view.tets.carry_zero_set = true;
-  CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 0).kind == Kind::tet);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 0).kind == Kind::tet);
   view.tetrahedra.visible = false;
-  CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 0).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 0).kind == Kind::none);
 }
 
 TEST_CASE("nothing behind the clip can be picked") {
@@ -108,19 +108,19 @@ TEST_CASE("nothing behind the clip can be picked") {
   view.clip.point = {0, 0, -0.5};
   for (const auto mode : {ClipSettings::Mode::cut, ClipSettings::Mode::whole_cells}) {
     view.clip.mode = mode;
-    CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 0).id == 1);
-    CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 1).kind == Kind::none);
+    CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 0).id == 1);
+    CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 1).kind == Kind::none);
   }
   // Cut through the near one: the hit lies on the cut.
   view.clip.point = {0, 0, 0.3};
   view.clip.mode = ClipSettings::Mode::cut;
   view.tets.shrink = 1;
-  const Pick cut = pick_scene(scene, camera, view, at(camera, {0, -0.05, 0.3}), pick_tetrahedra, 0);
+  const Pick cut = pick_scene(scene, camera, view, at(camera, {0, -0.05, 0.3}), PickKinds::tetrahedra, 0);
   CHECK(cut.id == 0);
   CHECK(cut.point.z == doctest::Approx(0.3));
   view.clip.mode = ClipSettings::Mode::straddle;
-  CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 0).id == 0);
-  CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 1).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 0).id == 0);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 1).kind == Kind::none);
 }
 
 TEST_CASE("the zero set picks the tetrahedron that carries it and hides what is behind") {
@@ -138,14 +138,14 @@ TEST_CASE("the zero set picks the tetrahedron that carries it and hides what is 
   ViewSettings view;
   view.tetrahedra.visible = false;
   const PickAt middle = at(camera, {0, -0.1, 0});
-  CHECK(pick_scene(scene, camera, view, middle, pick_tetrahedra, 0).id == 0);
-  CHECK(pick_scene(scene, camera, view, at(camera, samples->positions[0]), pick_samples, 0).id == 0);
+  CHECK(pick_scene(scene, camera, view, middle, PickKinds::tetrahedra, 0).id == 0);
+  CHECK(pick_scene(scene, camera, view, at(camera, samples->positions[0]), PickKinds::samples, 0).id == 0);
   const PickAt behind = at(camera, samples->positions[1]);
-  CHECK(pick_scene(scene, camera, view, behind, pick_samples, 0).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, view, behind, PickKinds::samples, 0).kind == Kind::none);
   view.zero_set.opacity = 0.5f;
-  CHECK(pick_scene(scene, camera, view, behind, pick_samples, 0).id == 1);
+  CHECK(pick_scene(scene, camera, view, behind, PickKinds::samples, 0).id == 1);
   view.bad_samples.visible = false;
-  CHECK(pick_scene(scene, camera, view, behind, pick_samples, 0).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, view, behind, PickKinds::samples, 0).kind == Kind::none);
 }
 
 TEST_CASE("a vertex under the cursor wins over the cell around it") {
@@ -155,7 +155,7 @@ TEST_CASE("a vertex under the cursor wins over the cell around it") {
   ViewSettings view = only_tetrahedra();
   view.tets.shrink = 1;
   const Vec3 apex = state.complex.vertices[3].position;
-  const Pick pick = pick_scene(scene, camera, view, at(camera, apex), pick_vertices | pick_tetrahedra, 0);
+  const Pick pick = pick_scene(scene, camera, view, at(camera, apex), PickKinds::vertices | PickKinds::tetrahedra, 0);
   CHECK(pick.kind == Kind::vertex);
   CHECK(pick.id == 3);
 }
@@ -178,8 +178,8 @@ TEST_CASE("picking in the section finds the tetrahedron around the position") {
   view.clip.point = {0, 0, 0.1};
   view.clip.normal = {0, 0, 1};
   const Renderer::SectionView section{0, 0, 4};
-  CHECK(pick_section_scene(state, section, view, {200, 155, 400, 300}, pick_tetrahedra).id == 0);
-  CHECK(pick_section_scene(state, section, view, {20, 20, 400, 300}, pick_tetrahedra).kind == Kind::none);
+  CHECK(pick_section_scene(state, section, view, {200, 155, 400, 300}, PickKinds::tetrahedra).id == 0);
+  CHECK(pick_section_scene(state, section, view, {20, 20, 400, 300}, PickKinds::tetrahedra).kind == Kind::none);
 }
 
 TEST_CASE("what is framed is seen from where nothing of Z hides it") {

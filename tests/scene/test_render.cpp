@@ -1,13 +1,13 @@
 // The renderer in a hidden window: facts about pixels, and small reference pictures.
-#include "scene/gl_context.h"
-
 #include "scene/fabricate.h"
 #include "scene/picture.h"
 #include "scene/renderer.h"
 
 #include "input/gallery.h"
 
+#include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
+#include <glad/gl.h>
 
 #include <cmath>
 
@@ -16,9 +16,33 @@ using testing::Picture;
 
 namespace {
 
+/// A hidden window with an OpenGL 4.1 core context for as long as it lives; needs a display.
+class GlContext {
+ public:
+  GlContext() {
+    if (!glfwInit()) return;
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    window_ = glfwCreateWindow(64, 64, "test", nullptr, nullptr);
+    if (!window_) return;
+    glfwMakeContextCurrent(window_);
+    ready_ = gladLoadGL(glfwGetProcAddress) != 0;
+  }
+  ~GlContext() { glfwTerminate(); }
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+  bool ready() const { return ready_; }
+
+ private:
+  GLFWwindow* window_ = nullptr;
+  bool ready_ = false;
+};
+
 /// Everything that lives for the whole program: the context, the renderer, a sphere under refinement.
 struct Studio {
-  testing::GlContext context;
+  GlContext context;
   testing::Fabricated sphere = testing::fabricate_ball(*make_gallery_model("sphere"), 6, 1500, 60, 48);
   std::unique_ptr<Renderer> renderer;
   Camera camera;

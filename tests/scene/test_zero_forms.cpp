@@ -52,25 +52,25 @@ TEST_CASE("a free Z: its facets, edges and vertices are picked") {
   const ViewSettings view = only_zero_set();
   const PickAt face = at(camera, {-0.25, -0.1, 0.2}), edge = at(camera, {-0.5, -0.5, 0}),
                apex = at(camera, {0, 0, 1});
-  CHECK(pick_scene(scene, camera, view, face, pick_all, 0).kind == Kind::facet);
-  const Pick found = pick_scene(scene, camera, view, edge, pick_all, 0);
+  CHECK(pick_scene(scene, camera, view, face, PickKinds::all, 0).kind == Kind::facet);
+  const Pick found = pick_scene(scene, camera, view, edge, PickKinds::all, 0);
   CHECK(found.kind == Kind::edge);
   CHECK(std::set{found.id, found.other} == std::set<std::uint32_t>{0, 3});
-  const Pick vertex = pick_scene(scene, camera, view, apex, pick_all, 0);
+  const Pick vertex = pick_scene(scene, camera, view, apex, PickKinds::all, 0);
   CHECK(vertex.kind == Kind::vertex);
   CHECK(vertex.id == 3);
   // The edges of the facet behind are hidden, but deeper picks reach them.
   const PickAt behind = at(camera, {0, -1, -1});
-  CHECK(pick_scene(scene, camera, view, behind, pick_edges, 0).kind == Kind::edge);
+  CHECK(pick_scene(scene, camera, view, behind, PickKinds::edges, 0).kind == Kind::edge);
   ViewSettings hidden = view;
   hidden.zero_set.visible = false;
-  CHECK(pick_scene(scene, camera, hidden, face, pick_all, 0).kind == Kind::none);
+  CHECK(pick_scene(scene, camera, hidden, face, PickKinds::all, 0).kind == Kind::none);
   // A clip takes away what it cuts, and whole cells by the facet itself.
   ViewSettings clipped = view;
   clipped.clip.shape = ClipSettings::Shape::plane;
   clipped.clip.normal = {0, 0, 1};
   clipped.clip.point = {0, 0, -0.5};
-  const Pick cut = pick_scene(scene, camera, clipped, face, pick_tetrahedra, 0);
+  const Pick cut = pick_scene(scene, camera, clipped, face, PickKinds::tetrahedra, 0);
   CHECK(cut.kind == Kind::facet);
   CHECK(state.complex.facets[cut.id].v[0].value != 3);
   clipped.clip.mode = ClipSettings::Mode::whole_cells;
@@ -83,13 +83,13 @@ TEST_CASE("an embedded Z: edges of Z are pairs of vertices, cells have sides") {
   const PickScene scene{&state, nullptr, nullptr};
   const Camera camera = front();
   const ViewSettings view = only_zero_set();
-  const Pick found = pick_scene(scene, camera, view, at(camera, {0, -1, 0}), pick_all, 0);
+  const Pick found = pick_scene(scene, camera, view, at(camera, {0, -1, 0}), PickKinds::all, 0);
   CHECK(found.kind == Kind::edge);
   CHECK(std::set{found.id, found.other} == std::set<std::uint32_t>{0, 1});
   const auto ends = edge_positions(state, found);
   REQUIRE(ends.has_value());
   CHECK(pick_bounds(state, found).extent().x == 2);
-  CHECK(pick_scene(scene, camera, view, at(camera, {0.1, -0.5, 0}), pick_all, 0).kind == Kind::tet);
+  CHECK(pick_scene(scene, camera, view, at(camera, {0.1, -0.5, 0}), PickKinds::all, 0).kind == Kind::tet);
 
   TetFilter filter;
   filter.all = true;

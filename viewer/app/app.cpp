@@ -1,13 +1,18 @@
 // One frame, and when the next one is due.
 #include "app/app.h"
 
-#include "debug/debug_actions.h"
 #include "app/last_wait.h"
+#include "ask/inspector_panel.h"
 #include "input/gallery.h"
-#include "app/panels.h"
 #include "platform/endings.h"
 #include "platform/image_file.h"
 #include "recording/recording_reader.h"
+#include "steering/parameters_panel.h"
+#include "steering/status_bar.h"
+#include "steering/top_bar.h"
+#include "talk/presenter.h"
+#include "view/clip_panel.h"
+#include "view/layers_panel.h"
 
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>
@@ -58,9 +63,11 @@ Result<std::unique_ptr<App>> App::create(const ProgramOptions& options) {
 }
 
 Status App::setup(const ProgramOptions& options) {
+  model_ = std::make_unique<AppModel>([] { Window::wake(); });
+  AppModel& m = *model_;
   std::vector<ScriptLine> lines;
   if (!options.script.empty()) {
-    auto read = read_script(options.script);
+    auto read = read_script(m.commands, options.script);
     if (!read) return read.error();
     lines = std::move(*read);
   }
@@ -80,24 +87,24 @@ Status App::setup(const ProgramOptions& options) {
   if (!renderer) return renderer.error();
   renderer_ = std::move(*renderer);
 
-  model_ = std::make_unique<AppModel>([] { Window::wake(); });
-  AppModel& m = *model_;
   m.scripted = !lines.empty();
   if (m.scripted)
     script_.emplace(std::move(lines));
   else
     settings_path_ = settings_file();
   if (!settings_path_.empty()) m.settings = load_settings(settings_path_);
-  m.bookmarks_home = settings_path_;
+  m.talk.bookmarks_home = settings_path_;
   m.view.theme = options.theme.value_or(m.settings.theme);
   if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
-  scene_view_ = std::make_unique<SceneView>(*renderer_);
-  run_views_ = std::make_unique<RunViews>(*scene_view_);
+  scene_view_ = std::make_unique<SceneView>(*renderer_, m.probe, m.investigation);
+  run_views_ = std::make_unique<RunViews>(*scene_view_, m.comparison);
+  timeline_.emplace(m.debug, m.talk, m.investigation, m.comparison);
+  overlays_.emplace(m);
   if (options.history_limit > 0) m.settings.history_limit = options.history_limit;
   m.draft = options.run;
   const std::string input =
-      options.run.input.empty() ? "gallery:" + std::string(gallery().front().name) : options.run.input;
-  m.open(input, options.paused);
+      options.run.input.empty() ? gallery_input(gallery().front().name) : options.run.input;
+  m.steering.open(input, options.paused);
   if (options.tolerance_given && !is_recording_name(input) &&
       m.draft.tolerance.text() != options.run.tolerance.text()) {
     m.draft.tolerance = options.run.tolerance;
@@ -150,7 +157,8 @@ App::~App() {
 
 void App::keys(CommandSink& commands) {
   for (const KeyPress& press : window_->take_keys()) {
-    const Command* command = press.alt ? nullptr : find_command(Chord{press.key, press.control, press.shift});
+    const Command* command =
+        press.alt ? nullptr : model_->commands.find(Chord{press.key, press.control, press.shift});
     if (command == nullptr) continue;
     // While text is typed, only what cannot be text is a command.
     const bool function_key = press.key >= GLFW_KEY_F1 && press.key <= GLFW_KEY_F25;
@@ -158,14 +166,14 @@ void App::keys(CommandSink& commands) {
     constexpr std::array<int, 6> edits{'A', 'C', 'V', 'X', 'Y', 'Z'};
     const bool editing = press.control && std::find(edits.begin(), edits.end(), press.key) != edits.end();
     if (ImGui::GetIO().WantTextInput && (text_key || editing)) continue;
-    if (command->enabled != nullptr && !command->enabled(*model_)) continue;
-    commands.post(std::string(command->name));
+    if (!command->is_enabled()) continue;
+    commands.post(command->name);
   }
 }
 
 void App::run_commands(CommandSink& commands) {
   for (const CommandCall& call : commands.take()) {
-    const Status status = run_command(*model_, call);
+    const Status status = model_->commands.run(call);
     if (!status) model_->report(status.error());
     frames_owed_ = frames_after_input;
   }
@@ -173,13 +181,13 @@ void App::run_commands(CommandSink& commands) {
 
 void App::take_drops() {
   for (const std::string& path : window_->take_dropped()) {
-    const Status status = run_command(*model_, {"open", {path}});
+    const Status status = model_->commands.run({"open", {path}});
     if (!status) model_->report(status.error());
   }
 }
 
 void App::upload_thumbnails() {
-  Thumbnails& thumbnails = overlays_.thumbnails();
+  Thumbnails& thumbnails = overlays_->thumbnails();
   if (model_->overlay != Overlay::gallery) return;
   thumbnails.begin(480, 300, [] { Window::wake(); });
   for (std::size_t i = 0; i < thumbnails.textures.size(); ++i)
@@ -191,7 +199,7 @@ void App::take_requests() {
   WindowRequests& r = model_->requests;
   if (r.copy) window_->set_clipboard(*std::exchange(r.copy, std::nullopt));
   if (std::exchange(r.paste, false)) {
-    const Status status = run_command(*model_, {"view", {window_->clipboard()}});
+    const Status status = model_->commands.run({"view", {window_->clipboard()}});
     if (!status) model_->report(status.error());
   }
   if (r.hands > 0) hands_until_ = glfwGetTime() + std::exchange(r.hands, 0.0);
@@ -222,11 +230,11 @@ void App::draw_talk(Ui& ui, ImVec2 size) {
   }
   {
     Pane pane("##talk", {0, size.y - bar}, {size.x, bar}, false, {0, 0}, ui.colors.panel);
-    panels::presenter_bar(ui);
+    panels::presenter_bar(ui, model_->talk);
   }
-  if (model_->overlay == Overlay::none) panels::slide_title(ui, {0, 0}, size.x);
+  if (model_->overlay == Overlay::none) panels::slide_title(ui, model_->talk.bookmarks, {0, 0}, size.x);
   panels::messages(ui, {ui.px(12), ui.px(64)}, std::min(size.x - ui.px(24), ui.px(560)));
-  overlays_.draw(ui, size);
+  overlays_->draw(ui, size);
 }
 
 void App::draw_window(Ui& ui) {
@@ -255,7 +263,7 @@ void App::draw_window(Ui& ui) {
       Pane pane("##left", {0, middle_y}, {left, middle_high}, true, padding, ui.colors.panel);
       panels::layers(ui);
       ImGui::Separator();
-      panels::parameters(ui);
+      panels::parameters(ui, m.steering);
       ImGui::Separator();
       panels::clip_and_filter(ui);
     }
@@ -264,7 +272,7 @@ void App::draw_window(Ui& ui) {
   if (right > 0) {
     {
       Pane pane("##right", {size.x - right, middle_y}, {right, middle_high}, true, padding, ui.colors.panel);
-      panels::inspector(ui);
+      panels::inspector(ui, m.probe, m.debug, m.investigation);
     }
     splitter(ui, "##grip-right", {size.x - right - grip, middle_y}, {grip, middle_high}, true, p.right, -1,
              260, width * 0.35f);
@@ -273,7 +281,7 @@ void App::draw_window(Ui& ui) {
     splitter(ui, "##grip-bottom", {0, bottom_y - grip}, {size.x, grip}, false, p.bottom, -1, 110,
              height * 0.6f);
     Pane pane("##bottom", {0, bottom_y}, {size.x, bottom}, false, {ui.px(10), ui.px(4)}, ui.colors.panel);
-    timeline_.draw(ui);
+    timeline_->draw(ui);
   }
   const float view_x = left > 0 ? left + grip : 0, view_end = right > 0 ? size.x - right - grip : size.x;
   {
@@ -283,12 +291,12 @@ void App::draw_window(Ui& ui) {
   }
   {
     Pane pane("##status", {0, size.y - status}, {size.x, status}, false, {0, 0}, ui.colors.ground);
-    panels::status_bar(ui);
+    panels::status_bar(ui, m.comparison.history_memory());
   }
-  panels::export_progress(ui, {view_x, bottom_y - (bottom > 0 ? grip : 0)}, view_end - view_x);
+  panels::export_progress(ui, m.exports, {view_x, bottom_y - (bottom > 0 ? grip : 0)}, view_end - view_x);
   panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(46)},
                    std::min(view_end - view_x - ui.px(24), ui.px(560)));
-  overlays_.draw(ui, size);
+  overlays_->draw(ui, size);
 }
 
 void App::frame() {
@@ -315,7 +323,7 @@ void App::frame() {
   upload_thumbnails();
   imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : -1);
   CommandSink commands;
-  Ui ui{m, commands, palette(m.view.theme), m.view.theme, imgui_->fonts(), scale};
+  Ui ui{m, m.commands, commands, palette(m.view.theme), m.view.theme, imgui_->fonts(), scale};
   if (!m.scripted || hands)
     keys(commands);
   else
@@ -360,7 +368,7 @@ void App::frame() {
     if (m.view.mode == ViewMode::scene && extent.height > 0)
       scene_view_->place_untouched_section(m, static_cast<float>(extent.width) /
                                                   static_cast<float>(extent.height));
-    exporter_.advance(m, *renderer_, {extent.width, extent.height, extent.pixel_scale});
+    exporter_.advance(m.exports, *renderer_, {extent.width, extent.height, extent.pixel_scale});
     // The step that was shown before comes back over the next frames.
     if (!m.exports.pending()) frames_since_command_ = 0;
   }
@@ -380,7 +388,7 @@ bool App::at_rest() const {
       frames_since_command_ < frames_after_input)
     return false;
   if (m.clock < m.wait_until) return false;
-  if (m.wait_for == AppModel::Wait::answers && !(m.answers_taken() && debugger_is_current(m))) return false;
+  if (m.wait_for == AppModel::Wait::answers && !(m.answers_taken() && m.debug.is_current())) return false;
   if (m.wait_for == AppModel::Wait::settled) // the run too
     return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() &&
            !run_views_->unfinished();
@@ -394,7 +402,7 @@ bool App::advance_script() {
   model_->wait_for = AppModel::Wait::time;
   if (script_->done()) return false;
   frames_since_command_ = 0;
-  const Status status = script_->next(*model_);
+  const Status status = script_->next(model_->commands);
   if (status) return true;
   std::fprintf(stderr, "isoscope: %s\n", status.error().line().c_str());
   exit_status_ = 1;

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/app_model.h"
-#include "export/exporter.h"
 #include "app/imgui_layer.h"
 #include "app/options.h"
-#include "app/script.h"
 #include "app/overlays.h"
-#include "two_runs/run_views.h"
+#include "app/script.h"
+#include "export/exporter.h"
 #include "timeline/timeline_panel.h"
+#include "two_runs/run_views.h"
 
 #include <memory>
 #include <optional>
@@ -55,8 +55,8 @@ class App {
   std::unique_ptr<SceneView> scene_view_; ///< of the active run
   std::unique_ptr<RunViews> run_views_;
   Exporter exporter_;
-  TimelinePane timeline_;
-  Overlays overlays_;
+  std::optional<TimelinePane> timeline_;
+  std::optional<Overlays> overlays_;
   std::optional<ScriptRunner> script_;
   std::filesystem::path settings_path_;
   double last_time_ = 0;

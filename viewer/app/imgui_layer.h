@@ -1,9 +1,9 @@
 // Dear ImGui with its GLFW and OpenGL backends, style and fonts at the present scale.
 #pragma once
 
-#include "app/app_model.h"
-#include "ui/theme.h"
+#include "model/window_state.h"
 #include "platform/window.h"
+#include "ui/theme.h"
 
 #include <memory>
 

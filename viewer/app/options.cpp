@@ -2,6 +2,7 @@
 #include "app/options.h"
 
 #include "cli/options.h"
+#include "export/exports.h"
 #include "run/report.h"
 
 #include <CLI/CLI.hpp>

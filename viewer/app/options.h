@@ -1,8 +1,8 @@
 // The command line of the window program.
 #pragma once
 
-#include "command/commands.h"
 #include "base/status.h"
+#include "command/commands.h"
 #include "platform/window.h"
 #include "run/parameters.h"
 #include "scene/view_settings.h"

@@ -2,12 +2,11 @@
 #include "app/overlays.h"
 
 #include "command/command_search.h"
-#include "ui/icons.h"
-#include "command/named_values.h"
-#include "model/words.h"
 #include "input/gallery.h"
-#include "ui/widgets.h"
+#include "model/words.h"
 #include "scene/reason_style.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 #include <cctype>
@@ -39,7 +38,7 @@ void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size)
   ImGui::PushID(entry.name.data());
   const bool pressed = ImGui::InvisibleButton("card", size);
   ImGui::PopID();
-  if (pressed) ui.commands.post("open", {"gallery:" + std::string(entry.name)});
+  if (pressed) ui.commands.post("open", {gallery_input(entry.name)});
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + size.x, at.y + size.y};
@@ -60,7 +59,7 @@ void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size)
   widgets::draw_text(list, ui.fonts.bold, {at.x + pad, at.y + picture + ui.px(10)}, to_u32(ui.colors.text),
                      entry.title);
   const std::string delta = "δ " + Tolerance{entry.tolerance_percent, true}.text();
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, delta.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, delta);
   widgets::draw_text(list, ui.fonts.mono, {end.x - pad - extent, at.y + picture + ui.px(11)},
                      to_u32(ui.colors.quiet), delta);
   const ImVec4 clip{at.x + pad, at.y + picture, end.x - pad + 1, end.y - ui.px(4)};
@@ -88,7 +87,7 @@ void drop_zone(Ui& ui, ImVec2 size) {
   }
   const std::string text =
       std::string(icon::upload) + "   Drop a model here: OFF, OBJ, PLY or STL; or click to look for one";
-  const float width = ui.fonts.ui->CalcTextSizeA(ui.fonts.ui->FontSize, 1e9f, 0, text.c_str()).x;
+  const float width = widgets::width_of(ui.fonts.ui, text);
   widgets::draw_text(list, ui.fonts.ui,
                      {at.x + (size.x - width) / 2, at.y + (size.y - ui.fonts.ui->FontSize) / 2},
                      to_u32(hovered ? ui.colors.text : ui.colors.quiet), text);
@@ -146,11 +145,10 @@ void Overlays::help(Ui& ui) {
       ImGui::TextUnformatted(text.data(), text.data() + text.size());
       ImGui::PopTextWrapPos();
     };
-    for (const Command& command : command_table()) {
+    for (const Command& command : ui.table.all()) {
       std::string keys;
       for (const Chord& chord : command.keys) keys += (keys.empty() ? "" : ", ") + text(chord);
-      row(std::string(command.name) + (command.usage.empty() ? "" : " " + std::string(command.usage)), keys,
-          command.help);
+      row(command.name + (command.usage.empty() ? "" : " " + command.usage), keys, command.help);
     }
     for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
       const ReasonStyle& style = reason_style(static_cast<Reason>(r));
@@ -162,8 +160,8 @@ void Overlays::help(Ui& ui) {
       const ImVec2 low = ImGui::GetItemRectMin();
       widgets::glyph(ui, {low.x - ui.px(146), low.y + ui.px(7)}, 4.5f, style.color, style.shape);
     }
-    for (const NamedValue& value : named_values())
-      row((value.set ? "set " : "expect ") + value.name, value.get(ui.model), value.help);
+    for (const NamedValue& value : model_.values.all())
+      row((value.set ? "set " : "expect ") + value.name, value.get(), value.help);
     ImGui::EndTable();
   }
   ImGui::PopFont();
@@ -176,7 +174,7 @@ void Overlays::palette(Ui& ui) {
   if (ImGui::InputTextWithHint("##palette", (std::string(icon::search) + "  type a command").c_str(),
                                query_.data(), query_.size()))
     chosen_ = 0;
-  const std::vector<const Command*> found = search_commands(query_.data());
+  const std::vector<const Command*> found = search_commands(ui.table, query_.data());
   const int count = static_cast<int>(found.size());
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) chosen_ = std::min(chosen_ + 1, count - 1);
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) chosen_ = std::max(chosen_ - 1, 0);
@@ -185,7 +183,7 @@ void Overlays::palette(Ui& ui) {
   if (found.empty()) widgets::quiet_text(ui, "No command says this.");
   for (int i = 0; i < count; ++i) {
     const Command& command = *found[static_cast<std::size_t>(i)];
-    const bool enabled = command.enabled == nullptr || command.enabled(ui.model);
+    const bool enabled = command.is_enabled();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, high = ui.px(44);
     ImGui::PushID(i);
@@ -200,9 +198,9 @@ void Overlays::palette(Ui& ui) {
     if (command.icon)
       widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(12), at.y + ui.px(14)},
                          to_u32(ui.colors.quiet, strength), command.icon);
-    widgets::draw_text(
-        list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)}, to_u32(ui.colors.text, strength),
-        std::string(command.title) + (command.usage.empty() ? "" : "  " + std::string(command.usage)));
+    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)},
+                       to_u32(ui.colors.text, strength),
+                       command.title + (command.usage.empty() ? "" : "  " + command.usage));
     ImGui::PushFont(ui.fonts.small);
     widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(40), at.y + ui.px(23)},
                        to_u32(ui.colors.quiet, strength), widgets::fitted(command.help, width - ui.px(170)));
@@ -212,15 +210,15 @@ void Overlays::palette(Ui& ui) {
       const std::string key =
           enabled ? text(command.keys.front())
                   : (command.keys.empty() ? "" : text(command.keys.front()) + "  ") + "not now";
-      const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, key.c_str()).x;
+      const float extent = widgets::width_of(ui.fonts.mono, key);
       widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(12), at.y + ui.px(14)},
                          to_u32(ui.colors.accent_text, strength), key);
     }
     if (enabled && (pressed || (entered && i == chosen_))) {
       ui.commands.post("clear");
       // What is typed after the name are its arguments: "seek 120".
-      const CommandCall typed = parse_call(query_.data());
-      ui.commands.post(std::string(command.name), typed.name == command.name ? typed.arguments : Arguments{});
+      const CommandCall typed = ui.table.parse(query_.data());
+      ui.commands.post(command.name, typed.name == command.name ? typed.arguments : Arguments{});
     }
   }
   ImGui::EndChild();
@@ -247,12 +245,11 @@ void Overlays::bookmarks(Ui& ui) {
       ui, "Bookmarks",
       "Steps with their view and selection: the slides of a talk, in this order. PageDown and PageUp turn "
       "them.");
-  bookmarks_.draw(ui);
+  bookmarks_.draw(ui, model_.talk);
 }
 
 void Overlays::draw(Ui& ui, ImVec2 size) {
-  AppModel& m = ui.model;
-  const Overlay now = m.overlay;
+  const Overlay now = ui.window.overlay;
   if (now != shown_) {
     query_.fill(0);
     chosen_ = 0;
@@ -310,7 +307,7 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
     break;
   case Overlay::pictures:
     heading(ui, "Pictures and films", "The view without panels, as it is drawn now; lines keep their look.");
-    pictures_.draw(ui);
+    pictures_.draw(ui, model_.exports);
     break;
   case Overlay::none:
     break;

@@ -1,53 +1,20 @@
 // What lies over the whole window: gallery, files, help, command palette, about.
 #pragma once
 
+#include "app/app_model.h"
 #include "export/export_dialog.h"
+#include "steering/file_browser.h"
+#include "talk/bookmarks_panel.h"
 #include "ui/thumbnails.h"
 #include "ui/ui.h"
 
 #include <array>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace isoscope {
 
-/// A small file browser: folders and models, bookmarks, a filter, a path to type.
-class FileBrowser {
- public:
-  void draw(Ui& ui);
-
- private:
-  void go(const std::filesystem::path& folder);
-  void sidebar(Ui& ui, float width);
-  void listing(Ui& ui);
-  struct Entry {
-    std::string name;
-    bool folder = false;
-    std::uintmax_t bytes = 0;
-  };
-  std::filesystem::path folder_;
-  std::vector<Entry> entries_;
-  std::string trouble_;
-  std::array<char, 1024> path_{};
-  std::array<char, 128> filter_{};
-  bool fresh_ = true;
-};
-
-/// The bookmarks of the run, with notes to type.
-class BookmarkList {
- public:
-  void draw(Ui& ui);
-
- private:
-  void row(Ui& ui, std::size_t at);
-  std::optional<std::size_t> editing_; ///< the one whose note is typed
-  std::array<char, 512> text_{}, shown_{};
-};
-
 class Overlays {
  public:
+  explicit Overlays(const AppModel& model) : model_(model) {}
   /// `size` is the window's.
   void draw(Ui& ui, ImVec2 size);
   Thumbnails& thumbnails() { return thumbnails_; }
@@ -58,6 +25,7 @@ class Overlays {
   void palette(Ui& ui);
   void about(Ui& ui);
   void bookmarks(Ui& ui);
+  const AppModel& model_;
   FileBrowser files_;
   BookmarkList bookmarks_;
   ExportDialog pictures_;

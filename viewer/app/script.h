@@ -17,9 +17,9 @@ struct ScriptLine {
 
 /// Reads a script; blank lines and those that begin with # are skipped. Fails with usage on an unknown
 /// command, naming the line, so that nothing has run then.
-Result<std::vector<ScriptLine>> parse_script(std::string_view text);
+Result<std::vector<ScriptLine>> parse_script(const CommandTable& table, std::string_view text);
 /// The same for a file; one without a command is refused, since nothing would ever end the program.
-Result<std::vector<ScriptLine>> read_script(const std::filesystem::path& file);
+Result<std::vector<ScriptLine>> read_script(const CommandTable& table, const std::filesystem::path& file);
 
 /// Runs a script, a line whenever asked.
 class ScriptRunner {
@@ -29,7 +29,7 @@ class ScriptRunner {
   /// Whether the next line is that command.
   bool next_is(std::string_view name) const { return !done() && lines_[at_].call.name == name; }
   /// Runs the next line; the error names its number.
-  Status next(AppModel& model);
+  Status next(const CommandTable& table);
 
  private:
   std::vector<ScriptLine> lines_;

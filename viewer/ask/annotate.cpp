@@ -1,6 +1,6 @@
 // What the answers draw: the tetrahedron's copy and height, a sample's remedy, a vertex' way, heat, handle
 // loops, places where something is broken.
-#include "app/app_model.h"
+#include "ask/investigation.h"
 
 #include <algorithm>
 
@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::size_t most_cells = 500;
 
-void tet(const AppModel& m, const StateSnapshot& s, TetId t, Annotation& a) {
-  const auto index = m.sample_index();
-  const auto x = inspect_tet(s, t, m.investigation.shrink.value_or(s.criteria.shrink),
+void tet(const Investigation& i, const StateSnapshot& s, TetId t, Annotation& a) {
+  const auto index = i.window.sample_index();
+  const auto x = inspect_tet(s, t, i.shrink.value_or(s.criteria.shrink),
                              index && index->set == s.samples ? &index->nearest : nullptr);
   if (!x) return;
   const auto& q = x->shrunk;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j) a.lines.push_back({q[i], q[j], Tone::accent, 1.8f, false});
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t k = j + 1; k < 4; ++k) a.lines.push_back({q[j], q[k], Tone::accent, 1.8f, false});
   if (x->orientation)
     for (const OrientationTest& test : x->orientation->tests) {
       if (!test.asked()) continue;
@@ -31,8 +31,8 @@ void tet(const AppModel& m, const StateSnapshot& s, TetId t, Annotation& a) {
   const Tone tone = x->height.value < s.criteria.height_limit() ? Tone::warning : Tone::quiet;
   a.lines.push_back({x->gap[0], x->gap[1], tone, 3.2f, false});
   for (const Vec3& end : x->gap) a.marks.push_back({end, tone, MarkerShape::square, 7});
-  const auto thick = [&](std::size_t i, std::size_t j) {
-    a.lines.push_back({p[o[i]], p[o[j]], tone, 2.6f, false});
+  const auto thick = [&](std::size_t j, std::size_t k) {
+    a.lines.push_back({p[o[j]], p[o[k]], tone, 2.6f, false});
   };
   if (x->height.split == Height::Split::two_two) {
     thick(0, 1);
@@ -117,28 +117,28 @@ void uncovered(const std::vector<UncoveredPlace>& places, Annotation& a) {
 
 } // namespace
 
-std::optional<RefusedFacet> shown_refusal(const AppModel& m) {
+std::optional<RefusedFacet> shown_refusal(const WindowState& m) {
   const auto state = m.state();
   const auto event = m.selected_event();
   if (!state || !event || !m.run.journal || !m.run.scene || !m.run.scene->index) return std::nullopt;
   std::optional<std::size_t> sweep;
-  if (m.debug.level == DebugLevel::gate && m.debug.gate_event == event) sweep = m.debug.gate;
+  if (m.place.level == DebugLevel::gate && m.place.gate_event == event) sweep = m.place.gate;
   return refused_facet(*m.run.journal, m.run.journal->events()[*event], *state, *m.run.scene->index, sweep);
 }
 
-Annotation make_annotation(const AppModel& m) {
+Annotation Investigation::make_annotation() const {
+  const WindowState& m = window;
   Annotation a;
   const auto state = m.state();
   if (!state) return a;
-  const Investigation& i = m.investigation;
   const Pick& picked = m.selection.picked;
-  if (picked.kind == Pick::Kind::tet) tet(m, *state, TetId(picked.id), a);
+  if (picked.kind == Pick::Kind::tet) tet(*this, *state, TetId(picked.id), a);
   if (picked.kind == Pick::Kind::sample) sample(*state, SampleId(picked.id), a);
   if (const auto facet = shown_refusal(m)) refused(*facet, state->criteria.delta, a);
-  if (const auto h = i.history(); h && m.settings.panes.tab == history_tab) way(*h, a);
-  if (const auto w = i.work()) heat(w->map, a);
-  if (const auto t = i.topology()) loops(*t, *state, a);
-  if (const auto c = i.check(); c && c->report.step == state->step) broken_places(c->report, a);
+  if (const auto h = history(); h && m.settings.panes.tab == BottomTab::history) way(*h, a);
+  if (const auto w = work()) heat(w->map, a);
+  if (const auto t = topology()) loops(*t, *state, a);
+  if (const auto c = check(); c && c->report.step == state->step) broken_places(c->report, a);
   if (m.run.result && m.transport.step() >= m.live_step()) uncovered(m.run.result->certificate.uncovered, a);
   return a;
 }

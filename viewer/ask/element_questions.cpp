@@ -1,7 +1,8 @@
 // What the inspector adds under an element: remedies and parameters that would help.
-#include "ui/icons.h"
+#include "ask/element_questions.h"
+
 #include "model/words.h"
-#include "ask/questions.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -38,25 +39,24 @@ void advice_row(const Ui& ui, const ParameterAdvice& a, double delta) {
 
 } // namespace
 
-void tet_questions(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
-  AppModel& m = ui.model;
+void tet_questions(Ui& ui, Investigation& asked, const StateSnapshot& s, std::uint32_t id) {
   if (s.complex.form != ZeroForm::interpolated) return;
-  const auto index = m.sample_index();
-  const auto x = inspect_tet(s, TetId(id), m.investigation.shrink.value_or(s.criteria.shrink),
+  const auto index = ui.window.sample_index();
+  const auto x = inspect_tet(s, TetId(id), asked.shrink.value_or(s.criteria.shrink),
                              index && index->set == s.samples ? &index->nearest : nullptr);
   if (!x) return;
   widgets::quiet_text(ui, "factor of the copy drawn");
   auto factor = static_cast<float>(x->shrink);
   if (widgets::slider(ui, "##shrink", factor, 0.02f, 1.0f, "%.2f"))
-    m.investigation.shrink = static_cast<double>(factor);
+    asked.shrink = static_cast<double>(factor);
   widgets::tip(
       ui, "Shrunk copy",
       "Condition 3 asks the samples nearest to the vertices of this copy: lines end in a disc where f "
       "has their side's sign, in a cross where not. Its own factor is a parameter of the run.");
-  if (m.investigation.shrink && x->orientation) {
+  if (asked.shrink && x->orientation) {
     widgets::value_row(ui, "with this factor", x->orientation->misoriented ? "misoriented" : "holds",
                        x->orientation->misoriented ? ui.colors.bad_text : ui.colors.good_text);
-    if (widgets::plain_button(ui, "condition 3's factor", true, 0, ui.px(24))) m.investigation.shrink.reset();
+    if (widgets::plain_button(ui, "condition 3's factor", true, 0, ui.px(24))) asked.shrink.reset();
   }
   if (x->candidate.valid()) {
     if (widgets::link_row(ui, "candidate", "nearest to the circumcentre",
@@ -104,16 +104,16 @@ void sample_questions(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
     pick_sample(ui, x->fixer);
 }
 
-void advice(Ui& ui) {
-  const AppModel& m = ui.model;
+void advice(Ui& ui, const Investigation& asked) {
+  const WindowState& m = ui.window;
   const bool edge = m.selection.picked.kind == Pick::Kind::edge;
-  if (edge && !m.investigation.edge_advice) {
+  if (edge && !asked.edge_advice) {
     if (widgets::plain_button(ui, "Would other parameters help?", true, 0, ui.px(26)))
       ui.commands.post("advice");
     widgets::tip(ui, "Other parameters", "Asks the evaluator over values of α and shrink. Key Y.");
     return;
   }
-  const auto found = m.investigation.advice();
+  const auto found = asked.advice();
   if (!found) {
     if (edge) widgets::quiet_text(ui, "other parameters: being tried …");
     return;
@@ -123,15 +123,13 @@ void advice(Ui& ui) {
     return;
   }
   ImGui::Dummy({0, ui.px(4)});
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted("Would other parameters help here?");
-  ImGui::PopFont();
+  widgets::bold_text(ui, "Would other parameters help here?");
   const double delta = m.run.scene && m.run.scene->delta > 0 ? m.run.scene->delta : 1;
   for (const ParameterAdvice& a : *found) advice_row(ui, a, delta);
 }
 
 void history_buttons(Ui& ui) {
-  if (!selected_element(ui.model)) return;
+  if (!selected_element(ui.window.selection)) return;
   const auto button = [&](const char* label, const char* command, const char* title, const char* text) {
     if (widgets::plain_button(ui, label, true, 0, ui.px(26))) ui.commands.post(command);
     widgets::tip(ui, title, text);

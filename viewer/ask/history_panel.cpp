@@ -1,7 +1,8 @@
 // The history of the selected element: one line an entry, a click goes there.
-#include "model/words.h"
+#include "ask/history_panel.h"
+
 #include "journal/describe.h"
-#include "ask/questions.h"
+#include "model/words.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -69,11 +70,11 @@ void draw_row(Ui& ui, const ElementHistory& h, std::size_t index, float high) {
   const bool pressed = ImGui::InvisibleButton("row", {width, high});
   ImGui::PopID();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool here = row.step == ui.model.transport.step();
+  const bool here = row.step == ui.window.transport.step();
   if (ImGui::IsItemHovered() || here)
     list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover, here ? 0.7f : 1.0f),
                        ui.px(4));
-  const Journal& journal = *ui.model.run.journal;
+  const Journal& journal = *ui.window.run.journal;
   if (pressed) {
     if (h.element.kind == ElementRef::Kind::edge && !row.changes())
       ui.commands.post("event", {std::to_string(row.event)});
@@ -82,7 +83,7 @@ void draw_row(Ui& ui, const ElementHistory& h, std::size_t index, float high) {
   }
   const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
   const std::string step = grouped(row.step);
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, step.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, step);
   widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet), step);
   const RowStyle style = style_of(ui, row);
   widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);
@@ -95,18 +96,18 @@ void draw_row(Ui& ui, const ElementHistory& h, std::size_t index, float high) {
 
 } // namespace
 
-void history_tab(Ui& ui) {
-  if (!selected_element(ui.model))
+void history_tab(Ui& ui, const Investigation& asked) {
+  if (!selected_element(ui.window.selection))
     return widgets::quiet_text(ui, "Select a vertex, an edge, a tetrahedron or a sample, then press H.",
                                true);
-  const auto h = ui.model.investigation.history();
-  if (!h || !ui.model.run.journal) return widgets::quiet_text(ui, "The journal is being read …");
+  const auto h = asked.history();
+  if (!h || !ui.window.run.journal) return widgets::quiet_text(ui, "The journal is being read …");
   ImGui::PushFont(ui.fonts.small);
   std::string words = summary(*h);
-  if (h->steps < ui.model.live_step()) words += "; up to step " + grouped(h->steps);
+  if (h->steps < ui.window.live_step()) words += "; up to step " + grouped(h->steps);
   ImGui::TextUnformatted(words.c_str());
   std::vector<std::size_t> shown;
-  const auto& range = ui.model.debug.range;
+  const auto& range = ui.window.range;
   for (std::size_t i = 0; i < h->rows.size(); ++i)
     if (!range || range->holds(h->rows[i].step)) shown.push_back(i);
   if (h->rows.empty())

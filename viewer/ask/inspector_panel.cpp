@@ -1,11 +1,15 @@
 // The inspector: everything about the picked element, its numbers beside their limits, every row a link.
-#include "ui/icons.h"
-#include "model/words.h"
+#include "ask/inspector_panel.h"
+
+#include "ask/element_questions.h"
+#include "ask/state_questions.h"
 #include "criteria/height.h"
 #include "criteria/orientation.h"
+#include "debug/break_rows.h"
+#include "edge/edge_inspector.h"
 #include "journal/describe.h"
-#include "app/panels.h"
-#include "ask/questions.h"
+#include "model/words.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -64,13 +68,11 @@ void vertex_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   if (v.sample.valid() && widgets::link_row(ui, "sample", "made of sample", grouped(v.sample.value),
                                             "Selects the sample that became this vertex."))
     pick(ui, "sample", v.sample.value);
-  const Journal* journal = ui.model.run.journal.get();
-  for (std::size_t k = 0; journal != nullptr && k < journal->operations().size(); ++k) {
-    const Event& event = journal->events()[journal->operations()[k].event];
-    if (event.vertex.value != id) continue;
-    if (widgets::link_row(ui, "born", "born at step", grouped(k + 1), describe(*journal, event)))
-      ui.commands.post("seek", {std::to_string(k + 1)});
-    break;
+  if (const auto born = ui.window.index.birth_of(VertexId(id))) {
+    const Journal& journal = *ui.window.index.journal();
+    const Event& event = journal.events()[journal.operations()[*born].event];
+    if (widgets::link_row(ui, "born", "born at step", grouped(*born + 1), describe(journal, event)))
+      ui.commands.post("seek", {std::to_string(*born + 1)});
   }
   std::size_t degree = 0;
   std::uint32_t first = TetId::none;
@@ -118,7 +120,7 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
 
 void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
                          const CriteriaParameters& criteria) {
-  const auto index = ui.model.sample_index();
+  const auto index = ui.window.sample_index();
   if (!index) return widgets::quiet_text(ui, "Condition 3 is judged when the play head rests.", true);
   const OrientationVerdict verdict =
       check_orientation(p, f, criteria.shrink, orientation_reach * criteria.delta, index->nearest);
@@ -160,7 +162,7 @@ void height_details(Ui& ui, const StateSnapshot& s, const std::array<Vec3, 4>& p
   widgets::value_row(ui, "between", between);
 }
 
-void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
+void tet_details(Ui& ui, Investigation& asked, const StateSnapshot& s, std::uint32_t id) {
   if (id >= s.complex.tets.size() || !s.complex.tets[id].alive())
     return widgets::quiet_text(ui, "This tetrahedron is not there at this step.", true);
   const Tet& tet = s.complex.tets[id];
@@ -210,7 +212,7 @@ void tet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   if (!carries || s.complex.form != ZeroForm::interpolated) return;
   height_details(ui, s, p, f, tet);
   orientation_details(ui, p, f, s.criteria);
-  tet_questions(ui, s, id);
+  tet_questions(ui, asked, s, id);
 }
 
 void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
@@ -238,7 +240,7 @@ void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
   widgets::value_row(ui, "area", short_number(0.5 * length(normal) / (delta * delta)) + " δ²");
   widgets::value_row(ui, "normal", position_text(normalized(normal)));
-  const auto& scene = ui.model.run.scene;
+  const auto& scene = ui.window.run.scene;
   if (!scene || !scene->index) return;
   double largest = 0;
   const Vec3 center = (1.0 / 3) * (p[0] + p[1] + p[2]);
@@ -247,10 +249,8 @@ void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
 }
 
 void run_summary(Ui& ui, const StateSnapshot& s) {
-  const AppModel& m = ui.model;
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted("This step");
-  ImGui::PopFont();
+  const WindowState& m = ui.window;
+  widgets::bold_text(ui, "This step");
   widgets::value_row(ui, "step", grouped(s.step) + " of " + grouped(m.live_step()));
   if (s.event && s.event->vertex.valid() && s.event->other.valid() &&
       widgets::link_row(ui, "operation", "edge of the operation",
@@ -347,14 +347,12 @@ void uncovered_places(Ui& ui, const Certificate& c, double delta) {
 }
 
 void certificate(Ui& ui) {
-  const auto& result = ui.model.run.result;
-  if (!result || ui.model.transport.step() < ui.model.live_step()) return;
+  const auto& result = ui.window.run.result;
+  if (!result || ui.window.transport.step() < ui.window.live_step()) return;
   const Certificate& c = result->certificate;
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(c.holds() ? "Certified" : "Not certified");
-  ImGui::PopFont();
+  widgets::bold_text(ui, c.holds() ? "Certified" : "Not certified");
   const auto judged = [](bool good) { return good ? RowVerdict::good : RowVerdict::bad; };
-  const double delta = ui.model.run.scene ? ui.model.run.scene->delta : 0;
+  const double delta = ui.window.run.scene ? ui.window.run.scene->delta : 0;
   const std::array<CertificateRow, 7> rows{
       {{"closed 2-manifold", judged(c.closed_manifold),
         "Every edge has two triangles, every vertex one fan."},
@@ -395,14 +393,12 @@ void certificate(Ui& ui) {
 
 } // namespace
 
-void inspector(Ui& ui) {
-  const AppModel& m = ui.model;
+void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation& asked) {
+  const WindowState& m = ui.window;
   const auto state = m.state();
   const Pick& picked = m.selection.picked;
   if (!state || (m.run.phase == SessionPhase::failed && !m.run.scene)) {
-    ImGui::PushFont(ui.fonts.bold);
-    ImGui::TextUnformatted("Inspector");
-    ImGui::PopFont();
+    widgets::bold_text(ui, "Inspector");
     widgets::quiet_text(
         ui, m.run.phase == SessionPhase::preparing ? "The run is being prepared." : "Open a model to begin.",
         true);
@@ -413,13 +409,13 @@ void inspector(Ui& ui) {
     vertex_details(ui, *state, picked.id);
     break;
   case Pick::Kind::edge:
-    edge_details(ui, *state);
+    edge_details(ui, probe, *state);
     break;
   case Pick::Kind::facet:
     facet_details(ui, *state, picked.id);
     break;
   case Pick::Kind::tet:
-    tet_details(ui, *state, picked.id);
+    tet_details(ui, asked, *state, picked.id);
     break;
   case Pick::Kind::sample:
     sample_details(ui, *state, picked.id);
@@ -428,17 +424,17 @@ void inspector(Ui& ui) {
     break;
   }
   if (picked.kind != Pick::Kind::none) {
-    advice(ui);
+    advice(ui, asked);
     ImGui::Dummy({0, ui.px(6)});
     history_buttons(ui);
-    break_rows(ui);
+    break_rows(ui, debugger);
     ImGui::Separator();
     ImGui::Dummy({0, ui.px(4)});
   }
   run_summary(ui, *state);
-  if (picked.kind == Pick::Kind::none) break_rows(ui);
+  if (picked.kind == Pick::Kind::none) break_rows(ui, debugger);
   certificate(ui);
-  state_questions(ui, *state);
+  state_questions(ui, asked, *state);
   if (picked.kind == Pick::Kind::none)
     widgets::quiet_text(ui, "Click an element in the view to inspect it; 1 to 4 restrict what a click hits.",
                         true);

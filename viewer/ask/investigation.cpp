@@ -1,10 +1,8 @@
 // Asks workers what the panels show, and takes their answers.
 #include "ask/investigation.h"
 
-#include "app/app_model.h"
-#include "model/words.h"
-#include "journal/describe.h"
 #include "journal/sample_history.h"
+#include "model/words.h"
 #include "scene/reason_style.h"
 
 #include <algorithm>
@@ -94,12 +92,12 @@ bool same_advice(const AdviceQuestion& a, const AdviceQuestion& b) {
 
 } // namespace
 
-Investigation::Investigation(const std::function<void()>& notify)
-    : history_worker_(read_history, notify), work_worker_(measure_work, notify),
+Investigation::Investigation(WindowState& shared, const std::function<void()>& notify)
+    : window(shared), history_worker_(read_history, notify), work_worker_(measure_work, notify),
       topology_worker_(judge_topology, notify), advice_worker_(advise, notify), check_(judge_state, notify) {}
 
-std::optional<ElementRef> selected_element(const AppModel& model) {
-  const Pick& p = model.selection.picked;
+std::optional<ElementRef> selected_element(const Selection& selection) {
+  const Pick& p = selection.picked;
   switch (p.kind) {
   case Pick::Kind::vertex:
     return ElementRef{ElementRef::Kind::vertex, p.id, 0};
@@ -156,22 +154,23 @@ std::string history_words(const HistoryRow& row, ElementRef::Kind kind) {
   return {};
 }
 
-void Investigation::update_history(AppModel& model) {
-  const auto element = selected_element(model);
-  const auto state = model.state();
-  const bool wanted = jump_ || model.settings.panes.tab == history_tab;
-  if (!element || !state || !model.run.journal || !wanted) {
+void Investigation::update_history() {
+  const auto element = selected_element(window.selection);
+  const auto state = window.state();
+  const bool wanted = jump_ || window.settings.panes.tab == BottomTab::history;
+  if (!element || !state || !window.run.journal || !wanted) {
     history_.reset();
     if (!element) history_asked_.reset(), jump_ = false;
     return;
   }
-  const HistoryQuestion question{model.run.journal, *element, state,
+  const HistoryQuestion question{window.run.journal, *element, state,
                                  element->kind == ElementRef::Kind::sample &&
-                                     model.settings.panes.tab != history_tab};
+                                     window.settings.panes.tab != BottomTab::history};
   // Read backwards from the state: it has to be the one from which one goes.
-  if (question.last_only && state->step != model.transport.step()) return;
+  if (question.last_only && state->step != window.transport.step()) return;
   // A journal that grew is read again when the run rests or the element is asked about anew.
-  const bool stale = history_ && history_->steps != model.run.journal->steps() && (!model.running() || jump_);
+  const bool stale =
+      history_ && history_->steps != window.run.journal->steps() && (!window.running() || jump_);
   if (!history_asked_ || !same_history(*history_asked_, question) || stale) {
     history_asked_ = question;
     history_.reset();
@@ -183,36 +182,36 @@ void Investigation::update_history(AppModel& model) {
   history_ = answered != asked_at_ ? answer_of(history_worker_, history_asked_, same_history) : nullptr;
 }
 
-void Investigation::jump(AppModel& model) {
+void Investigation::jump() {
   if (!jump_ || !history_) return;
   jump_ = false;
-  const HistoryRow* row = history_->last_change(model.transport.step());
-  if (row == nullptr) return model.tell("It did not change before this step.");
-  model.transport.jump(row->step);
-  model.tell("Step " + grouped(row->step) + ": it " + history_words(*row, history_->element.kind) + ".");
+  const HistoryRow* row = history_->last_change(window.transport.step());
+  if (row == nullptr) return window.tell("It did not change before this step.");
+  window.transport.jump(row->step);
+  window.tell("Step " + grouped(row->step) + ": it " + history_words(*row, history_->element.kind) + ".");
 }
 
-void Investigation::update_work(const AppModel& model) {
+void Investigation::update_work() {
   work_.reset();
-  if (model.settings.panes.tab != work_tab || !model.run.journal || !model.run.scene) return;
+  if (window.settings.panes.tab != BottomTab::work || !window.run.journal || !window.run.scene) return;
   // A live run is measured again at rests only: the answer would never catch up.
-  const bool moving = model.running() || model.playing();
-  if (!moving || !work_asked_ || work_asked_->journal != model.run.journal) {
+  const bool moving = window.running() || window.playing();
+  if (!moving || !work_asked_ || work_asked_->journal != window.run.journal) {
     WorkQuestion q;
-    q.journal = model.run.journal;
-    const std::size_t events = model.index.events();
+    q.journal = window.run.journal;
+    const std::size_t events = window.index.events();
     const auto before = [&](Step step) {
-      return step > model.live_step() ? events : std::min(events, model.index.first_event_at(step));
+      return step > window.live_step() ? events : std::min(events, window.index.first_event_at(step));
     };
-    const auto& range = model.debug.range;
+    const auto& range = window.range;
     q.begin = range ? before(range->begin) : 0;
     q.end = range ? before(range->end + 1) : events;
     // The attempts before the play head, within the range.
-    const Step head = model.transport.step();
-    q.stall_end = std::clamp(head >= model.live_step() ? events : before(head + 1), q.begin, q.end);
+    const Step head = window.transport.step();
+    q.stall_end = std::clamp(head >= window.live_step() ? events : before(head + 1), q.begin, q.end);
     q.kind = work_kind;
     q.attempts = stall_attempts;
-    q.cell = cell_deltas * model.run.scene->delta;
+    q.cell = cell_deltas * window.run.scene->delta;
     if (q.cell > 0 && (!work_asked_ || !same_work(*work_asked_, q))) {
       work_asked_ = q;
       work_worker_.ask(std::move(q));
@@ -221,12 +220,12 @@ void Investigation::update_work(const AppModel& model) {
   work_ = answer_of(work_worker_, work_asked_, same_work);
 }
 
-void Investigation::update_topology(const AppModel& model) {
-  const auto state = model.state();
+void Investigation::update_topology() {
+  const auto state = window.state();
   topology_.reset();
-  if (!topology_shown || !state || !model.run.scene) return;
-  if (!model.playing() || !topology_asked_) {
-    TopologyQuestion q{state, model.run.scene};
+  if (!topology_shown || !state || !window.run.scene) return;
+  if (!window.playing() || !topology_asked_) {
+    TopologyQuestion q{state, window.run.scene};
     if (!topology_asked_ || !same_topology(*topology_asked_, q)) {
       topology_asked_ = q;
       topology_worker_.ask(std::move(q));
@@ -235,16 +234,16 @@ void Investigation::update_topology(const AppModel& model) {
   topology_ = answer_of(topology_worker_, topology_asked_, same_topology);
 }
 
-void Investigation::update_advice(const AppModel& model) {
-  const auto element = selected_element(model);
-  const auto state = model.state();
+void Investigation::update_advice() {
+  const auto element = selected_element(window.selection);
+  const auto state = window.state();
   advice_.reset();
   if (!element || element->kind == ElementRef::Kind::vertex ||
-      (element->kind == ElementRef::Kind::edge && !edge_advice) || !state || !model.run.scene ||
-      !model.run.journal || model.playing())
+      (element->kind == ElementRef::Kind::edge && !edge_advice) || !state || !window.run.scene ||
+      !window.run.journal || window.playing())
     return;
-  AdviceQuestion q{state,   model.run.journal, model.run.scene, model.sample_index(), model.run.parameters,
-                   *element};
+  AdviceQuestion q{
+      state, window.run.journal, window.run.scene, window.sample_index(), window.run.parameters, *element};
   if (!advice_asked_ || !same_advice(*advice_asked_, q)) {
     advice_asked_ = q;
     advice_worker_.ask(std::move(q));
@@ -252,11 +251,11 @@ void Investigation::update_advice(const AppModel& model) {
   advice_ = answer_of(advice_worker_, advice_asked_, same_advice);
 }
 
-void Investigation::ask_check(const AppModel& model, bool search) {
-  if (!model.state() || !model.run.journal) return;
-  check_journal_ = model.run.journal;
+void Investigation::ask_check(bool search) {
+  if (!window.state() || !window.run.journal) return;
+  check_journal_ = window.run.journal;
   reveal_check = true;
-  check_.ask({model.run.journal, model.state(), model.run.scene, search});
+  check_.ask({window.run.journal, window.state(), window.run.scene, search});
 }
 
 std::shared_ptr<const CheckAnswer> Investigation::check() const {
@@ -274,7 +273,7 @@ struct Investigation::AnnotationKey {
   std::shared_ptr<const void> state, index, history, work, topology, check, result;
   Pick picked;
   std::optional<double> shrink;
-  int tab = 0;
+  BottomTab tab = BottomTab::timeline;
   std::optional<std::uint32_t> event;
   std::size_t gate = 0;
   friend bool operator==(const AnnotationKey&, const AnnotationKey&) = default;
@@ -290,33 +289,33 @@ void Investigation::abandon() {
 
 Investigation::~Investigation() = default;
 
-void Investigation::annotate(const AppModel& model) {
-  AnnotationKey key{model.state(),
-                    model.sample_index(),
+void Investigation::annotate() {
+  AnnotationKey key{window.state(),
+                    window.sample_index(),
                     history_,
                     work_,
                     topology_,
                     check(),
-                    model.run.result,
-                    model.selection.picked,
+                    window.run.result,
+                    window.selection.picked,
                     shrink,
-                    model.settings.panes.tab,
-                    model.selected_event(),
-                    model.debug.level == DebugLevel::gate ? model.debug.gate + 1 : 0};
+                    window.settings.panes.tab,
+                    window.selected_event(),
+                    window.place.level == DebugLevel::gate ? window.place.gate + 1 : 0};
   if (annotated_ && *annotated_ == key) return;
   annotated_ = std::make_unique<AnnotationKey>(std::move(key));
-  Annotation made = make_annotation(model);
+  Annotation made = make_annotation();
   annotation_ = made.empty() ? nullptr : std::make_shared<const Annotation>(std::move(made));
 }
 
-bool Investigation::update(AppModel& model) {
-  if (check_journal_ && check_journal_ != model.run.journal) check_.stop(), check_journal_.reset();
-  update_history(model);
-  jump(model);
-  update_work(model);
-  update_topology(model);
-  update_advice(model);
-  annotate(model);
+bool Investigation::update() {
+  if (check_journal_ && check_journal_ != window.run.journal) check_.stop(), check_journal_.reset();
+  update_history();
+  jump();
+  update_work();
+  update_topology();
+  update_advice();
+  annotate();
   return !idle();
 }
 

@@ -2,8 +2,11 @@
 // their answers draw.
 #pragma once
 
-#include "model/worker.h"
+#include "command/commands.h"
+#include "command/named_values.h"
 #include "journal/history.h"
+#include "model/window_state.h"
+#include "model/worker.h"
 #include "questions/edge_advice.h"
 #include "questions/element_questions.h"
 #include "questions/refused_facet.h"
@@ -20,12 +23,6 @@
 #include <vector>
 
 namespace isoscope {
-
-class AppModel;
-struct SampleIndex;
-
-/// The bottom pane's tabs that questions belong to.
-constexpr int history_tab = 4, work_tab = 5;
 
 /// Which list "next violation" walks through.
 enum class ViolationKind : std::uint8_t { misoriented, flat };
@@ -76,8 +73,10 @@ using Advice = std::vector<ParameterAdvice>;
 /// Methods are for one thread, the window's.
 class Investigation {
  public:
-  explicit Investigation(const std::function<void()>& notify);
+  Investigation(WindowState& shared, const std::function<void()>& notify);
   ~Investigation();
+
+  WindowState& window;
 
   // What is asked; panels, commands and scripts set it.
   ViolationKind violations = ViolationKind::misoriented;
@@ -90,8 +89,8 @@ class Investigation {
   bool reveal_check = false, reveal_topology = false; ///< bring the answer into sight once it is there
 
   /// Once a frame: asks what is shown and stale. True while something is under way.
-  bool update(AppModel& model);
-  void ask_check(const AppModel& model, bool search);
+  bool update();
+  void ask_check(bool search);
   void stop_check() { check_.stop(); }
   /// Begins the end of all that is asked, and waits for nothing.
   void abandon();
@@ -110,13 +109,18 @@ class Investigation {
   double check_fraction() const { return check_.fraction(); }
   std::shared_ptr<const Annotation> annotation() const { return annotation_; }
 
+  void add_commands(CommandTable& table);
+  void add_values(NamedValues& values);
+
  private:
-  void update_history(AppModel& model);
-  void update_work(const AppModel& model);
-  void update_topology(const AppModel& model);
-  void update_advice(const AppModel& model);
-  void jump(AppModel& model);
-  void annotate(const AppModel& model);
+  void update_history();
+  void update_work();
+  void update_topology();
+  void update_advice();
+  void jump();
+  void annotate();
+  /// The lines and marks for the state shown and the answers there are.
+  Annotation make_annotation() const;
 
   Worker<HistoryQuestion, ElementHistory> history_worker_;
   Worker<WorkQuestion, WorkAnswer> work_worker_;
@@ -140,12 +144,10 @@ class Investigation {
 };
 
 /// The selected element as histories and advice know it; nothing for facets and without selection.
-std::optional<ElementRef> selected_element(const AppModel& model);
+std::optional<ElementRef> selected_element(const Selection& selection);
 /// The facet that the selected event of the improver left above δ; stepping through its sweeps, the worst one
 /// after the sweep shown.
-std::optional<RefusedFacet> shown_refusal(const AppModel& model);
-/// The lines and marks for the state shown and the answers there are.
-Annotation make_annotation(const AppModel& model);
+std::optional<RefusedFacet> shown_refusal(const WindowState& window);
 /// The violations of the kind looked at, in the order in which "next" goes through them.
 std::vector<TetId> violating_tets(const StateSnapshot& state, ViolationKind kind);
 /// A row of a history in words: "absorbed vertex 12".

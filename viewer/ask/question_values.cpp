@@ -1,5 +1,6 @@
 // What scripts can expect of the answers to questions, and the settings of these.
-#include "command/named_table.h"
+#include "ask/investigation.h"
+
 #include "model/words.h"
 
 #include <algorithm>
@@ -9,18 +10,13 @@
 namespace isoscope {
 namespace {
 
-using Get = std::function<std::string(const AppModel&)>;
 const std::string none = "none";
-
-void reading(NamedTable& t, std::string name, std::string help, Get get) {
-  t.push_back({std::move(name), std::move(help), std::move(get), nullptr});
-}
 
 /// A reading of an answer that may not be there.
 template <class Find, class Value>
-void of(NamedTable& t, std::string name, std::string help, Find find, Value value) {
-  reading(t, std::move(name), std::move(help), [find, value](const AppModel& m) {
-    const auto answer = find(m);
+void of(NamedValues& t, std::string name, std::string help, Find find, Value value) {
+  t.add(std::move(name), std::move(help), [find, value] {
+    const auto answer = find();
     return answer ? std::string(value(*answer)) : none;
   });
 }
@@ -29,94 +25,96 @@ std::string count(std::size_t n) {
   return std::to_string(n);
 }
 
-double delta_of(const AppModel& m) {
-  const auto state = m.state();
+double delta_of(const Investigation& m) {
+  const auto state = m.window.state();
   return state && state->criteria.delta > 0 ? state->criteria.delta : 1;
 }
 
-std::optional<TetInspection> tet_shown(const AppModel& m) {
-  const auto state = m.state();
-  if (!state || m.selection.picked.kind != Pick::Kind::tet) return std::nullopt;
-  const auto index = m.sample_index();
-  return inspect_tet(*state, TetId(m.selection.picked.id),
-                     m.investigation.shrink.value_or(state->criteria.shrink),
+std::optional<TetInspection> tet_shown(const Investigation& m) {
+  const auto state = m.window.state();
+  if (!state || m.window.selection.picked.kind != Pick::Kind::tet) return std::nullopt;
+  const auto index = m.window.sample_index();
+  return inspect_tet(*state, TetId(m.window.selection.picked.id), m.shrink.value_or(state->criteria.shrink),
                      index && index->set == state->samples ? &index->nearest : nullptr);
 }
 
-std::optional<SampleInspection> sample_shown(const AppModel& m) {
-  const auto state = m.state();
-  if (!state || m.selection.picked.kind != Pick::Kind::sample) return std::nullopt;
-  return inspect_sample(*state, SampleId(m.selection.picked.id));
+std::optional<SampleInspection> sample_shown(const Investigation& m) {
+  const auto state = m.window.state();
+  if (!state || m.window.selection.picked.kind != Pick::Kind::sample) return std::nullopt;
+  return inspect_sample(*state, SampleId(m.window.selection.picked.id));
 }
 
-void add_tet_questions(NamedTable& t) {
-  t.push_back({"inspect.shrink", "factor of the shrunk copy that is drawn, 0 for condition 3's own",
-               [](const AppModel& m) { return text_of(m.investigation.shrink.value_or(0)); },
-               [](AppModel& m, const std::string& text) -> Status {
-                 const auto n = parse_number(text);
-                 if (!n || *n < 0 || *n > 1) return Error{ErrorCode::usage, "0 to 1 is needed.", ""};
-                 m.investigation.shrink = *n > 0 ? std::optional<double>(*n) : std::nullopt;
-                 return {};
-               }});
-  reading(t, "violations.misoriented", "tetrahedra that violate condition 3",
-          [](const AppModel& m) { return m.state() ? count(misoriented_tets(*m.state()).size()) : none; });
-  reading(t, "violations.flat", "tetrahedra that carry Z below 2σ/α", [](const AppModel& m) {
-    return m.state() ? count(violating_tets(*m.state(), ViolationKind::flat).size()) : none;
+void add_tet_questions(NamedValues& t, Investigation& m) {
+  const auto tet = [&m] { return tet_shown(m); };
+  const auto sample = [&m] { return sample_shown(m); };
+  t.add(
+      "inspect.shrink", "factor of the shrunk copy that is drawn, 0 for condition 3's own",
+      [&m] { return text_of(m.shrink.value_or(0)); },
+      [&m](const std::string& text) -> Status {
+        const auto n = parse_number(text);
+        if (!n || *n < 0 || *n > 1) return Error{ErrorCode::usage, "0 to 1 is needed.", ""};
+        m.shrink = *n > 0 ? std::optional<double>(*n) : std::nullopt;
+        return {};
+      });
+  t.add("violations.misoriented", "tetrahedra that violate condition 3",
+        [&m] { return m.window.state() ? count(misoriented_tets(*m.window.state()).size()) : none; });
+  t.add("violations.flat", "tetrahedra that carry Z below 2σ/α", [&m] {
+    return m.window.state() ? count(violating_tets(*m.window.state(), ViolationKind::flat).size()) : none;
   });
-  of(t, "tet.misoriented", "the selected tetrahedron violates condition 3 at inspect.shrink", tet_shown,
+  of(t, "tet.misoriented", "the selected tetrahedron violates condition 3 at inspect.shrink", tet,
      [](const TetInspection& x) {
        return !x.orientation ? "none" : x.orientation->misoriented ? "on" : "off";
      });
-  of(t, "tet.tests", "its samples of condition 3 that are asked", tet_shown, [](const TetInspection& x) {
+  of(t, "tet.tests", "its samples of condition 3 that are asked", tet, [](const TetInspection& x) {
     return !x.orientation ? none
                           : count(static_cast<std::size_t>(
                                 std::count_if(x.orientation->tests.begin(), x.orientation->tests.end(),
                                               [](const auto& test) { return test.asked(); })));
   });
-  of(t, "tet.failed_tests", "of these, the ones that fail", tet_shown, [](const TetInspection& x) {
+  of(t, "tet.failed_tests", "of these, the ones that fail", tet, [](const TetInspection& x) {
     return !x.orientation ? none
                           : count(static_cast<std::size_t>(
                                 std::count_if(x.orientation->tests.begin(), x.orientation->tests.end(),
                                               [](const auto& test) { return !test.good(); })));
   });
-  reading(t, "tet.height", "its height in δ", [](const AppModel& m) {
+  t.add("tet.height", "its height in δ", [&m] {
     const auto x = tet_shown(m);
     return x ? text_of(x->height.value / delta_of(m)) : none;
   });
-  reading(t, "tet.gap", "distance of the ends of its height, in δ", [](const AppModel& m) {
+  t.add("tet.gap", "distance of the ends of its height, in δ", [&m] {
     const auto x = tet_shown(m);
     return x ? text_of(distance(x->gap[0], x->gap[1]) / delta_of(m)) : none;
   });
-  reading(t, "tet.height_limit", "2σ/α in δ", [](const AppModel& m) {
-    return m.state() ? text_of(m.state()->criteria.height_limit() / delta_of(m)) : none;
+  t.add("tet.height_limit", "2σ/α in δ", [&m] {
+    return m.window.state() ? text_of(m.window.state()->criteria.height_limit() / delta_of(m)) : none;
   });
-  of(t, "sample.error", "ε of the selected sample", sample_shown,
+  of(t, "sample.error", "ε of the selected sample", sample,
      [](const SampleInspection& x) { return text_of(x.error); });
-  of(t, "sample.f", "f at it", sample_shown, [](const SampleInspection& x) { return text_of(x.f); });
-  of(t, "sample.class", "good or bad", sample_shown,
+  of(t, "sample.f", "f at it", sample, [](const SampleInspection& x) { return text_of(x.f); });
+  of(t, "sample.class", "good or bad", sample,
      [](const SampleInspection& x) { return x.bad ? "bad" : "good"; });
-  of(t, "sample.remedy", "how it will be mended", sample_shown, [](const SampleInspection& x) {
+  of(t, "sample.remedy", "how it will be mended", sample, [](const SampleInspection& x) {
     constexpr std::array<std::string_view, 6> words{"none-needed",  "not-asked",    "itself-next",
                                                     "itself-later", "worse-in-tet", "vertex-already"};
     return words.at(static_cast<std::size_t>(x.remedy));
   });
-  of(t, "sample.fixer", "the sample that is inserted for it", sample_shown,
+  of(t, "sample.fixer", "the sample that is inserted for it", sample,
      [](const SampleInspection& x) { return x.fixer.valid() ? count(x.fixer.value) : none; });
-  of(t, "sample.tet", "the tetrahedron that holds it", sample_shown,
+  of(t, "sample.tet", "the tetrahedron that holds it", sample,
      [](const SampleInspection& x) { return x.tet.valid() ? count(x.tet.value) : none; });
-  of(t, "sample.tets_before", "tetrahedra that get a point first", sample_shown,
+  of(t, "sample.tets_before", "tetrahedra that get a point first", sample,
      [](const SampleInspection& x) { return count(x.tets_before); });
 }
 
-void add_history_questions(NamedTable& t) {
-  const auto history = [](const AppModel& m) { return m.investigation.history(); };
+void add_history_questions(NamedValues& t, Investigation& m) {
+  const auto history = [&m] { return m.history(); };
   using H = ElementHistory;
   of(t, "history.rows", "lines of the selected element's history", history,
      [](const H& h) { return count(h.rows.size()); });
-  reading(t, "history.shown", "those within the chosen range", [](const AppModel& m) {
-    const auto h = m.investigation.history();
+  t.add("history.shown", "those within the chosen range", [&m] {
+    const auto h = m.history();
     if (!h) return std::string("nan");
-    const auto& range = m.debug.range;
+    const auto& range = m.window.range;
     const auto in = [&](const HistoryRow& row) { return !range || range->holds(row.step); };
     return std::to_string(std::count_if(h->rows.begin(), h->rows.end(), in));
   });
@@ -140,28 +138,27 @@ void add_history_questions(NamedTable& t) {
      [](const H& h) { return h.rows.empty() ? none : std::string(name(h.rows.back().kind)); });
 }
 
-void add_work_questions(NamedTable& t) {
+void add_work_questions(NamedValues& t, Investigation& m) {
   static constexpr std::array<std::string_view, 3> kinds{"insertions", "attempts", "rejections"};
-  t.push_back({"work.kind", "what the heat map counts: insertions, attempts or rejections",
-               [](const AppModel& m) {
-                 return std::string(kinds.at(static_cast<std::size_t>(m.investigation.work_kind)));
-               },
-               [](AppModel& m, const std::string& text) -> Status {
-                 const auto found = std::find(kinds.begin(), kinds.end(), text);
-                 if (found == kinds.end())
-                   return Error{ErrorCode::usage, "insertions, attempts or rejections is needed.", ""};
-                 m.investigation.work_kind = static_cast<WorkKind>(found - kinds.begin());
-                 return {};
-               }});
-  t.push_back({"stall.last", "how many attempts back the stall panel looks",
-               [](const AppModel& m) { return count(m.investigation.stall_attempts); },
-               [](AppModel& m, const std::string& text) -> Status {
-                 const auto n = parse_number(text);
-                 if (!n || *n < 1 || *n > 1e6) return Error{ErrorCode::usage, "1 to 1000000 is needed.", ""};
-                 m.investigation.stall_attempts = static_cast<std::size_t>(*n);
-                 return {};
-               }});
-  const auto work = [](const AppModel& m) { return m.investigation.work(); };
+  t.add(
+      "work.kind", "what the heat map counts: insertions, attempts or rejections",
+      [&m] { return std::string(kinds.at(static_cast<std::size_t>(m.work_kind))); },
+      [&m](const std::string& text) -> Status {
+        const auto found = std::find(kinds.begin(), kinds.end(), text);
+        if (found == kinds.end())
+          return Error{ErrorCode::usage, "insertions, attempts or rejections is needed.", ""};
+        m.work_kind = static_cast<WorkKind>(found - kinds.begin());
+        return {};
+      });
+  t.add(
+      "stall.last", "how many attempts back the stall panel looks", [&m] { return count(m.stall_attempts); },
+      [&m](const std::string& text) -> Status {
+        const auto n = parse_number(text);
+        if (!n || *n < 1 || *n > 1e6) return Error{ErrorCode::usage, "1 to 1000000 is needed.", ""};
+        m.stall_attempts = static_cast<std::size_t>(*n);
+        return {};
+      });
+  const auto work = [&m] { return m.work(); };
   using W = WorkAnswer;
   of(t, "work.total", "events on the heat map", work, [](const W& w) { return count(w.map.total); });
   of(t, "work.cells", "its cells", work, [](const W& w) { return count(w.map.cells.size()); });
@@ -190,8 +187,14 @@ void add_work_questions(NamedTable& t) {
      [](const W& w) { return count(w.stall.places.cells.size()); });
 }
 
-void add_state_questions(NamedTable& t) {
-  const auto topology = [](const AppModel& m) { return m.investigation.topology(); };
+void add_state_questions(NamedValues& t, Investigation& m) {
+  t.add("refused.distance", "the largest d on the facet that a collapse of the improver left above δ, in δ",
+        [&m] {
+          const auto facet = shown_refusal(m.window);
+          return facet ? text_of(facet->distance / m.window.run.scene->delta) : std::string("nan");
+        });
+
+  const auto topology = [&m] { return m.topology(); };
   using T = TopologyReport;
   of(t, "topology.verdict", "whether Z has the expected topology", topology,
      [](const T& r) { return r.verdict.as_expected ? "on" : "off"; });
@@ -214,8 +217,8 @@ void add_state_questions(NamedTable& t) {
      [](const T& r) { return count(r.wrong_components); });
   of(t, "topology.thickening", "whether the boundaries of Ω agree", topology,
      [](const T& r) { return r.thickening ? "on" : "off"; });
-  reading(t, "topology.loop", "length of the shortest handle loop in δ", [](const AppModel& m) {
-    const auto r = m.investigation.topology();
+  t.add("topology.loop", "length of the shortest handle loop in δ", [&m] {
+    const auto r = m.topology();
     double shortest = std::numeric_limits<double>::infinity();
     if (r)
       for (const auto& c : r->components)
@@ -223,24 +226,24 @@ void add_state_questions(NamedTable& t) {
     return shortest < std::numeric_limits<double>::infinity() ? text_of(shortest / delta_of(m)) : none;
   });
 
-  const auto result = [](const AppModel& m) { return m.run.result; };
+  const auto result = [&m] { return m.window.run.result; };
   of(t, "covers", "whether the finished mesh is near enough to every point of the input", result,
      [](const RunResult& r) { return r.certificate.covers ? "on" : "off"; });
   of(t, "uncovered.places", "places of the input that it leaves behind", result,
      [](const RunResult& r) { return count(r.certificate.uncovered_count); });
-  reading(t, "uncovered.distance", "of the farthest of them, in δ", [](const AppModel& m) {
-    if (!m.run.result || m.run.result->certificate.uncovered.empty()) return none;
-    return text_of(m.run.result->certificate.uncovered[0].distance / delta_of(m));
+  t.add("uncovered.distance", "of the farthest of them, in δ", [&m] {
+    if (!m.window.run.result || m.window.run.result->certificate.uncovered.empty()) return none;
+    return text_of(m.window.run.result->certificate.uncovered[0].distance / delta_of(m));
   });
-  reading(t, "uncovered.marked", "the one that is marked", [](const AppModel& m) {
-    if (!m.run.result || !m.selection.mark) return none;
-    const auto& places = m.run.result->certificate.uncovered;
+  t.add("uncovered.marked", "the one that is marked", [&m] {
+    if (!m.window.run.result || !m.window.selection.mark) return none;
+    const auto& places = m.window.run.result->certificate.uncovered;
     for (std::size_t i = 0; i < places.size(); ++i)
-      if (places[i].point == *m.selection.mark) return count(i);
+      if (places[i].point == *m.window.selection.mark) return count(i);
     return none;
   });
 
-  const auto checked = [](const AppModel& m) { return m.investigation.check(); };
+  const auto checked = [&m] { return m.check(); };
   using C = CheckAnswer;
   of(t, "check.step", "the step that was checked last", checked,
      [](const C& c) { return count(c.report.step); });
@@ -268,27 +271,27 @@ void add_state_questions(NamedTable& t) {
   for (const Name& n :
        {Name{"alpha", ParameterAdvice::Parameter::alpha}, Name{"sigma", ParameterAdvice::Parameter::sigma},
         Name{"shrink", ParameterAdvice::Parameter::shrink}})
-    reading(t, std::string("advice.") + n.name,
-            "where the verdict on the selection changes: a value, holds, or none", [n](const AppModel& m) {
-              const auto advice = m.investigation.advice();
-              std::string found = none;
-              for (std::size_t i = 0; advice && i < advice->size(); ++i) {
-                const ParameterAdvice& a = (*advice)[i];
-                if (a.parameter != n.parameter) continue;
-                if (a.works) return text_of(*a.works);
-                if (a.holds) found = "holds";
-              }
-              return found;
-            });
+    t.add(std::string("advice.") + n.name,
+          "where the verdict on the selection changes: a value, holds, or none", [n, &m] {
+            const auto advice = m.advice();
+            std::string found = none;
+            for (std::size_t i = 0; advice && i < advice->size(); ++i) {
+              const ParameterAdvice& a = (*advice)[i];
+              if (a.parameter != n.parameter) continue;
+              if (a.works) return text_of(*a.works);
+              if (a.holds) found = "holds";
+            }
+            return found;
+          });
 }
 
 } // namespace
 
-void add_questions(NamedTable& t) {
-  add_tet_questions(t);
-  add_history_questions(t);
-  add_work_questions(t);
-  add_state_questions(t);
+void Investigation::add_values(NamedValues& values) {
+  add_tet_questions(values, *this);
+  add_history_questions(values, *this);
+  add_work_questions(values, *this);
+  add_state_questions(values, *this);
 }
 
 } // namespace isoscope

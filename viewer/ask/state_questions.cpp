@@ -1,7 +1,8 @@
 // Questions about the whole state: what violates conditions, the topology of Z, whether everything holds.
-#include "ui/icons.h"
+#include "ask/state_questions.h"
+
 #include "model/words.h"
-#include "ask/questions.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -13,14 +14,11 @@ namespace {
 
 void title(const Ui& ui, const char* text) {
   ImGui::Dummy({0, ui.px(6)});
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
+  widgets::bold_text(ui, text);
 }
 
-void violations(Ui& ui, const StateSnapshot& s) {
+void violations(Ui& ui, const Investigation& asked, const StateSnapshot& s) {
   if (s.complex.form != ZeroForm::interpolated) return;
-  AppModel& m = ui.model;
   title(ui, "Violating now");
   const std::size_t flat = flat_tets(s, s.criteria.height_limit()).size();
   if (!s.orientation_judged)
@@ -32,7 +30,7 @@ void violations(Ui& ui, const StateSnapshot& s) {
   if (widgets::link_row(ui, "flat", "below 2σ/α (condition 2)", grouped(flat),
                         "Selects the next one, the flattest first. Key N, Shift+N for the one before."))
     ui.commands.post("next-violation", {"flat"});
-  if (flat == 0 || m.investigation.violations != ViolationKind::flat) return;
+  if (flat == 0 || asked.violations != ViolationKind::flat) return;
   // The flattest, by height.
   constexpr std::size_t most = 6;
   const auto tets = flat_tets(s, s.criteria.height_limit());
@@ -73,18 +71,17 @@ void component(Ui& ui, const ComponentReport& c, std::size_t index, double delta
   if (c.loop) widgets::value_row(ui, "shortest handle loop", short_number(c.loop->length / delta) + " δ");
 }
 
-void topology(Ui& ui, const StateSnapshot& s) {
-  AppModel& m = ui.model;
+void topology(Ui& ui, Investigation& asked, const StateSnapshot& s) {
   title(ui, "Topology of Z");
-  if (!m.investigation.topology_shown) {
+  if (!asked.topology_shown) {
     if (widgets::plain_button(ui, "Judge each component", true, 0, ui.px(26))) ui.commands.post("topology");
     widgets::tip(ui, "Topology of Z",
                  "Each component against the boundaries of Ω beside it, with a shortest handle loop. Key T.");
     return;
   }
-  const auto report = m.investigation.topology();
+  const auto report = asked.topology();
   if (!report) return widgets::quiet_text(ui, "being judged …");
-  if (std::exchange(m.investigation.reveal_topology, false)) ImGui::SetScrollHereY(0.1f);
+  if (std::exchange(asked.reveal_topology, false)) ImGui::SetScrollHereY(0.1f);
   widgets::quiet_text(ui, report->words, true);
   const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
   constexpr std::size_t most = 8;
@@ -132,8 +129,7 @@ void invariant_row(Ui& ui, std::size_t i, const InvariantVerdict& v) {
   ImGui::PopID();
 }
 
-void validity(Ui& ui, const StateSnapshot& s) {
-  Investigation& i = ui.model.investigation;
+void validity(Ui& ui, Investigation& i, const StateSnapshot& s) {
   title(ui, "Is everything valid?");
   if (i.checking()) {
     const double done = i.check_fraction();
@@ -166,10 +162,10 @@ void validity(Ui& ui, const StateSnapshot& s) {
 
 } // namespace
 
-void state_questions(Ui& ui, const StateSnapshot& s) {
-  violations(ui, s);
-  topology(ui, s);
-  validity(ui, s);
+void state_questions(Ui& ui, Investigation& asked, const StateSnapshot& s) {
+  violations(ui, asked, s);
+  topology(ui, asked, s);
+  validity(ui, asked, s);
   ImGui::Dummy({0, ui.px(6)});
 }
 

@@ -1,9 +1,10 @@
 // Where the work goes, in three columns: the busiest places, time by reason, the last attempts.
+#include "ask/work_panel.h"
+
 #include "model/words.h"
-#include "ask/questions.h"
-#include "ui/widgets.h"
 #include "scene/annotation.h"
 #include "scene/reason_style.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 #include <optional>
@@ -12,12 +13,6 @@ namespace isoscope::panels {
 namespace {
 
 constexpr std::size_t most_places = 10;
-
-void head(const Ui& ui, const std::string& text) {
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopFont();
-}
 
 std::string reason_text(Reason reason) {
   return std::string(rejects(reason) ? reason_style(reason).title : name(reason));
@@ -46,26 +41,25 @@ void heat_legend(const Ui& ui, std::size_t most) {
     list.AddRectFilledMultiColor({x, at.y}, {x + part, at.y + high}, a, b, b, a);
   }
   const std::string end = grouped(most) + " in a cell";
-  const float extent = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, end.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.small, end);
   const float y = at.y + high + ui.px(2);
   widgets::draw_text(list, ui.fonts.small, {at.x, y}, to_u32(ui.colors.quiet), "1");
   widgets::draw_text(list, ui.fonts.small, {at.x + width - extent, y}, to_u32(ui.colors.quiet), end);
   ImGui::Dummy({width, high + ui.px(4) + ui.fonts.small->FontSize});
 }
 
-void map_column(Ui& ui, const WorkAnswer& w) {
-  head(ui, "Busiest places");
+void map_column(Ui& ui, WorkKind& kind, const WorkAnswer& w) {
+  widgets::bold_text(ui, "Busiest places");
   constexpr std::array<const char*, 3> kinds{"insertions", "attempts", "rejections"};
-  int chosen = static_cast<int>(ui.model.investigation.work_kind);
-  if (widgets::segmented(ui, "kind", kinds, chosen))
-    ui.model.investigation.work_kind = static_cast<WorkKind>(chosen);
+  int chosen = static_cast<int>(kind);
+  if (widgets::segmented(ui, "kind", kinds, chosen)) kind = static_cast<WorkKind>(chosen);
   widgets::quiet_text(ui, grouped(w.map.total) + " in " + grouped(w.map.cells.size()) + " cells");
   if (!w.map.cells.empty()) heat_legend(ui, w.map.cells.front().count);
   places(ui, w.map, "work");
 }
 
 void time_column(Ui& ui, const WorkAnswer& w) {
-  head(ui, "Time by stage and reason");
+  widgets::bold_text(ui, "Time by stage and reason");
   double all = 0;
   for (const WorkTime& t : w.times) all += t.seconds;
   widgets::quiet_text(ui, short_number(all) + " s; between two operations shared evenly");
@@ -110,7 +104,7 @@ void band(const Ui& ui, const StallReport& s) {
 
 void stall_column(Ui& ui, const WorkAnswer& w) {
   const StallReport& s = w.stall;
-  head(ui, "Why is nothing accepted?");
+  widgets::bold_text(ui, "Why is nothing accepted?");
   widgets::quiet_text(ui, grouped(s.accepted) + " of the last " + grouped(s.attempts) +
                               " attempts accepted; " + grouped(s.since_accepted) + " since the last one");
   band(ui, s);
@@ -136,21 +130,21 @@ void stall_column(Ui& ui, const WorkAnswer& w) {
 
 } // namespace
 
-void work_tab(Ui& ui) {
-  const auto work = ui.model.investigation.work();
+void work_tab(Ui& ui, Investigation& asked) {
+  const auto work = asked.work();
   if (!work)
-    return widgets::quiet_text(ui, ui.model.running() ? "Measured when the run rests."
-                                                      : "The journal is being read …");
+    return widgets::quiet_text(ui, ui.window.running() ? "Measured when the run rests."
+                                                       : "The journal is being read …");
   const float gap = ui.px(24), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-  const auto column = [&](const char* id, void (*draw)(Ui&, const WorkAnswer&)) {
-    if (ImGui::BeginChild(id, {width, 0})) draw(ui, *work);
+  const auto column = [&](const char* id, auto draw) {
+    if (ImGui::BeginChild(id, {width, 0})) draw();
     ImGui::EndChild();
   };
-  column("map", map_column);
+  column("map", [&] { map_column(ui, asked.work_kind, *work); });
   ImGui::SameLine(0, gap);
-  column("time", time_column);
+  column("time", [&] { time_column(ui, *work); });
   ImGui::SameLine(0, gap);
-  column("stall", stall_column);
+  column("stall", [&] { stall_column(ui, *work); });
 }
 
 } // namespace isoscope::panels

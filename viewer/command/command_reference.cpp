@@ -1,8 +1,6 @@
 // Writing the page: one table a menu, in the order of the table of commands.
 #include "command/command_reference.h"
 
-#include "command/commands.h"
-
 #include <algorithm>
 #include <vector>
 
@@ -21,24 +19,24 @@ void table(std::string& page, std::string_view title, const std::vector<const Co
   for (const Command* c : commands) {
     std::string keys;
     for (const Chord& chord : c->keys) keys += (keys.empty() ? "" : ", ") + text(chord);
-    const std::string form = std::string(c->name) + (c->usage.empty() ? "" : " " + std::string(c->usage));
+    const std::string form = c->name + (c->usage.empty() ? "" : " " + c->usage);
     page += "| `" + cell(form) + "` | " + keys + " | " + cell(c->help) + " |\n";
   }
 }
 
 } // namespace
 
-std::string command_reference() {
+std::string command_reference(const CommandTable& commands) {
   std::string page =
       "# Commands and keys\n\nMade from the program's table of commands, as are its menus, the "
       "palette (Ctrl+P) and the help (F1). Scripts use the names on the left.\n";
   std::vector<std::string_view> menus;
-  for (const Command& c : command_table())
+  for (const Command& c : commands.all())
     if (!c.menu.empty() && std::find(menus.begin(), menus.end(), c.menu) == menus.end())
       menus.push_back(c.menu);
   const auto take = [&](std::string_view title, auto wanted) {
     std::vector<const Command*> chosen;
-    for (const Command& c : command_table())
+    for (const Command& c : commands.all())
       if (wanted(c)) chosen.push_back(&c);
     table(page, title, chosen);
   };

@@ -46,12 +46,12 @@ std::optional<int> fuzzy_score(std::string_view typed, std::string_view text) {
   return best;
 }
 
-std::vector<const Command*> search_commands(std::string_view typed) {
+std::vector<const Command*> search_commands(const CommandTable& table, std::string_view typed) {
   while (!typed.empty() && typed.back() == ' ') typed.remove_suffix(1);
   while (!typed.empty() && typed.front() == ' ') typed.remove_prefix(1);
-  const std::string name = parse_call(typed).name;
+  const std::string name = table.parse(typed).name;
   std::vector<std::pair<int, const Command*>> scored;
-  for (const Command& command : command_table()) {
+  for (const Command& command : table.all()) {
     if (command.for_scripts) continue;
     std::optional<int> score = typed.empty() ? std::optional(0) : std::nullopt;
     if (!typed.empty()) {

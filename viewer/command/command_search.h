@@ -15,6 +15,6 @@ std::optional<int> fuzzy_score(std::string_view typed, std::string_view text);
 
 /// The commands that people may call and that `typed` names, best first, equals in the table's order; all of
 /// them when nothing is typed. What follows a command's full name counts as its arguments.
-std::vector<const Command*> search_commands(std::string_view typed);
+std::vector<const Command*> search_commands(const CommandTable& table, std::string_view typed);
 
 } // namespace isoscope

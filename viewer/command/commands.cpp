@@ -9,6 +9,8 @@
 namespace isoscope {
 namespace {
 
+constexpr std::string_view form_follows = "It is used so: "; ///< a remedy that the table completes
+
 struct KeyName {
   int key;
   std::string_view name;
@@ -75,19 +77,37 @@ Chord parse_chord(std::string_view text) {
   return chord;
 }
 
-const Command* find_command(std::string_view name) {
-  for (const Command& command : command_table())
+std::string joined(const Arguments& arguments, std::size_t from) {
+  std::string text;
+  for (std::size_t i = from; i < arguments.size(); ++i) text += (text.empty() ? "" : " ") + arguments[i];
+  return text;
+}
+
+Error wrong_arguments(std::string what) {
+  return {ErrorCode::usage, std::move(what), std::string(form_follows)};
+}
+
+void CommandTable::add(std::initializer_list<Command> commands) {
+  commands_.insert(commands_.end(), commands);
+}
+
+void CommandTable::move_to_end(std::string_view name) {
+  std::stable_partition(commands_.begin(), commands_.end(), [&](const Command& c) { return c.name != name; });
+}
+
+const Command* CommandTable::find(std::string_view name) const {
+  for (const Command& command : commands_)
     if (command.name == name) return &command;
   return nullptr;
 }
 
-const Command* find_command(const Chord& chord) {
-  for (const Command& command : command_table())
+const Command* CommandTable::find(const Chord& chord) const {
+  for (const Command& command : commands_)
     if (std::find(command.keys.begin(), command.keys.end(), chord) != command.keys.end()) return &command;
   return nullptr;
 }
 
-CommandCall parse_call(std::string_view line) {
+CommandCall CommandTable::parse(std::string_view line) const {
   CommandCall call;
   const auto skip = [&] {
     while (!line.empty() && (line.front() == ' ' || line.front() == '\t' || line.front() == '\r'))
@@ -106,9 +126,7 @@ CommandCall parse_call(std::string_view line) {
   if (line.empty()) return call;
   call.name = word();
   skip();
-  if (call.name == "view" || call.name == "expect" || call.name == "break" || call.name == "break-here" ||
-      call.name == "filter" || call.name == "save-filter" || call.name == "next-event" ||
-      call.name == "previous-event") {
+  if (const Command* command = find(call.name); command != nullptr && command->raw) {
     while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
     if (!line.empty()) call.arguments.emplace_back(line);
     return call;
@@ -120,13 +138,16 @@ CommandCall parse_call(std::string_view line) {
   return call;
 }
 
-Status run_command(AppModel& model, const CommandCall& call) {
-  const Command* command = find_command(call.name);
+Status CommandTable::run(const CommandCall& call) const {
+  const Command* command = find(call.name);
   if (command == nullptr)
     return Error{ErrorCode::usage, "There is no command \"" + call.name + "\".", "F1 lists them."};
-  if (command->enabled != nullptr && !command->enabled(model))
-    return Error{ErrorCode::usage, "\"" + std::string(command->title) + "\" is not possible now.", ""};
-  return command->run(model, call.arguments);
+  if (!command->is_enabled()) return usage("\"" + command->title + "\" is not possible now.");
+  Status done = command->run(call.arguments);
+  if (done || done.error().remedy != form_follows) return done;
+  Error error = done.error();
+  error.remedy += command->name + " " + command->usage;
+  return error;
 }
 
 } // namespace isoscope

@@ -1,11 +1,14 @@
-// The one table of commands: menus, keys, palette, scripts and help are all made from it.
+// The table of commands: menus, keys, palette, scripts and help are all made from it. Features add their
+// commands, bound to what they act on.
 #pragma once
 
-#include "app/app_model.h"
+#include "base/status.h"
 
-#include <span>
+#include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace isoscope {
@@ -22,25 +25,45 @@ std::string text(const Chord& chord);
 Chord parse_chord(std::string_view text);
 
 using Arguments = std::vector<std::string>;
+/// The arguments as the line that was typed.
+std::string joined(const Arguments& arguments, std::size_t from = 0);
 
 struct Command {
-  std::string_view name;  ///< what scripts type
-  std::string_view title; ///< what menus show
-  std::string_view usage; ///< its arguments: "[N]"
-  std::string_view help;  ///< one sentence
-  std::string_view menu;  ///< "File"; empty: only palette, keys and scripts
+  std::string name{};  ///< what scripts type
+  std::string title{}; ///< what menus show
+  std::string usage{}; ///< its arguments: "[N]"
+  std::string help{};  ///< one sentence
+  std::string menu{};  ///< "File"; empty: only palette, keys and scripts
   const char* icon = nullptr;
-  std::vector<Chord> keys;
-  Status (*run)(AppModel&, const Arguments&) = nullptr;
-  bool (*enabled)(const AppModel&) = nullptr;
-  bool (*checked)(const AppModel&) = nullptr;
-  bool for_scripts = false; ///< makes sense in scripts alone: not in the palette
+  std::vector<Chord> keys{};
+  std::function<Status(const Arguments&)> run{};
+  std::function<bool()> enabled{}; ///< always where there is none
+  std::function<bool()> checked{}; ///< not where there is none
+  bool raw = false;                ///< takes the rest of the line as it is: a condition, JSON
+  bool for_scripts = false;        ///< makes sense in scripts alone: not in the palette
+
+  bool is_enabled() const { return !enabled || enabled(); }
+  bool is_checked() const { return checked && checked(); }
 };
 
-std::span<const Command> command_table();
-const Command* find_command(std::string_view name);
-/// The command of a key, null when there is none.
-const Command* find_command(const Chord& chord);
+/// An action on something that outlives the table.
+template <class State> auto on(State& state, Status (*action)(State&, const Arguments&)) {
+  return [&state, action](const Arguments& arguments) { return action(state, arguments); };
+}
+/// An action without arguments that cannot fail.
+template <class Action> auto does(Action action) {
+  return [action](const Arguments&) {
+    action();
+    return Status();
+  };
+}
+/// Changes a switch, and tells how it stands.
+inline auto flips(bool& place) {
+  return does([&place] { place = !place; });
+}
+inline auto is_on(const bool& place) {
+  return [&place] { return place; };
+}
 
 /// A command with its arguments, as panels ask for it.
 struct CommandCall {
@@ -48,11 +71,31 @@ struct CommandCall {
   Arguments arguments;
 };
 
-/// Splits a line at blanks; "double quotes" keep them. Commands that take a condition, `view` and `expect`
-/// take the rest of the line as it is.
-CommandCall parse_call(std::string_view line);
-/// Runs it; fails with usage on an unknown name or wrong arguments, and with what the command itself says.
-Status run_command(AppModel& model, const CommandCall& call);
+/// What is wrong with the arguments of a command; the table adds how it is used.
+Error wrong_arguments(std::string what);
+/// The same where that would not help.
+inline Error usage(std::string what) {
+  return {ErrorCode::usage, std::move(what), ""};
+}
+
+class CommandTable {
+ public:
+  void add(std::initializer_list<Command> commands);
+  /// In the order of menus and help.
+  const std::vector<Command>& all() const { return commands_; }
+  /// The menu of files ends with it.
+  void move_to_end(std::string_view name);
+  const Command* find(std::string_view name) const;
+  /// The command of a key, null when there is none.
+  const Command* find(const Chord& chord) const;
+  /// Splits a line at blanks; "double quotes" keep them.
+  CommandCall parse(std::string_view line) const;
+  /// Runs it; fails with usage on an unknown name or wrong arguments, and with what the command itself says.
+  Status run(const CommandCall& call) const;
+
+ private:
+  std::vector<Command> commands_;
+};
 
 /// Where panels put what they want done.
 class CommandSink {

@@ -1,20 +1,20 @@
-// Breakpoints that the inspector offers on what it shows: one click sets one, another takes it away.
+// One click sets a breakpoint, another takes it away.
+#include "debug/break_rows.h"
+
 #include "debug/suggested_breaks.h"
-#include "edge/edge_parts.h"
-#include "ask/questions.h"
 #include "ui/widgets.h"
 
 namespace isoscope::panels {
 namespace {
 
 /// A disc as in the gutter of a source debugger, the words, the condition below them.
-void break_row(Ui& ui, const SuggestedBreak& b, bool first) {
+void break_row(Ui& ui, const SuggestedBreak& b, bool set, bool first) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), high = ui.px(36);
   ImGui::PushID(b.condition.c_str());
   if (ImGui::InvisibleButton("break", {width, high})) ui.commands.post("break-here", {b.condition});
   ImGui::PopID();
-  const bool hovered = ImGui::IsItemHovered(), set = breaks_on(ui.model, b.condition);
+  const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (hovered) {
     list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + high},
@@ -29,7 +29,7 @@ void break_row(Ui& ui, const SuggestedBreak& b, bool first) {
                      to_u32(set ? ui.colors.text : ui.colors.accent_text), b.words);
   if (first) {
     const char* key = "F9";
-    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, key).x;
+    const float extent = widgets::width_of(ui.fonts.mono, key);
     widgets::draw_text(list, ui.fonts.mono,
                        {at.x + width - extent, at.y + ui.px(11) - ui.fonts.mono->FontSize / 2},
                        to_u32(ui.colors.quiet), key);
@@ -44,12 +44,13 @@ void break_row(Ui& ui, const SuggestedBreak& b, bool first) {
 
 } // namespace
 
-void break_rows(Ui& ui) {
-  const auto suggested = suggested_breaks(ui.model);
+void break_rows(Ui& ui, const Debugger& debugger) {
+  const auto suggested = suggested_breaks(debugger);
   if (suggested.empty()) return;
-  subtitle(ui, "Stop at");
+  widgets::subtitle(ui, "Stop at");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
-  for (std::size_t i = 0; i < suggested.size(); ++i) break_row(ui, suggested[i], i == 0);
+  for (std::size_t i = 0; i < suggested.size(); ++i)
+    break_row(ui, suggested[i], breaks_on(debugger, suggested[i].condition), i == 0);
   ImGui::PopStyleVar();
   ImGui::Dummy({0, ui.px(4)});
 }

@@ -1,9 +1,9 @@
-// The breakpoints tab, and errors of conditions below their fields.
-#include "debug/debug_actions.h"
-#include "ui/icons.h"
+// A field for another one, and a line each.
+#include "debug/breakpoint_list.h"
+
 #include "debug/suggested_breaks.h"
 #include "model/words.h"
-#include "timeline/timeline_panel.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -37,8 +37,7 @@ void query_error(Ui& ui, const QueryError& error, const std::string& text, float
   ImGui::Dummy({1, ui.px(24)});
 }
 
-void BreakpointList::draw(Ui& ui) {
-  AppModel& m = ui.model;
+void BreakpointList::draw(Ui& ui, const Debugger& debugger) {
   ImGui::PushFont(ui.fonts.small);
   const float left = ImGui::GetCursorScreenPos().x;
   ImGui::SetNextItemWidth(ui.px(300));
@@ -55,7 +54,7 @@ void BreakpointList::draw(Ui& ui) {
     text_[0] = 0;
   }
   ImGui::SameLine(0, ui.px(8));
-  const auto suggested = suggested_breaks(m);
+  const auto suggested = suggested_breaks(debugger);
   if (widgets::plain_button(ui, "break on the selection", !suggested.empty(), 0, ui.px(24)))
     ui.commands.post("break-here");
   widgets::tip(ui, "Break on the selection   F9", suggested.empty() ? "" : suggested.front().condition);
@@ -65,7 +64,7 @@ void BreakpointList::draw(Ui& ui) {
   widgets::command_button(ui, "continue");
   if (error != nullptr) query_error(ui, *error, text, left);
 
-  const auto list = m.debug.breakpoints->list();
+  const auto list = debugger.breakpoints->list();
   if (list.empty()) {
     widgets::quiet_text(
         ui,

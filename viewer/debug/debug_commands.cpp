@@ -1,131 +1,215 @@
 // Commands on breakpoints, saved filters, ranges and steps on three levels.
-#include "command/command_groups.h"
-
-#include "debug/debug_actions.h"
-#include "ui/icons.h"
+#include "debug/debugger.h"
 #include "debug/suggested_breaks.h"
+#include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace isoscope {
+namespace {
 
-using namespace actions;
-using M = AppModel;
-using A = Arguments;
+Error wrong(const QueryError& error, const std::string& text) {
+  return usage(error.picture(text));
+}
 
-std::vector<Command> debug_commands() {
-  const auto has_run = [](const M& m) { return m.run.journal != nullptr; };
-  return {
-      {"step-over",
-       "Step over",
-       "[N]",
-       "To the next attempt, gate or stage, as deep as one is: operations and edges that stay are attempts.",
-       "Run",
-       icon::right,
-       {{GLFW_KEY_F10}},
-       [](M& m, const A& a) { return step_over(m, a, Direction::forward); },
-       has_run},
-      {"step-back-over",
-       "Step back over",
-       "[N]",
-       "The same backwards.",
-       "Run",
-       icon::left,
-       {{GLFW_KEY_F10, false, true}},
-       [](M& m, const A& a) { return step_over(m, a, Direction::backward); },
-       has_run},
-      {"step-into",
-       "Step into",
-       "",
-       "From a stage into its operations, from an attempt into its gates or the sweeps of its repair.",
-       "Run",
-       icon::down,
-       {{GLFW_KEY_F11}},
-       step_into,
-       has_run},
-      {"step-out",
-       "Step out",
-       "",
-       "From a gate to its attempt, from there to the stage.",
-       "Run",
-       icon::up,
-       {{GLFW_KEY_F11, false, true}},
-       step_out,
-       has_run},
-      {"continue",
-       "Continue to a breakpoint",
-       "",
-       "To the next event of the journal that matches an enabled breakpoint; past its end the run goes on.",
-       "Run",
-       icon::play,
-       {{GLFW_KEY_F5}},
-       [](M& m, const A&) { return continue_run(m, Direction::forward); },
-       has_run},
-      {"reverse-continue",
-       "Back to a breakpoint",
-       "",
-       "Back to the previous event that matches an enabled breakpoint.",
-       "Run",
-       nullptr,
-       {{GLFW_KEY_F5, false, true}},
-       [](M& m, const A&) { return continue_run(m, Direction::backward); },
-       has_run},
-      {"break-here",
-       "Break on the selection",
-       "[CONDITION]",
-       "A breakpoint on the selected edge with its verdict, or vertex, tetrahedron or sample, on the gate or "
-       "the event shown, or on a condition; again takes it away.",
-       "Run",
-       icon::dot,
-       {{GLFW_KEY_F9}},
-       toggle_break_here,
-       has_run,
-       [](const M& m) {
-         const auto suggested = suggested_breaks(m);
-         return !suggested.empty() && breaks_on(m, suggested.front().condition);
-       }},
-      {"break",
-       "Add a breakpoint…",
-       "CONDITION",
-       "Pauses the run at every event for which the condition holds.",
-       "",
-       nullptr,
-       {},
-       add_breakpoint},
-      {"breakpoint",
-       "Change a breakpoint…",
-       "ID on | off | remove, ID ignore N",
-       "Switches a breakpoint, takes it away, or lets its first N hits go by.",
-       "",
-       nullptr,
-       {},
-       change_breakpoint},
-      {"save-filter",
-       "Save the filter as a lane",
-       "[CONDITION]",
-       "Keeps the filter of the event list, or the one given, as a lane of the timeline.",
-       "",
-       nullptr,
-       {},
-       save_filter},
-      {"forget-filter",
-       "Forget a saved filter…",
-       "NUMBER",
-       "Takes a lane away.",
-       "",
-       nullptr,
-       {},
-       forget_filter},
-      {"range",
-       "Limit to a range of steps…",
-       "[FIRST LAST]",
-       "Limits lanes, plots, events, history, work and heat map to these steps; without steps to none.",
-       "",
-       nullptr,
-       {},
-       choose_range,
-       has_run},
-  };
+Status add_breakpoint(Debugger& d, const Arguments& a) {
+  const std::string text = joined(a);
+  const auto added = d.breakpoints->add(text);
+  if (const auto* error = std::get_if<QueryError>(&added)) return wrong(*error, text);
+  return {};
+}
+
+Status toggle_break_here(Debugger& d, const Arguments& a) {
+  std::string text = joined(a);
+  if (text.empty())
+    if (const auto suggested = suggested_breaks(d); !suggested.empty()) text = suggested.front().condition;
+  if (text.empty())
+    return Error{ErrorCode::usage, "Nothing is selected to break on.",
+                 "Select an edge, a vertex, a tetrahedron or a sample."};
+  for (const BreakpointState& b : d.breakpoints->list())
+    if (b.text == text) {
+      d.breakpoints->remove(b.id);
+      d.window.tell("No breakpoint any more: " + text);
+      return {};
+    }
+  const Status added = add_breakpoint(d, {text});
+  if (added) d.window.tell("Breakpoint: " + text + ". F5 goes on to it, Shift+F5 back.");
+  return added;
+}
+
+Status change_breakpoint(Debugger& d, const Arguments& a) {
+  const auto id = a.size() >= 2 ? parse_number(a[0]) : Result<double>(-1.0);
+  if (!id || *id < 1 || *id != std::floor(*id)) return wrong_arguments("Which breakpoint?");
+  const auto number = static_cast<unsigned>(*id);
+  bool found = false;
+  if (a[1] == "remove" && a.size() == 2) {
+    found = d.breakpoints->remove(number);
+  } else if ((a[1] == "on" || a[1] == "off") && a.size() == 2) {
+    found = d.breakpoints->enable(number, a[1] == "on");
+  } else if (a[1] == "ignore" && a.size() == 3) {
+    const auto hits = parse_number(a[2]);
+    if (!hits || *hits < 0 || *hits > 1e9) return wrong_arguments("How many hits?");
+    found = d.breakpoints->ignore(number, static_cast<std::size_t>(*hits));
+  } else {
+    return wrong_arguments("Nothing of a breakpoint is called \"" + a[1] + "\".");
+  }
+  if (!found) return wrong_arguments("There is no breakpoint " + a[0] + ".");
+  return {};
+}
+
+Status continue_run(Debugger& d, Direction direction) {
+  auto expressions = d.breakpoints->enabled();
+  if (expressions.empty() && direction == Direction::backward)
+    return Error{ErrorCode::usage, "No breakpoint is enabled.", "F9 breaks on what is selected."};
+  d.search(std::move(expressions), direction, true);
+  return {};
+}
+
+Status save_filter(Debugger& d, const Arguments& a) {
+  constexpr std::size_t most = 8;
+  const std::string text = a.empty() ? d.window.filter.condition : joined(a);
+  if (text.empty()) return wrong_arguments("There is no filter.");
+  const ParsedQuery parsed = parse_query(text);
+  if (const auto* error = std::get_if<QueryError>(&parsed)) return wrong(*error, text);
+  auto& filters = d.window.settings.filters;
+  if (std::find(filters.begin(), filters.end(), text) != filters.end()) return {};
+  if (filters.size() == most)
+    return Error{ErrorCode::usage, "There are eight saved filters already.", "Forget one of them."};
+  filters.push_back(text);
+  return {};
+}
+
+Status forget_filter(Debugger& d, const Arguments& a) {
+  const auto number = a.size() == 1 ? parse_number(a[0]) : Result<double>(-1.0);
+  auto& filters = d.window.settings.filters;
+  if (!number || *number < 1 || *number > static_cast<double>(filters.size()))
+    return wrong_arguments("There is no such saved filter.");
+  const auto at = static_cast<std::ptrdiff_t>(*number) - 1;
+  filters.erase(filters.begin() + at);
+  if (static_cast<std::size_t>(at) < d.lanes.size()) d.lanes.erase(d.lanes.begin() + at);
+  return {};
+}
+
+Status choose_range(Debugger& d, const Arguments& a) {
+  if (a.empty()) {
+    d.window.range.reset();
+    return {};
+  }
+  const auto begin = parse_number(a[0]);
+  const auto end = a.size() == 2 ? parse_number(a[1]) : Result<double>(-1.0);
+  if (!begin || !end || *begin < 0 || *end < *begin || *begin > static_cast<double>(d.window.live_step()))
+    return wrong_arguments("A range has a first and a last step.");
+  d.window.range = StepSpan{static_cast<Step>(*begin),
+                            static_cast<Step>(std::min(*end, static_cast<double>(d.window.live_step())))};
+  return {};
+}
+
+} // namespace
+
+void Debugger::add_commands(CommandTable& table) {
+  const auto has_run = [this] { return window.has_run(); };
+  table.add(
+      {{.name = "step-over",
+        .title = "Step over",
+        .usage = "[N]",
+        .help = "To the next attempt, gate or stage, as deep as one is: operations and edges that stay are "
+                "attempts.",
+        .menu = "Run",
+        .icon = icon::right,
+        .keys = {{GLFW_KEY_F10}},
+        .run = [this](const Arguments& a) { return step_over(a, Direction::forward); },
+        .enabled = has_run},
+       {.name = "step-back-over",
+        .title = "Step back over",
+        .usage = "[N]",
+        .help = "The same backwards.",
+        .menu = "Run",
+        .icon = icon::left,
+        .keys = {{GLFW_KEY_F10, false, true}},
+        .run = [this](const Arguments& a) { return step_over(a, Direction::backward); },
+        .enabled = has_run},
+       {.name = "step-into",
+        .title = "Step into",
+        .help =
+            "From a stage into its operations, from an attempt into its gates or the sweeps of its repair.",
+        .menu = "Run",
+        .icon = icon::down,
+        .keys = {{GLFW_KEY_F11}},
+        .run = [this](const Arguments&) { return step_into(); },
+        .enabled = has_run},
+       {.name = "step-out",
+        .title = "Step out",
+        .help = "From a gate to its attempt, from there to the stage.",
+        .menu = "Run",
+        .icon = icon::up,
+        .keys = {{GLFW_KEY_F11, false, true}},
+        .run = [this](const Arguments&) { return step_out(); },
+        .enabled = has_run},
+       {.name = "continue",
+        .title = "Continue to a breakpoint",
+        .help = "To the next event of the journal that matches an enabled breakpoint; past its end the run "
+                "goes on.",
+        .menu = "Run",
+        .icon = icon::play,
+        .keys = {{GLFW_KEY_F5}},
+        .run = [this](const Arguments&) { return continue_run(*this, Direction::forward); },
+        .enabled = has_run},
+       {.name = "reverse-continue",
+        .title = "Back to a breakpoint",
+        .help = "Back to the previous event that matches an enabled breakpoint.",
+        .menu = "Run",
+        .keys = {{GLFW_KEY_F5, false, true}},
+        .run = [this](const Arguments&) { return continue_run(*this, Direction::backward); },
+        .enabled = has_run},
+       {.name = "break-here",
+        .title = "Break on the selection",
+        .usage = "[CONDITION]",
+        .help = "A breakpoint on the selected edge with its verdict, or vertex, tetrahedron or sample, on "
+                "the gate or "
+                "the event shown, or on a condition; again takes it away.",
+        .menu = "Run",
+        .icon = icon::dot,
+        .keys = {{GLFW_KEY_F9}},
+        .run = on(*this, toggle_break_here),
+        .enabled = has_run,
+        .checked =
+            [this] {
+              const auto suggested = suggested_breaks(*this);
+              return !suggested.empty() && breaks_on(*this, suggested.front().condition);
+            },
+        .raw = true},
+       {.name = "break",
+        .title = "Add a breakpoint…",
+        .usage = "CONDITION",
+        .help = "Pauses the run at every event for which the condition holds.",
+        .run = on(*this, add_breakpoint),
+        .raw = true},
+       {.name = "breakpoint",
+        .title = "Change a breakpoint…",
+        .usage = "ID on | off | remove, ID ignore N",
+        .help = "Switches a breakpoint, takes it away, or lets its first N hits go by.",
+        .run = on(*this, change_breakpoint)},
+       {.name = "save-filter",
+        .title = "Save the filter as a lane",
+        .usage = "[CONDITION]",
+        .help = "Keeps the filter of the event list, or the one given, as a lane of the timeline.",
+        .run = on(*this, save_filter),
+        .raw = true},
+       {.name = "forget-filter",
+        .title = "Forget a saved filter…",
+        .usage = "NUMBER",
+        .help = "Takes a lane away.",
+        .run = on(*this, forget_filter)},
+       {.name = "range",
+        .title = "Limit to a range of steps…",
+        .usage = "[FIRST LAST]",
+        .help =
+            "Limits lanes, plots, events, history, work and heat map to these steps; without steps to none.",
+        .run = on(*this, choose_range),
+        .enabled = has_run}});
 }
 
 } // namespace isoscope

@@ -1,10 +1,12 @@
-// The events with their filter.
-#include "ui/icons.h"
-#include "model/words.h"
+// The field, the menus of what may pass, the rows.
+#include "debug/event_list.h"
+
+#include "debug/breakpoint_list.h"
 #include "journal/describe.h"
-#include "timeline/timeline_panel.h"
-#include "ui/widgets.h"
+#include "model/words.h"
 #include "scene/reason_style.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 
@@ -80,10 +82,10 @@ bool filter_menu(const Ui& ui, const char* label, std::bitset<n>& set, const std
 } // namespace
 
 void EventList::filter_field(Ui& ui) {
-  Debugger& d = ui.model.debug;
-  if (applied_ != d.filter_text) {
+  ListFilter& f = ui.window.filter;
+  if (applied_ != f.condition) {
     // Somebody else has set it.
-    applied_ = d.filter_text;
+    applied_ = f.condition;
     const std::size_t length = std::min(applied_.size(), text_.size() - 1);
     std::copy_n(applied_.begin(), length, text_.begin());
     text_[length] = 0;
@@ -101,12 +103,12 @@ void EventList::filter_field(Ui& ui) {
     return;
   }
   applied_ = text_.data();
-  d.filter_text = applied_;
-  d.filter = applied_.empty() ? nullptr : std::get<std::shared_ptr<const Expression>>(parsed);
+  f.condition = applied_;
+  f.expression = applied_.empty() ? nullptr : std::get<std::shared_ptr<const Expression>>(parsed);
 }
 
 void EventList::row(Ui& ui, std::uint32_t index, float high) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   const Journal& journal = *m.run.journal;
   const Event& event = journal.events()[index];
   const Step target = step_showing(event);
@@ -127,7 +129,7 @@ void EventList::row(Ui& ui, std::uint32_t index, float high) {
                        ui.px(4));
   const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
   const std::string number = grouped(target);
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, number.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, number);
   widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet), number);
   const EventStyle style = style_of(ui, event);
   widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);
@@ -136,12 +138,12 @@ void EventList::row(Ui& ui, std::uint32_t index, float high) {
                      widgets::fitted(describe_event(journal, event), width - ui.px(100)));
 }
 
-void EventList::draw(Ui& ui) {
-  AppModel& m = ui.model;
+void EventList::draw(Ui& ui, const Debugger& debugger) {
+  WindowState& m = ui.window;
   ImGui::PushFont(ui.fonts.small);
   const float left = ImGui::GetCursorScreenPos().x;
   filter_field(ui);
-  EventFilter& f = m.filter;
+  EventFilter& f = m.filter.chosen;
   ImGui::SameLine(0, ui.px(10));
   filter_menu(ui, "stage", f.stages, std::bitset<stage_count>().set(),
               [](std::size_t i) { return stage_title(static_cast<Stage>(i)); });
@@ -158,20 +160,20 @@ void EventList::draw(Ui& ui) {
   filter_menu(ui, "reason", f.reasons, rejections,
               [](std::size_t i) { return reason_style(static_cast<Reason>(i)).title; });
   ImGui::SameLine(0, ui.px(10));
-  if (!m.debug.filter_text.empty() || !f.everything()) {
+  if (!m.filter.condition.empty() || !f.everything()) {
     if (widgets::plain_button(ui, "show all", true, 0, ui.px(24))) ui.commands.post("filter");
     ImGui::SameLine(0, ui.px(5));
   }
-  if (m.debug.filter && widgets::plain_button(ui, "save as lane", true, 0, ui.px(24)))
+  if (m.filter.expression && widgets::plain_button(ui, "save as lane", true, 0, ui.px(24)))
     ui.commands.post("save-filter");
   ImGui::SameLine(0, ui.px(14));
-  const std::vector<std::uint32_t>& rows = m.debug.listed.rows();
+  const std::vector<std::uint32_t>& rows = debugger.listed.rows();
   const std::string found = grouped(rows.size()) + (rows.size() == 1 ? " event" : " events");
   widgets::quiet_text(ui, found);
   if (error_) query_error(ui, *error_, text_.data(), left);
   const Journal* journal = m.run.journal.get();
 
-  if (ImGui::BeginChild("rows", {0, 0}) && journal != nullptr && m.debug.listed.journal() == m.run.journal) {
+  if (ImGui::BeginChild("rows", {0, 0}) && journal != nullptr && debugger.listed.journal() == m.run.journal) {
     const float high = ui.px(22);
     // The row of the play head or of the chosen event comes into sight when it moved.
     const Step step = m.transport.step();

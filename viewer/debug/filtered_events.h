@@ -11,13 +11,6 @@
 
 namespace isoscope {
 
-/// Steps from `begin` to `end`, both included.
-struct StepSpan {
-  Step begin = 0, end = 0;
-  bool holds(Step step) const { return begin <= step && step <= end; }
-  friend bool operator==(const StepSpan&, const StepSpan&) = default;
-};
-
 /// What passes: all three have to agree.
 struct EventQuery {
   std::shared_ptr<const Expression> expression; ///< null: everything

@@ -1,8 +1,7 @@
 // Steps over, into and out of the tree of stages, operations and gates.
-#include "debug/debug_actions.h"
-#include "ui/icons.h"
-#include "command/named_values.h"
+#include "debug/debugger.h"
 #include "model/words.h"
+#include "ui/icons.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,18 +29,6 @@ std::ptrdiff_t find_event(const Journal& journal, std::ptrdiff_t at, int directi
       --left;
     }
   return left == 0 ? found : -1;
-}
-
-std::optional<std::uint32_t> event_here(const AppModel& m) {
-  const std::ptrdiff_t at = current_event(m);
-  return at < 0 ? std::nullopt : std::optional<std::uint32_t>(static_cast<std::uint32_t>(at));
-}
-
-bool has_gates(const AppModel& m) {
-  const auto here = event_here(m);
-  if (!here) return false;
-  const Event& e = m.run.journal->events()[*here];
-  return e.detail != 0 || (e.vertex.valid() && e.other.valid() && e.stage != Stage::improve);
 }
 
 std::vector<GateView> sweeps_of(const Journal& journal, const Event& e) {
@@ -111,99 +98,107 @@ Result<long> count_of(const Arguments& a) {
   return static_cast<long>(*n);
 }
 
-/// Lets a held run go on to the n-th such event.
-Status run_to(AppModel& m, long n, bool (*wanted)(const Event&)) {
-  if (m.run.phase != SessionPhase::paused)
+} // namespace
+
+std::optional<std::uint32_t> Debugger::event_here() const {
+  const std::ptrdiff_t at = current_event();
+  return at < 0 ? std::nullopt : std::optional<std::uint32_t>(static_cast<std::uint32_t>(at));
+}
+
+bool Debugger::has_gates() const {
+  const auto here = event_here();
+  if (!here) return false;
+  const Event& e = window.run.journal->events()[*here];
+  return e.detail != 0 || (e.vertex.valid() && e.other.valid() && e.stage != Stage::improve);
+}
+
+// Lets a held run go on to the n-th such event.
+Status Debugger::run_to(long n, bool (*wanted)(const Event&)) {
+  if (window.run.phase != SessionPhase::paused)
     return Error{ErrorCode::usage, "There is no such step in that direction.", ""};
   auto left = std::make_shared<long>(n);
-  m.session.run_until([left, wanted](const Journal&, const Event& event) {
+  window.session.run_until([left, wanted](const Journal&, const Event& event) {
     return wanted(event) && --*left == 0 ? std::string(stepping_note) : std::string();
   });
-  m.transport.follow();
+  window.transport.follow();
   return {};
 }
 
-Status advance(AppModel& m, long n, int direction, bool (*wanted)(const Event&)) {
+Status Debugger::advance(long n, int direction, bool (*wanted)(const Event&)) {
   long left = 0;
-  const std::ptrdiff_t found = find_event(*m.run.journal, current_event(m), direction, n, wanted, left);
+  const std::ptrdiff_t found = find_event(*window.run.journal, current_event(), direction, n, wanted, left);
   if (found >= 0) {
-    show_event(m, static_cast<std::uint32_t>(found));
+    show_event(static_cast<std::uint32_t>(found));
     return {};
   }
-  if (direction > 0) return run_to(m, left, wanted);
+  if (direction > 0) return run_to(left, wanted);
   return Error{ErrorCode::usage, "There is no such step in that direction.", ""};
 }
 
-} // namespace
-
-std::vector<GateView> gates_of(const AppModel& m) {
-  const auto here = event_here(m);
+std::vector<GateView> Debugger::gates() const {
+  const auto here = event_here();
   if (!here) return {};
-  const Event& e = m.run.journal->events()[*here];
-  if (e.detail != 0) return sweeps_of(*m.run.journal, e);
-  const auto xray = m.xray();
+  const Event& e = window.run.journal->events()[*here];
+  if (e.detail != 0) return sweeps_of(*window.run.journal, e);
+  const auto xray = probe.xray();
   return xray ? checks_of(*xray) : std::vector<GateView>();
 }
 
-std::string breadcrumb(const AppModel& m) {
+std::string Debugger::breadcrumb() const {
   const std::string between = std::string("  ") + icon::right + "  ";
-  const auto here = event_here(m);
+  const auto here = event_here();
   if (!here) return "setup";
-  const Event& e = m.run.journal->events()[*here];
+  const Event& e = window.run.journal->events()[*here];
   std::string text(stage_title(e.stage));
-  if (m.debug.level == DebugLevel::stage) return text;
+  if (window.place.level == DebugLevel::stage) return text;
   text += between + std::string(name(e.kind)) + " " + grouped(*here);
-  if (m.debug.level == DebugLevel::operation) return text;
-  const auto gates = gates_of(m);
-  if (m.debug.gate >= gates.size()) return text + between + "…";
-  const GateView& gate = gates[m.debug.gate];
-  return text + between + std::to_string(m.debug.gate + 1) + " " + gate.title + ": " + gate.state +
+  if (window.place.level == DebugLevel::operation) return text;
+  const auto all = gates();
+  if (window.place.gate >= all.size()) return text + between + "…";
+  const GateView& gate = all[window.place.gate];
+  return text + between + std::to_string(window.place.gate + 1) + " " + gate.title + ": " + gate.state +
          (gate.numbers.empty() ? "" : ", " + gate.numbers);
 }
 
-namespace actions {
-
-Status step_over(AppModel& m, const Arguments& a, Direction direction) {
+Status Debugger::step_over(const Arguments& a, Direction direction) {
   const auto n = count_of(a);
   if (!n) return n.error();
-  Debugger& d = m.debug;
   const int sign = direction == Direction::forward ? 1 : -1;
-  switch (d.level) {
+  switch (window.place.level) {
   case DebugLevel::stage:
-    return advance(m, *n, sign, is_stage);
+    return advance(*n, sign, is_stage);
   case DebugLevel::operation:
-    return advance(m, *n, sign, is_attempt);
+    return advance(*n, sign, is_attempt);
   case DebugLevel::gate:
     break;
   }
-  const auto count = static_cast<long>(gates_of(m).size());
-  const long wanted = static_cast<long>(d.gate) + sign * *n;
+  const auto count = static_cast<long>(gates().size());
+  const long wanted = static_cast<long>(window.place.gate) + sign * *n;
   if (wanted >= 0 && wanted < count) {
-    d.gate = static_cast<std::size_t>(wanted);
+    window.place.gate = static_cast<std::size_t>(wanted);
     return {};
   }
   // Past the last gate one is at the next operation, before the first one at the operation itself.
-  d.level = DebugLevel::operation;
-  return wanted < 0 ? Status() : advance(m, 1, 1, is_attempt);
+  window.place.level = DebugLevel::operation;
+  return wanted < 0 ? Status() : advance(1, 1, is_attempt);
 }
 
-Status step_into(AppModel& m, const Arguments&) {
-  Debugger& d = m.debug;
-  switch (d.level) {
+Status Debugger::step_into() {
+  switch (window.place.level) {
   case DebugLevel::stage: {
-    d.level = DebugLevel::operation;
-    const auto here = event_here(m);
-    return here && is_attempt(m.run.journal->events()[*here]) ? Status() : advance(m, 1, 1, is_attempt);
+    window.place.level = DebugLevel::operation;
+    const auto here = event_here();
+    return here && is_attempt(window.run.journal->events()[*here]) ? Status() : advance(1, 1, is_attempt);
   }
   case DebugLevel::operation: {
-    if (!has_gates(m))
+    if (!has_gates())
       return Error{ErrorCode::usage, "This event has no steps inside.",
                    "Collapses, edges that stay and repairs have."};
-    const auto here = event_here(m);
-    if (m.selection.event != here) show_event(m, *here);
-    d.level = DebugLevel::gate;
-    d.gate = 0;
-    d.gate_event = here;
+    const auto here = event_here();
+    if (window.selection.event != here) show_event(*here);
+    window.place.level = DebugLevel::gate;
+    window.place.gate = 0;
+    window.place.gate_event = here;
     return {};
   }
   case DebugLevel::gate:
@@ -212,13 +207,11 @@ Status step_into(AppModel& m, const Arguments&) {
   return Error{ErrorCode::usage, "A gate is the innermost level.", "Shift+F11 leaves it."};
 }
 
-Status step_out(AppModel& m, const Arguments&) {
-  Debugger& d = m.debug;
-  if (d.level == DebugLevel::stage)
+Status Debugger::step_out() {
+  if (window.place.level == DebugLevel::stage)
     return Error{ErrorCode::usage, "Stages are the outermost level.", "F11 goes into one."};
-  d.level = d.level == DebugLevel::gate ? DebugLevel::operation : DebugLevel::stage;
+  window.place.level = window.place.level == DebugLevel::gate ? DebugLevel::operation : DebugLevel::stage;
   return {};
 }
 
-} // namespace actions
 } // namespace isoscope

@@ -1,8 +1,8 @@
 // From the narrowest condition to the widest.
 #include "debug/suggested_breaks.h"
 
-#include "debug/debug_actions.h"
 #include "base/numbers.h"
+#include "debug/debugger.h"
 #include "scene/pick_geometry.h"
 #include "scene/reason_style.h"
 
@@ -22,11 +22,11 @@ SuggestedBreak rejected(Reason reason) {
 
 class Suggestions {
  public:
-  explicit Suggestions(const AppModel& model) : model_(model) {}
+  explicit Suggestions(const Debugger& debugger) : debugger_(debugger), window_(debugger.window) {}
 
   std::vector<SuggestedBreak> made() {
     gate();
-    const Pick& p = model_.selection.picked;
+    const Pick& p = window_.selection.picked;
     const std::string id = std::to_string(p.id);
     switch (p.kind) {
     case Pick::Kind::edge:
@@ -65,22 +65,22 @@ class Suggestions {
 
   /// Stepping through gates: the gate shown, where it stopped the edge.
   void gate() {
-    if (model_.debug.level != DebugLevel::gate) return;
-    const auto gates = gates_of(model_);
-    const std::size_t i = model_.debug.gate;
+    if (window_.place.level != DebugLevel::gate) return;
+    const auto gates = debugger_.gates();
+    const std::size_t i = window_.place.gate;
     if (i >= collapse_check_count || gates.size() != collapse_check_count + 1 || !gates[i].failed) return;
     found_.push_back(rejected(words(static_cast<CollapseCheck>(i)).reason));
   }
 
   void edge(const std::string& which) {
-    if (const auto index = model_.selected_event()) {
-      const Event& e = model_.run.journal->events()[*index];
+    if (const auto index = window_.selected_event()) {
+      const Event& e = window_.run.journal->events()[*index];
       std::string text = which + " && " + std::string(name(e.kind));
       if (e.reason != Reason::none) text += " && reason == " + std::string(name(e.reason));
       add(text, "this edge, decided so again");
     }
     add(which, "any attempt on this edge");
-    if (const auto xray = model_.xray(); xray && xray->attempt.rejected != Reason::none) {
+    if (const auto xray = debugger_.probe.xray(); xray && xray->attempt.rejected != Reason::none) {
       const SuggestedBreak any = rejected(xray->attempt.rejected);
       add(any.condition, any.words);
     }
@@ -88,36 +88,37 @@ class Suggestions {
 
   void near(const std::string& before, const std::string& between, const std::string& words,
             const std::string& after = "") {
-    const auto state = model_.state();
+    const auto state = window_.state();
     if (!state || state->criteria.delta <= 0) return;
-    const Box3 box = pick_bounds(*state, model_.selection.picked);
+    const Box3 box = pick_bounds(*state, window_.selection.picked);
     if (box.empty()) return;
     add(before + place_of(box.center()) + between + general(state->criteria.delta, 6) + after, words);
   }
 
   /// Nothing is selected: events like the one that led here.
   void event() {
-    const std::ptrdiff_t here = current_event(model_);
+    const std::ptrdiff_t here = debugger_.current_event();
     if (here < 0) return;
-    const Event& e = model_.run.journal->events()[static_cast<std::size_t>(here)];
+    const Event& e = window_.run.journal->events()[static_cast<std::size_t>(here)];
     std::string text(name(e.kind));
     if (e.reason != Reason::none) text += " && reason == " + std::string(name(e.reason));
     add(text, "events like this one");
   }
 
-  const AppModel& model_;
+  const Debugger& debugger_;
+  const WindowState& window_;
   std::vector<SuggestedBreak> found_;
 };
 
 } // namespace
 
-std::vector<SuggestedBreak> suggested_breaks(const AppModel& model) {
-  if (!model.run.journal) return {};
-  return Suggestions(model).made();
+std::vector<SuggestedBreak> suggested_breaks(const Debugger& debugger) {
+  if (!debugger.window.run.journal) return {};
+  return Suggestions(debugger).made();
 }
 
-bool breaks_on(const AppModel& model, const std::string& condition) {
-  const auto list = model.debug.breakpoints->list();
+bool breaks_on(const Debugger& debugger, const std::string& condition) {
+  const auto list = debugger.breakpoints->list();
   return std::any_of(list.begin(), list.end(), [&](const BreakpointState& b) { return b.text == condition; });
 }
 

@@ -6,7 +6,7 @@
 
 namespace isoscope {
 
-class AppModel;
+class Debugger;
 
 struct SuggestedBreak {
   std::string condition; ///< in the language of breakpoints
@@ -14,8 +14,8 @@ struct SuggestedBreak {
 };
 
 /// The first is what F9 breaks on; empty where nothing is selected and no event led here.
-std::vector<SuggestedBreak> suggested_breaks(const AppModel& model);
+std::vector<SuggestedBreak> suggested_breaks(const Debugger& debugger);
 /// Whether there is a breakpoint with just this condition.
-bool breaks_on(const AppModel& model, const std::string& condition);
+bool breaks_on(const Debugger& debugger, const std::string& condition);
 
 } // namespace isoscope

@@ -1,13 +1,14 @@
-// The X-ray of an edge: the verdict, every check with its number beside its limit, kernel, candidates by
-// reason, cost.
-#include "ui/icons.h"
+// The verdict, and every check with its number beside its limit.
+#include "edge/edge_inspector.h"
+
+#include "edge/edge_journal.h"
+#include "edge/edge_numbers.h"
+#include "edge/edge_what_if.h"
 #include "model/words.h"
-#include "edge/edge_parts.h"
-#include "app/panels.h"
-#include "ui/widgets.h"
-#include "questions/edge_xray.h"
 #include "scene/pick_geometry.h"
 #include "scene/reason_style.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 #include <array>
@@ -66,10 +67,10 @@ void verdict(Ui& ui, const EdgeXray& x) {
                  "The evaluator that the run used, asked again about the state of that moment.");
   }
   constexpr std::array<const char*, 4> labels{"automatic", "halfedge", "general", "octree"};
-  int chosen = static_cast<int>(ui.model.selection.target);
+  int chosen = static_cast<int>(ui.window.selection.target);
   ImGui::PushFont(ui.fonts.small);
   if (widgets::segmented(ui, "targets", labels, chosen))
-    ui.model.selection.target = static_cast<XrayTarget>(chosen);
+    ui.window.selection.target = static_cast<XrayTarget>(chosen);
   ImGui::PopFont();
   widgets::tip(ui, "Which targets",
                "As the stage looks for them, the ends of the edge alone, the search, or the paper's octree.");
@@ -112,7 +113,7 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
                      to_u32(asked ? ui.colors.text : ui.colors.quiet), check_title(check));
   const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
   const std::string value = asked ? check_text(check, v, x.attempt, delta) : "not asked";
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono,
                      {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                      to_u32(!asked                          ? ui.colors.quiet
@@ -122,9 +123,8 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
                      value);
   if (v.seconds > 0) {
     const std::string time = time_text(v.seconds);
-    const float small = ui.fonts.small->FontSize;
     const float room = std::max(extent, ui.px(104)) + ui.px(10);
-    const float taken = ui.fonts.small->CalcTextSizeA(small, 1e9f, 0, time.c_str()).x;
+    const float taken = widgets::width_of(ui.fonts.small, time);
     widgets::draw_text(list, ui.fonts.small, {at.x + width - room - taken, y}, to_u32(ui.colors.quiet, 0.8f),
                        time);
   }
@@ -132,7 +132,7 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
 }
 
 void ladder(Ui& ui, const EdgeXray& x) {
-  subtitle(ui, "Checks");
+  widgets::subtitle(ui, "Checks");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
   double seconds = 0;
   for (std::size_t i = 0; i < collapse_check_count; ++i) {
@@ -147,7 +147,7 @@ void offenders(Ui& ui, const LinkVerdict& link) {
   const std::array<const std::vector<std::vector<VertexId>>*, 2> lists{&link.offending_t,
                                                                        &link.offending_zero};
   if (lists[0]->empty() && lists[1]->empty()) return;
-  subtitle(ui, "In both links, not in that of the edge");
+  widgets::subtitle(ui, "In both links, not in that of the edge");
   constexpr std::size_t most = 6;
   int id = 0;
   std::size_t left_out = 0;
@@ -172,10 +172,10 @@ void offenders(Ui& ui, const LinkVerdict& link) {
 
 } // namespace
 
-void edge_details(Ui& ui, const StateSnapshot& s) {
-  const AppModel& m = ui.model;
+void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
+  const WindowState& m = ui.window;
   const Pick& picked = m.selection.picked;
-  const auto xray = m.xray();
+  const auto xray = probe.xray();
   const auto ends = edge_positions(s, picked);
   const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
   std::string note = xray ? std::string(kind_text(xray->attempt.kind)) : std::string("an edge of Z");
@@ -194,7 +194,7 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   if (xray) verdict(ui, *xray);
   // What is tried comes first: it is what changes.
   const bool tried = m.selection.what_if.has_value();
-  if (xray && tried) what_if(ui, *xray);
+  if (xray && tried) what_if(ui, probe, *xray);
   if (event) {
     ImGui::Dummy({0, ui.px(2)});
     event_details(ui, *m.run.journal, *event);
@@ -202,13 +202,13 @@ void edge_details(Ui& ui, const StateSnapshot& s) {
   if (xray) {
     ladder(ui, *xray);
     offenders(ui, xray->attempt.link);
-    if (!tried) what_if(ui, *xray);
+    if (!tried) what_if(ui, probe, *xray);
     candidates(ui, *xray);
     search_regions(ui, *xray);
     kernel(ui, *xray);
-    cost(ui, *xray);
-    unlock(ui);
-  } else if (!m.probe.idle()) {
+    cost(ui, *xray, probe.study().get());
+    unlock(ui, probe);
+  } else if (probe.looking()) {
     widgets::quiet_text(ui, "The edge is being looked at.");
   } else if (s.complex.form == ZeroForm::free) {
     widgets::quiet_text(

@@ -1,10 +1,10 @@
-// What the journal says of an edge: its event with the number that decided, the sweeps of a repair, its
-// history.
-#include "model/words.h"
+// The edge's event with the number that decided, the sweeps of a repair, its history.
+#include "edge/edge_journal.h"
+
 #include "journal/describe.h"
-#include "edge/edge_parts.h"
-#include "ui/widgets.h"
+#include "model/words.h"
 #include "scene/reason_style.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +12,25 @@
 
 namespace isoscope::panels {
 namespace {
+
+/// Once for each gate at which one comes to stand: the wheel stays free afterwards.
+bool gate_reached(const Ui& ui) {
+  const int gate = static_cast<int>(ui.window.place.gate) + 1 +
+                   1000 * static_cast<int>(ui.window.place.gate_event.value_or(0) % 100000);
+  int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("gate shown"), 0);
+  return std::exchange(shown, gate) != gate;
+}
+
+/// A number against its limit, as a bar where the limit leaves room for one.
+void measured_row(const Ui& ui, std::string_view label, const Measured& m) {
+  if (!m.number) return;
+  const bool good = m.upper ? m.value <= m.limit : m.value > m.limit;
+  if (m.limit > 0)
+    widgets::limit_bar(ui, label, m.value, m.limit, good, m.unit, m.upper);
+  else
+    widgets::value_row(ui, label, short_number(m.value) + (*m.unit ? " " : "") + m.unit,
+                       good ? ui.colors.good_text : ui.colors.bad_text);
+}
 
 /// The largest distance before the repair and after every sweep, against δ.
 void distance_curve(const Ui& ui, const RepairDetail& sweeps, double delta) {
@@ -64,7 +83,7 @@ void repair_end(const Ui& ui, const Event& e, const RepairDetail& sweeps, double
 /// The inner level of a transaction.
 void repair(Ui& ui, const Event& event, const RepairDetail& sweeps, double delta) {
   if (sweeps.empty()) return;
-  subtitle(ui, "Repair, sweep by sweep");
+  widgets::subtitle(ui, "Repair, sweep by sweep");
   distance_curve(ui, sweeps, delta);
   ImGui::PushFont(ui.fonts.mono);
   constexpr std::array<const char*, 5> heads{"sweep", "d / δ", "moved", "flips", "points"};
@@ -106,22 +125,8 @@ void repair(Ui& ui, const Event& event, const RepairDetail& sweeps, double delta
 
 } // namespace
 
-void subtitle(const Ui& ui, const char* text) {
-  ImGui::Dummy({0, ui.px(4)});
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
-}
-
 bool at_gate(const Ui& ui, std::size_t gate) {
-  return ui.model.debug.level == DebugLevel::gate && ui.model.debug.gate == gate;
-}
-
-bool gate_reached(const Ui& ui) {
-  const int gate = static_cast<int>(ui.model.debug.gate) + 1 +
-                   1000 * static_cast<int>(ui.model.debug.gate_event.value_or(0) % 100000);
-  int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("gate shown"), 0);
-  return std::exchange(shown, gate) != gate;
+  return ui.window.place.at_gate(gate);
 }
 
 void gate_ground(const Ui& ui, ImVec2 low, ImVec2 size) {
@@ -151,16 +156,6 @@ Measured measured(Reason reason, double value, double limit, double delta) {
   }
 }
 
-void measured_row(const Ui& ui, std::string_view label, const Measured& m) {
-  if (!m.number) return;
-  const bool good = m.upper ? m.value <= m.limit : m.value > m.limit;
-  if (m.limit > 0)
-    widgets::limit_bar(ui, label, m.value, m.limit, good, m.unit, m.upper);
-  else
-    widgets::value_row(ui, label, short_number(m.value) + (*m.unit ? " " : "") + m.unit,
-                       good ? ui.colors.good_text : ui.colors.bad_text);
-}
-
 void event_details(Ui& ui, const Journal& journal, std::uint32_t index) {
   const Event& e = journal.events()[index];
   const double delta = journal.parameters_at(e.step).delta;
@@ -186,7 +181,7 @@ void event_details(Ui& ui, const Journal& journal, std::uint32_t index) {
 void edge_history(Ui& ui, const Journal& journal, VertexId a, VertexId b) {
   constexpr std::size_t most = 8, reach = 200000;
   std::vector<std::uint32_t> found;
-  const auto& range = ui.model.debug.range;
+  const auto& range = ui.window.range;
   const std::size_t end = journal.events().size();
   for (std::size_t i = end; i > end - std::min(end, reach) && found.size() < most; --i) {
     const Event& e = journal.events()[i - 1];
@@ -195,7 +190,7 @@ void edge_history(Ui& ui, const Journal& journal, VertexId a, VertexId b) {
       found.push_back(static_cast<std::uint32_t>(i - 1));
   }
   if (found.empty()) return;
-  subtitle(ui, "In the journal");
+  widgets::subtitle(ui, "In the journal");
   for (const std::uint32_t index : found) {
     const Event& e = journal.events()[index];
     ImGui::PushID(static_cast<int>(index));

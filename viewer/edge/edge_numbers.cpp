@@ -1,10 +1,13 @@
-// Kernel, candidates and cost of the edge under the X-ray.
+// Rows and bars of the numbers.
+#include "edge/edge_numbers.h"
+
+#include "edge/edge_journal.h"
 #include "model/words.h"
-#include "edge/edge_parts.h"
-#include "ui/widgets.h"
 #include "scene/reason_style.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isoscope::panels {
@@ -21,7 +24,7 @@ double delta_of(const EdgeXray& x) {
 void candidate_row(Ui& ui, const EdgeXray& x, std::uint32_t i) {
   const CandidateRecord& c = x.attempt.candidates[i];
   const ReasonStyle& style = reason_style(c.rejected);
-  Selection& selection = ui.model.selection;
+  Selection& selection = ui.window.selection;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), high = ui.px(20);
   ImGui::PushID(static_cast<int>(i));
@@ -41,11 +44,50 @@ void candidate_row(Ui& ui, const EdgeXray& x, std::uint32_t i) {
   const Measured m = measured(c.rejected, c.value, c.limit, delta_of(x));
   const std::string value =
       m.number ? number_beside(m.value, m.limit) + (*m.unit ? " " : "") + m.unit : std::string();
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono,
                      {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                      to_u32(ui.colors.text), value);
   ImGui::SetCursorScreenPos({at.x, at.y + high});
+}
+
+/// A bold title with a switch at its right.
+void switched_title(const Ui& ui, const char* title, std::string_view help, bool& on) {
+  ImGui::Dummy({0, ui.px(4)});
+  const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushID(title);
+  widgets::bold_text(ui, title);
+  widgets::tip(ui, title, help);
+  ImGui::SameLine(left + width - ui.px(34));
+  widgets::toggle(ui, "shown", on);
+  widgets::tip(ui, on ? "Hide in the view" : "Show in the view");
+  ImGui::PopID();
+}
+
+/// A colour, what it stands for, a number.
+void legend_row(const Ui& ui, Rgb color, std::string_view title, std::string_view help,
+                std::string_view value, bool filled) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), high = ui.px(20), r = ui.px(4.5f);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 low{at.x + ui.px(8) - r, at.y + high / 2 - r}, end{low.x + 2 * r, low.y + 2 * r};
+  if (filled) {
+    list.AddRectFilled(low, end, to_u32(color, 0.25f));
+    for (const float t : {0.7f, 1.3f})
+      list.AddLine({low.x + r * (t - 0.7f), low.y + 2 * r * (t > 1 ? 1.0f : 0.65f)},
+                   {low.x + 2 * r * (t > 1 ? 1.0f : 0.65f), low.y + r * (t - 0.7f)}, to_u32(color));
+  }
+  list.AddRect(low, end, to_u32(color), 0, 0, ui.px(1.2f));
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(ui.colors.text), title);
+  const float extent = widgets::width_of(ui.fonts.mono, value);
+  widgets::draw_text(list, ui.fonts.mono,
+                     {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
+                     to_u32(ui.colors.text), value);
+  ImGui::PushID(title.data(), title.data() + title.size());
+  ImGui::InvisibleButton("legend", {width, high - ImGui::GetStyle().ItemSpacing.y});
+  ImGui::PopID();
+  widgets::tip(ui, title, help);
 }
 
 } // namespace
@@ -81,7 +123,7 @@ std::string check_text(CollapseCheck check, const CheckVerdict& v, const Collaps
 void candidates(Ui& ui, const EdgeXray& x) {
   const std::size_t all = x.attempt.candidates.size();
   if (all == 0) return;
-  subtitle(ui, "Candidates");
+  widgets::subtitle(ui, "Candidates");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < x.candidates.size(); ++i) {
     const std::uint32_t n = x.candidates[i];
@@ -96,7 +138,7 @@ void candidates(Ui& ui, const EdgeXray& x) {
     widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2},
                        to_u32(ui.colors.text), style.title);
     const std::string count = grouped(n);
-    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
+    const float extent = widgets::width_of(ui.fonts.mono, count);
     widgets::draw_text(list, ui.fonts.mono,
                        {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                        to_u32(ui.colors.text), count);
@@ -120,11 +162,49 @@ void candidates(Ui& ui, const EdgeXray& x) {
   ImGui::PopStyleVar();
 }
 
+void search_regions(Ui& ui, const EdgeXray& x) {
+  ViewSettings& view = ui.window.view;
+  const CollapseAttempt& attempt = x.attempt;
+  if (!attempt.invalid_regions.empty()) {
+    switched_title(ui, "Invalid regions Ψ",
+                   "Targets that must fail because one that was judged did; candidates inside are not asked "
+                   "for. §2.4.1, §2.4.3",
+                   view.invalid_regions);
+    legend_row(ui, invalid_color, "drawn within the kernel", "The largest of them, hatched.",
+               grouped(x.invalid.size()) + " of " + grouped(attempt.invalid_regions.size()), true);
+  }
+  if (const std::uint32_t judged = x.pruning.cells_judged + x.pruning.regions_judged; judged > 0) {
+    widgets::verdict_glyph(ui, x.pruning.wrong.empty());
+    ImGui::SameLine();
+    ImGui::PushFont(ui.fonts.small);
+    const std::string checked =
+        x.pruning.wrong.empty() ? judged == 1 ? std::string("right: the point in it that was judged fails")
+                                              : "right: " + grouped(judged) + " points in it judged, all fail"
+                                : grouped(x.pruning.wrong.size()) + " of " + grouped(judged) + " would pass";
+    ImGui::TextUnformatted(checked.c_str());
+    ImGui::PopFont();
+    widgets::tip(ui, "Was it right to leave them out?",
+                 "Middles of Ψ and centres of the cells inside it, judged as if nothing were known.");
+  }
+  if (attempt.cells.empty()) return;
+  switched_title(ui, "Octree over the kernel",
+                 "Cells by least possible error; the centre of one that is not left out is a candidate. "
+                 "§2.4.3",
+                 view.octree_cells);
+  std::array<std::size_t, fate_count> counts{};
+  for (const OctreeCell& cell : attempt.cells) ++counts.at(static_cast<std::size_t>(cell.fate));
+  for (std::size_t i = 0; i < fate_count; ++i) {
+    if (counts[i] == 0) continue;
+    const FateStyle& style = fate_style(static_cast<OctreeCell::Fate>(i));
+    legend_row(ui, style.color, style.title, style.help, grouped(counts[i]), false);
+  }
+}
+
 void kernel(Ui& ui, const EdgeXray& x) {
   if (!x.attempt.kernel) return;
   const double delta = delta_of(x);
   const Kernel& k = *x.attempt.kernel;
-  subtitle(ui, "Kernel");
+  widgets::subtitle(ui, "Kernel");
   if (k.empty) {
     widgets::value_row(ui, "half-spaces without a common point", grouped(k.witness.size()),
                        ui.colors.bad_text);
@@ -135,7 +215,7 @@ void kernel(Ui& ui, const EdgeXray& x) {
     }
     widgets::value_row(ui, "each misses by", short_number(k.missing_slack / delta) + " δ");
     widgets::value_row(ui, "as a length", short_number(k.missing_slack));
-    float& push = ui.model.view.kernel_push;
+    float& push = ui.window.view.kernel_push;
     const std::string shown =
         "pushed " + short_number(static_cast<double>(push) * k.missing_slack / delta) + " δ";
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -152,15 +232,14 @@ void kernel(Ui& ui, const EdgeXray& x) {
   widgets::value_row(ui, "volume", short_number(x.kernel.volume / (delta * delta * delta)) + " δ³");
 }
 
-void cost(Ui& ui, const EdgeXray& x) {
+void cost(Ui& ui, const EdgeXray& x, const TargetStudy* study) {
   const CollapseAttempt& attempt = x.attempt;
   if (!attempt.kernel || attempt.kernel->empty) return;
   const double delta = delta_of(x), square = delta * delta;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   if (at_gate(ui, collapse_check_count))
     gate_ground(ui, {top.x, top.y + ui.px(6)}, {ImGui::GetContentRegionAvail().x, ui.px(26)});
-  subtitle(ui, "What the constraints cost");
-  const auto study = ui.model.study();
+  widgets::subtitle(ui, "What the constraints cost");
   widgets::value_row(ui, "◇ least error, unconstrained",
                      short_number(attempt.unconstrained_cost / square) + " δ²");
   if (!attempt.possible() && !study) return;

@@ -1,8 +1,10 @@
-// A target that a person tries: every check live, before and after; what would unlock the edge.
+// Every check live, before and after; the neighbours that were tried.
+#include "edge/edge_what_if.h"
+
+#include "edge/edge_numbers.h"
 #include "model/words.h"
-#include "edge/edge_parts.h"
-#include "ui/widgets.h"
 #include "scene/reason_style.h"
+#include "ui/widgets.h"
 
 #include <array>
 
@@ -38,7 +40,7 @@ void change_row(Ui& ui, const EdgeXray& x, const TargetStudy& study, CollapseChe
     const bool length = check == CollapseCheck::containment;
     value = short_number(change.before->value / (length ? delta : 1)) + " → " + value;
   }
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono,
                      {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
                      to_u32(good ? ui.colors.text : ui.colors.bad_text), value);
@@ -52,7 +54,7 @@ void coordinates(Ui& ui, Vec3 target, double delta) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   if (ImGui::InputScalarN("##target", ImGuiDataType_Double, xyz.data(), 3, nullptr, nullptr, "%.5g",
                           ImGuiInputTextFlags_EnterReturnsTrue))
-    ui.model.selection.try_target(Vec3{xyz[0], xyz[1], xyz[2]});
+    ui.window.selection.try_target(Vec3{xyz[0], xyz[1], xyz[2]});
   ImGui::PopFont();
   widgets::tip(ui, "The target",
                "Type a place, drag it in the view, or nudge it with Shift and the arrows: δ/50 each, δ = " +
@@ -85,9 +87,9 @@ void snap_buttons(Ui& ui) {
 
 } // namespace
 
-void what_if(Ui& ui, const EdgeXray& x) {
-  subtitle(ui, "What if the target were elsewhere?");
-  const Selection& selection = ui.model.selection;
+void what_if(Ui& ui, const EdgeProbe& probe, const EdgeXray& x) {
+  widgets::subtitle(ui, "What if the target were elsewhere?");
+  const Selection& selection = ui.window.selection;
   if (!selection.what_if) {
     if (widgets::plain_button(ui, "Try a target", true, ImGui::GetContentRegionAvail().x))
       ui.commands.post("what-if");
@@ -95,7 +97,7 @@ void what_if(Ui& ui, const EdgeXray& x) {
     return;
   }
   const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
-  const auto study = ui.model.study();
+  const auto study = probe.study();
   if (!study) {
     widgets::quiet_text(ui, "The target is being judged.");
     return;
@@ -126,22 +128,21 @@ void what_if(Ui& ui, const EdgeXray& x) {
   if (widgets::plain_button(ui, "Leave", true, half)) ui.commands.post("what-if", {"off"});
 }
 
-void unlock(Ui& ui) {
-  AppModel& m = ui.model;
-  subtitle(ui, "What would unlock it?");
-  if (!m.unlocks.idle()) {
+void unlock(Ui& ui, EdgeProbe& probe) {
+  widgets::subtitle(ui, "What would unlock it?");
+  if (probe.unlocking()) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, high = ui.px(8);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.line), high / 2);
-    list.AddRectFilled(at,
-                       {at.x + width * static_cast<float>(std::max(m.unlocks.fraction(), 0.0)), at.y + high},
-                       to_u32(ui.colors.accent), high / 2);
+    list.AddRectFilled(
+        at, {at.x + width * static_cast<float>(std::max(probe.unlock_fraction(), 0.0)), at.y + high},
+        to_u32(ui.colors.accent), high / 2);
     ImGui::Dummy({width, high});
-    if (widgets::plain_button(ui, "Cancel", true, width)) m.unlocks.stop();
+    if (widgets::plain_button(ui, "Cancel", true, width)) probe.stop_unlocking();
     return;
   }
-  const auto search = m.unlock_search();
+  const auto search = probe.unlock_search();
   if (!search) {
     if (widgets::plain_button(ui, "Try the neighbours", true, ImGui::GetContentRegionAvail().x))
       ui.commands.post("unlock");

@@ -1,9 +1,14 @@
-// A worker that looks at one edge of the state shown: the newest question wins.
+// The picked edge under the X-ray: what its collapse would do, what a target that is tried would, and what
+// would unlock it. Workers answer; the newest question wins.
 #pragma once
 
-#include "model/playhead.h"
+#include "command/commands.h"
+#include "command/named_values.h"
+#include "model/window_state.h"
+#include "model/worker.h"
 #include "questions/edge_xray.h"
 #include "questions/target_study.h"
+#include "questions/unlock_search.h"
 
 #include <functional>
 #include <memory>
@@ -29,12 +34,6 @@ struct ProbeRequest {
   }
 };
 
-/// The index of the samples of a request's state: its own, the known one, or a new one; null without samples.
-std::shared_ptr<const SampleIndex> sample_index(const ProbeRequest& request,
-                                                std::shared_ptr<const SampleIndex> known = nullptr);
-/// What an answer depends on, for as long as request and index live.
-XrayContext xray_context(const ProbeRequest& request, const SampleIndex* index);
-
 /// The newest answer; `xray` is null where the state has no such edge.
 struct ProbeResult {
   ProbeRequest request;
@@ -42,26 +41,46 @@ struct ProbeResult {
   std::shared_ptr<const TargetStudy> study; ///< of the target, where one was asked about
 };
 
-/// Methods are for one thread, the window's; the work happens on the worker's.
-class Probe {
- public:
-  /// `notify` is called from the worker whenever an answer is ready.
-  explicit Probe(std::function<void()> notify);
-  ~Probe();
-  Probe(const Probe&) = delete;
-  Probe& operator=(const Probe&) = delete;
+/// Answers edge after edge; a target that is dragged leaves the edge as it is.
+using ProbeWorker = Worker<ProbeRequest, ProbeResult>;
+ProbeWorker::Work probe_work();
 
-  /// Replaces any question that was not begun yet.
-  void request(ProbeRequest request);
-  /// The newest answer, null before the first.
-  std::shared_ptr<const ProbeResult> result() const;
-  bool idle() const;
-  /// Blocks until idle; for tests.
-  void wait() const;
+/// Methods are for one thread, the window's.
+class EdgeProbe {
+ public:
+  /// `notify` is called from workers whenever an answer is ready.
+  EdgeProbe(WindowState& shared, const std::function<void()>& notify);
+
+  WindowState& window;
+
+  /// Once a frame: asks about the picked edge at the state shown.
+  void update();
+  /// Of a run that is not shown any more.
+  void forget() { asked_.reset(); }
+  /// The X-ray of the picked edge at the state shown; null while it is made and where there is none.
+  std::shared_ptr<const EdgeXray> xray() const;
+  /// What the target that is tried would do; null while it is made and where none is.
+  std::shared_ptr<const TargetStudy> study() const;
+  /// Asks what unlocks the picked edge.
+  Status search_unlocks();
+  /// The answer at the state shown; null where nobody asked or it is not known yet.
+  std::shared_ptr<const UnlockSearch> unlock_search() const;
+  bool unlocking() const { return !unlocks_.idle(); }
+  double unlock_fraction() const { return unlocks_.fraction(); }
+  void stop_unlocking() { unlocks_.stop(); }
+
+  bool looking() const { return !worker_.idle(); }
+  bool idle() const { return worker_.idle() && unlocks_.idle(); }
+  /// Begins the end of what is asked for long, and waits for nothing.
+  void abandon() { unlocks_.abandon(); }
+
+  void add_commands(CommandTable& table);
+  void add_values(NamedValues& values);
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  ProbeWorker worker_;
+  Worker<ProbeRequest, UnlockSearch> unlocks_;
+  std::optional<ProbeRequest> asked_;
 };
 
 } // namespace isoscope

@@ -1,7 +1,6 @@
 // Points are compared on the screen; a drag keeps the target's depth.
 #include "edge/target_handle.h"
 
-#include "questions/target_study.h"
 #include "scene/overlay.h"
 
 #include <cmath>
@@ -13,23 +12,24 @@ namespace {
 constexpr float reach = 11; ///< of a mark, in units of the interface
 
 /// The point that a drag would take: the target tried, else the one found.
-std::optional<Vec3> handle_of(const AppModel& m, const EdgeXray& xray) {
+std::optional<Vec3> handle_of(const WindowState& m, const EdgeXray& xray) {
   if (m.selection.what_if) return m.selection.what_if;
   return xray.attempt.possible() ? std::optional(xray.attempt.target) : std::nullopt;
 }
 
 /// From the mouse; negative where it is out of reach.
 double distance_to(const Ui& ui, Vec3 p, ImVec2 mouse, ImVec2 size) {
-  const ScreenPoint s = project(ui.model.camera, p, static_cast<double>(size.x), static_cast<double>(size.y));
+  const ScreenPoint s =
+      project(ui.window.camera, p, static_cast<double>(size.x), static_cast<double>(size.y));
   const double d = std::hypot(s.x - static_cast<double>(mouse.x), s.y - static_cast<double>(mouse.y));
   return s.visible && d <= static_cast<double>(ui.px(reach)) ? d : -1;
 }
 
 } // namespace
 
-bool TargetHandle::update(Ui& ui, ImVec2 low, ImVec2 size, bool hovered) {
-  AppModel& m = ui.model;
-  const auto xray = m.xray();
+bool TargetHandle::update(Ui& ui, const EdgeProbe& probe, ImVec2 low, ImVec2 size, bool hovered) {
+  WindowState& m = ui.window;
+  const auto xray = probe.xray();
   if (!xray || !m.view.xray.shown()) {
     dragging_ = dragging_ && ImGui::IsMouseDown(0) && m.selection.what_if;
     if (!dragging_) return false;

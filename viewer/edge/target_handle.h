@@ -1,6 +1,7 @@
 // The target of the X-ray under the mouse: dragged in the plane of the view; candidates that are hovered.
 #pragma once
 
+#include "edge/probe.h"
 #include "ui/ui.h"
 
 namespace isoscope {
@@ -9,7 +10,7 @@ namespace isoscope {
 class TargetHandle {
  public:
   /// Called after the view's own item, before the mouse turns the camera. True while it takes the mouse.
-  bool update(Ui& ui, ImVec2 low, ImVec2 size, bool hovered);
+  bool update(Ui& ui, const EdgeProbe& probe, ImVec2 low, ImVec2 size, bool hovered);
 
  private:
   bool dragging_ = false;

@@ -1,8 +1,7 @@
-// The dialog for pictures and films, and the card that tells how far an export is.
+// What is chosen becomes the words of a command.
 #include "export/export_dialog.h"
 
 #include "ui/icons.h"
-#include "app/panels.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -32,7 +31,7 @@ void whole_number(Ui& ui, const char* id, int& value, int low, int high) {
 } // namespace
 
 void ExportDialog::steps(Ui& ui) {
-  const int live = static_cast<int>(ui.model.live_step());
+  const int live = static_cast<int>(ui.window.live_step());
   if (fresh_ || to_ > live) to_ = live;
   label(ui, "Steps");
   whole_number(ui, "##from", from_, 0, live);
@@ -46,9 +45,9 @@ void ExportDialog::steps(Ui& ui) {
   whole_number(ui, "##every", every_, 1, std::max(live, 1));
 }
 
-void ExportDialog::export_button(Ui& ui) {
+void ExportDialog::export_button(Ui& ui, const Exports& exports) {
   static constexpr std::array<const char*, 4> commands{"picture", "svg", "turntable", "step-frames"};
-  const bool busy = ui.model.exports.pending(), named = name_[0] != 0;
+  const bool busy = exports.pending(), named = name_[0] != 0;
   if (!widgets::primary_button(ui, "Write", named && !busy, ui.px(120))) return;
   const std::string name = name_.data();
   Arguments words{name};
@@ -68,7 +67,7 @@ void ExportDialog::export_button(Ui& ui) {
   ui.commands.post(commands[static_cast<std::size_t>(kind_)], words);
 }
 
-void ExportDialog::draw(Ui& ui) {
+void ExportDialog::draw(Ui& ui, const Exports& exports) {
   static constexpr std::array<const char*, 4> kinds{"Picture", "SVG section", "Turntable", "Steps"};
   const int before = kind_;
   widgets::segmented(ui, "kind", kinds, kind_);
@@ -118,14 +117,13 @@ void ExportDialog::draw(Ui& ui) {
         ui, "The 2D section in millimetres, with scale bar and a caption of step and parameters.", true);
   fresh_ = false;
   ImGui::Dummy({0, ui.px(8)});
-  export_button(ui);
+  export_button(ui, exports);
 }
 
 namespace panels {
 
-void export_progress(Ui& ui, ImVec2 low, float width) {
-  const Exports& e = ui.model.exports;
-  if (!e.busy || ui.model.scripted) return;
+void export_progress(Ui& ui, const Exports& e, ImVec2 low, float width) {
+  if (!e.busy || ui.window.scripted) return;
   const float wide = std::min(width - ui.px(24), ui.px(340)), high = ui.px(58);
   ImGui::SetNextWindowPos({low.x + (width - wide) / 2, low.y - high - ui.px(12)});
   ImGui::SetNextWindowSize({wide, high});

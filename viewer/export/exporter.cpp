@@ -57,20 +57,20 @@ Exporter::~Exporter() {
   if (file_.valid()) file_.wait();
 }
 
-void Exporter::fail(AppModel& model, Error error) {
-  model.report(error);
-  if (model.scripted) std::fprintf(stderr, "isoscope: %s\n", error.line().c_str());
-  model.exports.error = std::move(error);
-  finish(model, "");
+void Exporter::fail(Exports& desk, Error error) {
+  desk.window.report(error);
+  if (desk.window.scripted) std::fprintf(stderr, "isoscope: %s\n", error.line().c_str());
+  desk.error = std::move(error);
+  finish(desk, "");
 }
 
-void Exporter::finish(AppModel& model, const std::string& word) {
+void Exporter::finish(Exports& desk, const std::string& word) {
   const auto* sequence = std::get_if<SequenceRequest>(&request_);
   if (stage_ != Stage::idle && sequence != nullptr && sequence->kind == SequenceRequest::Kind::steps) {
     if (return_following_)
-      model.transport.follow();
+      desk.window.transport.follow();
     else
-      model.transport.jump(return_to_);
+      desk.window.transport.jump(return_to_);
   }
   stage_ = Stage::idle;
   picture_.reset();
@@ -79,13 +79,13 @@ void Exporter::finish(AppModel& model, const std::string& word) {
     std::error_code ignored;
     fs::remove(std::exchange(film_log_, {}), ignored);
   }
-  model.exports.busy = false;
-  model.exports.doing.clear();
-  model.exports.part = 0;
-  if (!word.empty() && !model.scripted) model.tell(word);
+  desk.busy = false;
+  desk.doing.clear();
+  desk.part = 0;
+  if (!word.empty() && !desk.window.scripted) desk.window.tell(word);
 }
 
-Shot Exporter::shot_of(const AppModel& model, const ViewState& state, const PictureFormat& format,
+Shot Exporter::shot_of(const Exports& desk, const ViewState& state, const PictureFormat& format,
                        const ViewExtent& extent) const {
   Shot shot;
   shot.width = format.width > 0 ? format.width : extent.width;
@@ -93,7 +93,7 @@ Shot Exporter::shot_of(const AppModel& model, const ViewState& state, const Pict
   shot.alpha = format.alpha;
   const double from = static_cast<double>(extent.width) / extent.height,
                to = static_cast<double>(shot.width) / shot.height;
-  shot.camera = model.camera;
+  shot.camera = desk.window.camera;
   shot.camera.set(fitted(state.camera, from, to));
   shot.view = state.view;
   shot.section = state.section;
@@ -102,55 +102,56 @@ Shot Exporter::shot_of(const AppModel& model, const ViewState& state, const Pict
   const double factor = std::min(static_cast<double>(shot.width) / extent.width,
                                  static_cast<double>(shot.height) / extent.height);
   shot.pixel_scale = extent.pixel_scale * static_cast<float>(factor);
-  shot.selection = model.selection.picked;
-  shot.mark = model.selection.mark;
+  shot.selection = desk.window.selection.picked;
+  shot.mark = desk.window.selection.mark;
   return shot;
 }
 
-void Exporter::begin_figure(AppModel& model, const FigureRequest& request, const ViewExtent& extent) {
+void Exporter::begin_figure(Exports& desk, const FigureRequest& request, const ViewExtent& extent) {
   SectionFigure figure;
-  figure.section = model.section;
-  figure.view = model.shown_view();
+  figure.section = desk.window.section;
+  figure.view = desk.window.shown_view();
   figure.aspect = static_cast<double>(extent.width) / extent.height;
-  figure.delta = model.run.scene ? model.run.scene->delta : 0;
-  figure.model = model.run.scene && model.run.scene->input ? model.run.scene->input->name : "model";
-  file_ =
-      std::async(std::launch::async,
-                 [state = model.state(), grid = model.grid.grid(), figure, file = request.file]() -> Status {
-                   return write_text(file, section_svg(*state, grid.get(), figure));
-                 });
+  figure.delta = desk.window.run.scene ? desk.window.run.scene->delta : 0;
+  figure.model =
+      desk.window.run.scene && desk.window.run.scene->input ? desk.window.run.scene->input->name : "model";
+  file_ = std::async(
+      std::launch::async,
+      [state = desk.window.state(), grid = desk.window.grid.grid(), figure, file = request.file]() -> Status {
+        return write_text(file, section_svg(*state, grid.get(), figure));
+      });
   stage_ = Stage::writing;
 }
 
-void Exporter::begin(AppModel& model, const ViewExtent& extent) {
-  request_ = std::move(model.exports.wanted.front());
-  model.exports.wanted.pop_front();
-  model.exports.busy = true;
-  model.exports.error.reset();
+void Exporter::begin(Exports& desk, const ViewExtent& extent) {
+  request_ = std::move(desk.wanted.front());
+  desk.wanted.pop_front();
+  desk.busy = true;
+  desk.error.reset();
   frame_ = 0;
-  const ViewState now{model.camera.pose(), model.shown_view(), model.section};
+  const ViewState now{desk.window.camera.pose(), desk.window.shown_view(), desk.window.section};
   if (const auto* figure = std::get_if<FigureRequest>(&request_)) {
-    begin_figure(model, *figure, extent);
+    begin_figure(desk, *figure, extent);
   } else if (const auto* picture = std::get_if<PictureRequest>(&request_)) {
-    shot_ = shot_of(model, picture->view.value_or(now), picture->format, extent);
+    shot_ = shot_of(desk, picture->view.value_or(now), picture->format, extent);
     stage_ = Stage::drawing;
   } else if (const auto* sequence = std::get_if<SequenceRequest>(&request_)) {
-    shot_ = shot_of(model, now, sequence->format, extent);
-    return_to_ = model.transport.step();
-    return_following_ = model.transport.mode() == Transport::Mode::following;
+    shot_ = shot_of(desk, now, sequence->format, extent);
+    return_to_ = desk.window.transport.step();
+    return_following_ = desk.window.transport.mode() == Transport::Mode::following;
     std::error_code error;
     fs::create_directories(sequence->folder, error);
     stage_ = Stage::drawing;
     if (error)
-      fail(model, {ErrorCode::io,
-                   "The folder " + sequence->folder + " cannot be made: " + error.message() + ".", ""});
+      fail(desk, {ErrorCode::io,
+                  "The folder " + sequence->folder + " cannot be made: " + error.message() + ".", ""});
     else if (!sequence->film.empty() && !find_program("ffmpeg"))
-      fail(model, {ErrorCode::io, "A film needs the program ffmpeg, which is not on PATH.",
-                   "Install ffmpeg, or write the frames alone."});
+      fail(desk, {ErrorCode::io, "A film needs the program ffmpeg, which is not on PATH.",
+                  "Install ffmpeg, or write the frames alone."});
   }
 }
 
-void Exporter::draw(AppModel& model, Renderer& renderer) {
+void Exporter::draw(Exports& desk, Renderer& renderer) {
   Shot shot = shot_;
   const auto* sequence = std::get_if<SequenceRequest>(&request_);
   if (!picture_ && sequence != nullptr && sequence->kind == SequenceRequest::Kind::turntable)
@@ -158,20 +159,20 @@ void Exporter::draw(AppModel& model, Renderer& renderer) {
                                                     static_cast<double>(sequence->frames)));
   if (sequence != nullptr && sequence->kind == SequenceRequest::Kind::steps) {
     const Step step = sequence->step(frame_);
-    if (model.transport.step() != step || model.transport.moving()) {
-      model.transport.jump(step);
-      model.transport.pause();
+    if (desk.window.transport.step() != step || desk.window.transport.moving()) {
+      desk.window.transport.jump(step);
+      desk.window.transport.pause();
       return;
     }
-    if (!model.state_is_current() || model.state() == nullptr || model.state()->step != step) return;
+    if (!desk.window.settled || desk.window.state() == nullptr || desk.window.state()->step != step) return;
   }
   if (!picture_) picture_ = std::make_unique<TiledPicture>(std::move(shot));
   const auto complete = picture_->advance(renderer);
-  if (!complete) return fail(model, complete.error());
-  if (*complete) write(model, picture_->take());
+  if (!complete) return fail(desk, complete.error());
+  if (*complete) write(picture_->take());
 }
 
-void Exporter::write(AppModel&, Image image) {
+void Exporter::write(Image image) {
   picture_.reset();
   fs::path file;
   if (const auto* sequence = std::get_if<SequenceRequest>(&request_))
@@ -183,30 +184,29 @@ void Exporter::write(AppModel&, Image image) {
   stage_ = Stage::writing;
 }
 
-void Exporter::written(AppModel& model) {
-  Exports& desk = model.exports;
-  if (const Status status = file_.get(); !status) return fail(model, status.error());
+void Exporter::written(Exports& desk) {
+  if (const Status status = file_.get(); !status) return fail(desk, status.error());
   if (const auto* picture = std::get_if<PictureRequest>(&request_)) {
     ++desk.pictures;
-    return finish(model, "The picture is written to " + picture->file + ".");
+    return finish(desk, "The picture is written to " + picture->file + ".");
   }
   if (const auto* figure = std::get_if<FigureRequest>(&request_)) {
     ++desk.figures;
-    return finish(model, "The section is written to " + figure->file + ".");
+    return finish(desk, "The section is written to " + figure->file + ".");
   }
   const auto& sequence = std::get<SequenceRequest>(request_);
   ++desk.frames;
   stage_ = Stage::drawing;
   if (++frame_ < sequence.count()) return;
   if (sequence.film.empty())
-    return finish(model, grouped(frame_) + " frames are written to " + sequence.folder + ".");
-  start_film(model);
+    return finish(desk, grouped(frame_) + " frames are written to " + sequence.folder + ".");
+  start_film(desk);
 }
 
-void Exporter::start_film(AppModel& model) {
+void Exporter::start_film(Exports& desk) {
   const auto& sequence = std::get<SequenceRequest>(request_);
   const auto ffmpeg = find_program("ffmpeg");
-  if (!ffmpeg) return fail(model, {ErrorCode::io, "The program ffmpeg is no longer on PATH.", ""});
+  if (!ffmpeg) return fail(desk, {ErrorCode::io, "The program ffmpeg is no longer on PATH.", ""});
   const fs::path folder = fs::absolute(sequence.folder);
   film_log_ = folder / "ffmpeg.log";
   // An even size is what the usual codec wants.
@@ -216,45 +216,43 @@ void Exporter::start_film(AppModel& model) {
        without_patterns(folder.string()) + "/frame_%04d.png", "-frames:v", std::to_string(sequence.count()),
        "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", fs::absolute(sequence.film).string()},
       film_log_);
-  if (!started) return fail(model, started.error());
+  if (!started) return fail(desk, started.error());
   film_ = std::move(*started);
   stage_ = Stage::filming;
 }
 
-void Exporter::watch_film(AppModel& model) {
+void Exporter::watch_film(Exports& desk) {
   const auto status = film_->poll();
   if (!status) return;
   const auto& sequence = std::get<SequenceRequest>(request_);
   if (*status != 0) {
     const std::string words = last_words(film_log_);
-    return fail(model,
-                {ErrorCode::io, "ffmpeg could not make the film" + (words.empty() ? "." : ": " + words),
-                 "The frames are in " + sequence.folder + "."});
+    return fail(desk, {ErrorCode::io, "ffmpeg could not make the film" + (words.empty() ? "." : ": " + words),
+                       "The frames are in " + sequence.folder + "."});
   }
-  ++model.exports.films;
-  finish(model, "The film is written to " + sequence.film + ".");
+  ++desk.films;
+  finish(desk, "The film is written to " + sequence.film + ".");
 }
 
-bool Exporter::advance(AppModel& model, Renderer& renderer, const ViewExtent& extent) {
-  Exports& desk = model.exports;
+bool Exporter::advance(Exports& desk, Renderer& renderer, const ViewExtent& extent) {
   if (desk.cancel) {
     desk.wanted.clear();
     if (file_.valid() && file_.wait_for(at_once) != std::future_status::ready) return true;
     desk.cancel = false;
     file_ = {};
-    if (stage_ != Stage::idle) finish(model, "The export is cancelled.");
+    if (stage_ != Stage::idle) finish(desk, "The export is cancelled.");
     return true;
   }
   if (stage_ == Stage::idle) {
-    if (desk.wanted.empty() || extent.width <= 0 || extent.height <= 0 || !model.state()) return false;
-    if (model.scripted && !model.state_is_current()) return false;
-    begin(model, extent);
+    if (desk.wanted.empty() || extent.width <= 0 || extent.height <= 0 || !desk.window.state()) return false;
+    if (desk.window.scripted && !desk.window.settled) return false;
+    begin(desk, extent);
   } else if (stage_ == Stage::drawing) {
-    draw(model, renderer);
+    draw(desk, renderer);
   } else if (stage_ == Stage::writing) {
-    if (file_.wait_for(at_once) == std::future_status::ready) written(model);
+    if (file_.wait_for(at_once) == std::future_status::ready) written(desk);
   } else {
-    watch_film(model);
+    watch_film(desk);
   }
   if (stage_ == Stage::idle) return true;
   const double inner = picture_ ? picture_->part() : stage_ == Stage::writing ? 1 : 0;

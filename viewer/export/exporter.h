@@ -1,7 +1,7 @@
 // Makes the pictures, figures and films that were asked for, a tile a frame; files are written on a worker.
 #pragma once
 
-#include "app/app_model.h"
+#include "export/exports.h"
 #include "export/tiled_picture.h"
 #include "platform/child_process.h"
 
@@ -19,20 +19,20 @@ struct ViewExtent {
 class Exporter {
  public:
   ~Exporter();
-  /// Does a frame's worth of work. The renderer holds the model's state. True when something changed.
-  bool advance(AppModel& model, Renderer& renderer, const ViewExtent& extent);
+  /// Does a frame's worth of work. The renderer holds the state shown. True when something changed.
+  bool advance(Exports& desk, Renderer& renderer, const ViewExtent& extent);
 
  private:
-  void begin(AppModel& model, const ViewExtent& extent);
-  void begin_figure(AppModel& model, const FigureRequest& request, const ViewExtent& extent);
-  void draw(AppModel& model, Renderer& renderer);
-  void write(AppModel& model, Image image);
-  void written(AppModel& model);
-  void start_film(AppModel& model);
-  void watch_film(AppModel& model);
-  void finish(AppModel& model, const std::string& word);
-  void fail(AppModel& model, Error error);
-  Shot shot_of(const AppModel& model, const ViewState& state, const PictureFormat& format,
+  void begin(Exports& desk, const ViewExtent& extent);
+  void begin_figure(Exports& desk, const FigureRequest& request, const ViewExtent& extent);
+  void draw(Exports& desk, Renderer& renderer);
+  void write(Image image);
+  void written(Exports& desk);
+  void start_film(Exports& desk);
+  void watch_film(Exports& desk);
+  void finish(Exports& desk, const std::string& word);
+  void fail(Exports& desk, Error error);
+  Shot shot_of(const Exports& desk, const ViewState& state, const PictureFormat& format,
                const ViewExtent& extent) const;
 
   enum class Stage : std::uint8_t { idle, drawing, writing, filming };

@@ -1,9 +1,9 @@
 // Pictures, figures and films that commands ask for, and how far they are; the program makes them.
 #pragma once
 
-#include "model/view_state.h"
-#include "base/ids.h"
-#include "base/status.h"
+#include "command/commands.h"
+#include "command/named_values.h"
+#include "model/window_state.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -50,6 +50,9 @@ using ExportRequest = std::variant<PictureRequest, FigureRequest, SequenceReques
 
 /// The desk where commands leave what they want and the exporter tells how far it is.
 struct Exports {
+  explicit Exports(WindowState& shared) : window(shared) {}
+
+  WindowState& window;
   std::deque<ExportRequest> wanted;
   bool cancel = false; ///< asked: what is under way and what waits is dropped
   // Told by the exporter.
@@ -59,6 +62,9 @@ struct Exports {
   std::size_t pictures = 0, figures = 0, frames = 0, films = 0; ///< written since the start
   std::optional<Error> error;                                   ///< of the last request that failed
   bool pending() const { return busy || !wanted.empty(); }
+
+  void add_commands(CommandTable& table);
+  void add_values(NamedValues& values);
 };
 
 } // namespace isoscope

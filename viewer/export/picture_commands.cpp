@@ -1,10 +1,8 @@
 // Commands that write pictures, figures and films.
-#include "app/command_actions.h"
-#include "command/command_groups.h"
-#include "ui/icons.h"
-#include "command/named_values.h"
-#include "command/usage.h"
+#include "export/exports.h"
+
 #include "model/words.h"
+#include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
 
@@ -19,7 +17,7 @@ namespace isoscope {
 namespace {
 
 using A = Arguments;
-using M = AppModel;
+using M = Exports;
 
 /// What the words of a call say, whatever their order; the rest is told by its place.
 struct Words {
@@ -40,7 +38,7 @@ bool read_size(const std::string& word, PictureFormat& format) {
          static_cast<std::size_t>(used) == word.size();
 }
 
-Result<Words> read_words(const std::string& command, const A& arguments) {
+Result<Words> read_words(const A& arguments) {
   Words words;
   for (const std::string& word : arguments) {
     PictureFormat size;
@@ -48,15 +46,15 @@ Result<Words> read_words(const std::string& command, const A& arguments) {
     if (read_size(word, size)) {
       const auto fits = [](int side) { return side >= picture_least && side <= picture_most; };
       if (!fits(size.width) || !fits(size.height))
-        return usage(command, "A picture's sides have from " + std::to_string(picture_least) + " to " +
-                                  std::to_string(picture_most) + " pixels, not " + word + ".");
+        return wrong_arguments("A picture's sides have from " + std::to_string(picture_least) + " to " +
+                               std::to_string(picture_most) + " pixels, not " + word + ".");
       words.format.width = size.width;
       words.format.height = size.height;
     } else if (word == "alpha") {
       words.format.alpha = true;
     } else if (std::sscanf(word.c_str(), "%dfps%n", &rate, &used) == 1 &&
                static_cast<std::size_t>(used) == word.size()) {
-      if (rate < 1 || rate > 240) return usage(command, "A film has from 1 to 240 frames a second.");
+      if (rate < 1 || rate > 240) return wrong_arguments("A film has from 1 to 240 frames a second.");
       words.rate = rate;
     } else if (ends_with(word, ".json")) {
       words.view = word;
@@ -66,49 +64,50 @@ Result<Words> read_words(const std::string& command, const A& arguments) {
       words.rest.push_back(word);
     }
   }
-  if (words.format.alpha && !words.film.empty()) return usage(command, "An MP4 has no transparent ground.");
+  if (words.format.alpha && !words.film.empty()) return wrong_arguments("An MP4 has no transparent ground.");
   return words;
 }
 
 std::string file_for(const M& m, const char* end) {
-  const std::string name = m.run.scene && m.run.scene->input ? m.run.scene->input->name : "model";
-  return name + "-step-" + std::to_string(m.transport.step()) + end;
+  const std::string name =
+      m.window.run.scene && m.window.run.scene->input ? m.window.run.scene->input->name : "model";
+  return name + "-step-" + std::to_string(m.window.transport.step()) + end;
 }
 
-Status picture(M& m, const A& a) {
-  const auto words = read_words("picture", a);
+Status write_picture(M& m, const A& a) {
+  const auto words = read_words(a);
   if (!words) return words.error();
-  if (words->rest.size() > 1 || !words->film.empty()) return usage("picture", "One file is written.");
+  if (words->rest.size() > 1 || !words->film.empty()) return wrong_arguments("One file is written.");
   PictureRequest request{words->rest.empty() ? file_for(m, ".png") : words->rest[0], words->format, {}};
   if (!words->view.empty()) {
     std::ifstream in(words->view);
     if (!in) return Error{ErrorCode::io, "The view " + words->view + " cannot be read.", ""};
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    request.view = view_from_json(text, {m.camera.pose(), m.shown_view(), m.section});
+    request.view = view_from_json(text, {m.window.camera.pose(), m.window.shown_view(), m.window.section});
     if (!request.view) return Error{ErrorCode::bad_input, words->view + " is no view.", ""};
   }
-  m.exports.wanted.emplace_back(std::move(request));
+  m.wanted.emplace_back(std::move(request));
   return {};
 }
 
-Status svg(M& m, const A& a) {
-  if (a.size() > 1) return usage("svg", "One file is written.");
-  m.exports.wanted.emplace_back(FigureRequest{a.empty() ? file_for(m, ".svg") : a[0]});
+Status write_svg(M& m, const A& a) {
+  if (a.size() > 1) return wrong_arguments("One file is written.");
+  m.wanted.emplace_back(FigureRequest{a.empty() ? file_for(m, ".svg") : a[0]});
   return {};
 }
 
 constexpr double most_frames = 100000;
 
-Result<std::size_t> frame_count(const std::string& command, const std::string& text, double least) {
+Result<std::size_t> frame_count(const std::string& text, double least) {
   const auto n = parse_number(text);
   if (!n || *n < least || *n > most_frames || *n != static_cast<double>(static_cast<std::size_t>(*n)))
-    return usage(command, "\"" + text + "\" is not a count from " + short_number(least) + " to 100,000.");
+    return wrong_arguments("\"" + text + "\" is not a count from " + short_number(least) + " to 100,000.");
   return static_cast<std::size_t>(*n);
 }
 
-Result<SequenceRequest> sequence(const std::string& command, const Words& words) {
-  if (words.rest.empty()) return usage(command, "The folder for the frames is missing.");
-  if (!words.view.empty()) return usage(command, "Frames are drawn as the window is.");
+Result<SequenceRequest> sequence(const Words& words) {
+  if (words.rest.empty()) return wrong_arguments("The folder for the frames is missing.");
+  if (!words.view.empty()) return wrong_arguments("Frames are drawn as the window is.");
   SequenceRequest request;
   request.folder = words.rest[0];
   request.format = words.format;
@@ -117,110 +116,97 @@ Result<SequenceRequest> sequence(const std::string& command, const Words& words)
   return request;
 }
 
-Status turntable(M& m, const A& a) {
-  const auto words = read_words("turntable", a);
+Status write_turntable(M& m, const A& a) {
+  const auto words = read_words(a);
   if (!words) return words.error();
-  auto request = sequence("turntable", *words);
+  auto request = sequence(*words);
   if (!request) return request.error();
-  const auto frames = frame_count("turntable", words->rest.size() > 1 ? words->rest[1] : "120", 2);
+  const auto frames = frame_count(words->rest.size() > 1 ? words->rest[1] : "120", 2);
   if (!frames) return frames.error();
   request->frames = *frames;
-  m.exports.wanted.emplace_back(std::move(*request));
+  m.wanted.emplace_back(std::move(*request));
   return {};
 }
 
-Status step_frames(M& m, const A& a) {
-  const auto words = read_words("step-frames", a);
+Status write_step_frames(M& m, const A& a) {
+  const auto words = read_words(a);
   if (!words) return words.error();
-  auto request = sequence("step-frames", *words);
+  auto request = sequence(*words);
   if (!request) return request.error();
   request->kind = SequenceRequest::Kind::steps;
-  if (words->rest.size() < 3) return usage("step-frames", "The first and the last step are missing.");
+  if (words->rest.size() < 3) return wrong_arguments("The first and the last step are missing.");
   std::array<double, 3> n{0, 0, 1};
   for (std::size_t i = 0; i < 3 && i + 1 < words->rest.size(); ++i) {
     if (i == 1 && words->rest[2] == "end") {
-      n[1] = m.live_step();
+      n[1] = m.window.live_step();
       continue;
     }
     const auto value = parse_number(words->rest[i + 1]);
     if (!value || *value < (i == 2 ? 1 : 0) || *value > 4e9 || *value != std::floor(*value))
-      return usage("step-frames", "\"" + words->rest[i + 1] + "\" is no step.");
+      return wrong_arguments("\"" + words->rest[i + 1] + "\" is no step.");
     n[i] = *value;
   }
-  if (n[0] > n[1] || n[1] > m.live_step())
-    return usage("step-frames", "The steps go upwards and end at " + grouped(m.live_step()) + " at most.");
+  if (n[0] > n[1] || n[1] > m.window.live_step())
+    return wrong_arguments("The steps go upwards and end at " + grouped(m.window.live_step()) + " at most.");
   request->from = static_cast<Step>(n[0]);
   request->to = static_cast<Step>(n[1]);
   request->every = static_cast<Step>(n[2]);
   if (static_cast<double>(request->count()) > most_frames)
-    return usage("step-frames", "These are more than 100,000 frames.");
-  m.exports.wanted.emplace_back(std::move(*request));
+    return wrong_arguments("These are more than 100,000 frames.");
+  m.wanted.emplace_back(std::move(*request));
   return {};
 }
 
 } // namespace
 
-std::vector<Command> picture_commands() {
-  const auto has_state = [](const M& m) { return m.state() != nullptr; };
-  return {
-      {"pictures",
-       "Pictures and films…",
-       "",
-       "Chooses size and ground of pictures and films and writes them.",
-       "File",
-       icon::camera,
-       {{GLFW_KEY_F12, true}},
-       [](M& m, const A&) { return actions::toggle_overlay(m, Overlay::pictures); },
-       has_state},
-      {"picture",
-       "Picture of the view",
-       "[FILE] [WIDTHxHEIGHT] [alpha] [VIEW.json]",
-       "Writes the view without panels as PNG at any size; alpha leaves the ground transparent.",
-       "File",
-       icon::camera,
-       {{GLFW_KEY_F12, false, true}},
-       picture,
-       has_state},
-      {"svg",
-       "Section as SVG",
-       "[FILE]",
-       "Writes the 2D section as a vector figure with scale and caption.",
-       "File",
-       icon::disk,
-       {},
-       svg,
-       has_state},
-      {"turntable",
-       "Turntable",
-       "FOLDER [FRAMES] [WIDTHxHEIGHT] [alpha] [FILM.mp4] [25fps]",
-       "Writes frames of a turn about the up axis, and a film of them where ffmpeg is there.",
-       "",
-       nullptr,
-       {},
-       turntable,
-       has_state},
-      {"step-frames",
-       "Frames of steps",
-       "FOLDER FROM TO|end [EVERY] [WIDTHxHEIGHT] [alpha] [FILM.mp4] [25fps]",
-       "Writes a frame of each step, or of every so manyth, and a film of them where ffmpeg is there.",
-       "",
-       nullptr,
-       {},
-       step_frames,
-       has_state},
-      {"cancel-export",
-       "Cancel the export",
-       "",
-       "Drops the picture or film that is being made and those that wait.",
-       "File",
-       icon::close,
-       {},
-       [](M& m, const A&) {
-         m.exports.cancel = true;
-         return Status();
-       },
-       [](const M& m) { return m.exports.pending(); }},
-  };
+void Exports::add_commands(CommandTable& table) {
+  const auto has_state = [this] { return window.has_state(); };
+  table.add(
+      {{.name = "pictures",
+        .title = "Pictures and films…",
+        .help = "Chooses size and ground of pictures and films and writes them.",
+        .menu = "File",
+        .icon = icon::camera,
+        .keys = {{GLFW_KEY_F12, true}},
+        .run = does([this] { window.toggle(Overlay::pictures); }),
+        .enabled = has_state},
+       {.name = "picture",
+        .title = "Picture of the view",
+        .usage = "[FILE] [WIDTHxHEIGHT] [alpha] [VIEW.json]",
+        .help = "Writes the view without panels as PNG at any size; alpha leaves the ground transparent.",
+        .menu = "File",
+        .icon = icon::camera,
+        .keys = {{GLFW_KEY_F12, false, true}},
+        .run = on(*this, write_picture),
+        .enabled = has_state},
+       {.name = "svg",
+        .title = "Section as SVG",
+        .usage = "[FILE]",
+        .help = "Writes the 2D section as a vector figure with scale and caption.",
+        .menu = "File",
+        .icon = icon::disk,
+        .run = on(*this, write_svg),
+        .enabled = has_state},
+       {.name = "turntable",
+        .title = "Turntable",
+        .usage = "FOLDER [FRAMES] [WIDTHxHEIGHT] [alpha] [FILM.mp4] [25fps]",
+        .help = "Writes frames of a turn about the up axis, and a film of them where ffmpeg is there.",
+        .run = on(*this, write_turntable),
+        .enabled = has_state},
+       {.name = "step-frames",
+        .title = "Frames of steps",
+        .usage = "FOLDER FROM TO|end [EVERY] [WIDTHxHEIGHT] [alpha] [FILM.mp4] [25fps]",
+        .help =
+            "Writes a frame of each step, or of every so manyth, and a film of them where ffmpeg is there.",
+        .run = on(*this, write_step_frames),
+        .enabled = has_state},
+       {.name = "cancel-export",
+        .title = "Cancel the export",
+        .help = "Drops the picture or film that is being made and those that wait.",
+        .menu = "File",
+        .icon = icon::close,
+        .run = does([this] { cancel = true; }),
+        .enabled = [this] { return pending(); }}});
 }
 
 } // namespace isoscope

@@ -1,9 +1,12 @@
-// Which events a list shows: by stage, kind, condition and reason.
+// Which events a list shows: by stage, kind, condition and reason, by a condition, by a range of steps.
 #pragma once
 
 #include "journal/event.h"
+#include "query/expression.h"
 
 #include <bitset>
+#include <memory>
+#include <string>
 
 namespace isoscope {
 
@@ -17,6 +20,22 @@ struct EventFilter {
   bool passes(const Event& event) const;
   bool everything() const { return stages.all() && kinds.all() && conditions.all() && reasons.all(); }
   friend bool operator==(const EventFilter&, const EventFilter&) = default;
+};
+
+/// Steps from `begin` to `end`, both included.
+struct StepSpan {
+  Step begin = 0, end = 0;
+  bool holds(Step step) const { return begin <= step && step <= end; }
+  friend bool operator==(const StepSpan&, const StepSpan&) = default;
+};
+
+/// The filter of the event list: what was chosen, and a condition in the query language.
+struct ListFilter {
+  EventFilter chosen;
+  std::string condition;
+  std::shared_ptr<const Expression> expression; ///< of the condition; null lets everything pass
+  /// Nothing is held back by one that cannot be read.
+  void set_condition(const std::string& text);
 };
 
 } // namespace isoscope

@@ -35,6 +35,7 @@ bool JournalIndex::update(std::size_t budget) {
     const Operation& operation = journal_->operations()[k];
     const Event& event = journal_->events()[operation.event];
     any = true;
+    if (event.vertex.valid()) births_.try_emplace(event.vertex.value, static_cast<Step>(k));
     conditions_.push_back(static_cast<std::uint8_t>(event.condition));
     const float spent = operation.figures.seconds;
     auto& seconds = figures_[static_cast<std::size_t>(Figure::seconds)];
@@ -94,6 +95,11 @@ std::optional<Step> JournalIndex::begin_of(Stage stage) const {
   for (const StageSpan& span : stages_)
     if (span.stage == stage) return span.begin;
   return std::nullopt;
+}
+
+std::optional<Step> JournalIndex::birth_of(VertexId vertex) const {
+  const auto found = births_.find(vertex.value);
+  return found == births_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<Step> JournalIndex::next_change(Step from) const {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace isoscope {
@@ -64,6 +65,8 @@ class JournalIndex {
   }
   /// The first step of a stage, where it has begun.
   std::optional<Step> begin_of(Stage stage) const;
+  /// The first operation that names a vertex as its own.
+  std::optional<Step> birth_of(VertexId vertex) const;
   /// Values by operation. `seconds` runs on from stage to stage: value k is the figure after step k + 1.
   const std::vector<float>& values(Figure figure) const { return figures_[static_cast<std::size_t>(figure)]; }
   const std::vector<StageSpan>& stages() const { return stages_; }
@@ -79,6 +82,7 @@ class JournalIndex {
   std::vector<std::uint8_t> conditions_, stage_of_, kind_of_;
   std::array<std::vector<Step>, event_kind_count> operations_;   ///< steps by kind, ascending
   std::array<std::vector<Step>, reason_count> rejections_;       ///< steps by reason, ascending
+  std::unordered_map<std::uint32_t, Step> births_;               ///< of vertices
   float seconds_before_ = 0;                                     ///< of the stages before the present one
   std::array<std::vector<std::uint32_t>, condition_count> sums_; ///< prefix sums, one longer than conditions_
   std::array<std::vector<float>, figure_count> figures_;

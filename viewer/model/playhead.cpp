@@ -1,165 +1,107 @@
-// The worker behind Playhead: one mutex guards the mailbox, the playback belongs to the worker alone.
+// What the play head's worker does: the playback belongs to it alone.
 #include "model/playhead.h"
 
-#include <condition_variable>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 namespace isoscope {
 
-struct Playhead::Impl {
-  std::function<void()> notify;
-  mutable std::mutex mutex;
-  mutable std::condition_variable changed;
-  // Guarded by the mutex.
-  std::optional<PlayheadRequest> wanted;
-  std::optional<CriteriaParameters> wanted_preview;
-  std::shared_ptr<const PlayheadResult> result;
-  std::optional<Preview> preview;
-  std::uint64_t epoch = 0; ///< grows with clear(): an answer begun before is dropped
-  bool working = false, quit = false;
-  // The worker's own.
-  std::unique_ptr<Playback> playback;
-  std::shared_ptr<const SampleIndex> index;
-  std::shared_ptr<const StateSnapshot> last; ///< of the playback's journal: near steps are judged from it
-  std::thread worker;
+/// Keeps what one answer leaves for the next.
+class Playhead::Answerer {
+ public:
+  std::shared_ptr<const Answer> answer(const Question& question);
 
-  void run();
-  std::shared_ptr<const PlayheadResult> answer(const PlayheadRequest& request);
+ private:
+  std::shared_ptr<const PlayheadResult> show(const PlayheadRequest& request);
   const NearestSample* nearest_for(const std::shared_ptr<const BoundarySamples>& samples);
+
+  std::unique_ptr<Playback> playback_;
+  std::shared_ptr<const SampleIndex> index_;
+  std::shared_ptr<const StateSnapshot> last_; ///< of the playback's journal: near steps are judged from it
+  std::shared_ptr<const PlayheadResult> result_;
+  std::optional<Preview> preview_;
+  std::uint64_t epoch_ = 0;
 };
 
-const NearestSample* Playhead::Impl::nearest_for(const std::shared_ptr<const BoundarySamples>& samples) {
+const NearestSample* Playhead::Answerer::nearest_for(const std::shared_ptr<const BoundarySamples>& samples) {
   if (!samples) return nullptr;
-  if (!index || index->set != samples) index = std::make_shared<const SampleIndex>(samples);
-  return &index->nearest;
+  if (!index_ || index_->set != samples) index_ = std::make_shared<const SampleIndex>(samples);
+  return &index_->nearest;
 }
 
-std::shared_ptr<const PlayheadResult> Playhead::Impl::answer(const PlayheadRequest& request) {
-  if (!playback || &playback->journal() != request.journal.get()) {
-    playback = std::make_unique<Playback>(request.journal);
-    index.reset();
-    last.reset();
+std::shared_ptr<const PlayheadResult> Playhead::Answerer::show(const PlayheadRequest& request) {
+  if (!playback_ || &playback_->journal() != request.journal.get()) {
+    playback_ = std::make_unique<Playback>(request.journal);
+    index_.reset();
+    last_.reset();
   }
   request.journal->keep_within(request.history_limit / 2);
   const std::size_t journal_bytes = request.journal->memory_bytes();
-  playback->set_keyframe_limit(request.history_limit > journal_bytes ? request.history_limit - journal_bytes
-                                                                     : 0);
+  playback_->set_keyframe_limit(request.history_limit > journal_bytes ? request.history_limit - journal_bytes
+                                                                      : 0);
   const NearestSample* nearest = nullptr;
   if (request.options.orientation) {
-    playback->seek(request.step);
-    nearest = nearest_for(playback->samples());
+    playback_->seek(request.step);
+    nearest = nearest_for(playback_->samples());
   }
   SnapshotOptions options = request.options;
   options.orientation = options.orientation && nearest != nullptr;
   auto made = std::make_shared<PlayheadResult>();
   made->request = request;
-  made->state = make_snapshot(*playback, request.step, options, nearest, last.get());
-  last = made->state;
-  made->keyframe_bytes = playback->keyframe_bytes();
-  made->index = index;
+  made->state = make_snapshot(*playback_, request.step, options, nearest, last_.get());
+  last_ = made->state;
+  made->keyframe_bytes = playback_->keyframe_bytes();
+  made->index = index_;
   request.journal->release_read_back();
   return made;
 }
 
-void Playhead::Impl::run() {
-  std::unique_lock lock(mutex);
-  while (true) {
-    changed.wait(lock, [&] { return quit || wanted || (wanted_preview && result); });
-    if (quit) return;
-    working = true;
-    const std::uint64_t begun = epoch;
-    if (wanted) {
-      const PlayheadRequest request = *std::exchange(wanted, std::nullopt);
-      lock.unlock();
-      auto made = answer(request);
-      lock.lock();
-      if (begun == epoch) result = std::move(made);
-    } else {
-      const CriteriaParameters criteria = *std::exchange(wanted_preview, std::nullopt);
-      const auto state = result->state;
-      lock.unlock();
-      const NearestSample* nearest = nearest_for(state->samples);
-      const Preview made{criteria, preview_violations(*state, criteria, nearest)};
-      lock.lock();
-      if (begun == epoch) preview = made;
-    }
-    working = false;
-    changed.notify_all();
-    lock.unlock();
-    if (notify) notify();
-    lock.lock();
+std::shared_ptr<const Playhead::Answer> Playhead::Answerer::answer(const Question& question) {
+  if (std::exchange(epoch_, question.epoch) != question.epoch) {
+    result_.reset();
+    preview_.reset();
   }
+  if (!result_ || !(result_->request == question.request)) result_ = show(question.request);
+  if (question.preview)
+    preview_ = Preview{*question.preview, preview_violations(*result_->state, *question.preview,
+                                                             nearest_for(result_->state->samples))};
+  return std::make_shared<const Answer>(Answer{result_, preview_});
 }
 
-Playhead::Playhead(std::function<void()> notify) : impl_(std::make_unique<Impl>()) {
-  impl_->notify = std::move(notify);
-  impl_->worker = std::thread([impl = impl_.get()] { impl->run(); });
-}
-
-Playhead::Playhead(Playhead&&) noexcept = default;
-
-// The worker of the one that is replaced ends with the other.
-Playhead& Playhead::operator=(Playhead&& other) noexcept {
-  std::swap(impl_, other.impl_);
-  return *this;
-}
-
-Playhead::~Playhead() {
-  if (!impl_) return;
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->quit = true;
-  }
-  impl_->changed.notify_all();
-  impl_->worker.join();
-}
+Playhead::Playhead(std::function<void()> notify)
+    : worker_(std::make_unique<PlayheadWorker>(
+          [answerer = std::make_shared<Answerer>()](const Question& question, RunControl&) {
+            return answerer->answer(question);
+          },
+          std::move(notify), Overtaken::finished)) {}
 
 void Playhead::request(PlayheadRequest request) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->wanted = std::move(request);
-  }
-  impl_->changed.notify_all();
+  asked_ = request;
+  worker_->ask({std::move(request), {}, epoch_});
 }
 
 void Playhead::request_preview(const CriteriaParameters& criteria) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->wanted_preview = criteria;
-  }
-  impl_->changed.notify_all();
+  if (asked_) worker_->ask({*asked_, criteria, epoch_});
 }
 
 void Playhead::clear() {
-  const std::lock_guard lock(impl_->mutex);
-  impl_->wanted.reset();
-  impl_->wanted_preview.reset();
-  impl_->result.reset();
-  impl_->preview.reset();
-  ++impl_->epoch;
+  worker_->stop();
+  asked_.reset();
+  ++epoch_;
+}
+
+std::shared_ptr<const Playhead::Answer> Playhead::newest() const {
+  const auto answered = worker_->answered();
+  return answered && answered->question.epoch == epoch_ ? answered->answer : nullptr;
 }
 
 std::shared_ptr<const PlayheadResult> Playhead::result() const {
-  const std::lock_guard lock(impl_->mutex);
-  return impl_->result;
+  const auto answer = newest();
+  return answer ? answer->result : nullptr;
 }
 
 std::optional<Preview> Playhead::preview() const {
-  const std::lock_guard lock(impl_->mutex);
-  return impl_->preview;
-}
-
-bool Playhead::idle() const {
-  const std::lock_guard lock(impl_->mutex);
-  return !impl_->working && !impl_->wanted && !(impl_->wanted_preview && impl_->result);
-}
-
-void Playhead::wait() const {
-  std::unique_lock lock(impl_->mutex);
-  impl_->changed.wait(
-      lock, [&] { return !impl_->working && !impl_->wanted && !(impl_->wanted_preview && impl_->result); });
+  const auto answer = newest();
+  return answer ? answer->preview : std::nullopt;
 }
 
 } // namespace isoscope

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "criteria/nearest_sample.h"
+#include "model/worker.h"
 #include "questions/snapshot.h"
 
 #include <cstdint>
@@ -55,12 +56,10 @@ class Playhead {
  public:
   /// `notify` is called from the worker whenever an answer is ready.
   explicit Playhead(std::function<void()> notify);
-  ~Playhead();
-  Playhead(Playhead&&) noexcept;
-  Playhead& operator=(Playhead&&) noexcept;
 
   /// Replaces any request that was not begun yet.
   void request(PlayheadRequest request);
+  /// Of the state that was asked for last.
   void request_preview(const CriteriaParameters& criteria);
   /// Drops everything: the next request starts from nothing.
   void clear();
@@ -69,13 +68,27 @@ class Playhead {
   std::shared_ptr<const PlayheadResult> result() const;
   std::optional<Preview> preview() const;
   /// Whether every request has been answered.
-  bool idle() const;
-  /// Blocks until idle; for tests and scripts.
-  void wait() const;
+  bool idle() const { return worker_->idle(); }
+  /// Blocks until idle; for tests.
+  void wait() const { worker_->wait(); }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Question {
+    PlayheadRequest request;
+    std::optional<CriteriaParameters> preview;
+    std::uint64_t epoch = 0; ///< grows with clear(): an answer to a question from before is dropped
+  };
+  struct Answer {
+    std::shared_ptr<const PlayheadResult> result;
+    std::optional<Preview> preview; ///< the newest of this epoch
+  };
+  class Answerer;
+  using PlayheadWorker = Worker<Question, Answer>;
+  std::shared_ptr<const Answer> newest() const;
+
+  std::unique_ptr<PlayheadWorker> worker_;
+  std::optional<PlayheadRequest> asked_;
+  std::uint64_t epoch_ = 0;
 };
 
 } // namespace isoscope

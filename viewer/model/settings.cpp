@@ -52,7 +52,7 @@ Settings load_settings(const std::filesystem::path& file) {
   s.panes.show_left = flag(object, "show_left", true);
   s.panes.show_right = flag(object, "show_right", true);
   s.panes.show_bottom = flag(object, "show_bottom", true);
-  s.panes.tab = static_cast<int>(number(object, "tab", 0, 0, 6));
+  s.panes.tab = static_cast<BottomTab>(static_cast<int>(number(object, "tab", 0, 0, bottom_tab_count - 1)));
   s.theme = static_cast<ThemeKind>(static_cast<int>(number(object, "theme", 0, 0, 2)));
   s.ui_scale = number(object, "ui_scale", 1, 0.5f, 4);
   s.history_limit = static_cast<double>(number(object, "history_limit", 2048, 1, 1048576));
@@ -77,7 +77,7 @@ void save_settings(const std::filesystem::path& file, const Settings& s) {
                        {"show_left", s.panes.show_left},
                        {"show_right", s.panes.show_right},
                        {"show_bottom", s.panes.show_bottom},
-                       {"tab", s.panes.tab},
+                       {"tab", static_cast<int>(s.panes.tab)},
                        {"theme", static_cast<int>(s.theme)},
                        {"ui_scale", s.ui_scale},
                        {"history_limit", s.history_limit},

@@ -4,17 +4,22 @@
 
 #include "scene/view_settings.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace isoscope {
 
+/// What the bottom pane shows; kept by number.
+enum class BottomTab : std::uint8_t { timeline, plots, events, breakpoints, history, work, compare };
+constexpr int bottom_tab_count = 7;
+
 /// Sizes in units of the interface, before scaling.
 struct PaneLayout {
   float left = 300, right = 340, bottom = 232;
   bool show_left = true, show_right = true, show_bottom = true;
-  int tab = 0; ///< of the bottom pane: timeline, plots, events, breakpoints, history, work, compare
+  BottomTab tab = BottomTab::timeline;
   friend bool operator==(const PaneLayout&, const PaneLayout&) = default;
 };
 

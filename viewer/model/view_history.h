@@ -19,7 +19,7 @@ struct ViewMemento {
   EventFilter filter;
   std::string condition; ///< of the filter, in the query language
   Pick picked;
-  unsigned kinds = 15;                ///< as Selection::kinds
+  PickKinds kinds = PickKinds::all;   ///< as Selection::kinds
   std::optional<std::uint32_t> event; ///< as Selection::event
   PaneLayout panes;
 };

@@ -1,10 +1,10 @@
-// A thread that answers questions of one kind: a newer question replaces one that was not begun and cancels
-// the one under way.
+// A thread that answers questions of one kind: the newest question wins.
 #pragma once
 
 #include "base/run_control.h"
 
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -14,13 +14,18 @@
 
 namespace isoscope {
 
+/// What becomes of the question under way when a newer one is asked: its answer is not wanted any more, or it
+/// is worth showing until the next is there. One that was not begun is replaced.
+enum class Overtaken : std::uint8_t { cancelled, finished };
+
 /// Methods are for one thread, the window's. Questions are cheap to copy and hold immutable things only.
 template <class Question, class Answer> class Worker {
  public:
   using Work = std::function<std::shared_ptr<const Answer>(const Question&, RunControl&)>;
 
   /// `notify` is called from the worker whenever an answer is ready.
-  Worker(Work work, std::function<void()> notify) : work_(std::move(work)), notify_(std::move(notify)) {}
+  Worker(Work work, std::function<void()> notify, Overtaken overtaken = Overtaken::cancelled)
+      : work_(std::move(work)), notify_(std::move(notify)), overtaken_(overtaken) {}
   ~Worker() {
     abandon();
     if (thread_.joinable()) thread_.join();
@@ -32,7 +37,7 @@ template <class Question, class Answer> class Worker {
     {
       const std::lock_guard lock(mutex_);
       wanted_ = std::move(question);
-      if (control_) control_->abandon();
+      if (control_ && overtaken_ == Overtaken::cancelled) control_->abandon();
       if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
     }
     changed_.notify_all();
@@ -65,6 +70,11 @@ template <class Question, class Answer> class Worker {
     const std::lock_guard lock(mutex_);
     return !wanted_ && !control_;
   }
+  /// Blocks until idle; for tests.
+  void wait() const {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !wanted_ && !control_; });
+  }
   /// Of the question under way, in [0, 1]; negative when unknown.
   double fraction() const {
     const std::lock_guard lock(mutex_);
@@ -91,6 +101,7 @@ template <class Question, class Answer> class Worker {
       control_.reset();
       if (!control->cancelled())
         answered_ = std::make_shared<const Answered>(Answered{question, std::move(answer)});
+      changed_.notify_all();
       lock.unlock();
       if (notify_) notify_();
       lock.lock();
@@ -99,8 +110,9 @@ template <class Question, class Answer> class Worker {
 
   Work work_;
   std::function<void()> notify_;
+  Overtaken overtaken_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
+  mutable std::condition_variable changed_;
   // Guarded by the mutex.
   std::optional<Question> wanted_;
   std::shared_ptr<RunControl> control_; ///< of the question under way

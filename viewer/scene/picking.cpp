@@ -253,7 +253,7 @@ double first(const std::vector<Hit>& hits) {
 } // namespace
 
 Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at,
-                unsigned kinds, int depth_index) {
+                PickKinds kinds, int depth_index) {
   if (!scene.state) return {};
   const Search search(scene, camera, view, at);
   std::vector<Hit> zero, opaque, hits;
@@ -261,17 +261,17 @@ Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings
   hit_input(search, opaque);
   double wall = view.input.opacity >= 1 ? first(opaque) : Box3::inf;
   if (view.zero_set.opacity >= 1) wall = std::min(wall, first(zero));
-  if (kinds & pick_vertices) hit_vertices(search, hits);
-  if (kinds & pick_samples) hit_samples(search, hits);
-  if (kinds & pick_edges) {
+  if (has(kinds, PickKinds::vertices)) hit_vertices(search, hits);
+  if (has(kinds, PickKinds::samples)) hit_samples(search, hits);
+  if (has(kinds, PickKinds::edges)) {
     // Alone an edge may be far from the mouse; beside cells it must leave them room.
     PickAt near = at;
-    near.radius *= kinds == pick_edges ? 2.0 : 0.7;
+    near.radius *= kinds == PickKinds::edges ? 2.0 : 0.7;
     hit_edges(Search(scene, camera, view, near), hits);
   }
   // A point that lies within its catch radius of a wall is drawn before it.
   const double slack = search.point_radius + (std::isfinite(wall) ? search.point_radius_rate * wall : 0);
-  if (kinds & pick_tetrahedra) {
+  if (has(kinds, PickKinds::tetrahedra)) {
     hits.insert(hits.end(), zero.begin(), zero.end());
     hit_tetrahedra(search, hits);
   }

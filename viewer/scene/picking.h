@@ -23,13 +23,10 @@ struct PickScene {
   const DistanceGrid* grid = nullptr;
 };
 
-/// Facets of a free Z count as its cells: they come with the tetrahedra.
-constexpr unsigned pick_vertices = 1, pick_tetrahedra = 2, pick_samples = 4, pick_edges = 8, pick_all = 15;
-
 /// The hit number `depth_index` along the ray among the asked-for kinds. Number 0 is never behind an opaque
 /// surface.
 Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at,
-                unsigned kinds, int depth_index);
+                PickKinds kinds, int depth_index);
 
 /// The nearest visible surface point under the position; at the target's depth where there is none.
 Vec3 surface_point(const PickScene& scene, const Camera& camera, const ViewSettings& view, const PickAt& at);
@@ -37,6 +34,6 @@ Vec3 surface_point(const PickScene& scene, const Camera& camera, const ViewSetti
 /// The same in the 2D section: the nearest drawn sample or vertex within the radius, else the tetrahedron
 /// around the position.
 Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView& section,
-                        const ViewSettings& view, const PickAt& at, unsigned kinds);
+                        const ViewSettings& view, const PickAt& at, PickKinds kinds);
 
 } // namespace isoscope

@@ -478,12 +478,12 @@ Renderer::Frame Renderer::render_section(const SectionView& section, const ViewS
 }
 
 Pick Renderer::pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height,
-                    unsigned kinds, int depth_index) const {
+                    PickKinds kinds, int depth_index) const {
   return pick_scene(impl_->pick_scene_data(), camera, view, {x, y, width, height}, kinds, depth_index);
 }
 
 Pick Renderer::pick_section(const SectionView& section, const ViewSettings& view, double x, double y,
-                            int width, int height, unsigned kinds) const {
+                            int width, int height, PickKinds kinds) const {
   if (!impl_->state) return {};
   return pick_section_scene(*impl_->state, section, view, {x, y, width, height}, kinds);
 }

@@ -73,12 +73,11 @@ class Renderer {
   Frame render_section(const SectionView& section, const ViewSettings& view, const FrameRequest& request);
 
   /// The nearest element under a framebuffer position (origin top left) that the layers, the filter and the
-  /// clip let see. `kinds`: bit 0 vertices, 1 tetrahedra, 2 samples, 3 edges. `depth_index`: 0 nearest, 1 the
-  /// next deeper ...
+  /// clip let see. `depth_index`: 0 nearest, 1 the next deeper ...
   Pick pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height,
-            unsigned kinds, int depth_index = 0) const;
+            PickKinds kinds, int depth_index = 0) const;
   Pick pick_section(const SectionView& section, const ViewSettings& view, double x, double y, int width,
-                    int height, unsigned kinds) const;
+                    int height, PickKinds kinds) const;
   /// The visible surface point under a position, for orbiting; the target's depth where nothing is hit.
   Vec3 point_under(const Camera& camera, const ViewSettings& view, double x, double y, int width,
                    int height) const;

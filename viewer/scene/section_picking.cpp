@@ -10,7 +10,7 @@
 namespace isoscope {
 
 Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView& section,
-                        const ViewSettings& view, const PickAt& at, unsigned kinds) {
+                        const ViewSettings& view, const PickAt& at, PickKinds kinds) {
   const SectionPlane plane = section_plane(view.clip);
   const double unit = section.height / at.height;
   const PlanePoint here{section.u + (at.x - 0.5 * at.width) * unit,
@@ -25,7 +25,7 @@ Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView&
     best = {kind, static_cast<std::uint32_t>(id), p};
   };
   const double reach = section_sample_distance(state);
-  if ((kinds & pick_samples) && view.samples.shown() && state.samples) {
+  if (has(kinds, PickKinds::samples) && view.samples.shown() && state.samples) {
     for (std::size_t i = 0; i < state.samples->size(); ++i) {
       const Vec3 p = state.samples->positions[i];
       if (std::abs(plane.height(p)) > reach) continue;
@@ -33,7 +33,7 @@ Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView&
       if ((bad ? view.bad_samples : view.good_samples).shown()) offer(Pick::Kind::sample, i, p);
     }
   }
-  if (kinds & pick_vertices) {
+  if (has(kinds, PickKinds::vertices)) {
     for (std::size_t i = 0; i < state.complex.vertices.size(); ++i) {
       const Vertex& v = state.complex.vertices[i];
       if (v.alive && (v.kind != VertexKind::box || view.tets.box) &&
@@ -41,7 +41,7 @@ Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView&
         offer(Pick::Kind::vertex, i, v.position);
     }
   }
-  if (best.kind == Pick::Kind::none && (kinds & pick_edges) && view.zero_set.shown() &&
+  if (best.kind == Pick::Kind::none && has(kinds, PickKinds::edges) && view.zero_set.shown() &&
       state.complex.form != ZeroForm::interpolated) {
     // Edges of Z that the plane crosses: they are points there.
     for (const ZeroSet::Polygon& p : state.zero_set.polygons)
@@ -55,7 +55,7 @@ Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView&
           best.other = w.value;
       }
   }
-  if (best.kind == Pick::Kind::none && (kinds & pick_tetrahedra)) {
+  if (best.kind == Pick::Kind::none && has(kinds, PickKinds::tetrahedra)) {
     const TetId tet = section_tet(state, plane, here, view.tets.box);
     if (tet.valid()) best = {Pick::Kind::tet, tet.value, plane.lift(here)};
   }

@@ -82,6 +82,22 @@ struct ViewSettings {
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
 
+/// Which kinds of elements a pick may hit, as a set. Facets of a free Z count as its cells: they come with
+/// the tetrahedra.
+enum class PickKinds : std::uint8_t {
+  vertices = 1,
+  tetrahedra = 2,
+  samples = 4,
+  edges = 8,
+  all = vertices | tetrahedra | samples | edges
+};
+constexpr PickKinds operator|(PickKinds a, PickKinds b) {
+  return static_cast<PickKinds>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool has(PickKinds set, PickKinds kind) {
+  return (static_cast<unsigned>(set) & static_cast<unsigned>(kind)) != 0;
+}
+
 /// What is picked or selected.
 struct Pick {
   enum class Kind : std::uint8_t { none, vertex, edge, tet, sample, facet };

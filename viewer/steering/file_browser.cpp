@@ -1,7 +1,8 @@
-// The file browser.
-#include "ui/icons.h"
+// Reading folders, and what is chosen in them.
+#include "steering/file_browser.h"
+
 #include "model/words.h"
-#include "app/overlays.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 /// What a chosen file is opened by.
 const char* open_command(const Ui& ui) {
-  return ui.model.files_beside ? "open-beside" : "open";
+  return ui.window.files_beside ? "open-beside" : "open";
 }
 
 namespace fs = std::filesystem;
@@ -77,7 +78,7 @@ void FileBrowser::sidebar(Ui& ui, float width) {
   place(icon::disk, "Computer", "/");
   ImGui::Dummy({0, ui.px(8)});
   widgets::quiet_text(ui, "Recent");
-  for (const std::string& file : ui.model.settings.recent) {
+  for (const std::string& file : ui.window.settings.recent) {
     ImGui::PushID(file.c_str());
     if (ImGui::Selectable((std::string(icon::history) + "   " + fs::path(file).filename().string()).c_str(),
                           false, 0, {0, ui.px(24)}))
@@ -118,7 +119,7 @@ void FileBrowser::listing(Ui& ui) {
                          widgets::fitted(entry.name, width - ui.px(140)));
       if (!entry.folder) {
         const std::string size = bytes_text(entry.bytes);
-        const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, size.c_str()).x;
+        const float extent = widgets::width_of(ui.fonts.mono, size);
         widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(10), y},
                            to_u32(ui.colors.quiet), size);
       }
@@ -135,7 +136,7 @@ void FileBrowser::listing(Ui& ui) {
 }
 
 void FileBrowser::draw(Ui& ui) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   if (std::exchange(fresh_, false)) {
     std::error_code ignored;
     go(m.settings.last_folder.empty() ? fs::current_path(ignored) : fs::path(m.settings.last_folder));

@@ -1,7 +1,8 @@
 // Parameters with a live preview of what would violate them now; applied to the run, or for a new one.
-#include "ui/icons.h"
+#include "steering/parameters_panel.h"
+
 #include "model/words.h"
-#include "app/panels.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <array>
@@ -62,7 +63,7 @@ void control(Ui& ui, P& p, const Field<P, double>& f) {
     typed(f, value, "%.6g", [&](double v) { return check_range(f, {}, v).ok(); });
     ImGui::PopFont();
   } else if (f.member == &P::sigma) {
-    const double by_default = ui.model.run.scene ? ui.model.run.scene->default_sigma : 0.5;
+    const double by_default = ui.window.run.scene ? ui.window.run.scene->default_sigma : 0.5;
     double sigma = p.sigma_ratio(by_default);
     slider(ui, f, sigma);
     if (sigma != p.sigma_ratio(by_default)) value = sigma;
@@ -83,7 +84,7 @@ void control(Ui& ui, P& p, const Field<P, Tolerance>& f) {
   ImGui::SameLine(0, ui.px(6));
   if (widgets::plain_button(ui, tolerance.percent ? "%##unit" : "abs##unit", true, unit,
                             ImGui::GetFrameHeight())) {
-    const double edge = ui.model.run.scene ? ui.model.run.scene->longest_edge : 0;
+    const double edge = ui.window.run.scene ? ui.window.run.scene->longest_edge : 0;
     if (edge > 0)
       tolerance.value = tolerance.percent ? tolerance.absolute(edge) : 100 * tolerance.value / edge;
     tolerance.percent = !tolerance.percent;
@@ -237,9 +238,9 @@ void preview_line(const Ui& ui, const char* name, std::size_t now, std::size_t t
 
 /// What S takes at the σ of the sliders.
 void foreseen(const Ui& ui) {
-  const auto& scene = ui.model.run.scene;
+  const auto& scene = ui.window.run.scene;
   if (!scene || !(scene->sample_estimate.boundary_area > 0)) return;
-  const RunParameters& draft = ui.model.draft;
+  const RunParameters& draft = ui.window.draft;
   const double sigma = draft.sigma_ratio(scene->default_sigma) * scene->delta;
   const double bytes = scene->sample_estimate.bytes(sigma);
   char words[64];
@@ -249,12 +250,12 @@ void foreseen(const Ui& ui) {
   widgets::value_row(ui, "samples at this σ", words, fits ? ui.colors.text : ui.colors.bad_text);
 }
 
-void preview(Ui& ui) {
-  const AppModel& m = ui.model;
+void preview(Ui& ui, const Steering& steering) {
+  const WindowState& m = ui.window;
   const auto state = m.state();
   if (!state || state->complex.form == ZeroForm::free) return;
-  const bool differs = m.draft_differs();
-  const auto next = m.draft_preview();
+  const bool differs = steering.draft_differs();
+  const auto next = steering.draft_preview();
   const bool known = differs && next.has_value();
   const ViolationPreview then = known ? *next : ViolationPreview{};
   widgets::quiet_text(ui, differs ? "Would violate at this step" : "Violate at this step");
@@ -264,8 +265,8 @@ void preview(Ui& ui) {
 }
 
 void warnings(const Ui& ui) {
-  if (!ui.model.run.scene) return;
-  for (const ParameterWarning& warning : ui.model.run.scene->warnings) {
+  if (!ui.window.run.scene) return;
+  for (const ParameterWarning& warning : ui.window.run.scene->warnings) {
     ImGui::PushFont(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.warning_text));
     ImGui::PushTextWrapPos(0);
@@ -276,9 +277,9 @@ void warnings(const Ui& ui) {
   }
 }
 
-void buttons(Ui& ui) {
-  const AppModel& m = ui.model;
-  const bool differs = m.draft_differs(), restart_only = m.draft_needs_restart();
+void buttons(Ui& ui, const Steering& steering) {
+  const WindowState& m = ui.window;
+  const bool differs = steering.draft_differs(), restart_only = steering.draft_needs_restart();
   const float each = (ImGui::GetContentRegionAvail().x - 2 * ui.px(8)) / 3;
   const bool can_apply = m.run.journal != nullptr && differs && !restart_only;
   if (can_apply ? widgets::primary_button(ui, "Apply", true, each)
@@ -301,9 +302,9 @@ void buttons(Ui& ui) {
 
 } // namespace
 
-void parameters(Ui& ui) {
+void parameters(Ui& ui, const Steering& steering) {
   if (!widgets::section(ui, "Parameters")) return;
-  RunParameters& p = ui.model.draft;
+  RunParameters& p = ui.window.draft;
   rows(ui, p, first_number, first_word, 22);
   ImGui::Dummy({0, ui.px(2)});
   ImGui::PushFont(ui.fonts.small);
@@ -313,10 +314,10 @@ void parameters(Ui& ui) {
   conditions(ui, p);
   ImGui::Dummy({0, ui.px(2)});
   foreseen(ui);
-  preview(ui);
+  preview(ui, steering);
   warnings(ui);
   ImGui::Dummy({0, ui.px(2)});
-  buttons(ui);
+  buttons(ui, steering);
   ImGui::Dummy({0, ui.px(6)});
 }
 

@@ -1,11 +1,11 @@
 // What scripts can expect of recordings.
-#include "command/named_table.h"
+#include "steering/steering.h"
 
 namespace isoscope {
 
 namespace {
 
-std::string state_word(const AppModel& m) {
+std::string state_word(const WindowState& m) {
   if (!m.run.recording) return "none";
   const RecordingState& r = *m.run.recording;
   if (r.error) return "failed";
@@ -16,18 +16,15 @@ std::string state_word(const AppModel& m) {
 
 } // namespace
 
-void add_recording_readings(NamedTable& t) {
-  t.push_back({"recording", "none, writing, opened, following, cut-short or failed", state_word, nullptr});
-  t.push_back({"recording.events", "events written to it, or read from it",
-               [](const AppModel& m) {
-                 return m.run.recording ? std::to_string(m.run.recording->events) : std::string("nan");
-               },
-               nullptr});
-  t.push_back({"recording.bytes", "its size on the disk",
-               [](const AppModel& m) {
-                 return m.run.recording ? std::to_string(m.run.recording->bytes) : std::string("nan");
-               },
-               nullptr});
+void Steering::add_recording_values(NamedValues& t) {
+  t.add("recording", "none, writing, opened, following, cut-short or failed",
+        [this] { return state_word(window); });
+  t.add("recording.events", "events written to it, or read from it", [this] {
+    return window.run.recording ? std::to_string(window.run.recording->events) : std::string("nan");
+  });
+  t.add("recording.bytes", "its size on the disk", [this] {
+    return window.run.recording ? std::to_string(window.run.recording->bytes) : std::string("nan");
+  });
 }
 
 } // namespace isoscope

@@ -1,368 +1,199 @@
-// Commands on files, the run and the selection.
-#include "command/command_groups.h"
+// Commands on files, recordings and the run.
+#include "steering/steering.h"
 
-#include "app/command_actions.h"
+#include "input/mesh_io.h"
+#include "mesh/zero_set.h"
+#include "model/words.h"
 #include "ui/icons.h"
+#include "view/view_commands.h"
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 namespace isoscope {
+namespace {
 
-using namespace actions;
-using M = AppModel;
-using A = Arguments;
+namespace fs = std::filesystem;
 
-std::vector<Command> file_commands() {
-  return {
-      {"open",
-       "Open…",
-       "[FILE | gallery:NAME] [paused]",
-       "Opens a model and starts refining it; without a name it shows the files.",
-       "File",
-       icon::folder_open,
-       {{'O', true}},
-       open_model},
-      {"gallery",
-       "Gallery",
-       "",
-       "Shows the bundled models and what each teaches.",
-       "File",
-       icon::gallery,
-       {{'G', true}},
-       [](M& m, const A&) { return toggle_overlay(m, Overlay::gallery); }},
-      {"export",
-       "Export Z…",
-       "[FILE]",
-       "Writes the zero set shown as OFF, OBJ, PLY or STL.",
-       "File",
-       icon::disk,
-       {{'E', true}},
-       export_mesh,
-       [](const M& m) { return m.state() != nullptr; }},
-      {"screenshot",
-       "Screenshot",
-       "[FILE] [view]",
-       "Writes a picture of the window, or of the view alone, as PNG.",
-       "File",
-       icon::camera,
-       {{GLFW_KEY_F12}},
-       screenshot},
-      {"quit",
-       "Quit",
-       "",
-       "Ends the program.",
-       "File",
-       nullptr,
-       {{'Q', true}},
-       [](M& m, const A&) {
-         m.requests.close = true;
-         return Status();
-       }},
-  };
+std::string time_stamp() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &local);
+  return text.data();
 }
 
-std::vector<Command> run_commands() {
-  const auto has_run = [](const M& m) { return m.run.journal != nullptr; };
-  return {
-      {"play",
-       "Play / pause",
-       "",
-       "Lets the play head run, or holds it.",
-       "Run",
-       icon::play,
-       {{GLFW_KEY_SPACE}},
-       play_or_pause,
-       has_run,
-       [](const M& m) { return m.playing(); }},
-      {"step",
-       "Next operation",
-       "[N]",
-       "Goes N operations on; at the live end of a held run it makes them happen.",
-       "Run",
-       icon::forward,
-       {{GLFW_KEY_RIGHT}},
-       step_forward,
-       has_run},
-      {"back",
-       "Previous operation",
-       "[N]",
-       "Goes N operations back.",
-       "Run",
-       icon::back,
-       {{GLFW_KEY_LEFT}},
-       step_back,
-       has_run},
-      {"next-change",
-       "To the next change",
-       "",
-       "Goes on until another condition or stage asks for the operation.",
-       "Run",
-       icon::next_change,
-       {{GLFW_KEY_RIGHT, true}},
-       next_change,
-       has_run},
-      {"previous-change",
-       "To the previous change",
-       "",
-       "Goes back to where the present condition or stage began.",
-       "Run",
-       nullptr,
-       {{GLFW_KEY_LEFT, true}},
-       previous_change,
-       has_run},
-      {"first",
-       "To the start",
-       "",
-       "Goes to step 0.",
-       "Run",
-       icon::first,
-       {{GLFW_KEY_HOME}},
-       [](M& m, const A&) {
-         m.transport.jump(0);
-         return Status();
-       },
-       has_run},
-      {"end",
-       "Follow the live end",
-       "",
-       "Goes to the newest step and stays there.",
-       "Run",
-       icon::last,
-       {{GLFW_KEY_END}},
-       [](M& m, const A&) {
-         m.transport.follow();
-         return Status();
-       },
-       has_run,
-       [](const M& m) { return m.transport.mode() == Transport::Mode::following; }},
-      {"stage",
-       "Go to a stage…",
-       "refinement | gamma | tessellation | zero-set | all | improve",
-       "Goes to where a stage begins; a held run goes on until it does.",
-       "",
-       nullptr,
-       {},
-       go_to_stage,
-       has_run},
-      {"next-event",
-       "Next event",
-       "[CONDITION]",
-       "Goes to the next event that the list shows, or to the next for which a condition holds.",
-       "Run",
-       nullptr,
-       {{GLFW_KEY_DOWN}},
-       [](M& m, const A& a) { return next_event(m, a, 1); },
-       has_run},
-      {"previous-event",
-       "Previous event",
-       "[CONDITION]",
-       "The same backwards.",
-       "Run",
-       nullptr,
-       {{GLFW_KEY_UP}},
-       [](M& m, const A& a) { return next_event(m, a, -1); },
-       has_run},
-      {"event",
-       "Go to event…",
-       "NUMBER",
-       "Goes to an event of the journal, selects what it names and frames it.",
-       "",
-       nullptr,
-       {},
-       go_to_event,
-       has_run},
-      {"filter",
-       "Filter the events",
-       "[CONDITION]",
-       "Lists the events for which a condition holds, or that words like +reject -kernel name; without it "
-       "all.",
-       "",
-       nullptr,
-       {},
-       filter_events},
-      {"seek", "Go to step…", "STEP", "Goes to a step.", "", nullptr, {}, seek, has_run},
-      {"speed",
-       "Speed",
-       "automatic | unlimited | STEPS",
-       "Sets the play head's speed in steps a second.",
-       "",
-       nullptr,
-       {},
-       set_speed},
-      {"faster",
-       "Faster",
-       "",
-       "Takes the next higher speed.",
-       "Run",
-       nullptr,
-       {{GLFW_KEY_PERIOD}},
-       [](M& m, const A&) { return change_speed(m, 1); }},
-      {"slower",
-       "Slower",
-       "",
-       "Takes the next lower speed.",
-       "Run",
-       nullptr,
-       {{GLFW_KEY_COMMA}},
-       [](M& m, const A&) { return change_speed(m, -1); }},
-      {"hold",
-       "Hold or let go the run",
-       "",
-       "Stops the computation between two operations, or lets it go on.",
-       "Run",
-       icon::pause,
-       {{GLFW_KEY_SPACE, false, true}},
-       hold_or_resume,
-       [](const M& m) { return m.run.phase == SessionPhase::running || m.run.phase == SessionPhase::paused; },
-       [](const M& m) { return m.run.phase == SessionPhase::paused; }},
-      {"apply",
-       "Apply parameters",
-       "",
-       "Goes on with the parameters of the panel from the present state.",
-       "Run",
-       icon::check,
-       {{GLFW_KEY_ENTER, true}},
-       apply_parameters,
-       has_run},
-      {"restart",
-       "Restart",
-       "",
-       "Runs again from the beginning with the parameters of the panel.",
-       "Run",
-       icon::restart,
-       {{'R', true}},
-       [](M& m, const A&) {
-         m.restart();
-         return Status();
-       },
-       [](const M& m) { return !m.draft.input.empty(); }},
-      {"stop",
-       "Stop",
-       "",
-       "Ends the run; what is there is kept and certified.",
-       "Run",
-       icon::stop,
-       {},
-       [](M& m, const A&) {
-         m.session.stop();
-         return Status();
-       },
-       [](const M& m) { return m.running() || m.run.phase == SessionPhase::paused; }},
-  };
+bool has_extension(const std::string& name, std::string_view extension) {
+  std::string end = std::filesystem::path(name).extension().string();
+  std::transform(end.begin(), end.end(), end.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return end == extension;
 }
 
-std::vector<Command> select_commands() {
-  const auto has_state = [](const M& m) { return m.state() != nullptr; };
-  return {
-      {"pick",
-       "Select…",
-       "vertex | tet | facet | sample ID, edge ID ID",
-       "Selects an element by its number, an edge by its ends.",
-       "",
-       nullptr,
-       {},
-       pick_element,
-       has_state},
-      {"pick-worst",
-       "Select the worst sample",
-       "",
-       "Selects the sample with the largest ε.",
-       "Select",
-       icon::target,
-       {{'W'}},
-       pick_worst,
-       has_state},
-      {"pick-operation",
-       "Select what the operation names",
-       "",
-       "Selects the edge or the sample of the operation shown.",
-       "Select",
-       icon::bolt,
-       {{'E'}},
-       pick_operation,
-       has_state},
-      {"witness",
-       "Show the witness",
-       "[CHECK]",
-       "Marks the point at which the selected edge's check was decided, by default the first that failed.",
-       "Select",
-       nullptr,
-       {{'J'}},
-       mark_witness,
-       has_state},
-      {"clear",
-       "Clear the selection",
-       "",
-       "Selects nothing; before that it closes what lies over the window and ends the presenter mode.",
-       "Select",
-       nullptr,
-       {{GLFW_KEY_ESCAPE}},
-       clear_selection},
-      {"frame",
-       "Frame the selection",
-       "",
-       "Moves the camera to what is selected, or to everything.",
-       "Select",
-       icon::search,
-       {{'F'}},
-       [](M& m, const A&) {
-         m.requests.frame_selection = true;
-         return Status();
-       }},
-      {"kind-vertex",
-       "Pick vertices only",
-       "",
-       "A click selects vertices alone; again for all kinds.",
-       "Select",
-       nullptr,
-       {{'1'}},
-       [](M& m, const A&) { return restrict_kind(m, 1); },
-       nullptr,
-       [](const M& m) { return m.selection.kinds == 1; }},
-      {"kind-edge",
-       "Pick edges only",
-       "",
-       "A click selects edges alone; again for all kinds.",
-       "Select",
-       nullptr,
-       {{'2'}},
-       [](M& m, const A&) { return restrict_kind(m, 8); },
-       nullptr,
-       [](const M& m) { return m.selection.kinds == 8; }},
-      {"kind-tet",
-       "Pick cells only",
-       "",
-       "A click selects tetrahedra or, once Z is free, its facets alone; again for all kinds.",
-       "Select",
-       nullptr,
-       {{'3'}},
-       [](M& m, const A&) { return restrict_kind(m, 2); },
-       nullptr,
-       [](const M& m) { return m.selection.kinds == 2; }},
-      {"kind-sample",
-       "Pick samples only",
-       "",
-       "A click selects samples alone; again for all kinds.",
-       "Select",
-       nullptr,
-       {{'4'}},
-       [](M& m, const A&) { return restrict_kind(m, 4); },
-       nullptr,
-       [](const M& m) { return m.selection.kinds == 4; }},
-      {"kind-all",
-       "Pick every kind",
-       "",
-       "A click selects whatever is nearest.",
-       "Select",
-       nullptr,
-       {{'0'}},
-       [](M& m, const A&) {
-         m.selection.kinds = 15;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.selection.kinds == 15; }},
-  };
+Status open_view_file(WindowState& m, const std::string& file) {
+  std::ifstream in(file);
+  if (!in) return Error{ErrorCode::io, "The view " + file + " cannot be read.", ""};
+  return show_view(m, std::string{std::istreambuf_iterator<char>(in), {}});
+}
+
+Status open_model(Steering& m, const Arguments& a) {
+  if (a.empty()) {
+    m.window.files_beside = false;
+    m.window.toggle(Overlay::files);
+    return {};
+  }
+  if (has_extension(a[0], ".json")) return open_view_file(m.window, a[0]);
+  if (a.size() > 1 && a[1] != "paused") return wrong_arguments("\"" + a[1] + "\" is not understood.");
+  m.open(a[0], a.size() > 1);
+  return {};
+}
+
+Status export_mesh(WindowState& m, const Arguments& a) {
+  const auto state = m.state();
+  if (!state) return wrong_arguments("There is no zero set yet.");
+  std::string file = a.empty() ? "" : a[0];
+  if (file.empty()) {
+    const std::string name = m.run.scene && m.run.scene->input ? m.run.scene->input->name : "model";
+    file = name + "-step-" + std::to_string(state->step) + ".off";
+  }
+  const TriangleMesh mesh = triangulate(state->zero_set);
+  if (Status s = write_mesh(file, mesh); !s) return s;
+  m.tell("Z of step " + grouped(state->step) + " is written to " + std::filesystem::absolute(file).string() +
+         ".");
+  return {};
+}
+
+Status screenshot(WindowState& m, const Arguments& a) {
+  ScreenshotRequest request;
+  for (const std::string& word : a) {
+    if (word == "view")
+      request.view_only = true;
+    else
+      request.file = word;
+  }
+  if (request.file.empty()) request.file = "isoscope-" + time_stamp() + ".png";
+  m.requests.screenshots.push_back(request);
+  return {};
+}
+
+/// The model's name in the present folder, numbered where that is taken.
+fs::path free_name(const WindowState& m) {
+  const std::string name =
+      m.run.scene && !m.run.scene->input->name.empty() ? m.run.scene->input->name : "run";
+  fs::path file = name + ".isorun";
+  for (int i = 2; fs::exists(file); ++i) file = name + "-" + std::to_string(i) + ".isorun";
+  return file;
+}
+
+Status record(WindowState& m, const Arguments& a) {
+  if (a.size() > 1) return Error{ErrorCode::usage, "record takes one file.", "Usage: record [FILE]"};
+  const fs::path file = a.empty() ? free_name(m) : fs::path(a[0]);
+  if (Status s = m.session.record(file); !s) return s;
+  m.tell("The run is recorded to " + fs::absolute(file).string() + ".");
+  return {};
+}
+
+Status apply_parameters(Steering& m, const Arguments&) {
+  if (m.window.shows_recording())
+    return Error{ErrorCode::usage, "A recording cannot go on with other parameters.",
+                 "Restart (Ctrl+R) runs its input anew with those of the panel."};
+  if (m.draft_needs_restart())
+    return Error{ErrorCode::usage, "These parameters belong to the whole run: they need a new one.",
+                 "Use Restart (Ctrl+R)."};
+  if (Status s = check(m.window.draft); !s) return s;
+  return m.apply();
+}
+
+} // namespace
+
+void Steering::add_file_commands(CommandTable& table) {
+  table.add({{.name = "open",
+              .title = "Open…",
+              .usage = "[FILE | gallery:NAME] [paused]",
+              .help = "Opens a model and starts refining it; without a name it shows the files.",
+              .menu = "File",
+              .icon = icon::folder_open,
+              .keys = {{'O', true}},
+              .run = on(*this, open_model)},
+             {.name = "gallery",
+              .title = "Gallery",
+              .help = "Shows the bundled models and what each teaches.",
+              .menu = "File",
+              .icon = icon::gallery,
+              .keys = {{'G', true}},
+              .run = does([this] { window.toggle(Overlay::gallery); })},
+             {.name = "export",
+              .title = "Export Z…",
+              .usage = "[FILE]",
+              .help = "Writes the zero set shown as OFF, OBJ, PLY or STL.",
+              .menu = "File",
+              .icon = icon::disk,
+              .keys = {{'E', true}},
+              .run = on(window, export_mesh),
+              .enabled = [this] { return window.has_state(); }},
+             {.name = "screenshot",
+              .title = "Screenshot",
+              .usage = "[FILE] [view]",
+              .help = "Writes a picture of the window, or of the view alone, as PNG.",
+              .menu = "File",
+              .icon = icon::camera,
+              .keys = {{GLFW_KEY_F12}},
+              .run = on(window, screenshot)},
+             {.name = "quit",
+              .title = "Quit",
+              .help = "Ends the program.",
+              .menu = "File",
+              .keys = {{'Q', true}},
+              .run = does([this] { window.requests.close = true; })}});
+}
+
+void Steering::add_recording_commands(CommandTable& table) {
+  table.add(
+      {{.name = "record",
+        .title = "Record the run…",
+        .usage = "[FILE]",
+        .help = "Keeps the run from its first event on in a file that opens anywhere, also while it grows.",
+        .menu = "File",
+        .icon = icon::record,
+        .keys = {{'R', true, true}},
+        .run = on(window, record),
+        .enabled = [this] { return window.has_run() && !window.shows_recording(); },
+        .checked = [this] { return window.run.recording && !window.run.recording->opened; }}});
+}
+
+void Steering::add_run_commands(CommandTable& table) {
+  const auto has_run = [this] { return window.has_run(); };
+  table.add({{.name = "apply",
+              .title = "Apply parameters",
+              .help = "Goes on with the parameters of the panel from the present state.",
+              .menu = "Run",
+              .icon = icon::check,
+              .keys = {{GLFW_KEY_ENTER, true}},
+              .run = on(*this, apply_parameters),
+              .enabled = has_run},
+             {.name = "restart",
+              .title = "Restart",
+              .help = "Runs again from the beginning with the parameters of the panel.",
+              .menu = "Run",
+              .icon = icon::restart,
+              .keys = {{'R', true}},
+              .run = does([this] { restart(); }),
+              .enabled = [this] { return !window.draft.input.empty(); }},
+             {.name = "stop",
+              .title = "Stop",
+              .help = "Ends the run; what is there is kept and certified.",
+              .menu = "Run",
+              .icon = icon::stop,
+              .run = does([this] { window.session.stop(); }),
+              .enabled = [this] { return window.running() || window.run.phase == SessionPhase::paused; }}});
 }
 
 } // namespace isoscope

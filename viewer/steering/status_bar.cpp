@@ -1,16 +1,17 @@
-// The line at the bottom and the messages over the view.
-#include "ui/icons.h"
+// What the run and the step shown say of themselves.
+#include "steering/status_bar.h"
+
 #include "model/words.h"
-#include "app/panels.h"
-#include "ui/widgets.h"
 #include "scene/reason_style.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 
 namespace isoscope::panels {
 namespace {
 
-std::string phase_text(const AppModel& m) {
+std::string phase_text(const WindowState& m) {
   switch (m.run.phase) {
   case SessionPhase::idle:
     return "no run";
@@ -52,7 +53,7 @@ std::string recording_text(const RecordingState& r) {
 }
 
 /// Operations a second over the last tenth of the run.
-std::string rate_text(const AppModel& m) {
+std::string rate_text(const WindowState& m) {
   if (!m.run.journal || m.run.journal->operations().size() < 20) return {};
   const auto& operations = m.run.journal->operations();
   const std::size_t last = operations.size() - 1,
@@ -67,8 +68,8 @@ std::string rate_text(const AppModel& m) {
 
 } // namespace
 
-void status_bar(Ui& ui) {
-  const AppModel& m = ui.model;
+void status_bar(Ui& ui, const HistoryMemory& h) {
+  const WindowState& m = ui.window;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2;
@@ -76,8 +77,7 @@ void status_bar(Ui& ui) {
   const float end = low.x + size.x - ui.px(12);
   const auto put = [&](std::string_view s, Rgb color, bool separator = true) {
     if (s.empty()) return;
-    const float width =
-        ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, s.data(), s.data() + s.size()).x;
+    const float width = widgets::width_of(ui.fonts.small, s);
     if (x + width > end) return;
     if (separator) {
       list.AddCircleFilled({x + ui.px(2), low.y + size.y / 2}, ui.px(1.5f), to_u32(ui.colors.quiet, 0.7f), 8);
@@ -105,7 +105,6 @@ void status_bar(Ui& ui) {
   }
   put(rate_text(m), ui.colors.quiet);
   if (m.run.journal) {
-    const AppModel::HistoryMemory h = m.history_memory();
     const bool over = h.journal > h.limit;
     put((over ? std::string(icon::warning) + " " : "") + "history " + bytes_text(h.bytes()) + " of " +
             bytes_text(h.limit) + (h.disk > 0 ? ", " + bytes_text(h.disk) + " on disk" : ""),
@@ -122,7 +121,7 @@ void status_bar(Ui& ui) {
 }
 
 void messages(Ui& ui, ImVec2 low, float width) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   float y = low.y;
   for (std::size_t i = 0; i < m.messages.size(); ++i) {
     const Message message = m.messages[i];

@@ -1,7 +1,8 @@
-// The bar on top: menus, the model and δ, stage chips, transport, LIVE.
-#include "ui/icons.h"
+// Its parts from left to right.
+#include "steering/top_bar.h"
+
 #include "model/words.h"
-#include "app/panels.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -13,16 +14,14 @@ namespace {
 constexpr std::array<const char*, 7> menu_names{"File", "Run", "Select", "View", "Talk", "Window", "Help"};
 
 void menu_entry(Ui& ui, const Command& command) {
-  const bool enabled = command.enabled == nullptr || command.enabled(ui.model);
-  const bool checked = command.checked != nullptr && command.checked(ui.model);
   const std::string key = command.keys.empty() ? "" : text(command.keys.front());
-  if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str(), checked, enabled))
-    ui.commands.post(std::string(command.name));
+  if (ImGui::MenuItem(command.title.c_str(), key.c_str(), command.is_checked(), command.is_enabled()))
+    ui.commands.post(command.name);
   widgets::tip(ui, {}, command.help);
 }
 
 void recent_files(Ui& ui) {
-  const auto& recent = ui.model.settings.recent;
+  const auto& recent = ui.window.settings.recent;
   if (!ImGui::BeginMenu("Recent", !recent.empty())) return;
   for (const std::string& file : recent)
     if (ImGui::MenuItem(file.c_str())) ui.commands.post("open", {file});
@@ -45,7 +44,7 @@ void menus(Ui& ui) {
                        to_u32(ui.colors.text, 0.92f), name);
     ImGui::SetNextWindowPos({at.x, at.y + high + ui.px(4)});
     if (ImGui::BeginPopup("entries")) {
-      for (const Command& command : command_table()) {
+      for (const Command& command : ui.table.all()) {
         if (command.menu != name) continue;
         menu_entry(ui, command);
         if (command.name == "gallery") recent_files(ui);
@@ -60,7 +59,7 @@ void menus(Ui& ui) {
 
 /// Returns the width it took.
 void model_name(Ui& ui, float room) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   std::string name = m.run.scene && m.run.scene->input ? m.run.scene->input->name : m.run.parameters.input;
   if (name.empty()) name = "no model";
   const std::string delta = m.run.parameters.input.empty() ? "" : "δ " + m.run.parameters.tolerance.text();
@@ -87,7 +86,7 @@ void model_name(Ui& ui, float room) {
 
 enum class ChipState { left_out, next, running, done };
 
-ChipState chip_state(const AppModel& m, Stage stage) {
+ChipState chip_state(const WindowState& m, Stage stage) {
   const RunParameters& p = m.run.parameters;
   const bool asked = stage <= p.last_stage() && !p.skipped.at(static_cast<std::size_t>(stage));
   ChipState state = asked ? ChipState::next : ChipState::left_out;
@@ -104,11 +103,11 @@ void stage_chips(Ui& ui, float room) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float high = ui.px(28), pad = ui.px(7);
   float used = 0;
-  const auto state_shown = ui.model.state();
+  const auto state_shown = ui.window.state();
   const Stage shown = state_shown && state_shown->event ? state_shown->event->stage : Stage::setup;
   ImGui::PushFont(ui.fonts.small);
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    const ChipState state = chip_state(ui.model, stages[i]);
+    const ChipState state = chip_state(ui.window, stages[i]);
     std::string label(stage_title(stages[i]));
     if (state == ChipState::done) label = std::string(icon::check) + " " + label;
     const ImVec2 extent = widgets::text_size(label), at = ImGui::GetCursorScreenPos();
@@ -162,21 +161,21 @@ void speed_menu(Ui& ui) {
   list.AddRectFilled({at.x, at.y + ui.px(1)}, {at.x + width, at.y + high - ui.px(1)},
                      to_u32(ImGui::IsItemHovered() ? ui.colors.hover : ui.colors.raised), ui.px(5));
   widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(8), at.y + (high - ui.fonts.mono->FontSize) / 2},
-                     to_u32(ui.colors.text), widgets::speed_text(ui.model.transport.speed()));
+                     to_u32(ui.colors.text), widgets::speed_text(ui.window.transport.speed()));
   widgets::draw_text(list, ui.fonts.ui, {at.x + width - ui.px(16), at.y + (high - ui.fonts.ui->FontSize) / 2},
                      to_u32(ui.colors.quiet), icon::down);
   ImGui::SetNextWindowPos({at.x, at.y + high + ui.px(4)});
   if (ImGui::BeginPopup("speeds")) {
     for (const double speed : Transport::speeds())
       if (ImGui::MenuItem((widgets::speed_text(speed) + "##" + std::to_string(speed)).c_str(), nullptr,
-                          speed == ui.model.transport.speed()))
-        ui.model.transport.set_speed(speed);
+                          speed == ui.window.transport.speed()))
+        ui.window.transport.set_speed(speed);
     ImGui::EndPopup();
   }
 }
 
 void live_badge(Ui& ui, float width) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const bool following =
       m.transport.mode() == Transport::Mode::following && m.transport.at_live_end(m.live_step());
   const float high = ui.px(28);
@@ -197,7 +196,7 @@ void live_badge(Ui& ui, float width) {
 }
 
 void transport(Ui& ui) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   widgets::command_button(ui, "first");
   ImGui::SameLine(0, ui.px(2));
   widgets::command_button(ui, "back");

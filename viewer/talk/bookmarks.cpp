@@ -1,10 +1,10 @@
 // The list and its sidecar.
 #include "talk/bookmarks.h"
 
-#include "model/words.h"
 #include "base/pending_file.h"
 #include "input/gallery.h"
 #include "journal/digest.h"
+#include "model/words.h"
 
 #include <nlohmann/json.hpp>
 

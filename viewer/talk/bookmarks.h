@@ -2,8 +2,8 @@
 // Kept as a JSON sidecar.
 #pragma once
 
-#include "model/view_state.h"
 #include "base/status.h"
+#include "model/view_state.h"
 #include "run/parameters.h"
 
 #include <filesystem>

@@ -1,11 +1,9 @@
-// The list of bookmarks: go to one, note it, move it, remove it.
-#include "ui/icons.h"
-#include "model/words.h"
-#include "app/overlays.h"
-#include "ui/widgets.h"
+// Go to one, note it, move it, remove it.
+#include "talk/bookmarks_panel.h"
 
-#include <algorithm>
-#include <optional>
+#include "model/words.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 namespace isoscope {
 namespace {
@@ -21,11 +19,11 @@ std::string selection_words(const Pick& picked) {
 
 // Notes are typed into a buffer of their own and taken over when typing ends: files are not written at every
 // letter.
-void BookmarkList::row(Ui& ui, std::size_t at) {
-  const Bookmark& b = ui.model.bookmarks.all()[at];
-  const std::size_t count = ui.model.bookmarks.size();
+void BookmarkList::row(Ui& ui, const Bookmarks& bookmarks, std::size_t at) {
+  const Bookmark& b = bookmarks.all()[at];
+  const std::size_t count = bookmarks.size();
   const std::string number = std::to_string(at + 1);
-  const bool current = ui.model.bookmarks.current() == at;
+  const bool current = bookmarks.current() == at;
   ImGui::PushID(static_cast<int>(at));
   ImGui::TableNextRow(0, ui.px(40));
   if (current) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, to_u32(ui.colors.accent, 0.14f));
@@ -80,8 +78,8 @@ void BookmarkList::row(Ui& ui, std::size_t at) {
   ImGui::PopID();
 }
 
-void BookmarkList::draw(Ui& ui) {
-  const std::size_t count = ui.model.bookmarks.size();
+void BookmarkList::draw(Ui& ui, const Talk& talk) {
+  const std::size_t count = talk.bookmarks.size();
   if (editing_ && *editing_ >= count) editing_.reset();
   ImGui::BeginChild("rows", {0, -ui.px(48)});
   if (count == 0)
@@ -92,12 +90,12 @@ void BookmarkList::draw(Ui& ui) {
     ImGui::TableSetupColumn("selection", ImGuiTableColumnFlags_WidthFixed, ui.px(150));
     ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("buttons", ImGuiTableColumnFlags_WidthFixed, ui.px(100));
-    for (std::size_t i = 0; i < count; ++i) row(ui, i);
+    for (std::size_t i = 0; i < count; ++i) row(ui, talk.bookmarks, i);
     ImGui::EndTable();
   }
   ImGui::EndChild();
   ImGui::Dummy({0, ui.px(4)});
-  if (widgets::primary_button(ui, "Add this step", ui.model.run.journal != nullptr, ui.px(150)))
+  if (widgets::primary_button(ui, "Add this step", ui.window.run.journal != nullptr, ui.px(150)))
     ui.commands.post("bookmark");
 }
 

@@ -1,24 +1,19 @@
-// The presenter mode's own parts: the sentence below the scene, where one is in the run, and the slide's
-// note.
-#include "talk/caption.h"
-#include "ui/icons.h"
+// The sentence below the scene, where one is in the run, and the slide's note.
+#include "talk/presenter.h"
+
 #include "model/words.h"
-#include "app/panels.h"
-#include "ui/widgets.h"
 #include "scene/reason_style.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 
 namespace isoscope::panels {
 namespace {
 
-float width_of(const ImFont* font, const std::string& text) {
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str()).x;
-}
-
 /// Stages as stripes, moments and bookmarks as marks, and how far the head is.
-void progress_line(const Ui& ui, ImVec2 low, ImVec2 size) {
-  const AppModel& m = ui.model;
+void progress_line(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, ImVec2 size) {
+  const WindowState& m = ui.window;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float steps = static_cast<float>(std::max<Step>(m.live_step(), 1));
   const auto x = [&](Step step) { return low.x + size.x * std::min(static_cast<float>(step) / steps, 1.0f); };
@@ -30,7 +25,7 @@ void progress_line(const Ui& ui, ImVec2 low, ImVec2 size) {
     if (head > begin)
       list.AddRectFilled({begin, low.y}, {std::min(head, end), low.y + size.y}, to_u32(color));
   }
-  for (const Bookmark& b : m.bookmarks.all()) {
+  for (const Bookmark& b : bookmarks.all()) {
     const float at = x(b.step), r = ui.px(4);
     list.AddTriangleFilled({at - r, low.y - r}, {at + r, low.y - r}, {at, low.y + size.y},
                            to_u32(ui.colors.accent));
@@ -41,11 +36,11 @@ void progress_line(const Ui& ui, ImVec2 low, ImVec2 size) {
 
 } // namespace
 
-void presenter_bar(Ui& ui) {
-  const AppModel& m = ui.model;
+void presenter_bar(Ui& ui, const Talk& talk) {
+  const WindowState& m = ui.window;
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  progress_line(ui, {low.x, low.y + ui.px(5)}, {size.x, ui.px(4)});
+  progress_line(ui, talk.bookmarks, {low.x, low.y + ui.px(5)}, {size.x, ui.px(4)});
   const float middle = low.y + ui.px(9) + (size.y - ui.px(9)) / 2;
 
   std::string place = grouped(m.transport.step()) + " / " + grouped(m.live_step());
@@ -53,18 +48,15 @@ void presenter_bar(Ui& ui) {
     const double speed = m.transport.speed();
     place += speed == Transport::automatic ? "" : "  " + widgets::speed_text(speed);
   }
-  const float place_width = width_of(ui.fonts.small, place);
+  const float place_width = widgets::width_of(ui.fonts.small, place);
   const float place_x = low.x + size.x - ui.px(14) - place_width;
   widgets::draw_text(list, ui.fonts.small, {place_x, middle - ui.fonts.small->FontSize / 2},
                      to_u32(ui.colors.quiet), place);
   widgets::draw_text(list, ui.fonts.ui, {place_x - ui.px(24), middle - ui.fonts.ui->FontSize / 2},
                      to_u32(ui.colors.quiet), m.playing() ? icon::play : icon::pause);
 
-  const auto shown = m.state();
-  const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
-  const Event* event = chosen                  ? &m.run.journal->events()[*chosen]
-                       : shown && shown->event ? &*shown->event
-                                               : nullptr;
+  const auto kept = m.state(); // the event may be its own
+  const Event* event = talk.caption_event();
   const bool rejected = event != nullptr && event->kind == EventKind::rejection;
   const Rgb color = event == nullptr ? ui.colors.quiet
                     : rejected       ? reason_style(event->reason).color
@@ -75,24 +67,25 @@ void presenter_bar(Ui& ui) {
                  rejected ? reason_style(event->reason).shape : MarkerShape::disc);
   const float text_x = low.x + ui.px(36);
   ImGui::PushFont(ui.fonts.ui);
-  const std::string text = widgets::fitted(plain_caption(m), place_x - ui.px(34) - text_x);
+  const std::string text = widgets::fitted(talk.caption(), place_x - ui.px(34) - text_x);
   ImGui::PopFont();
   widgets::draw_text(list, ui.fonts.ui, {text_x, middle - ui.fonts.ui->FontSize / 2}, to_u32(ui.colors.text),
                      text);
 }
 
-void slide_title(const Ui& ui, ImVec2 low, float width) {
-  const auto current = ui.model.bookmarks.current();
+void slide_title(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, float width) {
+  const auto current = bookmarks.current();
   if (!current) return;
-  const Bookmark& b = ui.model.bookmarks.all()[*current];
-  if (b.step != ui.model.transport.step()) return;
+  const Bookmark& b = bookmarks.all()[*current];
+  if (b.step != ui.window.transport.step()) return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  const std::string number = std::to_string(*current + 1) + " / " + std::to_string(ui.model.bookmarks.size());
+  const std::string number = std::to_string(*current + 1) + " / " + std::to_string(bookmarks.size());
   ImGui::PushFont(ui.fonts.title);
   const std::string note = widgets::fitted(b.note, width - ui.px(44));
   ImGui::PopFont();
   // A ground of its own: the scene behind may be as bright as the text.
-  const float wide = std::max(width_of(ui.fonts.small, number), width_of(ui.fonts.title, note));
+  const float wide =
+      std::max(widgets::width_of(ui.fonts.small, number), widgets::width_of(ui.fonts.title, note));
   list.AddRectFilled({low.x + ui.px(10), low.y + ui.px(10)},
                      {low.x + ui.px(34) + wide, low.y + ui.px(note.empty() ? 36 : 62)},
                      to_u32(ui.colors.ground, 0.78f), ui.px(8));

@@ -1,167 +1,216 @@
-// Commands for talks: bookmarks as slides, the presenter mode; and undo of the view.
-#include "app/command_actions.h"
-#include "command/command_groups.h"
+// Commands for talks: bookmarks as slides, the presenter mode.
+#include "talk/talk.h"
+
+#include "model/words.h"
 #include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
 
-#include <array>
-#include <string>
-#include <utility>
+#include <algorithm>
+#include <cmath>
 
 namespace isoscope {
 namespace {
 
-using namespace actions;
-using M = AppModel;
-using A = Arguments;
+/// An argument as an index from 0 into the list; scripts and people count from 1.
+Result<std::size_t> index_of(const Talk& talk, const Arguments& a, std::size_t argument) {
+  if (a.size() <= argument) return wrong_arguments("The number of a bookmark is missing.");
+  const auto n = parse_number(a[argument]);
+  if (!n || *n < 1 || *n != std::floor(*n) || *n > static_cast<double>(talk.bookmarks.size()))
+    return Error{ErrorCode::usage, "There is no bookmark " + a[argument] + ".",
+                 talk.bookmarks.size() == 0 ? "Ctrl+B makes one." : "Ctrl+Shift+B lists them."};
+  return static_cast<std::size_t>(*n) - 1;
+}
 
-/// Ctrl+1 to Ctrl+9 and Ctrl+0 for the tenth.
-template <std::size_t... I> std::vector<Command> numbered(std::index_sequence<I...>) {
-  constexpr std::array<std::string_view, 10> names{"bookmark-1", "bookmark-2", "bookmark-3", "bookmark-4",
-                                                   "bookmark-5", "bookmark-6", "bookmark-7", "bookmark-8",
-                                                   "bookmark-9", "bookmark-10"};
-  constexpr std::array<std::string_view, 10> titles{
-      "Go to bookmark 1", "Go to bookmark 2", "Go to bookmark 3", "Go to bookmark 4", "Go to bookmark 5",
-      "Go to bookmark 6", "Go to bookmark 7", "Go to bookmark 8", "Go to bookmark 9", "Go to bookmark 10"};
-  return {Command{names[I],
-                  titles[I],
-                  "",
-                  "Shows its step, view and selection.",
-                  "",
-                  nullptr,
-                  {{static_cast<int>('0' + (I + 1) % 10), true}},
-                  [](M& m, const A&) { return go_to_bookmark(m, {std::to_string(I + 1)}); },
-                  [](const M& m) { return m.bookmarks.size() > I; }}...};
+Status show(Talk& talk, std::size_t at) {
+  const Bookmark* b = talk.bookmarks.go(at);
+  if (b == nullptr) return Error{ErrorCode::usage, "There is no such bookmark.", ""};
+  if (b->step > talk.window.live_step())
+    return Error{ErrorCode::usage,
+                 "Step " + grouped(b->step) + " of bookmark " + std::to_string(at + 1) +
+                     " is not reached yet.",
+                 "Let the run go on, then come back."};
+  talk.window.transport.jump(b->step);
+  talk.window.blinking = false;
+  talk.window.show(b->view);
+  talk.window.selection.pick(b->picked);
+  talk.window.selection.event = b->event;
+  return {};
+}
+
+Status add_bookmark(Talk& talk, const Arguments& a) {
+  Bookmark b;
+  b.step = talk.window.transport.step();
+  const ViewMemento now = talk.window.memento();
+  b.picked = now.picked;
+  b.event = now.event;
+  b.view = now.view;
+  b.note = joined(a);
+  talk.bookmarks.add(std::move(b));
+  talk.keep_bookmarks();
+  if (!talk.window.scripted)
+    talk.window.tell("Bookmark " + std::to_string(talk.bookmarks.size()) +
+                     " holds this step, view and selection.");
+  return {};
+}
+
+Status go_to_bookmark(Talk& talk, const Arguments& a) {
+  const auto at = index_of(talk, a, 0);
+  return at ? show(talk, *at) : Status(at.error());
+}
+
+// Without bookmarks a clicker goes through the moments that matter.
+Status turn_slide(Talk& talk, int direction) {
+  if (talk.bookmarks.size() > 0) {
+    const auto next = talk.bookmarks.neighbour(direction);
+    return next ? show(talk, *next) : Status();
+  }
+  const auto& steps = talk.moments().steps();
+  const Step at = talk.window.transport.step();
+  if (direction > 0) {
+    const auto next = std::upper_bound(steps.begin(), steps.end(), at);
+    talk.window.transport.jump(next == steps.end() ? talk.window.live_step() : *next);
+  } else {
+    const auto next = std::lower_bound(steps.begin(), steps.end(), at);
+    talk.window.transport.jump(next == steps.begin() ? 0 : *(next - 1));
+  }
+  return {};
+}
+
+Status list_bookmarks(Talk& talk, const Arguments& a) {
+  if (a.empty()) {
+    talk.window.toggle(Overlay::bookmarks);
+    return {};
+  }
+  if (a.size() != 2 || (a[0] != "save" && a[0] != "load"))
+    return wrong_arguments("\"" + joined(a) + "\" is not understood.");
+  if (a[0] == "save") return save_bookmarks(a[1], talk.bookmarks, talk.window.run.parameters);
+  auto loaded = load_bookmarks(a[1]);
+  if (!loaded) return loaded.error();
+  talk.bookmarks = std::move(*loaded);
+  talk.keep_bookmarks();
+  return {};
+}
+
+Status note_bookmark(Talk& talk, const Arguments& a) {
+  const auto at = index_of(talk, a, 0);
+  if (!at) return at.error();
+  talk.bookmarks.set_note(*at, joined(a, 1));
+  talk.keep_bookmarks();
+  return {};
+}
+
+Status move_bookmark(Talk& talk, const Arguments& a) {
+  const auto from = index_of(talk, a, 0), to = index_of(talk, a, 1);
+  if (!from) return from.error();
+  if (!to) return to.error();
+  talk.bookmarks.move(*from, *to);
+  talk.keep_bookmarks();
+  return {};
+}
+
+Status delete_bookmark(Talk& talk, const Arguments& a) {
+  const auto at = index_of(talk, a, 0);
+  if (!at) return at.error();
+  talk.bookmarks.remove(*at);
+  talk.keep_bookmarks();
+  return {};
 }
 
 } // namespace
 
-std::vector<Command> slide_commands() {
-  const auto has_run = [](const M& m) { return m.run.journal != nullptr; };
-  const auto has_bookmarks = [](const M& m) { return m.bookmarks.size() > 0; };
-  std::vector<Command> all{
-      {"undo",
-       "Undo the view",
-       "",
-       "Takes back the last change of view, filter, selection or layout; never of the run.",
-       "View",
-       nullptr,
-       {{'Z', true}},
-       undo_view,
-       [](const M& m) { return m.history.undo_depth() > 0; }},
-      {"redo",
-       "Redo the view",
-       "",
-       "Brings again what was undone.",
-       "View",
-       nullptr,
-       {{'Y', true}, {'Z', true, true}},
-       redo_view,
-       [](const M& m) { return m.history.redo_depth() > 0; }},
-      {"presenter",
-       "Presenter mode",
-       "",
-       "One scene with large text and a sentence on what happens; Esc ends it.",
-       "Talk",
-       icon::square,
-       {{'P'}},
-       [](M& m, const A&) {
-         m.presenter.on = !m.presenter.on;
-         m.overlay = Overlay::none;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.presenter.on; }},
-      {"slow-down",
-       "Slow down at moments",
-       "",
-       "Presenting, playing dwells where a stage begins, the topology of Z changes or a collapse comes "
-       "through "
-       "at last.",
-       "Talk",
-       nullptr,
-       {},
-       [](M& m, const A&) {
-         m.presenter.slow_down = !m.presenter.slow_down;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.presenter.slow_down; }},
-      {"bookmark",
-       "Add a bookmark",
-       "[NOTE…]",
-       "Keeps step, view and selection, with a note.",
-       "Talk",
-       icon::star,
-       {{'B', true}},
-       add_bookmark,
-       has_run},
-      {"bookmarks",
-       "Bookmarks…",
-       "[save FILE | load FILE]",
-       "Lists the bookmarks: notes, order, removal; or writes them to a file or reads them from one.",
-       "Talk",
-       icon::list,
-       {{'B', true, true}},
-       list_bookmarks},
-      {"next-slide",
-       "Next slide",
-       "",
-       "Shows the next bookmark; without bookmarks the next moment that matters.",
-       "Talk",
-       icon::forward,
-       {{GLFW_KEY_PAGE_DOWN}},
-       [](M& m, const A&) { return turn_slide(m, 1); },
-       has_run},
-      {"previous-slide",
-       "Previous slide",
-       "",
-       "Shows the bookmark before; without bookmarks the moment before.",
-       "Talk",
-       icon::back,
-       {{GLFW_KEY_PAGE_UP}},
-       [](M& m, const A&) { return turn_slide(m, -1); },
-       has_run},
-      {"bookmark-go",
-       "Go to bookmark…",
-       "N",
-       "Shows a bookmark's step, view and selection.",
-       "",
-       nullptr,
-       {},
-       go_to_bookmark,
-       has_bookmarks},
-      {"bookmark-note",
-       "Note a bookmark…",
-       "N NOTE…",
-       "Gives a bookmark another note.",
-       "",
-       nullptr,
-       {},
-       note_bookmark,
-       has_bookmarks},
-      {"bookmark-move",
-       "Move a bookmark…",
-       "N TO",
-       "Gives a bookmark another place in the order.",
-       "",
-       nullptr,
-       {},
-       move_bookmark,
-       has_bookmarks},
-      {"bookmark-delete",
-       "Delete a bookmark…",
-       "N",
-       "Removes a bookmark from the list.",
-       "",
-       nullptr,
-       {},
-       delete_bookmark,
-       has_bookmarks},
-  };
-  for (Command& command : numbered(std::make_index_sequence<10>())) all.push_back(std::move(command));
-  return all;
+void Talk::add_commands(CommandTable& table) {
+  const auto has_run = [this] { return window.has_run(); };
+  const auto has_bookmarks = [this] { return bookmarks.size() > 0; };
+  table.add(
+      {{.name = "presenter",
+        .title = "Presenter mode",
+        .help = "One scene with large text and a sentence on what happens; Esc ends it.",
+        .menu = "Talk",
+        .icon = icon::square,
+        .keys = {{'P'}},
+        .run = does([this] {
+          window.presenter.on = !window.presenter.on;
+          window.overlay = Overlay::none;
+        }),
+        .checked = is_on(window.presenter.on)},
+       {.name = "slow-down",
+        .title = "Slow down at moments",
+        .help =
+            "Presenting, playing dwells where a stage begins, the topology of Z changes or a collapse comes "
+            "through "
+            "at last.",
+        .menu = "Talk",
+        .run = flips(window.presenter.slow_down),
+        .checked = is_on(window.presenter.slow_down)},
+       {.name = "bookmark",
+        .title = "Add a bookmark",
+        .usage = "[NOTE…]",
+        .help = "Keeps step, view and selection, with a note.",
+        .menu = "Talk",
+        .icon = icon::star,
+        .keys = {{'B', true}},
+        .run = on(*this, add_bookmark),
+        .enabled = has_run},
+       {.name = "bookmarks",
+        .title = "Bookmarks…",
+        .usage = "[save FILE | load FILE]",
+        .help =
+            "Lists the bookmarks: notes, order, removal; or writes them to a file or reads them from one.",
+        .menu = "Talk",
+        .icon = icon::list,
+        .keys = {{'B', true, true}},
+        .run = on(*this, list_bookmarks)},
+       {.name = "next-slide",
+        .title = "Next slide",
+        .help = "Shows the next bookmark; without bookmarks the next moment that matters.",
+        .menu = "Talk",
+        .icon = icon::forward,
+        .keys = {{GLFW_KEY_PAGE_DOWN}},
+        .run = [this](const Arguments&) { return turn_slide(*this, 1); },
+        .enabled = has_run},
+       {.name = "previous-slide",
+        .title = "Previous slide",
+        .help = "Shows the bookmark before; without bookmarks the moment before.",
+        .menu = "Talk",
+        .icon = icon::back,
+        .keys = {{GLFW_KEY_PAGE_UP}},
+        .run = [this](const Arguments&) { return turn_slide(*this, -1); },
+        .enabled = has_run},
+       {.name = "bookmark-go",
+        .title = "Go to bookmark…",
+        .usage = "N",
+        .help = "Shows a bookmark's step, view and selection.",
+        .run = on(*this, go_to_bookmark),
+        .enabled = has_bookmarks},
+       {.name = "bookmark-note",
+        .title = "Note a bookmark…",
+        .usage = "N NOTE…",
+        .help = "Gives a bookmark another note.",
+        .run = on(*this, note_bookmark),
+        .enabled = has_bookmarks},
+       {.name = "bookmark-move",
+        .title = "Move a bookmark…",
+        .usage = "N TO",
+        .help = "Gives a bookmark another place in the order.",
+        .run = on(*this, move_bookmark),
+        .enabled = has_bookmarks},
+       {.name = "bookmark-delete",
+        .title = "Delete a bookmark…",
+        .usage = "N",
+        .help = "Removes a bookmark from the list.",
+        .run = on(*this, delete_bookmark),
+        .enabled = has_bookmarks}});
+  // Ctrl+1 to Ctrl+9, and Ctrl+0 for the tenth.
+  for (int i = 0; i < 10; ++i) {
+    const std::string number = std::to_string(i + 1);
+    table.add({{.name = "bookmark-" + number,
+                .title = "Go to bookmark " + number,
+                .help = "Shows its step, view and selection.",
+                .keys = {{'0' + (i + 1) % 10, true}},
+                .run = [this, number](const Arguments&) { return go_to_bookmark(*this, {number}); },
+                .enabled = [this, i] { return bookmarks.size() > static_cast<std::size_t>(i); }}});
+  }
 }
 
 } // namespace isoscope

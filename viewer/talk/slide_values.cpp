@@ -1,58 +1,39 @@
-// Named values of bookmarks, undo and the presenter mode, and the caption they share.
-#include "talk/caption.h"
-#include "command/named_table.h"
-#include "journal/describe.h"
+// What scripts can expect of bookmarks, undo and the presenter mode.
+#include "talk/talk.h"
 
 namespace isoscope {
 
-std::string plain_caption(const AppModel& m) {
-  const auto shown = m.state();
-  if (!shown || !m.run.journal) return m.running() ? "the model is being prepared" : "no model is open";
-  const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
-  if (chosen) return plain_words(*m.run.journal, m.run.journal->events()[*chosen]);
-  if (shown->event) return plain_words(*m.run.journal, *shown->event);
-  return "a box around the samples, before the first point goes in";
-}
-
-void add_slide_values(NamedTable& t) {
-  const auto reading = [&](const char* name, const char* help, std::string (*get)(const AppModel&)) {
-    t.push_back({name, help, get, nullptr});
+void Talk::add_values(NamedValues& t) {
+  const auto of_current = [this]() -> const Bookmark* {
+    const auto at = bookmarks.current();
+    return at ? &bookmarks.all()[*at] : nullptr;
   };
-  const auto of_current = [](const AppModel& m) -> const Bookmark* {
-    const auto at = m.bookmarks.current();
-    return at ? &m.bookmarks.all()[*at] : nullptr;
-  };
-  reading("bookmarks.count", "bookmarks of this run",
-          [](const AppModel& m) { return std::to_string(m.bookmarks.size()); });
-  reading("bookmark", "the number of the bookmark shown last, 0 for none", [](const AppModel& m) {
-    const auto at = m.bookmarks.current();
+  t.add("bookmarks.count", "bookmarks of this run", [this] { return std::to_string(bookmarks.size()); });
+  t.add("bookmark", "the number of the bookmark shown last, 0 for none", [this] {
+    const auto at = bookmarks.current();
     return std::to_string(at ? *at + 1 : 0);
   });
-  t.push_back({"bookmark.step", "its step",
-               [of_current](const AppModel& m) {
-                 const Bookmark* b = of_current(m);
-                 return b ? std::to_string(b->step) : std::string("nan");
-               },
-               nullptr});
-  t.push_back({"bookmark.note", "its note",
-               [of_current](const AppModel& m) {
-                 const Bookmark* b = of_current(m);
-                 return b ? b->note : std::string("none");
-               },
-               nullptr});
-  reading("undo.depth", "changes of the view that undo can take back",
-          [](const AppModel& m) { return std::to_string(m.history.undo_depth()); });
-  reading("redo.depth", "changes of the view that redo can bring again",
-          [](const AppModel& m) { return std::to_string(m.history.redo_depth()); });
-  reading("moments", "steps at which a talk dwells",
-          [](const AppModel& m) { return std::to_string(m.moments.steps().size()); });
-  reading("presenter", "whether the window is in presenter mode",
-          [](const AppModel& m) { return std::string(m.presenter.on ? "on" : "off"); });
-  reading("slow_down", "whether presenting dwells at moments",
-          [](const AppModel& m) { return std::string(m.presenter.slow_down ? "on" : "off"); });
-  reading("speed", "of the play head in steps a second, 0 for automatic",
-          [](const AppModel& m) { return text_of(m.transport.speed()); });
-  reading("caption", "the sentence of the step shown", plain_caption);
+  t.add("bookmark.step", "its step", [of_current] {
+    const Bookmark* b = of_current();
+    return b ? std::to_string(b->step) : std::string("nan");
+  });
+  t.add("bookmark.note", "its note", [of_current] {
+    const Bookmark* b = of_current();
+    return b ? b->note : std::string("none");
+  });
+  t.add("undo.depth", "changes of the view that undo can take back",
+        [this] { return std::to_string(window.history.undo_depth()); });
+  t.add("redo.depth", "changes of the view that redo can bring again",
+        [this] { return std::to_string(window.history.redo_depth()); });
+  t.add("moments", "steps at which a talk dwells",
+        [this] { return std::to_string(moments_.steps().size()); });
+  t.add("presenter", "whether the window is in presenter mode",
+        [this] { return std::string(window.presenter.on ? "on" : "off"); });
+  t.add("slow_down", "whether presenting dwells at moments",
+        [this] { return std::string(window.presenter.slow_down ? "on" : "off"); });
+  t.add("speed", "of the play head in steps a second, 0 for automatic",
+        [this] { return text_of(window.transport.speed()); });
+  t.add("caption", "the sentence of the step shown", [this] { return caption(); });
 }
 
 } // namespace isoscope

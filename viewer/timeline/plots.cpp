@@ -1,9 +1,9 @@
 // The plots: vertices of Z with stage marks (Figure 21), tetrahedra, rejections by reason, figures of the
 // refinement; over steps or seconds.
 #include "model/words.h"
+#include "scene/reason_style.h"
 #include "timeline/timeline_panel.h"
 #include "ui/widgets.h"
-#include "scene/reason_style.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,9 +74,9 @@ void TimelinePane::axis_switch(Ui& ui, float left, float y) {
   if (right - width < left) return;
   const ImVec2 before = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({right - width, y});
-  int chosen = ui.model.plot_time ? 1 : 0;
+  int chosen = ui.window.plot_time ? 1 : 0;
   ImGui::PushFont(ui.fonts.small);
-  if (widgets::segmented(ui, "axis", labels, chosen, width)) ui.model.plot_time = chosen == 1;
+  if (widgets::segmented(ui, "axis", labels, chosen, width)) ui.window.plot_time = chosen == 1;
   ImGui::PopFont();
   ImGui::SetCursorScreenPos(before);
 }
@@ -84,16 +84,13 @@ void TimelinePane::axis_switch(Ui& ui, float left, float y) {
 void TimelinePane::stage_marks(const Ui& ui, ImVec2 low, ImVec2 size, bool named) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float free_from = low.x;
-  for (const JournalIndex::StageSpan& span : ui.model.index.stages()) {
+  for (const JournalIndex::StageSpan& span : ui.window.index.stages()) {
     const float x = std::round(low.x + static_cast<float>(part_of(span.begin)) * size.x);
     if (x < low.x || x > low.x + size.x) continue;
     const Rgb color = stage_color(ui.theme, span.stage);
     list.AddLine({x, low.y}, {x, low.y + size.y}, to_u32(color, 0.75f), ui.px(1));
     const std::string_view title = stage_title(span.stage);
-    const float extent =
-        ui.fonts.small
-            ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, title.data(), title.data() + title.size())
-            .x;
+    const float extent = widgets::width_of(ui.fonts.small, title);
     if (!named || span.end <= span.begin + 1 || x + ui.px(3) < free_from ||
         x + extent + ui.px(4) > low.x + size.x)
       continue;
@@ -104,7 +101,7 @@ void TimelinePane::stage_marks(const Ui& ui, ImVec2 low, ImVec2 size, bool named
 }
 
 void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2 size) const {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const std::vector<float>& values = m.index.values(plot.figure);
   const float top = low.y + ui.px(title_high), bottom = low.y + size.y - ui.px(plot.ruled ? 18 : 6);
@@ -144,20 +141,20 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
   const auto number = static_cast<double>(values[step - 1]);
   const std::string value =
       (plot.whole ? grouped(static_cast<std::size_t>(number)) : short_number(number)) + plot.unit;
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono, {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)},
                      to_u32(plot.color), value);
 }
 
 // How many edges each reason has rejected so far; all on one logarithmic axis.
 void TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const {
-  const JournalIndex& index = ui.model.index;
+  const JournalIndex& index = ui.window.index;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float top = low.y + ui.px(title_high), bottom = low.y + size.y - ui.px(6);
   std::uint32_t most = 1, all = 0;
   for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
     most = std::max(most, index.rejections(static_cast<Reason>(r), 0, index.steps() + 1));
-    all += index.rejections(static_cast<Reason>(r), 0, ui.model.transport.step() + 1);
+    all += index.rejections(static_cast<Reason>(r), 0, ui.window.transport.step() + 1);
   }
   const Axis axis{1, static_cast<double>(std::max(most, 2u)), most > decade};
   const int columns = std::max(2, static_cast<int>(size.x / ui.px(2)));
@@ -180,13 +177,13 @@ void TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const 
                      reason_style(reason).color, reason_style(reason).shape);
   }
   const std::string value = grouped(all);
-  const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, value.c_str()).x;
+  const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono, {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)},
                      to_u32(ui.colors.text), value);
 }
 
 void TimelinePane::plots(Ui& ui) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   seconds_ = m.plot_time ? &m.index.values(Figure::seconds) : nullptr;
   std::vector<Plot> all{{"vertices of Z", Figure::zero_set_vertices, ui.colors.text, true, "", 2.2f, true},
                         {"tetrahedra", Figure::tets, ui.colors.accent_text, true, "", 1},

@@ -1,8 +1,8 @@
 // Which lanes there are.
 #include "timeline/timeline_lanes.h"
 
+#include "debug/breakpoint_list.h"
 #include "model/words.h"
-#include "timeline/timeline_panel.h"
 #include "scene/reason_style.h"
 
 #include <algorithm>
@@ -16,17 +16,17 @@ constexpr std::array kinds{EventKind::collapse, EventKind::relaxation, EventKind
 
 } // namespace
 
-std::vector<TimelineLane> timeline_lanes(const AppModel& model, ThemeKind theme, std::size_t most) {
-  const JournalIndex& index = model.index;
-  const auto& range = model.debug.range;
+std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind theme, std::size_t most) {
+  const JournalIndex& index = debugger.window.index;
+  const auto& range = debugger.window.range;
   const Step begin = range ? range->begin : 0;
   // Rejections after the last operation have a step of their own.
   const Step end = range ? std::min(range->end, index.steps()) + 1 : index.steps() + 1;
   const Step operations_end = std::max(begin, std::min(end, index.steps()));
   std::vector<TimelineLane> filters;
-  for (std::size_t i = 0; i < model.debug.lanes.size(); ++i) {
-    const FilteredEvents& lane = model.debug.lanes[i];
-    filters.push_back({model.settings.filters[i], "A saved filter of the events.", lane_color(i),
+  for (std::size_t i = 0; i < debugger.lanes.size(); ++i) {
+    const FilteredEvents& lane = debugger.lanes[i];
+    filters.push_back({debugger.window.settings.filters[i], "A saved filter of the events.", lane_color(i),
                        MarkerShape::square, true, lane.count(begin, end),
                        [&lane](Step a, Step b) { return lane.count(a, b); }, lane_letter(i)});
   }

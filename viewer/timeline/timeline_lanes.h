@@ -1,9 +1,9 @@
 // The lanes of the timeline: what happened how often over the steps.
 #pragma once
 
-#include "app/app_model.h"
-#include "ui/theme.h"
+#include "debug/debugger.h"
 #include "journal/vocabulary.h"
+#include "ui/theme.h"
 
 #include <functional>
 #include <string_view>
@@ -27,6 +27,6 @@ struct TimelineLane {
 /// All lanes that hold something: insertions by condition, operations on edges by kind, rejections by reason.
 /// Of more than `most` those with the smallest numbers are left out. Saved filters come first and stay.
 /// Totals are those of the chosen range of steps, if any.
-std::vector<TimelineLane> timeline_lanes(const AppModel& model, ThemeKind theme, std::size_t most);
+std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind theme, std::size_t most);
 
 } // namespace isoscope

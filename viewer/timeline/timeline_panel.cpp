@@ -1,13 +1,15 @@
 // Stage lanes, density per condition, kind and reason, play head.
 #include "timeline/timeline_panel.h"
 
-#include "ui/icons.h"
-#include "model/words.h"
+#include "ask/history_panel.h"
+#include "ask/work_panel.h"
 #include "journal/describe.h"
-#include "ask/questions.h"
-#include "timeline/timeline_lanes.h"
-#include "ui/widgets.h"
+#include "model/words.h"
 #include "scene/reason_style.h"
+#include "timeline/timeline_lanes.h"
+#include "two_runs/compare_panel.h"
+#include "ui/bottom_tabs.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,24 +43,18 @@ float TimelinePane::to_x(double step, ImVec2 low, ImVec2 size) const {
 }
 
 void TimelinePane::tabs(Ui& ui) {
-  constexpr std::array<const char*, 7> names{"Timeline", "Plots", "Events", "Breakpoints",
-                                             "History",  "Work",  "Compare"};
-  constexpr std::array<const char*, 7> glyphs{icon::clock,   icon::chart, icon::list, icon::dot,
-                                              icon::history, icon::bolt,  icon::split};
-  constexpr std::array<const char*, 7> words{"timeline", "plots", "events", "breakpoints",
-                                             "history",  "work",  "compare"};
-  const int tab = ui.model.settings.panes.tab;
+  const BottomTab tab = ui.window.settings.panes.tab;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float left = 0;
   const float y = ImGui::GetCursorScreenPos().y;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string label = std::string(glyphs[i]) + "  " + names[i];
-    const bool lit = tab == static_cast<int>(i);
+  for (std::size_t i = 0; i < bottom_tabs.size(); ++i) {
+    const std::string label = std::string(bottom_tabs[i].glyph) + "  " + bottom_tabs[i].title;
+    const bool lit = tab == static_cast<BottomTab>(i);
     const ImVec2 extent = widgets::text_size(label);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = extent.x + ui.px(20), high = ui.px(28);
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::InvisibleButton("tab", {width, high})) ui.commands.post("tab", {words[i]});
+    if (ImGui::InvisibleButton("tab", {width, high})) ui.commands.post("tab", {bottom_tabs[i].word});
     ImGui::PopID();
     const Rgb color = lit ? ui.colors.text : ui.colors.quiet;
     widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(10), at.y + (high - extent.y) / 2},
@@ -72,10 +68,10 @@ void TimelinePane::tabs(Ui& ui) {
   ImGui::NewLine();
   left += range_chip(ui, left, y);
   // What the colours mean, where no lanes say it.
-  if (tab == 0 || tab > 2) return breadcrumb_line(ui, left, y);
-  if (tab == 1) return axis_switch(ui, left, y);
-  const JournalIndex& index = ui.model.index;
-  const auto& range = ui.model.debug.range;
+  if (tab != BottomTab::plots && tab != BottomTab::events) return breadcrumb_line(ui, left, y);
+  if (tab == BottomTab::plots) return axis_switch(ui, left, y);
+  const JournalIndex& index = ui.window.index;
+  const auto& range = ui.window.range;
   const Step begin = range ? std::min(range->begin, index.steps()) : 0;
   const auto counts =
       index.counts(begin, range ? std::clamp(range->end + 1, begin, index.steps()) : index.steps());
@@ -85,7 +81,7 @@ void TimelinePane::tabs(Ui& ui) {
     const auto n = counts[static_cast<std::size_t>(c)];
     if (n == 0) continue;
     const std::string label = std::string(condition_title(static_cast<Condition>(c))) + "  " + grouped(n);
-    const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.c_str()).x;
+    const float width = widgets::width_of(ui.fonts.small, label);
     x -= width;
     if (x - ui.px(14) < left) break;
     widgets::draw_text(list, ui.fonts.small, {x, y + (ui.px(28) - ui.fonts.small->FontSize) / 2},
@@ -98,7 +94,7 @@ void TimelinePane::tabs(Ui& ui) {
 }
 
 bool TimelinePane::scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   const Step live = m.live_step();
   ImGui::SetCursorScreenPos(low);
   ImGui::InvisibleButton(id, {std::max(size.x, 1.0f), std::max(size.y, 1.0f)},
@@ -123,7 +119,7 @@ bool TimelinePane::scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size) {
 }
 
 void TimelinePane::playhead(const Ui& ui, ImVec2 low, ImVec2 size) const {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const float x = std::round(to_x(m.transport.step(), low, size));
   if (x < low.x - 1 || x > low.x + size.x + 1) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -135,16 +131,13 @@ void TimelinePane::playhead(const Ui& ui, ImVec2 low, ImVec2 size) const {
 
 void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (const JournalIndex::StageSpan& span : ui.model.index.stages()) {
+  for (const JournalIndex::StageSpan& span : ui.window.index.stages()) {
     const float x0 = to_x(span.begin, low, size), x1 = std::max(to_x(span.end, low, size), x0 + ui.px(3));
     list.AddRectFilled({x0, low.y}, {x1 - 1, low.y + size.y},
                        to_u32(stage_color(ui.theme, span.stage), span.open ? 0.55f : 0.34f), ui.px(4));
     const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2;
     const std::string_view title = stage_title(span.stage);
-    const float extent =
-        ui.fonts.small
-            ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, title.data(), title.data() + title.size())
-            .x;
+    const float extent = widgets::width_of(ui.fonts.small, title);
     const float from = std::max(x0, low.x) + ui.px(6);
     if (x1 - from > extent + ui.px(4))
       widgets::draw_text(list, ui.fonts.small, {from, y}, to_u32(ui.colors.text, 0.95f), title);
@@ -154,10 +147,10 @@ void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
 // A lane a reason: bars a few pixels wide, as high as the lane's share of the steps below them; for
 // rejections by the logarithm of their number.
 void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) const {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const float gap = ui.px(1), least = ui.px(12);
   const auto most = static_cast<std::size_t>(std::max(1.0f, (size.y + gap) / (least + gap)));
-  const std::vector<TimelineLane> lanes = timeline_lanes(m, ui.theme, most);
+  const std::vector<TimelineLane> lanes = timeline_lanes(debugger_, ui.theme, most);
   if (lanes.empty()) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto used = static_cast<float>(lanes.size());
@@ -170,7 +163,7 @@ void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) 
   for (const TimelineLane& row : lanes) {
     const float text_y = y + (lane - ui.fonts.small->FontSize) / 2;
     const std::string count = grouped(row.total);
-    const float extent = ui.fonts.mono->CalcTextSizeA(ui.fonts.mono->FontSize, 1e9f, 0, count.c_str()).x;
+    const float extent = widgets::width_of(ui.fonts.mono, count);
     if (row.letter.empty())
       widgets::glyph(ui, {low.x - gutter + ui.px(5), y + lane / 2}, 4.5f, row.color, row.shape);
     else
@@ -210,7 +203,7 @@ void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) 
 
 void TimelinePane::marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (const JournalIndex::Mark& mark : ui.model.index.marks()) {
+  for (const JournalIndex::Mark& mark : ui.window.index.marks()) {
     const float x = to_x(mark.step, low, size);
     if (x < low.x || x > low.x + size.x) continue;
     const Rgb color = mark.kind == EventKind::warning || mark.kind == EventKind::stopped ? ui.colors.warning
@@ -218,13 +211,13 @@ void TimelinePane::marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const {
                                                                                          : ui.colors.text;
     list.AddCircleFilled({x, y}, ui.px(3), to_u32(color), 12);
   }
-  const auto& bookmarks = ui.model.bookmarks.all();
+  const auto& bookmarks = talk_.bookmarks.all();
   for (std::size_t i = 0; i < bookmarks.size(); ++i) {
     const float x = to_x(bookmarks[i].step, low, size), r = ui.px(4);
     if (x < low.x || x > low.x + size.x) continue;
-    const bool current = ui.model.bookmarks.current() == i;
+    const bool current = talk_.bookmarks.current() == i;
     const std::string number = std::to_string(i + 1);
-    const float extent = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, number.c_str()).x;
+    const float extent = widgets::width_of(ui.fonts.small, number);
     const bool fits = x + ui.px(4) + extent < low.x + size.x;
     list.AddLine({x, low.y}, {x, y}, to_u32(ui.colors.accent, current ? 0.9f : 0.45f));
     list.AddTriangleFilled({x - r, y + r}, {x + r, y + r}, {x, y - r}, to_u32(ui.colors.accent));
@@ -244,7 +237,7 @@ void TimelinePane::ruler(const Ui& ui, ImVec2 low, ImVec2 size) const {
     const float x = to_x(s, low, size);
     list.AddLine({x, low.y}, {x, low.y + ui.px(4)}, to_u32(ui.colors.quiet, 0.7f));
     const std::string label = grouped(static_cast<std::size_t>(s));
-    const float width = ui.fonts.small->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.c_str()).x;
+    const float width = widgets::width_of(ui.fonts.small, label);
     if (x + ui.px(4) + width < low.x + size.x)
       widgets::draw_text(list, ui.fonts.small, {x + ui.px(4), low.y + ui.px(1)}, to_u32(ui.colors.quiet),
                          label);
@@ -252,7 +245,7 @@ void TimelinePane::ruler(const Ui& ui, ImVec2 low, ImVec2 size) const {
 }
 
 void TimelinePane::timeline(Ui& ui) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const JournalIndex& index = m.index;
   const ImVec2 origin = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
   const float gutter = ui.px(176);
@@ -299,35 +292,35 @@ void TimelinePane::timeline(Ui& ui) {
 }
 
 void TimelinePane::draw(Ui& ui) {
-  if (range_.fits) range_.fit(ui.model.live_step());
+  if (range_.fits) range_.fit(ui.window.live_step());
   tabs(ui);
-  switch (ui.model.settings.panes.tab) {
-  case 1: {
+  switch (ui.window.settings.panes.tab) {
+  case BottomTab::plots: {
     // A chosen range is what the plots show.
     const StepRange shown = range_;
-    const auto& chosen = ui.model.debug.range;
+    const auto& chosen = ui.window.range;
     if (chosen)
       range_ = {static_cast<double>(chosen->begin), std::max(chosen->end, chosen->begin + 1) * 1.0, false};
     plots(ui);
     if (chosen) range_ = shown;
     break;
   }
-  case 2:
-    events_.draw(ui);
+  case BottomTab::events:
+    events_.draw(ui, debugger_);
     break;
-  case 3:
-    breakpoints_.draw(ui);
+  case BottomTab::breakpoints:
+    breakpoints_.draw(ui, debugger_);
     break;
-  case history_tab:
-    panels::history_tab(ui);
+  case BottomTab::history:
+    panels::history_tab(ui, asked_);
     break;
-  case work_tab:
-    panels::work_tab(ui);
+  case BottomTab::work:
+    panels::work_tab(ui, asked_);
     break;
-  case comparison_tab:
-    panels::compare_tab(ui);
+  case BottomTab::compare:
+    panels::compare_tab(ui, comparison_);
     break;
-  default:
+  case BottomTab::timeline:
     timeline(ui);
     break;
   }

@@ -1,13 +1,14 @@
 // The bottom pane: the timeline, the plots and the events over the same range of steps.
 #pragma once
 
+#include "ask/investigation.h"
+#include "debug/breakpoint_list.h"
+#include "debug/event_list.h"
+#include "talk/talk.h"
+#include "two_runs/comparison.h"
 #include "ui/ui.h"
 
-#include "query/expression.h"
-
-#include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace isoscope {
@@ -21,37 +22,10 @@ struct StepRange {
   void pan(double by, Step steps);
 };
 
-/// Events that pass the filter, with a field for it.
-class EventList {
- public:
-  void draw(Ui& ui);
-
- private:
-  void filter_field(Ui& ui);
-  void row(Ui& ui, std::uint32_t index, float high);
-  std::array<char, 256> text_{};
-  std::string applied_; ///< the model's text that the field shows
-  std::optional<QueryError> error_;
-  Step scrolled_to_ = 0;
-};
-
-/// The breakpoints with their counts, and a field for another one.
-class BreakpointList {
- public:
-  void draw(Ui& ui);
-
- private:
-  std::array<char, 256> text_{};
-};
-
-/// What is wrong with a condition, below the field it was typed into: a caret below its place and two lines.
-void query_error(Ui& ui, const QueryError& error, const std::string& text, float left);
-/// The colour of a saved filter's lane; it also has a letter.
-Rgb lane_color(std::size_t filter);
-std::string lane_letter(std::size_t filter);
-
 class TimelinePane {
  public:
+  TimelinePane(const Debugger& debugger, const Talk& talk, Investigation& asked, const Comparison& comparison)
+      : debugger_(debugger), talk_(talk), asked_(asked), comparison_(comparison) {}
   void draw(Ui& ui);
 
  private:
@@ -83,6 +57,10 @@ class TimelinePane {
   void breadcrumb_line(const Ui& ui, float left, float y) const;
   void playhead(const Ui& ui, ImVec2 low, ImVec2 size) const;
   float to_x(double step, ImVec2 low, ImVec2 size) const;
+  const Debugger& debugger_;
+  const Talk& talk_;
+  Investigation& asked_;
+  const Comparison& comparison_;
   StepRange range_;
   std::optional<double> range_from_;            ///< where a drag for a range began
   const std::vector<float>* seconds_ = nullptr; ///< set while plots are drawn over seconds

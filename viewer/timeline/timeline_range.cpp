@@ -1,8 +1,7 @@
 // The chosen range of steps on the timeline, and the line that tells where one is.
-#include "debug/debug_actions.h"
-#include "ui/icons.h"
 #include "model/words.h"
 #include "timeline/timeline_panel.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -16,14 +15,14 @@ bool TimelinePane::choose_range(Ui& ui, double step) {
   if (begins && (io.KeyShift || io.KeyCtrl)) range_from_ = step;
   if (begins && !io.KeyShift && !io.KeyCtrl) range_from_.reset();
   if (!range_from_) return false;
-  const auto live = static_cast<double>(ui.model.live_step());
+  const auto live = static_cast<double>(ui.window.live_step());
   const auto place = [&](double at) { return static_cast<Step>(std::clamp(std::round(at), 0.0, live)); };
-  ui.model.debug.range = StepSpan{place(std::min(*range_from_, step)), place(std::max(*range_from_, step))};
+  ui.window.range = StepSpan{place(std::min(*range_from_, step)), place(std::max(*range_from_, step))};
   return true;
 }
 
 float TimelinePane::range_chip(Ui& ui, float left, float y) const {
-  const auto& range = ui.model.debug.range;
+  const auto& range = ui.window.range;
   if (!range) return 0;
   const std::string text = "range: " + grouped(range->begin) + "–" + grouped(range->end) + "  " + icon::close;
   ImGui::PushFont(ui.fonts.small);
@@ -49,7 +48,7 @@ float TimelinePane::range_chip(Ui& ui, float left, float y) const {
 }
 
 void TimelinePane::shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const {
-  const auto& range = ui.model.debug.range;
+  const auto& range = ui.window.range;
   if (!range) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float right = low.x + size.x;
@@ -63,9 +62,9 @@ void TimelinePane::shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const {
 }
 
 void TimelinePane::breadcrumb_line(const Ui& ui, float left, float y) const {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   if (!m.run.journal || m.live_step() == 0) return;
-  const std::string text = breadcrumb(m);
+  const std::string text = debugger_.breadcrumb();
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
                      {left, y + (ui.px(28) - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet),

@@ -1,12 +1,12 @@
-// What differs between two runs, in three columns: parameters and links, the stages side by side, the
-// decisions.
-#include "ui/icons.h"
-#include "model/words.h"
+// Three columns: parameters and links, the stages side by side, the decisions.
+#include "two_runs/compare_panel.h"
+
 #include "journal/describe.h"
-#include "ask/questions.h"
-#include "two_runs/run_views.h"
-#include "ui/widgets.h"
+#include "model/words.h"
 #include "scene/reason_style.h"
+#include "two_runs/run_views.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 #include <array>
@@ -16,16 +16,6 @@ namespace isoscope::panels {
 namespace {
 
 constexpr float row_units = 20;
-
-void head(const Ui& ui, const char* text) {
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
-}
-
-float width_of(ImFont* font, std::string_view text) {
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
-}
 
 /// A line of a table: a quiet label, cells flush right in columns of equal width.
 template <std::size_t N>
@@ -44,16 +34,17 @@ void table_row(const Ui& ui, std::string_view label, const std::array<std::strin
   for (std::size_t i = 0; i < N; ++i) {
     const std::string text = widgets::fitted(cells[i], each - ui.px(4));
     const float right = at.x + label_width + each * static_cast<float>(i + 1);
-    widgets::draw_text(list, ui.fonts.mono,
-                       {right - width_of(ui.fonts.mono, text), at.y + (high - ui.fonts.mono->FontSize) / 2},
-                       to_u32(color != 0 ? color : ui.colors.text), text);
+    widgets::draw_text(
+        list, ui.fonts.mono,
+        {right - widgets::width_of(ui.fonts.mono, text), at.y + (high - ui.fonts.mono->FontSize) / 2},
+        to_u32(color != 0 ? color : ui.colors.text), text);
   }
   ImGui::PopFont();
   ImGui::Dummy({width, high - ImGui::GetStyle().ItemSpacing.y});
 }
 
-void run_line(Ui& ui, const ShownRun& run, bool b) {
-  const bool active = b == ui.model.comparison.active_is_b();
+void run_line(Ui& ui, const Comparison& m, const ShownRun& run, bool b) {
+  const bool active = b == m.active_is_b();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float badge = run_badge(ui, at, b, active), width = ImGui::GetContentRegionAvail().x;
   std::string text(phase_word(run.run.phase));
@@ -73,7 +64,7 @@ void run_line(Ui& ui, const ShownRun& run, bool b) {
 void linked(Ui& ui, const char* label, bool on, const char* command) {
   bool changed = on;
   if (widgets::toggle(ui, command, changed)) ui.commands.post(command);
-  widgets::command_tip(ui, *find_command(std::string_view(command)));
+  widgets::command_tip(ui, command);
   ImGui::SameLine(0, ui.px(8));
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(2));
   ImGui::PushFont(ui.fonts.small);
@@ -81,10 +72,9 @@ void linked(Ui& ui, const char* label, bool on, const char* command) {
   ImGui::PopFont();
 }
 
-void parameters_column(Ui& ui, const RunComparison* found) {
-  const AppModel& m = ui.model;
-  run_line(ui, *compared_run(m, false), false);
-  run_line(ui, *compared_run(m, true), true);
+void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) {
+  run_line(ui, m, *m.run(false), false);
+  run_line(ui, m, *m.run(true), true);
   const float label_width = ui.px(110);
   if (found != nullptr) {
     if (found->parameters.empty() && found->same_samples)
@@ -96,17 +86,17 @@ void parameters_column(Ui& ui, const RunComparison* found) {
       table_row<2>(ui, "samples of ∂Ω", {grouped(found->samples_a), grouped(found->samples_b)}, label_width);
   }
   ImGui::Dummy({0, ui.px(2)});
-  linked(ui, "one camera", m.comparison.linked_cameras, "link-cameras");
-  linked(ui, "play heads together", m.comparison.linked_steps, "link-steps");
+  linked(ui, "one camera", m.linked_cameras, "link-cameras");
+  linked(ui, "play heads together", m.linked_steps, "link-steps");
   ImGui::Dummy({0, ui.px(2)});
   const float third = (ImGui::GetContentRegionAvail().x - 2 * ui.px(6)) / 3;
   const auto button = [&](const char* label, const char* command) {
     if (widgets::plain_button(ui, label, true, third)) ui.commands.post(command);
-    widgets::command_tip(ui, *find_command(std::string_view(command)));
+    widgets::command_tip(ui, command);
   };
   button("Change", "other-run");
   ImGui::SameLine(0, ui.px(6));
-  button(m.comparison.beside() ? "Hide" : "Two views", "side-by-side");
+  button(m.beside() ? "Hide" : "Two views", "side-by-side");
   ImGui::SameLine(0, ui.px(6));
   button("Close", "close-other");
 }
@@ -150,9 +140,9 @@ void stages_column(Ui& ui, const RunComparison* found) {
   }
 }
 
-void side(Ui& ui, const std::string& text, bool b) {
+void side(Ui& ui, const Comparison& m, const std::string& text, bool b) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float badge = run_badge(ui, at, b, b == ui.model.comparison.active_is_b());
+  const float badge = run_badge(ui, at, b, b == m.active_is_b());
   ImGui::SetCursorScreenPos({at.x + badge + ui.px(8), at.y});
   ImGui::PushFont(ui.fonts.small);
   ImGui::PushTextWrapPos(0);
@@ -163,20 +153,19 @@ void side(Ui& ui, const std::string& text, bool b) {
   ImGui::SetCursorScreenPos({at.x, below});
 }
 
-void difference(Ui& ui, const RunComparison& found) {
-  const AppModel& m = ui.model;
+void difference(Ui& ui, const Comparison& m, const RunComparison& found) {
   const auto& d = found.decision ? found.decision : found.measure;
   if (!d) {
-    head(ui, "The runs do not differ");
+    widgets::bold_text(ui, "The runs do not differ");
     return widgets::quiet_text(ui,
                                grouped(found.events_a) + " events, every decision and number is the same.");
   }
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, button = ui.px(96);
-  head(ui, found.decision ? "First differing decision" : "First differing number");
+  widgets::bold_text(ui, found.decision ? "First differing decision" : "First differing number");
   ImGui::SetCursorScreenPos({at.x + width - button, at.y - ui.px(2)});
   if (widgets::primary_button(ui, "Go there   D", true, button)) ui.commands.post("first-difference");
-  widgets::command_tip(ui, *find_command(std::string_view("first-difference")));
+  widgets::command_tip(ui, "first-difference");
   ImGui::SetCursorScreenPos({at.x, at.y + ui.px(22)});
   std::string place = "event " + grouped(d->event) + ", after " + grouped(d->step) + " common operations";
   if (found.decision && found.measure)
@@ -188,15 +177,13 @@ void difference(Ui& ui, const RunComparison& found) {
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   ImGui::PopFont();
-  side(ui, describe(*d, *compared_run(m, false)->run.journal, d->in_a), false);
-  side(ui, describe(*d, *compared_run(m, true)->run.journal, d->in_b), true);
+  side(ui, m, describe(*d, *m.run(false)->run.journal, d->in_a), false);
+  side(ui, m, describe(*d, *m.run(true)->run.journal, d->in_b), true);
 }
 
-void decision_row(Ui& ui, const DecisionTable& table, std::size_t index, float high) {
+void decision_row(Ui& ui, const Comparison& m, const DecisionTable& table, std::size_t index, float high) {
   const DecisionDifference& d = table.rows[index];
-  const AppModel& m = ui.model;
-  const Journal &maker = *compared_run(m, !d.made_by_a)->run.journal,
-                &other = *compared_run(m, d.made_by_a)->run.journal;
+  const Journal &maker = *m.run(!d.made_by_a)->run.journal, &other = *m.run(d.made_by_a)->run.journal;
   const Event& e = maker.events()[d.event];
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
@@ -204,7 +191,7 @@ void decision_row(Ui& ui, const DecisionTable& table, std::size_t index, float h
   if (ImGui::InvisibleButton("row", {width, high})) ui.commands.post("difference", {std::to_string(index)});
   ImGui::PopID();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool here = m.comparison.row == index, hovered = ImGui::IsItemHovered();
+  const bool here = m.row == index, hovered = ImGui::IsItemHovered();
   if (hovered || here)
     list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover, here ? 0.7f : 1.0f),
                        ui.px(4));
@@ -229,9 +216,9 @@ void decision_row(Ui& ui, const DecisionTable& table, std::size_t index, float h
                describe(maker, e) + in_other);
 }
 
-void decisions_column(Ui& ui, const RunComparison* found) {
+void decisions_column(Ui& ui, const Comparison& m, const RunComparison* found) {
   if (found == nullptr) return widgets::quiet_text(ui, "The journals are being compared …");
-  difference(ui, *found);
+  difference(ui, m, *found);
   const DecisionTable& table = found->decisions;
   if (table.rows.empty()) return;
   ImGui::Dummy({0, ui.px(2)});
@@ -246,18 +233,18 @@ void decisions_column(Ui& ui, const RunComparison* found) {
   clipper.Begin(static_cast<int>(table.rows.size()), high);
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      decision_row(ui, table, static_cast<std::size_t>(i), high);
+      decision_row(ui, m, table, static_cast<std::size_t>(i), high);
   ImGui::PopStyleVar();
 }
 
 void invitation(Ui& ui) {
-  head(ui, "One run is shown");
+  widgets::bold_text(ui, "One run is shown");
   widgets::quiet_text(
       ui,
       "Change α, σ, shrink or anything else under Parameters and run it beside this one, or open a "
       "recording beside it. What a branch (Ctrl+D) leaves can be compared too.",
       true);
-  const bool possible = ui.model.run.scene != nullptr;
+  const bool possible = ui.window.run.scene != nullptr;
   if (widgets::primary_button(ui, "Run beside   Ctrl+Shift+Enter", possible)) ui.commands.post("run-beside");
   ImGui::SameLine(0, ui.px(8));
   if (widgets::plain_button(ui, "Open beside…   Ctrl+Shift+O", possible)) ui.commands.post("open-beside");
@@ -265,20 +252,19 @@ void invitation(Ui& ui) {
 
 } // namespace
 
-void compare_tab(Ui& ui) {
-  const AppModel& m = ui.model;
-  if (m.comparison.other() == nullptr) return invitation(ui);
-  const auto found = m.comparison.found();
+void compare_tab(Ui& ui, const Comparison& m) {
+  if (m.other() == nullptr) return invitation(ui);
+  const auto found = m.found();
   const float gap = ui.px(22), all = ImGui::GetContentRegionAvail().x - 2 * gap;
-  const auto column = [&](const char* id, float share, void (*draw)(Ui&, const RunComparison*)) {
-    if (ImGui::BeginChild(id, {std::floor(all * share), 0})) draw(ui, found.get());
+  const auto column = [&](const char* id, float share, auto draw) {
+    if (ImGui::BeginChild(id, {std::floor(all * share), 0})) draw();
     ImGui::EndChild();
   };
-  column("parameters", 0.22f, parameters_column);
+  column("parameters", 0.22f, [&] { parameters_column(ui, m, found.get()); });
   ImGui::SameLine(0, gap);
-  column("stages", 0.37f, stages_column);
+  column("stages", 0.37f, [&] { stages_column(ui, found.get()); });
   ImGui::SameLine(0, gap);
-  column("decisions", 0.41f, decisions_column);
+  column("decisions", 0.41f, [&] { decisions_column(ui, m, found.get()); });
 }
 
 } // namespace isoscope::panels

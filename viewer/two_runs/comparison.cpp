@@ -1,8 +1,6 @@
 // The second run's frame, and when the two are compared anew.
 #include "two_runs/comparison.h"
 
-#include "app/app_model.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -21,7 +19,9 @@ bool same_pair(const CompareQuestion& x, const CompareQuestion& y) {
 
 } // namespace
 
-Comparison::Comparison(const std::function<void()>& notify) : worker_(compare, notify) {}
+Comparison::Comparison(Debugger& debugger, std::function<void()> notify, std::function<void()> changed)
+    : window(debugger.window), debug(debugger), notify_(std::move(notify)), changed_(std::move(changed)),
+      worker_(compare, notify_) {}
 
 void Comparison::set_beside(bool beside) {
   beside_ = beside;
@@ -49,26 +49,26 @@ void Comparison::drop() {
   error_seen_.clear();
 }
 
-void Comparison::exchange(AppModel& model) {
-  std::swap<ShownRun>(model, *other_);
+void Comparison::exchange() {
+  std::swap<ShownRun>(window, *other_);
   active_is_b_ = !active_is_b_;
   picked = {};
-  if (!linked_cameras) std::swap(model.camera, camera);
-  keep_steps(model);
+  if (!linked_cameras) std::swap(window.camera, camera);
+  keep_steps();
 }
 
-CompareQuestion Comparison::question(const AppModel& model) const {
-  const ShownRun &active = model, &a = active_is_b_ ? *other_ : active, &b = active_is_b_ ? active : *other_;
+CompareQuestion Comparison::question() const {
+  const ShownRun &active = window, &a = active_is_b_ ? *other_ : active, &b = active_is_b_ ? active : *other_;
   return {a.run.parameters, b.run.parameters, a.run.journal, b.run.journal,
           a.run.journal->events().size() + b.run.journal->events().size()};
 }
 
-bool Comparison::ask(const AppModel& model) {
-  if (!model.run.scene || !other_->run.scene || !model.run.journal || !other_->run.journal) return false;
-  CompareQuestion now = question(model);
+bool Comparison::ask() {
+  if (!window.run.scene || !other_->run.scene || !window.run.journal || !other_->run.journal) return false;
+  CompareQuestion now = question();
   const bool same = asked_ && same_pair(*asked_, now);
   if (same && (now.events == asked_->events || !worker_.idle())) return false;
-  const bool resting = !model.running() && !other_->running();
+  const bool resting = !window.running() && !other_->running();
   if (same && !resting && static_cast<double>(now.events) < regrowth * static_cast<double>(asked_->events))
     return false;
   if (!same) row.reset();
@@ -82,18 +82,18 @@ std::shared_ptr<const RunComparison> Comparison::found() const {
   return answered && asked_ && same_pair(answered->question, *asked_) ? answered->answer : nullptr;
 }
 
-void Comparison::keep_steps(const AppModel& model) {
-  linked_ = Linked{model.transport.step(), found()};
+void Comparison::keep_steps() {
+  linked_ = Linked{window.transport.step(), found()};
 }
 
-void Comparison::link(const AppModel& model, double seconds) {
+void Comparison::link(double seconds) {
   const auto newest = found();
   if (!linked_steps || !newest) {
-    other_->transport.set_immediate(model.scripted);
+    other_->transport.set_immediate(window.scripted);
     other_->transport.update(seconds, other_->live_step(), other_->growing());
     return;
   }
-  Linked wanted{model.transport.step(), newest};
+  Linked wanted{window.transport.step(), newest};
   if (linked_ == wanted) return;
   const RunAlignment& alignment = newest->alignment;
   other_->transport.jump(active_is_b_ ? alignment.to_a(wanted.step) : alignment.to_b(wanted.step));
@@ -101,19 +101,19 @@ void Comparison::link(const AppModel& model, double seconds) {
   picked = {};
 }
 
-bool Comparison::update(AppModel& model, double seconds) {
+bool Comparison::update(double seconds) {
   if (!other_) return false;
   ShownRun& o = *other_;
   if (o.take_snapshot()) picked = {};
   if (o.run.error && o.run.error->message != error_seen_) {
     error_seen_ = o.run.error->message;
-    model.report(*o.run.error);
+    window.report(*o.run.error);
   }
-  bool changed = o.index.update() || ask(model);
+  bool changed = o.index.update() || ask();
   if (beside_) {
     const Step before = o.transport.step();
-    link(model, std::min(seconds, 0.1));
-    o.request_state(model.view.tets.recent, model.history_share(), model.transport.moving());
+    link(std::min(seconds, 0.1));
+    o.request_state(window.view.tets.recent, history_share(), window.transport.moving());
     changed |= before != o.transport.step();
   }
   changed |= o.take_result();
@@ -124,25 +124,28 @@ bool Comparison::at_rest() const {
   return !beside() || other_->running() || (other_->result_taken() && worker_.idle());
 }
 
-bool Comparison::is_current(const AppModel& model) const {
+bool Comparison::is_current() const {
   if (!beside()) return true;
   if (other_->running() || !worker_.idle()) return false;
   if (other_->run.phase == SessionPhase::failed) return true;
   if (!other_->is_current()) return false;
-  return !model.run.scene || (asked_ && asked_->events == question(model).events);
+  return !window.run.scene || (asked_ && asked_->events == question().events);
 }
 
-std::optional<std::uint32_t> telling_event(const Journal& journal, std::uint32_t from) {
-  for (std::size_t i = from, n = journal.events().size(); i < n; ++i) {
-    const Event& e = journal.events()[i];
-    if (e.operation || e.kind == EventKind::rejection || e.kind == EventKind::exhausted)
-      return static_cast<std::uint32_t>(i);
+HistoryMemory Comparison::history_memory() const {
+  HistoryMemory h;
+  h.limit = static_cast<std::size_t>(window.settings.history_limit * 1048576.0);
+  for (const ShownRun* each : {static_cast<const ShownRun*>(&window), other()}) {
+    if (each == nullptr) continue;
+    h.journal += each->run.journal ? each->run.journal->memory_bytes() : 0;
+    h.keyframes += each->keyframe_bytes();
+    h.disk += each->run.journal ? each->run.journal->disk_bytes() : 0;
   }
-  return std::nullopt;
+  return h;
 }
 
-const ShownRun* compared_run(const AppModel& model, bool b) {
-  return b == model.comparison.active_is_b() ? &model : model.comparison.other();
+std::size_t Comparison::history_share() const {
+  return history_memory().limit / (other() ? 2 : 1);
 }
 
 } // namespace isoscope

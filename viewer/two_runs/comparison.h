@@ -2,11 +2,9 @@
 // between them.
 #pragma once
 
-#include "model/shown_run.h"
-#include "model/worker.h"
 #include "compare/compare_runs.h"
-#include "scene/camera.h"
-#include "scene/view_settings.h"
+#include "debug/debugger.h"
+#include "model/worker.h"
 
 #include <functional>
 #include <future>
@@ -15,11 +13,6 @@
 
 namespace isoscope {
 
-class AppModel;
-
-/// The bottom pane's tab that tells what differs.
-constexpr int comparison_tab = 6;
-
 /// What the worker compares.
 struct CompareQuestion {
   RunParameters a, b;
@@ -27,12 +20,23 @@ struct CompareQuestion {
   std::size_t events = 0; ///< of both, when it was asked
 };
 
-/// One run is active: the model's own, which all panels and commands speak of. The other one is kept here; it
-/// is hidden, or drawn beside the active one. A is the one that was there first, and stays A when the other
-/// is made active.
+/// What the history of the runs takes: bytes of the journals and of the play heads' keyframes in memory, what
+/// they may take together, and the bytes of the journals that are on the disk.
+struct HistoryMemory {
+  std::size_t journal = 0, keyframes = 0, limit = 0, disk = 0;
+  std::size_t bytes() const { return journal + keyframes; }
+};
+
+/// One run is active: the window's own, which all panels and commands speak of. The other one is kept here;
+/// it is hidden, or drawn beside the active one. A is the one that was there first, and stays A when the
+/// other is made active.
 class Comparison {
  public:
-  explicit Comparison(const std::function<void()>& notify);
+  /// `notify` is called from workers; `changed` once another run has become the active one.
+  Comparison(Debugger& debugger, std::function<void()> notify, std::function<void()> changed);
+
+  WindowState& window;
+  Debugger& debug;
 
   bool linked_cameras = true;
   bool linked_steps = true;
@@ -48,30 +52,60 @@ class Comparison {
   bool beside() const { return other_ && beside_; }
   void set_beside(bool beside);
 
-  /// Takes a second run in; an earlier one ends.
-  void take(std::unique_ptr<ShownRun> other, bool active_is_b, bool beside);
-  /// Lets the second run go; it ends on a thread of its own.
-  void drop();
+  /// The run that is called A, or B; B may be null.
+  const ShownRun* run(bool b) const { return b == active_is_b_ ? &window : other_.get(); }
+
+  /// Begins a run of the same input with the draft's parameters beside the active one; the draft is the
+  /// active run's again.
+  Status run_beside();
+  /// Opens a model with the draft's parameters, or a recording, beside the active run.
+  Status open_beside(const std::string& input);
+  /// Begins a run at the state shown with the edge collapsed to the target that is tried.
+  Status branch_here();
   /// Makes the other run the active one; play heads and cameras stay with their runs.
-  void exchange(AppModel& model);
+  Status change_run();
+  /// Ends the run that is not active; one view is left.
+  void close_other();
+  /// Tells everything that runs to end, and waits for nothing.
+  void abandon();
 
   /// Once a frame, after the active run's play head has moved: takes what is new, links, asks. True when
   /// something changed.
-  bool update(AppModel& model, double seconds);
+  bool update(double seconds);
   /// Of the present two runs; null while it is made. It may be of fewer events than there are now.
   std::shared_ptr<const RunComparison> found() const;
   /// The play heads stay where they are although the active one moved there just now.
-  void keep_steps(const AppModel& model);
+  void keep_steps();
   bool running() const { return beside() && other_->running(); }
   /// Nothing is under way that would change what is drawn of the second run.
   bool at_rest() const;
   /// The same, and the second run has come to its end and was compared to it.
-  bool is_current(const AppModel& model) const;
+  bool is_current() const;
+
+  HistoryMemory history_memory() const;
+  /// Bytes that one run may take of the limit.
+  std::size_t history_share() const;
+
+  void add_commands(CommandTable& table);
+  /// The collapse that is tried, in a run of its own.
+  void add_branch_command(CommandTable& table);
+  void add_values(NamedValues& values);
+  /// How many runs there are, and whether the active one left another.
+  void add_run_values(NamedValues& values);
+  void add_history_values(NamedValues& values);
 
  private:
-  bool ask(const AppModel& model);
-  void link(const AppModel& model, double seconds);
-  CompareQuestion question(const AppModel& model) const;
+  /// Takes a second run in; an earlier one ends.
+  void take(std::unique_ptr<ShownRun> other, bool active_is_b, bool beside);
+  /// The same beside the active run, which is A.
+  void show_second(std::unique_ptr<ShownRun> second);
+  /// Lets the second run go; it ends on a thread of its own.
+  void drop();
+  void exchange();
+  bool ask();
+  void link(double seconds);
+  CompareQuestion question() const;
+  std::function<void()> notify_, changed_;
   std::future<void> ending_; ///< of a run that was let go: it may take a while to notice
   std::unique_ptr<ShownRun> other_;
   bool active_is_b_ = false, beside_ = false;
@@ -86,11 +120,5 @@ class Comparison {
   std::optional<Linked> linked_;
   std::string error_seen_;
 };
-
-/// The event from a difference on that shows what was decided: an operation, a refusal or an exhausted
-/// tetrahedron; null where the journal ends before.
-std::optional<std::uint32_t> telling_event(const Journal& journal, std::uint32_t from);
-/// The run that is called A, or B; B may be null.
-const ShownRun* compared_run(const AppModel& model, bool b);
 
 } // namespace isoscope

@@ -1,9 +1,7 @@
 // Commands on two runs: beginning the second one, going to where they differ, linking their views.
-#include "command/command_groups.h"
+#include "two_runs/comparison.h"
 
-#include "debug/debug_actions.h"
 #include "ui/icons.h"
-#include "command/usage.h"
 
 #include <GLFW/glfw3.h>
 
@@ -12,25 +10,27 @@
 namespace isoscope {
 namespace {
 
-using M = AppModel;
+using M = Comparison;
 using A = Arguments;
 
-bool has_other(const M& m) {
-  return m.comparison.other() != nullptr;
-}
-
-void open_tab(M& m) {
-  m.settings.panes.tab = comparison_tab;
-  m.settings.panes.show_bottom = true;
+/// The event from a difference on that shows what was decided: an operation, a refusal or an exhausted
+/// tetrahedron; null where the journal ends before.
+std::optional<std::uint32_t> telling_event(const Journal& journal, std::uint32_t from) {
+  for (std::size_t i = from, n = journal.events().size(); i < n; ++i) {
+    const Event& e = journal.events()[i];
+    if (e.operation || e.kind == EventKind::rejection || e.kind == EventKind::exhausted)
+      return static_cast<std::uint32_t>(i);
+  }
+  return std::nullopt;
 }
 
 /// Both play heads go to their events, or to the step that belongs to the other one's; both views show what
 /// is named there.
 void show_events(M& m, const RunComparison& found, std::optional<std::uint32_t> a,
                  std::optional<std::uint32_t> b) {
-  const bool active_is_b = m.comparison.active_is_b();
+  const bool active_is_b = m.active_is_b();
   const auto here = active_is_b ? b : a, there = active_is_b ? a : b;
-  ShownRun& other = *m.comparison.other();
+  ShownRun& other = *m.other();
   const auto aligned = [&](Step step, bool of_b) {
     return of_b ? found.alignment.to_a(step) : found.alignment.to_b(step);
   };
@@ -42,20 +42,20 @@ void show_events(M& m, const RunComparison& found, std::optional<std::uint32_t> 
     picked = pick_of(e);
   }
   if (here) {
-    show_event(m, *here);
-    if (!there) step_there = aligned(m.transport.step(), active_is_b);
+    m.debug.show_event(*here);
+    if (!there) step_there = aligned(m.window.transport.step(), active_is_b);
   } else {
-    m.transport.jump(there ? aligned(step_there, !active_is_b) : m.live_step());
-    m.selection.pick({});
+    m.window.transport.jump(there ? aligned(step_there, !active_is_b) : m.window.live_step());
+    m.window.selection.pick({});
   }
   other.transport.jump(step_there);
-  m.comparison.set_beside(true);
-  m.comparison.keep_steps(m);
-  m.comparison.picked = picked;
+  m.set_beside(true);
+  m.keep_steps();
+  m.picked = picked;
 }
 
 Result<std::shared_ptr<const RunComparison>> comparison_of(const M& m) {
-  const auto found = m.comparison.found();
+  const auto found = m.found();
   if (!found) return usage("The runs are still being compared.");
   return found;
 }
@@ -63,15 +63,15 @@ Result<std::shared_ptr<const RunComparison>> comparison_of(const M& m) {
 Status first_difference(M& m, const A&) {
   const auto found = comparison_of(m);
   if (!found) return found.error();
-  open_tab(m);
-  m.comparison.row.reset();
+  m.window.open_tab(BottomTab::compare);
+  m.row.reset();
   const auto& d = (*found)->decision ? (*found)->decision : (*found)->measure;
   if (!d) {
-    m.tell((*found)->same_samples ? "The runs do not differ." : "Only their samples differ.");
+    m.window.tell((*found)->same_samples ? "The runs do not differ." : "Only their samples differ.");
     return {};
   }
-  show_events(m, **found, telling_event(*compared_run(m, false)->run.journal, d->event),
-              telling_event(*compared_run(m, true)->run.journal, d->event));
+  show_events(m, **found, telling_event(*m.run(false)->run.journal, d->event),
+              telling_event(*m.run(true)->run.journal, d->event));
   return {};
 }
 
@@ -80,14 +80,14 @@ Status show_row(M& m, std::size_t row) {
   if (!found) return found.error();
   const auto& rows = (*found)->decisions.rows;
   if (row >= rows.size()) return usage("There are " + std::to_string(rows.size()) + " such decisions.");
-  open_tab(m);
+  m.window.open_tab(BottomTab::compare);
   const DecisionDifference& d = rows[row];
   const std::optional<std::uint32_t> made = d.event;
   show_events(m, **found, d.made_by_a ? made : d.refusal, d.made_by_a ? d.refusal : made);
   // Where the other run never spoke of the edge, the camera goes by the place.
-  if (d.made_by_a == m.comparison.active_is_b() && !d.refusal)
-    m.camera.frame(Box3{d.place, d.place}.grown(3 * m.run.scene->delta), !m.scripted);
-  m.comparison.row = row;
+  if (d.made_by_a == m.active_is_b() && !d.refusal)
+    m.window.camera.frame(Box3{d.place, d.place}.grown(3 * m.window.run.scene->delta), !m.window.scripted);
+  m.row = row;
   return {};
 }
 
@@ -103,150 +103,146 @@ Status next_difference(M& m, int direction) {
   if (!found) return found.error();
   const auto count = static_cast<std::ptrdiff_t>((*found)->decisions.rows.size());
   if (count == 0) return usage("No decision was made by one run alone.");
-  const auto& row = m.comparison.row;
+  const auto& row = m.row;
   std::ptrdiff_t to = direction > 0 ? 0 : count - 1;
   if (row) to = (static_cast<std::ptrdiff_t>(*row) + direction + count) % count;
   return show_row(m, static_cast<std::size_t>(to));
 }
 
-Status open_beside(M& m, const A& a) {
+Status open_beside_or_ask(M& m, const A& a) {
   if (a.size() > 1) return usage("One model or recording opens beside the run.");
   if (!a.empty()) return m.open_beside(a[0]);
-  m.files_beside = true;
-  m.overlay = m.overlay == Overlay::files ? Overlay::none : Overlay::files;
+  m.window.files_beside = true;
+  m.window.toggle(Overlay::files);
   return {};
 }
 
 Status side_by_side(M& m, const A&) {
-  const bool beside = !m.comparison.beside();
-  m.comparison.set_beside(beside);
-  if (beside) open_tab(m);
+  const bool beside = !m.beside();
+  m.set_beside(beside);
+  if (beside) m.window.open_tab(BottomTab::compare);
   return {};
 }
 
-Status link_cameras(M& m, const A&) {
-  m.comparison.linked_cameras = !m.comparison.linked_cameras;
-  if (!m.comparison.linked_cameras) m.comparison.camera = m.camera;
+Status toggle_linked_cameras(M& m, const A&) {
+  m.linked_cameras = !m.linked_cameras;
+  if (!m.linked_cameras) m.camera = m.window.camera;
   return {};
 }
 
-Status link_steps(M& m, const A&) {
-  m.comparison.linked_steps = !m.comparison.linked_steps;
-  if (m.comparison.linked_steps) m.comparison.set_beside(m.comparison.beside()); // linked anew
+Status toggle_linked_steps(M& m, const A&) {
+  m.linked_steps = !m.linked_steps;
+  if (m.linked_steps) m.set_beside(m.beside()); // linked anew
   return {};
 }
 
 } // namespace
 
-std::vector<Command> comparison_commands() {
-  return {
-      {"run-beside",
-       "Run beside",
-       "",
-       "Runs the same input with the panel's parameters beside this run: two views, A and B.",
-       "Run",
-       icon::split,
-       {{GLFW_KEY_ENTER, true, true}},
-       [](M& m, const A&) { return m.run_beside(); },
-       [](const M& m) { return m.run.scene != nullptr; }},
-      {"open-beside",
-       "Open beside…",
-       "[FILE | gallery:NAME]",
-       "Opens a recording or a model beside this run; without a name it shows the files.",
-       "Run",
-       icon::folder_open,
-       {{'O', true, true}},
-       open_beside,
-       [](const M& m) { return m.run.scene != nullptr; }},
-      {"side-by-side",
-       "Two views",
-       "",
-       "Draws the other run beside this one, also the one that a branch left, or hides it.",
-       "Run",
-       icon::split,
-       {{'B'}},
-       side_by_side,
-       has_other,
-       [](const M& m) { return m.comparison.beside(); }},
-      {"other-run",
-       "Change to the other run",
-       "",
-       "Makes the other run the active one: panels, keys and questions speak of it.",
-       "Run",
-       icon::flip,
-       {{GLFW_KEY_TAB}},
-       [](M& m, const A&) { return m.change_run(); },
-       has_other},
-      {"first-difference",
-       "First differing decision",
-       "",
-       "Takes both play heads to the first event that the runs decided differently.",
-       "Run",
-       icon::target,
-       {{'D'}},
-       first_difference,
-       has_other},
-      {"next-difference",
-       "Next differing decision",
-       "",
-       "Takes both play heads to the next decision of the table that only one run made.",
-       "Run",
-       nullptr,
-       {{'G'}},
-       [](M& m, const A&) { return next_difference(m, 1); },
-       has_other},
-      {"previous-difference",
-       "Previous differing decision",
-       "",
-       "The one before it.",
-       "Run",
-       nullptr,
-       {{'G', false, true}},
-       [](M& m, const A&) { return next_difference(m, -1); },
-       has_other},
-      {"difference",
-       "Go to a differing decision…",
-       "ROW",
-       "Shows a row of the table of decisions that only one run made; 0 is the first.",
-       "",
-       nullptr,
-       {},
-       go_to_difference,
-       has_other},
-      {"link-cameras",
-       "Link the cameras",
-       "",
-       "One camera for both views, or one each.",
-       "Run",
-       nullptr,
-       {},
-       link_cameras,
-       has_other,
-       [](const M& m) { return m.comparison.linked_cameras; }},
-      {"link-steps",
-       "Link the play heads",
-       "",
-       "The other run goes along: by step up to the first difference, by stage after it. Or each goes its "
-       "own way.",
-       "Run",
-       nullptr,
-       {},
-       link_steps,
-       has_other,
-       [](const M& m) { return m.comparison.linked_steps; }},
-      {"close-other",
-       "Close the other run",
-       "",
-       "Ends the run that is not active and gives its half back.",
-       "Run",
-       icon::close,
-       {},
-       [](M& m, const A&) {
-         m.close_other();
-         return Status();
-       },
-       has_other},
-  };
+void Comparison::add_commands(CommandTable& table) {
+  const auto has_scene = [this] { return window.run.scene != nullptr; };
+  const auto has_other = [this] { return other() != nullptr; };
+  table.add({{.name = "run-beside",
+              .title = "Run beside",
+              .help = "Runs the same input with the panel's parameters beside this run: two views, A and B.",
+              .menu = "Run",
+              .icon = icon::split,
+              .keys = {{GLFW_KEY_ENTER, true, true}},
+              .run = [this](const Arguments&) { return run_beside(); },
+              .enabled = has_scene},
+             {.name = "open-beside",
+              .title = "Open beside…",
+              .usage = "[FILE | gallery:NAME]",
+              .help = "Opens a recording or a model beside this run; without a name it shows the files.",
+              .menu = "Run",
+              .icon = icon::folder_open,
+              .keys = {{'O', true, true}},
+              .run = on(*this, open_beside_or_ask),
+              .enabled = has_scene},
+             {.name = "side-by-side",
+              .title = "Two views",
+              .help = "Draws the other run beside this one, also the one that a branch left, or hides it.",
+              .menu = "Run",
+              .icon = icon::split,
+              .keys = {{'B'}},
+              .run = on(*this, side_by_side),
+              .enabled = has_other,
+              .checked = [this] { return beside(); }},
+             {.name = "other-run",
+              .title = "Change to the other run",
+              .help = "Makes the other run the active one: panels, keys and questions speak of it.",
+              .menu = "Run",
+              .icon = icon::flip,
+              .keys = {{GLFW_KEY_TAB}},
+              .run = [this](const Arguments&) { return change_run(); },
+              .enabled = has_other},
+             {.name = "first-difference",
+              .title = "First differing decision",
+              .help = "Takes both play heads to the first event that the runs decided differently.",
+              .menu = "Run",
+              .icon = icon::target,
+              .keys = {{'D'}},
+              .run = on(*this, first_difference),
+              .enabled = has_other},
+             {.name = "next-difference",
+              .title = "Next differing decision",
+              .help = "Takes both play heads to the next decision of the table that only one run made.",
+              .menu = "Run",
+              .keys = {{'G'}},
+              .run = [this](const Arguments&) { return next_difference(*this, 1); },
+              .enabled = has_other},
+             {.name = "previous-difference",
+              .title = "Previous differing decision",
+              .help = "The one before it.",
+              .menu = "Run",
+              .keys = {{'G', false, true}},
+              .run = [this](const Arguments&) { return next_difference(*this, -1); },
+              .enabled = has_other},
+             {.name = "difference",
+              .title = "Go to a differing decision…",
+              .usage = "ROW",
+              .help = "Shows a row of the table of decisions that only one run made; 0 is the first.",
+              .run = on(*this, go_to_difference),
+              .enabled = has_other},
+             {.name = "link-cameras",
+              .title = "Link the cameras",
+              .help = "One camera for both views, or one each.",
+              .menu = "Run",
+              .run = on(*this, toggle_linked_cameras),
+              .enabled = has_other,
+              .checked = is_on(linked_cameras)},
+             {.name = "link-steps",
+              .title = "Link the play heads",
+              .help = "The other run goes along: by step up to the first difference, by stage after it. Or "
+                      "each goes its "
+                      "own way.",
+              .menu = "Run",
+              .run = on(*this, toggle_linked_steps),
+              .enabled = has_other,
+              .checked = is_on(linked_steps)},
+             {.name = "close-other",
+              .title = "Close the other run",
+              .help = "Ends the run that is not active and gives its half back.",
+              .menu = "Run",
+              .icon = icon::close,
+              .run = does([this] { close_other(); }),
+              .enabled = has_other}});
+}
+
+void Comparison::add_branch_command(CommandTable& table) {
+  table.add(
+      {{.name = "do-it",
+        .title = "Do it: branch the run",
+        .help =
+            "Collapses the edge to the target that is tried in a run of its own that goes on from this step.",
+        .menu = "Select",
+        .icon = icon::check,
+        .keys = {{'D', true}},
+        .run = [this](const Arguments&) { return branch_here(); },
+        .enabled =
+            [this] {
+              const auto study = debug.probe.study();
+              return study && study->attempt.possible();
+            }}});
 }
 
 } // namespace isoscope

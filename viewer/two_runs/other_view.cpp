@@ -15,7 +15,7 @@ bool OtherView::prepare(Ui& ui) {
     renderer_ = std::move(*made);
     return true;
   }
-  ui.model.report(made.error());
+  ui.window.report(made.error());
   ui.commands.post("close-other");
   return false;
 }
@@ -26,9 +26,9 @@ void OtherView::release() {
   picture_ = {};
 }
 
-void OtherView::draw(Ui& ui) {
-  AppModel& m = ui.model;
-  const ShownRun* run = m.comparison.other();
+void OtherView::draw(Ui& ui, Comparison& comparison) {
+  WindowState& m = ui.window;
+  const ShownRun* run = comparison.other();
   if (run == nullptr || !prepare(ui)) return;
   const auto state = run->state();
   const auto grid = run->grid.grid();
@@ -40,7 +40,7 @@ void OtherView::draw(Ui& ui) {
   if (area.size.x < 1 || area.size.y < 1) return;
   ImGui::InvisibleButton("other", area.size, every_button);
   const bool section = m.view.mode == ViewMode::section;
-  Camera& camera = m.comparison.linked_cameras ? m.camera : m.comparison.camera;
+  Camera& camera = comparison.linked_cameras ? m.camera : comparison.camera;
   const ViewSettings view = m.shown_view();
   if (!section) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -59,7 +59,7 @@ void OtherView::draw(Ui& ui) {
   key.state = state.get();
   key.grid = grid.get();
   key.scene = run->run.scene.get();
-  key.selection = m.comparison.picked;
+  key.selection = comparison.picked;
   if (section)
     key.u = m.section.u, key.v = m.section.v, key.height = m.section.height;
   else

@@ -1,6 +1,7 @@
 // The view of the run that is not active: the same camera, clip and layers on another state.
 #pragma once
 
+#include "two_runs/comparison.h"
 #include "view/camera_mouse.h"
 #include "view/view_picture.h"
 
@@ -12,7 +13,7 @@ namespace isoscope {
 class OtherView {
  public:
   /// Fills the present window of the interface.
-  void draw(Ui& ui);
+  void draw(Ui& ui, Comparison& comparison);
   bool unfinished() const { return picture_.unfinished(); }
   /// Gives the renderer's memory back.
   void release();

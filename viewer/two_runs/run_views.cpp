@@ -11,16 +11,12 @@ namespace {
 
 constexpr float strip_units = 28, narrow_units = 560; ///< a view below that wants the room of the panes
 
-float width_of(ImFont* font, std::string_view text) {
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
-}
-
 /// What the run was asked that the other one was not: "α 0.3  ·  σ/δ 0.4".
-std::string told_apart(const AppModel& m, const ShownRun& run, bool b) {
+std::string told_apart(const Comparison& c, const ShownRun& run, bool b) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "  ·  ") + part; };
   if (run.shows_recording()) add(run.run.recording->file.filename().string());
-  if (const auto found = m.comparison.found())
+  if (const auto found = c.found())
     for (const FieldDifference& p : found->parameters) add(p.name + " " + (b ? p.b : p.a));
   if (run.run.result && !run.run.result->branch.empty()) add(run.run.result->branch);
   return text.empty() ? run.run.parameters.input : text;
@@ -33,11 +29,10 @@ std::string place_of(const ShownRun& run) {
          grouped(state->zero_set.vertices.size()) + " vertices";
 }
 
-void strip(Ui& ui, bool b, float width) {
-  const AppModel& m = ui.model;
-  const ShownRun* run = compared_run(m, b);
+void strip(Ui& ui, const Comparison& c, bool b, float width) {
+  const ShownRun* run = c.run(b);
   if (run == nullptr) return;
-  const bool active = b == m.comparison.active_is_b();
+  const bool active = b == c.active_is_b();
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float high = ui.px(strip_units);
   ImGui::InvisibleButton("strip", {width, high});
@@ -52,12 +47,12 @@ void strip(Ui& ui, bool b, float width) {
   const float y = low.y + (high - ui.fonts.small->FontSize) / 2, left = low.x + ui.px(16) + badge;
   std::string place = place_of(*run);
   float end = low.x + width - ui.px(10);
-  if (end - width_of(ui.fonts.small, place) < left + ui.px(120) && run->state())
+  if (end - widgets::width_of(ui.fonts.small, place) < left + ui.px(120) && run->state())
     place = "step " + grouped(run->state()->step);
-  end -= width_of(ui.fonts.small, place);
+  end -= widgets::width_of(ui.fonts.small, place);
   widgets::draw_text(list, ui.fonts.small, {end, y}, to_u32(ui.colors.quiet), place);
   ImGui::PushFont(ui.fonts.small);
-  const std::string title = widgets::fitted(told_apart(m, *run, b), std::max(end - ui.px(12) - left, 1.0f));
+  const std::string title = widgets::fitted(told_apart(c, *run, b), std::max(end - ui.px(12) - left, 1.0f));
   ImGui::PopFont();
   widgets::draw_text(list, ui.fonts.small, {left, y}, to_u32(active ? ui.colors.text : ui.colors.quiet),
                      title);
@@ -77,16 +72,16 @@ float run_badge(const Ui& ui, ImVec2 at, bool b, bool active) {
     list.AddRectFilled(at, high, to_u32(ui.colors.accent), ui.px(4));
   else
     list.AddRect(at, high, to_u32(ui.colors.quiet), ui.px(4), 0, ui.px(1));
-  widgets::draw_text(
-      list, ui.fonts.bold,
-      {at.x + (side - width_of(ui.fonts.bold, letter)) / 2, at.y + (side - ui.fonts.bold->FontSize) / 2},
-      to_u32(active ? ui.colors.on_accent : ui.colors.text), letter);
+  widgets::draw_text(list, ui.fonts.bold,
+                     {at.x + (side - widgets::width_of(ui.fonts.bold, letter)) / 2,
+                      at.y + (side - ui.fonts.bold->FontSize) / 2},
+                     to_u32(active ? ui.colors.on_accent : ui.colors.text), letter);
   return side;
 }
 
 void RunViews::make_room(Ui& ui) {
-  PaneLayout& panes = ui.model.settings.panes;
-  if (!ui.model.comparison.beside()) {
+  PaneLayout& panes = ui.window.settings.panes;
+  if (!comparison_.beside()) {
     if (before_) {
       panes.show_left |= before_->show_left;
       panes.show_right |= before_->show_right;
@@ -103,7 +98,7 @@ void RunViews::make_room(Ui& ui) {
 
 void RunViews::draw(Ui& ui) {
   make_room(ui);
-  if (!ui.model.comparison.beside()) {
+  if (!comparison_.beside()) {
     other_.release();
     active_->draw(ui);
     return;
@@ -116,12 +111,12 @@ void RunViews::draw(Ui& ui) {
     const ImVec2 size{b ? all.x - half - gap : half, all.y};
     if (ImGui::BeginChild(b ? "run B" : "run A", size, false, flags)) {
       const ImVec2 corner = ImGui::GetCursorScreenPos();
-      strip(ui, b, size.x);
+      strip(ui, comparison_, b, size.x);
       ImGui::SetCursorScreenPos({corner.x, corner.y + ui.px(strip_units)});
-      if (b == ui.model.comparison.active_is_b())
+      if (b == comparison_.active_is_b())
         active_->draw(ui);
       else
-        other_.draw(ui);
+        other_.draw(ui, comparison_);
     }
     ImGui::EndChild();
   }

@@ -10,7 +10,7 @@ namespace isoscope {
 
 class RunViews {
  public:
-  explicit RunViews(SceneView& active) : active_(&active) {}
+  RunViews(SceneView& active, Comparison& comparison) : active_(&active), comparison_(comparison) {}
   /// Fills the present window of the interface.
   void draw(Ui& ui);
   bool unfinished() const { return active_->unfinished() || other_.unfinished(); }
@@ -18,6 +18,7 @@ class RunViews {
  private:
   void make_room(Ui& ui);
   SceneView* active_;
+  Comparison& comparison_;
   OtherView other_;
   /// Which panes were open before two views needed their room.
   std::optional<PaneLayout> before_;

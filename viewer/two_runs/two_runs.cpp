@@ -1,5 +1,5 @@
-// What the model does with a second run: beginning one, changing to it, ending it.
-#include "app/app_model.h"
+// Beginning a second run, changing to it, ending it.
+#include "two_runs/comparison.h"
 
 #include "recording/recording_reader.h"
 
@@ -7,61 +7,81 @@
 
 namespace isoscope {
 
-void AppModel::show_second(std::unique_ptr<ShownRun> second) {
-  comparison.take(std::move(second), false, true);
-  if (view.mode == ViewMode::split) view.mode = ViewMode::scene; // two views of two runs would be four
-  settings.panes.tab = comparison_tab;
-  settings.panes.show_bottom = true;
+void Comparison::show_second(std::unique_ptr<ShownRun> second) {
+  take(std::move(second), false, true);
+  // Two views of two runs would be four.
+  if (window.view.mode == ViewMode::split) window.view.mode = ViewMode::scene;
+  window.open_tab(BottomTab::compare);
 }
 
-Status AppModel::run_beside() {
-  if (!run.scene) return Error{ErrorCode::usage, "There is no run yet.", "Open a model first."};
+Status Comparison::run_beside() {
+  if (!window.run.scene) return Error{ErrorCode::usage, "There is no run yet.", "Open a model first."};
   auto second = std::make_unique<ShownRun>(notify_);
   // The input may be on another machine, or changed meanwhile: the run has it.
-  if (draft.input == run.parameters.input)
-    second->session.start(draft, run.scene->input, false, run.scene->notes);
+  if (window.draft.input == window.run.parameters.input)
+    second->session.start(window.draft, window.run.scene->input, false, window.run.scene->notes);
   else
-    second->session.start(draft);
-  draft = run.parameters;
+    second->session.start(window.draft);
+  window.draft = window.run.parameters;
   show_second(std::move(second));
   return {};
 }
 
-Status AppModel::open_beside(const std::string& input) {
+Status Comparison::open_beside(const std::string& input) {
   auto second = std::make_unique<ShownRun>(notify_);
   if (is_recording_name(input)) {
     second->session.open_recording(input);
   } else {
-    RunParameters parameters = draft;
+    RunParameters parameters = window.draft;
     parameters.input = input;
     second->session.start(std::move(parameters));
   }
-  overlay = Overlay::none;
+  window.overlay = Overlay::none;
   show_second(std::move(second));
   return {};
 }
 
-Status AppModel::change_run() {
-  if (!comparison.other())
+Status Comparison::branch_here() {
+  const auto shown = debug.probe.xray();
+  const auto tried = debug.probe.study();
+  if (!shown || !tried)
+    return Error{ErrorCode::usage, "No target is tried.", "Select an edge of T and choose a target first."};
+  const SessionSnapshot& run = window.run;
+  const Step step = window.state()->step - (shown->before ? 1 : 0);
+  if (Status can = can_branch(*run.journal, step); !can) return can;
+  if (!tried->attempt.possible())
+    return Error{ErrorCode::usage,
+                 "The edge cannot be collapsed there: " + std::string(name(tried->attempt.rejected)) + ".",
+                 "Move the target until every check passes."};
+  auto branch = std::make_unique<ShownRun>(notify_);
+  branch->session.start_branch({run.journal, step, shown->star.a(), shown->star.b(), tried->target},
+                               run.parameters, *run.scene, run.generation);
+  // The branch becomes the active run; what it leaves is A.
+  take(std::move(branch), false, beside());
+  return change_run();
+}
+
+Status Comparison::change_run() {
+  if (!other_)
     return Error{ErrorCode::usage, "There is no other run.", "Run one beside this one, or branch it."};
   // A run that nobody sees need not compute.
-  if (!comparison.beside() && run.phase == SessionPhase::running) session.pause();
-  session.set_breakpoint({}); // breakpoints stop the active run alone
-  debug.armed = false;
-  debug.breakpoints->forget_hits();
-  comparison.exchange(*this);
-  take_snapshot();
-  debug.held_generation = run.generation; // why it paused was told when it did
-  debug.held_events = run.journal ? run.journal->events().size() : 0;
-  forget_run();
-  draft = run.parameters;
-  framed_generation_ = draft_generation_ = history_warned_ = 0;
+  if (!beside() && window.run.phase == SessionPhase::running) window.session.pause();
+  debug.disarm();
+  exchange();
+  window.take_snapshot();
+  debug.take_pause_as_told();
+  window.draft = window.run.parameters;
+  changed_();
   return {};
 }
 
-void AppModel::close_other() {
-  comparison.drop();
-  if (settings.panes.tab == comparison_tab) settings.panes.tab = 0;
+void Comparison::close_other() {
+  drop();
+  if (window.settings.panes.tab == BottomTab::compare) window.settings.panes.tab = BottomTab::timeline;
+}
+
+void Comparison::abandon() {
+  if (other_) other_->session.abandon();
 }
 
 } // namespace isoscope

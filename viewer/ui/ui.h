@@ -1,17 +1,19 @@
-// What every panel is given: colours, fonts, scale and where its commands go.
+// What every panel is given: what the window shows, colours, fonts, scale and where its commands go.
 #pragma once
 
 #include "command/commands.h"
+#include "model/window_state.h"
 #include "ui/theme.h"
 
 #include <cmath>
 
 namespace isoscope {
 
-/// Lives for one frame. Panels read the model through it and post commands; plain view settings they change
-/// in place.
+/// Lives for one frame. Panels post commands; plain settings of the window they change in place. What they
+/// show of a feature they are given beside it.
 struct Ui {
-  AppModel& model;
+  WindowState& window;
+  const CommandTable& table;
   CommandSink& commands;
   const Palette& colors;
   ThemeKind theme;

@@ -1,8 +1,8 @@
 // The shared pieces.
 #include "ui/widgets.h"
 
-#include "ui/icons.h"
 #include "model/words.h"
+#include "ui/icons.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +53,10 @@ std::string speed_text(double speed) {
 
 ImVec2 text_size(std::string_view s) {
   return ImGui::CalcTextSize(s.data(), s.data() + s.size());
+}
+
+float width_of(const ImFont* font, std::string_view s) {
+  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, s.data(), s.data() + s.size()).x;
 }
 
 void draw_text(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 color, std::string_view s) {
@@ -115,10 +119,12 @@ void tip(const Ui& ui, std::string_view title, std::string_view body) {
   ImGui::PopStyleVar();
 }
 
-void command_tip(const Ui& ui, const Command& command) {
-  std::string title(command.title);
-  if (!command.keys.empty()) title += "   " + isoscope::text(command.keys.front());
-  tip(ui, title, command.help);
+void command_tip(const Ui& ui, std::string_view name) {
+  const Command* command = ui.table.find(name);
+  if (command == nullptr) return;
+  std::string title = command->title;
+  if (!command->keys.empty()) title += "   " + isoscope::text(command->keys.front());
+  tip(ui, title, command->help);
 }
 
 bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit, bool enabled, float width) {
@@ -144,27 +150,27 @@ bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit, bool 
 }
 
 void command_button(const Ui& ui, std::string_view name, const char* icon, Arguments arguments) {
-  const Command* command = find_command(name);
+  const Command* command = ui.table.find(name);
   if (command == nullptr) return;
-  const bool enabled = command->enabled == nullptr || command->enabled(ui.model);
-  const bool lit = command->checked != nullptr && command->checked(ui.model);
+  const bool enabled = command->is_enabled();
+  const bool lit = command->is_checked();
   const std::string id(name);
   if (icon_button(ui, id.c_str(), icon ? icon : command->icon, lit, enabled))
     ui.commands.post(id, std::move(arguments));
-  command_tip(ui, *command);
+  command_tip(ui, name);
 }
 
 void key_button(const Ui& ui, std::string_view name, float width) {
-  const Command* command = find_command(name);
+  const Command* command = ui.table.find(name);
   if (command == nullptr || command->keys.empty()) return;
-  const bool enabled = command->enabled == nullptr || command->enabled(ui.model);
-  const bool lit = command->checked != nullptr && command->checked(ui.model);
+  const bool enabled = command->is_enabled();
+  const bool lit = command->is_checked();
   const std::string id(name),
       label = std::string(command->icon) + " " + isoscope::text(command->keys.front());
   ImGui::PushFont(ui.fonts.small);
   if (icon_button(ui, id.c_str(), label.c_str(), lit, enabled, width)) ui.commands.post(id);
   ImGui::PopFont();
-  command_tip(ui, *command);
+  command_tip(ui, name);
 }
 
 bool primary_button(const Ui& ui, const char* label, bool enabled, float width) {
@@ -213,6 +219,17 @@ bool section(const Ui& ui, const char* title, bool open_at_first) {
   return open;
 }
 
+void bold_text(const Ui& ui, std::string_view s) {
+  ImGui::PushFont(ui.fonts.bold);
+  text(s);
+  ImGui::PopFont();
+}
+
+void subtitle(const Ui& ui, const char* text) {
+  ImGui::Dummy({0, ui.px(4)});
+  bold_text(ui, text);
+}
+
 void quiet_text(const Ui& ui, std::string_view s, bool wrapped) {
   ImGui::PushFont(ui.fonts.small);
   ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.quiet));
@@ -231,10 +248,7 @@ void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb
   draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2},
             to_u32(ui.colors.quiet), label);
   ImGui::PushFont(ui.fonts.mono);
-  const float label_width =
-      ui.fonts.small
-          ->CalcTextSizeA(ui.fonts.small->FontSize, 1e9f, 0, label.data(), label.data() + label.size())
-          .x;
+  const float label_width = width_of(ui.fonts.small, label);
   const std::string shown = fitted(value, std::max(width - label_width - ui.px(10), ui.px(40)));
   const float extent = text_size(shown).x;
   ImGui::PopFont();
@@ -364,9 +378,7 @@ bool slider(const Ui& ui, const char* id, float& value, float low, float high, c
 }
 
 void heading(Ui& ui, const char* icon, const std::string& title, const std::string& note) {
-  ImGui::PushFont(ui.fonts.bold);
-  ImGui::TextUnformatted((std::string(icon) + "  " + title).c_str());
-  ImGui::PopFont();
+  bold_text(ui, std::string(icon) + "  " + title);
   const float buttons = 2 * ui.px(28) + ui.px(56);
   ImGui::SameLine();
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - buttons, ImGui::GetCursorPosY() - ui.px(5)});

@@ -1,9 +1,10 @@
 // Small pieces that several panels share: icon buttons, value rows, limit bars, section titles, tooltips.
 #pragma once
 
-#include "ui/ui.h"
 #include "journal/vocabulary.h"
+#include "ui/ui.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,7 @@ namespace isoscope::widgets {
 /// A tooltip for the last item after half a second: a title in bold and a paragraph below.
 void tip(const Ui& ui, std::string_view title, std::string_view text = {});
 /// A tooltip made from a command: its title, key and help.
-void command_tip(const Ui& ui, const Command& command);
+void command_tip(const Ui& ui, std::string_view command);
 
 /// A flat button with an icon; `lit` shows it as switched on. True when pressed.
 bool icon_button(const Ui& ui, const char* id, const char* icon, bool lit = false, bool enabled = true,
@@ -29,6 +30,9 @@ bool plain_button(const Ui& ui, const char* label, bool enabled = true, float wi
 
 /// A pane's section with a title that folds it; call the content only when true.
 bool section(const Ui& ui, const char* title, bool open_at_first = true);
+void bold_text(const Ui& ui, std::string_view text);
+/// A bold title within a section, with room above.
+void subtitle(const Ui& ui, const char* text);
 /// A quiet label on the left, a monospaced value flush right.
 void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb color = 0);
 /// A row that selects what it names: true when clicked.
@@ -60,7 +64,9 @@ void wrapped_text(std::string_view text);
 std::string fitted(std::string_view text, float width);
 /// A speed of the play head: "¼×", "64×", "auto", "max".
 std::string speed_text(double steps_per_second);
+/// In the present font.
 ImVec2 text_size(std::string_view text);
+float width_of(const ImFont* font, std::string_view text);
 void draw_text(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 color, std::string_view text);
 
 } // namespace isoscope::widgets

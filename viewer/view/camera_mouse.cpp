@@ -34,7 +34,7 @@ void CameraMouse::update(const Ui& ui, Camera& camera, ViewArea area, const std:
     const Vec3 point = under();
     pose.distance = distance(camera.eye(), point);
     pose.target = point;
-    camera.set(pose, !ui.model.scripted);
+    camera.set(pose, !ui.window.scripted);
     camera.mark_set();
     dragged_ = true;
   }

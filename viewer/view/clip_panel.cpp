@@ -1,7 +1,8 @@
 // Clip and filter: what part of the scene is seen, and which tetrahedra.
-#include "ui/icons.h"
+#include "view/clip_panel.h"
+
 #include "model/words.h"
-#include "app/panels.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <array>
@@ -12,7 +13,7 @@ namespace isoscope::panels {
 namespace {
 
 void clip_position(Ui& ui, ClipSettings& clip) {
-  const Box3 box = ui.model.scene_bounds();
+  const Box3 box = ui.window.scene_bounds();
   if (box.empty()) return;
   const Vec3 middle = box.center();
   const double reach = 0.75 * box.longest_edge();
@@ -44,14 +45,14 @@ void normal_buttons(Ui& ui, ClipSettings& clip) {
     ImGui::SameLine(0, ui.px(6));
   }
   if (widgets::plain_button(ui, (std::string(icon::eye) + "##normal").c_str(), true, each)) {
-    const CameraPose& pose = ui.model.camera.pose();
-    clip.normal = normalized(ui.model.camera.eye() - pose.target);
+    const CameraPose& pose = ui.window.camera.pose();
+    clip.normal = normalized(ui.window.camera.eye() - pose.target);
   }
   widgets::tip(ui, "Normal towards the eye", "Cuts away what is nearest to the viewer.");
   ImGui::SameLine(0, ui.px(6));
   if (widgets::plain_button(ui, (std::string(icon::flip) + "##flip").c_str(), true, each))
     ui.commands.post("clip-flip");
-  widgets::command_tip(ui, *find_command("clip-flip"));
+  widgets::command_tip(ui, "clip-flip");
 }
 
 void filter_row(Ui& ui, const char* name, const char* tip, bool& on, std::string_view count) {
@@ -73,7 +74,7 @@ void filter_row(Ui& ui, const char* name, const char* tip, bool& on, std::string
 }
 
 /// How many tetrahedra carry each flag, by bit.
-std::array<std::size_t, 8> flag_counts(const AppModel& m) {
+std::array<std::size_t, 8> flag_counts(const WindowState& m) {
   std::array<std::size_t, 8> counts{};
   const auto state = m.state();
   if (!state) return counts;
@@ -90,7 +91,7 @@ std::string count_of(const std::array<std::size_t, 8>& counts, std::uint8_t flag
 } // namespace
 
 void clip_and_filter(Ui& ui) {
-  ViewSettings& view = ui.model.view;
+  ViewSettings& view = ui.window.view;
   if (widgets::section(ui, "Clip")) {
     ImGui::PushFont(ui.fonts.small);
     constexpr std::array<const char*, 4> shapes{"none", "plane", "slab", "ball"};
@@ -115,7 +116,7 @@ void clip_and_filter(Ui& ui) {
   }
   if (!widgets::section(ui, "Tetrahedra", true)) return;
   TetFilter& f = view.tets;
-  const auto counts = flag_counts(ui.model);
+  const auto counts = flag_counts(ui.window);
   filter_row(ui, "violate condition 1", "Hold a sample with ε > 1 − α. §2.3", f.violate_1,
              count_of(counts, tet_violates_1));
   filter_row(ui, "violate condition 2", "Carry Z and are lower than 2σ/α. §2.3", f.violate_2,
@@ -128,7 +129,7 @@ void clip_and_filter(Ui& ui) {
   filter_row(ui, "all", "Every tetrahedron inside the bounding box.", f.all, count_of(counts, tet_alive));
   filter_row(ui, "at the bounding box", "Also those with a corner of the loose bounding box. §2.2", f.box,
              count_of(counts, tet_box));
-  const auto state = ui.model.state();
+  const auto state = ui.window.state();
   if (state && state->complex.form == ZeroForm::embedded) {
     constexpr std::array<const char*, 3> sides{"both sides", "outer", "inner"};
     int side = static_cast<int>(f.sides);

@@ -1,7 +1,8 @@
 // Layers: an eye, a name, an opacity each; and what colours and shapes mean.
-#include "ui/icons.h"
+#include "view/layers_panel.h"
+
 #include "model/words.h"
-#include "app/panels.h"
+#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ void layer_row(Ui& ui, const Row& row) {
   const auto names = layer_names();
   const auto name =
       std::find_if(names.begin(), names.end(), [&](const LayerName& l) { return l.name == row.layer; });
-  LayerSettings& layer = ui.model.view.*(name->member);
+  LayerSettings& layer = ui.window.view.*(name->member);
   ImGui::PushID(name->title.data());
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, high = ui.px(26), slider = ui.px(84);
@@ -81,7 +82,7 @@ void layer_row(Ui& ui, const Row& row) {
     if (ImGui::GetIO().KeyCtrl)
       for (const Row& other : rows)
         for (const LayerName& l : names)
-          if (l.name == other.layer) (ui.model.view.*(l.member)).visible = l.name == row.layer;
+          if (l.name == other.layer) (ui.window.view.*(l.member)).visible = l.name == row.layer;
     if (!ImGui::GetIO().KeyCtrl) layer.visible = !layer.visible;
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -92,7 +93,7 @@ void layer_row(Ui& ui, const Row& row) {
       to_u32(ImGui::IsItemHovered() ? ui.colors.accent_text : ui.colors.text, layer.visible ? 0.9f : 0.4f),
       layer.visible ? icon::eye : icon::eye_off);
   widgets::tip(ui, layer.visible ? "Hide" : "Show", "Ctrl-click shows this layer alone.");
-  const auto state = ui.model.state();
+  const auto state = ui.window.state();
   const bool unclassified = row.layer == "good" && state != nullptr && state->complex.form == ZeroForm::free;
   draw_swatch(ui, row.swatch, unclassified ? ui.colors.quiet : ui.colors.*(row.color),
               {at.x + ui.px(36), at.y + high / 2}, strength);
@@ -124,7 +125,7 @@ void layers(Ui& ui) {
   for (const Row& row : rows) layer_row(ui, row);
   ImGui::PopStyleVar();
   // The group switch of the samples follows its two halves.
-  ViewSettings& view = ui.model.view;
+  ViewSettings& view = ui.window.view;
   view.samples.visible = view.good_samples.visible || view.bad_samples.visible;
   ImGui::Dummy({0, ui.px(4)});
 }

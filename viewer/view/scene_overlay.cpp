@@ -1,13 +1,13 @@
 // Drawn with the interface's own lists, so that it is crisp at any scale.
 #include "view/scene_overlay.h"
 
-#include "ui/icons.h"
-#include "model/words.h"
 #include "journal/describe.h"
-#include "ui/widgets.h"
+#include "model/words.h"
 #include "scene/overlay.h"
 #include "scene/pick_geometry.h"
 #include "scene/reason_style.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
 
 #include <glm/vec4.hpp>
 
@@ -24,11 +24,7 @@ void pill(const Ui& ui, ImVec2 low, ImVec2 high) {
   list.AddRect(low, high, to_u32(ui.colors.line, 0.9f), ui.px(6));
 }
 
-float width_of(ImFont* font, std::string_view text) {
-  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x;
-}
-
-std::string pick_line(const AppModel& m, const Pick& pick) {
+std::string pick_line(const WindowState& m, const Pick& pick) {
   const auto state = m.state();
   if (!state) return {};
   switch (pick.kind) {
@@ -64,7 +60,7 @@ void mode_switch(Ui& ui, ImVec2 corner) {
   constexpr std::array<const char*, 3> commands{"scene", "section", "split"};
   const float width = ui.px(192);
   ImGui::SetCursorScreenPos({corner.x - width - ui.px(10), corner.y + ui.px(10)});
-  int chosen = static_cast<int>(ui.model.view.mode);
+  int chosen = static_cast<int>(ui.window.view.mode);
   ImGui::PushFont(ui.fonts.small);
   pill(ui, ImGui::GetCursorScreenPos(), {corner.x - ui.px(10), corner.y + ui.px(36)});
   if (widgets::segmented(ui, "mode", labels, chosen, width))
@@ -73,7 +69,7 @@ void mode_switch(Ui& ui, ImVec2 corner) {
 }
 
 void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size) {
-  if (!ui.model.view.axes || size.y < ui.px(160)) return;
+  if (!ui.window.view.axes || size.y < ui.px(160)) return;
   const glm::mat4 view = camera.view();
   const ImVec2 origin{low.x + ui.px(46), low.y + size.y - ui.px(46)};
   const float reach = ui.px(28);
@@ -94,7 +90,7 @@ void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size) {
     list.AddLine(origin, end, to_u32(axis.color, strength), ui.px(2));
     const float r = ui.px(8);
     const ImVec2 tip{origin.x + axis.direction.x * (reach + r), origin.y - axis.direction.y * (reach + r)};
-    const float width = width_of(ui.fonts.small, axis.name);
+    const float width = widgets::width_of(ui.fonts.small, axis.name);
     widgets::draw_text(list, ui.fonts.small, {tip.x - width / 2, tip.y - ui.fonts.small->FontSize / 2},
                        to_u32(axis.color, strength), axis.name);
   }
@@ -105,7 +101,7 @@ double height_at_target(const Camera& camera) {
 }
 
 void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double height) {
-  if (!ui.model.view.scale_bar || delta <= 0 || height <= 0) return;
+  if (!ui.window.view.scale_bar || delta <= 0 || height <= 0) return;
   const double pixels_per_delta = delta * static_cast<double>(size.y) / height;
   const double wanted = ui.px(110) / pixels_per_delta;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
@@ -123,9 +119,10 @@ void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double heigh
   list.AddLine({right.x - length, right.y}, right, color, ui.px(1.5f));
   list.AddLine({right.x - length, right.y - tick}, {right.x - length, right.y + tick}, color, ui.px(1.5f));
   list.AddLine({right.x, right.y - tick}, {right.x, right.y + tick}, color, ui.px(1.5f));
-  widgets::draw_text(list, ui.fonts.small,
-                     {right.x - length / 2 - width_of(ui.fonts.small, label) / 2, right.y - ui.px(20)}, color,
-                     label);
+  widgets::draw_text(
+      list, ui.fonts.small,
+      {right.x - length / 2 - widgets::width_of(ui.fonts.small, label) / 2, right.y - ui.px(20)}, color,
+      label);
 }
 
 void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room) {
@@ -134,7 +131,7 @@ void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, fl
   text = widgets::fitted(text, room);
   ImGui::PopFont();
   const ImVec2 at{low.x + ui.px(12), low.y + ui.px(10)};
-  const float text_width = width_of(ui.fonts.small, text), high = ui.px(26);
+  const float text_width = widgets::width_of(ui.fonts.small, text), high = ui.px(26);
   pill(ui, at, {at.x + text_width + ui.px(30), at.y + high});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool rejected = event && event->kind == EventKind::rejection;
@@ -150,7 +147,7 @@ void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, fl
 }
 
 void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const auto state = m.state();
   if (!state || !m.run.journal || m.run.journal->events().empty()) return;
   // A rejection that was chosen is no operation: it is told instead of the one that led here.
@@ -167,20 +164,20 @@ void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
 }
 
 void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
-  const Vec3 n = ui.model.view.clip.normal;
+  const Vec3 n = ui.window.view.clip.normal;
   std::string name;
   for (int i = 0; i < 3; ++i)
     if (std::abs(n[i]) > 0.9999) name = std::string(1, static_cast<char>('x' + i));
   if (name.empty())
     name = "(" + short_number(n.x) + ", " + short_number(n.y) + ", " + short_number(n.z) + ")";
   const std::string text = "section, normal " + name;
-  if (width_of(ui.fonts.small, text) > size.x - ui.px(160)) return;
+  if (widgets::width_of(ui.fonts.small, text) > size.x - ui.px(160)) return;
   widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
                      {low.x + ui.px(14), low.y + size.y - ui.px(28)}, to_u32(ui.colors.quiet), text);
 }
 
 void hover_tip(const Ui& ui) {
-  const std::string line = pick_line(ui.model, ui.model.selection.hovered);
+  const std::string line = pick_line(ui.window, ui.window.selection.hovered);
   if (line.empty()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(5)});
   ImGui::BeginTooltip();
@@ -192,7 +189,7 @@ void hover_tip(const Ui& ui) {
 }
 
 void invitation(Ui& ui, ImVec2 low, ImVec2 size) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const bool nothing =
       m.run.phase == SessionPhase::idle || (m.run.phase == SessionPhase::failed && !m.run.scene);
   if (!nothing || size.x < ui.px(300)) return;
@@ -201,9 +198,10 @@ void invitation(Ui& ui, ImVec2 low, ImVec2 size) {
   const char* title = "Drop a model here";
   const char* note = "OFF, OBJ, PLY or STL, with a closed surface";
   widgets::draw_text(list, ui.fonts.title,
-                     {middle.x - width_of(ui.fonts.title, title) / 2, middle.y - ui.px(56)},
+                     {middle.x - widgets::width_of(ui.fonts.title, title) / 2, middle.y - ui.px(56)},
                      to_u32(ui.colors.text), title);
-  widgets::draw_text(list, ui.fonts.ui, {middle.x - width_of(ui.fonts.ui, note) / 2, middle.y - ui.px(24)},
+  widgets::draw_text(list, ui.fonts.ui,
+                     {middle.x - widgets::width_of(ui.fonts.ui, note) / 2, middle.y - ui.px(24)},
                      to_u32(ui.colors.quiet), note);
   const float width = ui.px(120), gap = ui.px(10);
   ImGui::SetCursorScreenPos({middle.x - width - gap / 2, middle.y + ui.px(8)});
@@ -231,7 +229,7 @@ void progress(Ui& ui, const ShownRun& m, const char* cancel, ImVec2 low, ImVec2 
   const ImVec2 bar{at.x + pad, at.y + ui.px(32)};
   const float length = width - 2 * pad, thick = ui.px(5);
   list.AddRectFilled(bar, {bar.x + length, bar.y + thick}, to_u32(ui.colors.line), thick / 2);
-  const auto phase = static_cast<float>(std::fmod(ui.model.clock, 1.6) / 1.6);
+  const auto phase = static_cast<float>(std::fmod(ui.window.clock, 1.6) / 1.6);
   const float begin = fraction >= 0 ? 0 : std::max(0.0f, phase * 1.3f - 0.3f),
               end = fraction >= 0 ? static_cast<float>(std::clamp(fraction, 0.02, 1.0))
                                   : std::min(1.0f, phase * 1.3f);

@@ -1,10 +1,9 @@
 // Mouse, pictures and what lies over them.
 #include "view/scene_view.h"
 
-#include "view/scene_overlay.h"
-#include "ui/widgets.h"
-#include "questions/target_study.h"
 #include "scene/pick_geometry.h"
+#include "ui/widgets.h"
+#include "view/scene_overlay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +20,16 @@ ImVec2 local(ImVec2 mouse, ImVec2 low) {
 } // namespace
 
 void SceneView::draw(Ui& ui) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   renderer_->set_scene(m.run.scene);
   renderer_->set_grid(m.grid.grid());
   renderer_->set_state(m.state());
-  xray_ = m.xray();
+  xray_ = probe_.xray();
   renderer_->set_xray(xray_);
   // Until the next answer is there, the last one stays: a drag would flicker otherwise.
-  if (const auto newest = m.study(); newest || !m.selection.what_if || !xray_) study_ = newest;
+  if (const auto newest = probe_.study(); newest || !m.selection.what_if || !xray_) study_ = newest;
   renderer_->set_study(study_);
-  annotation_ = m.investigation.annotation();
+  annotation_ = asked_.annotation();
   renderer_->set_annotation(annotation_);
   frame_requests(ui);
 
@@ -57,7 +56,7 @@ void SceneView::draw(Ui& ui) {
 }
 
 void SceneView::render(Ui& ui, Area area, bool section) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const ViewSettings view = m.shown_view();
   ViewPicture::Key key;
   key.view = view;
@@ -86,10 +85,10 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   ImGui::InvisibleButton("scene", area.size, every_button);
   ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
   frame_untouched(ui, area.size.x / area.size.y);
-  ui.model.scene_area = {area.low.x, area.low.y, area.size.x, area.size.y};
+  ui.window.scene_area = {area.low.x, area.low.y, area.size.x, area.size.y};
   scene_mouse(ui, area);
   render(ui, area, false);
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   overlay::axes(ui, m.camera, area.low, area.size);
   overlay::scale_bar(ui, m.run.scene ? m.run.scene->delta : 0, area.low, area.size,
                      overlay::height_at_target(m.camera));
@@ -100,21 +99,21 @@ void SceneView::draw_section(Ui& ui, Area area) {
   ImGui::SetCursorScreenPos(area.low);
   ImGui::InvisibleButton("section", area.size, every_button);
   ImGui::SetItemAllowOverlap(); // the controls that lie over the picture come first
-  place_untouched_section(ui.model, area.size.x / area.size.y);
+  place_untouched_section(ui.window, area.size.x / area.size.y);
   section_mouse(ui, area);
   render(ui, area, true);
   overlay::section_caption(ui, area.low, area.size);
-  const auto& scene = ui.model.run.scene;
-  overlay::scale_bar(ui, scene ? scene->delta : 0, area.low, area.size, ui.model.section.height);
+  const auto& scene = ui.window.run.scene;
+  overlay::scale_bar(ui, scene ? scene->delta : 0, area.low, area.size, ui.window.section.height);
 }
 
 void SceneView::picked(Ui& ui, const Pick& pick) {
-  ui.model.selection.pick(pick);
-  if (pick.kind != Pick::Kind::none) ui.model.settings.panes.show_right = true;
+  ui.window.selection.pick(pick);
+  if (pick.kind != Pick::Kind::none) ui.window.settings.panes.show_right = true;
 }
 
 Pick SceneView::hover_pick(Ui& ui, Area area, bool section) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MousePos.x != hover_at_.x || io.MousePos.y != hover_at_.y) {
     hover_at_ = io.MousePos;
@@ -132,7 +131,7 @@ Pick SceneView::hover_pick(Ui& ui, Area area, bool section) {
 }
 
 void SceneView::scene_mouse(Ui& ui, Area area) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
   const ImVec2 at = local(io.MousePos, area.low);
@@ -140,7 +139,7 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
   const auto under = [&] {
     return renderer_->point_under(m.camera, m.shown_view(), at.x, at.y, width, height);
   };
-  if (handle_.update(ui, area.low, area.size, hovered)) {
+  if (handle_.update(ui, probe_, area.low, area.size, hovered)) {
     mouse_.take();
     return;
   }
@@ -159,7 +158,7 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
 }
 
 void SceneView::section_mouse(Ui& ui, Area area) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
   const ImVec2 at = local(io.MousePos, area.low);
@@ -201,7 +200,7 @@ void SceneView::section_mouse(Ui& ui, Area area) {
 
 // Until somebody moves the camera, the whole model stays in sight, however narrow the view becomes.
 void SceneView::frame_untouched(Ui& ui, float aspect) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   const Box3 box = m.scene_bounds();
   if (m.camera.was_set() || box.empty()) return;
   if (aspect == framed_aspect_ && box.lo == framed_box_.lo && box.hi == framed_box_.hi) return;
@@ -214,7 +213,7 @@ void SceneView::frame_untouched(Ui& ui, float aspect) {
 }
 
 // The same for the section: what the plane cuts of the input is centred.
-void SceneView::place_untouched_section(AppModel& m, float aspect) {
+void SceneView::place_untouched_section(WindowState& m, float aspect) {
   ClipSettings plane;
   plane.point = m.view.clip.point;
   plane.normal = m.view.clip.normal;
@@ -244,9 +243,9 @@ void SceneView::place_untouched_section(AppModel& m, float aspect) {
 }
 
 void SceneView::frame_requests(Ui& ui) {
-  AppModel& m = ui.model;
+  WindowState& m = ui.window;
   // What is selected may belong to a step that is still being made.
-  const bool ready = m.state_is_current() || m.running();
+  const bool ready = m.settled || m.running();
   const bool all = std::exchange(m.requests.frame_all, false);
   const bool selected = ready && std::exchange(m.requests.frame_selection, false);
   if (!all && !selected) return;

@@ -1,11 +1,11 @@
 // The 3D view and the section: draws the renderer's picture, turns the mouse into camera moves and picks.
 #pragma once
 
-#include "view/camera_mouse.h"
+#include "ask/investigation.h"
 #include "edge/target_handle.h"
-#include "view/view_picture.h"
-#include "scene/annotation.h"
 #include "scene/renderer.h"
+#include "view/camera_mouse.h"
+#include "view/view_picture.h"
 
 #include <memory>
 #include <optional>
@@ -15,7 +15,8 @@ namespace isoscope {
 /// Keeps the last picture and redraws it only when something in it changed.
 class SceneView {
  public:
-  explicit SceneView(Renderer& renderer) : renderer_(&renderer) {}
+  SceneView(Renderer& renderer, const EdgeProbe& probe, const Investigation& asked)
+      : renderer_(&renderer), probe_(probe), asked_(asked) {}
 
   /// Fills the present window of the interface.
   void draw(Ui& ui);
@@ -30,7 +31,7 @@ class SceneView {
   };
   Extent extent() const { return {main().width(), main().height(), main().pixel_scale()}; }
   /// While nobody has moved the section, what the plane cuts of the input is centred.
-  void place_untouched_section(AppModel& model, float aspect);
+  void place_untouched_section(WindowState& window, float aspect);
   /// Moves camera or section to what was asked for.
   void frame_requests(Ui& ui);
 
@@ -47,6 +48,8 @@ class SceneView {
   Pick hover_pick(Ui& ui, Area area, bool section);
 
   Renderer* renderer_;
+  const EdgeProbe& probe_;
+  const Investigation& asked_;
   ViewPicture scene_, section_;
   bool scene_shown_ = false, section_shown_ = false;
   /// Of the last frame: their addresses tell pictures apart.

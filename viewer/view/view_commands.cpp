@@ -1,428 +1,233 @@
-// Commands on the view and the window, and those for scripts.
-#include "command/command_groups.h"
+// What the commands on the view do, and their table.
+#include "view/view_commands.h"
 
-#include "app/command_actions.h"
 #include "ui/icons.h"
-#include "command/named_values.h"
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <array>
+
 namespace isoscope {
+namespace {
 
-using namespace actions;
-using M = AppModel;
-using A = Arguments;
-
-std::vector<Command> view_commands() {
-  return {
-      {"scene",
-       "3D view",
-       "",
-       "Shows the scene in space.",
-       "View",
-       icon::cube,
-       {{'6'}},
-       [](M& m, const A&) {
-         m.view.mode = ViewMode::scene;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.view.mode == ViewMode::scene; }},
-      {"section",
-       "2D section",
-       "",
-       "Shows the section by the clip's plane, drawn like the paper's figures.",
-       "View",
-       icon::square,
-       {{'7'}},
-       [](M& m, const A&) {
-         m.view.mode = ViewMode::section;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.view.mode == ViewMode::section; }},
-      {"split",
-       "3D and section",
-       "",
-       "Shows both beside each other.",
-       "View",
-       icon::split,
-       {{'8'}},
-       [](M& m, const A&) {
-         m.view.mode = ViewMode::split;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.view.mode == ViewMode::split; }},
-      {"frame-all",
-       "Frame everything",
-       "",
-       "Moves the camera so that the whole model is seen.",
-       "View",
-       icon::home,
-       {{'A'}},
-       [](M& m, const A&) {
-         m.requests.frame_all = true;
-         return Status();
-       }},
-      {"look",
-       "Look along an axis",
-       "x | y | z | -x | -y | -z",
-       "Looks along an axis.",
-       "",
-       nullptr,
-       {},
-       look_along},
-      {"front",
-       "Front view",
-       "",
-       "Looks along z.",
-       "View",
-       nullptr,
-       {{GLFW_KEY_KP_1}},
-       [](M& m, const A&) { return look_along(m, {"z"}); }},
-      {"right",
-       "Right view",
-       "",
-       "Looks along x.",
-       "View",
-       nullptr,
-       {{GLFW_KEY_KP_3}},
-       [](M& m, const A&) { return look_along(m, {"x"}); }},
-      {"top",
-       "Top view",
-       "",
-       "Looks along y.",
-       "View",
-       nullptr,
-       {{GLFW_KEY_KP_7}},
-       [](M& m, const A&) { return look_along(m, {"y"}); }},
-      {"orthographic",
-       "Orthographic",
-       "",
-       "Switches between perspective and parallel projection.",
-       "View",
-       nullptr,
-       {{GLFW_KEY_KP_5}, {'5'}},
-       toggle_orthographic,
-       nullptr,
-       [](const M& m) { return m.camera.pose().orthographic; }},
-      {"clip-next",
-       "Next clip shape",
-       "",
-       "Cuts by nothing, plane, slab or ball in turn.",
-       "View",
-       icon::scissors,
-       {{'X'}},
-       next_clip_shape},
-      {"clip-mode",
-       "Next clip mode",
-       "",
-       "Cuts cells, keeps them whole, or shows those that straddle the cut.",
-       "View",
-       nullptr,
-       {{'C'}},
-       next_clip_mode},
-      {"clip-flip",
-       "Flip the clip",
-       "",
-       "Cuts the other side away.",
-       "View",
-       icon::flip,
-       {{'X', false, true}},
-       [](M& m, const A&) {
-         m.view.clip.flipped = !m.view.clip.flipped;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.view.clip.flipped; }},
-      {"blink",
-       "Blink before and after",
-       "",
-       "Shows Z before and after the operation in turn.",
-       "View",
-       nullptr,
-       {{'V'}},
-       toggle_blink,
-       nullptr,
-       [](const M& m) { return m.blinking; }},
-      {"focus",
-       "Focus on the selected edge",
-       "",
-       "With an edge selected samples, Ω and changed tetrahedra step back, or stay.",
-       "View",
-       nullptr,
-       {{'Z'}},
-       [](M& m, const A&) {
-         m.view.focus = !m.view.focus;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.view.focus; }},
-      {"psi",
-       "Ψ of the edge",
-       "",
-       "Shows or hides Ψ in the X-ray: where targets are known to fail.",
-       "View",
-       nullptr,
-       {},
-       [](M& m, const A&) {
-         m.view.invalid_regions = !m.view.invalid_regions;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.view.invalid_regions; }},
-      {"octree-cells",
-       "Octree of the edge",
-       "",
-       "Shows or hides the cells of the octree search in the X-ray.",
-       "View",
-       nullptr,
-       {},
-       [](M& m, const A&) {
-         m.view.octree_cells = !m.view.octree_cells;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.view.octree_cells; }},
-      {"shrink-less",
-       "Grow tetrahedra",
-       "",
-       "Shows tetrahedra larger.",
-       "",
-       nullptr,
-       {{GLFW_KEY_RIGHT_BRACKET}},
-       [](M& m, const A&) { return change_shrink(m, 0.05f); }},
-      {"shrink-more",
-       "Shrink tetrahedra",
-       "",
-       "Shows tetrahedra smaller.",
-       "",
-       nullptr,
-       {{GLFW_KEY_LEFT_BRACKET}},
-       [](M& m, const A&) { return change_shrink(m, -0.05f); }},
-      {"view",
-       "Set the view",
-       "JSON",
-       "Takes camera, layers, filter and clip from JSON.",
-       "",
-       nullptr,
-       {},
-       set_view},
-      {"copy-view",
-       "Copy the view",
-       "",
-       "Copies camera, layers, filter and clip as JSON.",
-       "View",
-       nullptr,
-       {{'C', true}},
-       copy_view},
-      {"paste-view",
-       "Paste a view",
-       "",
-       "Takes the view from the clipboard.",
-       "View",
-       nullptr,
-       {{'V', true}},
-       [](M& m, const A&) {
-         m.requests.paste = true;
-         return Status();
-       }},
-  };
+Status look_along(WindowState& m, const Arguments& a) {
+  const std::string axis = a.empty() ? "" : a[0];
+  const bool negative = axis.starts_with("-");
+  const std::string name = negative ? axis.substr(1) : axis;
+  const std::size_t index = std::string_view("xyz").find(name);
+  if (name.size() != 1 || index == std::string_view::npos)
+    return wrong_arguments("\"" + axis + "\" is not an axis.");
+  m.camera.look_along(static_cast<int>(index), negative ? -1 : 1, !m.scripted);
+  m.camera.mark_set();
+  return {};
 }
 
-std::vector<Command> window_commands() {
-  return {
-      {"pane-left",
-       "Layers and parameters",
-       "",
-       "Shows or hides the left pane.",
-       "Window",
-       nullptr,
-       {{'1', true, true}},
-       [](M& m, const A&) {
-         m.settings.panes.show_left = !m.settings.panes.show_left;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.settings.panes.show_left; }},
-      {"pane-right",
-       "Inspector",
-       "",
-       "Shows or hides the right pane.",
-       "Window",
-       nullptr,
-       {{'2', true, true}},
-       [](M& m, const A&) {
-         m.settings.panes.show_right = !m.settings.panes.show_right;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.settings.panes.show_right; }},
-      {"pane-bottom",
-       "Timeline",
-       "",
-       "Shows or hides the bottom pane.",
-       "Window",
-       nullptr,
-       {{'3', true, true}},
-       [](M& m, const A&) {
-         m.settings.panes.show_bottom = !m.settings.panes.show_bottom;
-         return Status();
-       },
-       nullptr,
-       [](const M& m) { return m.settings.panes.show_bottom; }},
-      {"only-view",
-       "Only the view",
-       "",
-       "Hides all panes, or shows them again.",
-       "Window",
-       nullptr,
-       {{'P', false, true}},
-       toggle_panes},
-      {"tab",
-       "Bottom tab",
-       "timeline | plots | events | breakpoints | history | work",
-       "Chooses what the bottom pane shows.",
-       "",
-       nullptr,
-       {},
-       choose_tab},
-      {"theme",
-       "Theme",
-       "[dark | light | paper]",
-       "Sets the colours; without a name it takes the next.",
-       "Window",
-       nullptr,
-       {{'T', true}},
-       choose_theme},
-      {"larger",
-       "Larger interface",
-       "",
-       "Enlarges text and controls.",
-       "Window",
-       nullptr,
-       {{GLFW_KEY_EQUAL, true}, {GLFW_KEY_KP_ADD, true}},
-       [](M& m, const A&) { return change_scale(m, 1); }},
-      {"smaller",
-       "Smaller interface",
-       "",
-       "Makes text and controls smaller.",
-       "Window",
-       nullptr,
-       {{GLFW_KEY_MINUS, true}, {GLFW_KEY_KP_SUBTRACT, true}},
-       [](M& m, const A&) { return change_scale(m, -1); }},
-      {"normal-size",
-       "Normal size",
-       "",
-       "Text and controls in the monitor's own scale.",
-       "Window",
-       nullptr,
-       {{'0', true, true}},
-       [](M& m, const A&) { return change_scale(m, 0); }},
-      {"palette",
-       "Command palette",
-       "",
-       "Finds a command by typing.",
-       "Help",
-       icon::search,
-       {{'P', true}},
-       [](M& m, const A&) { return toggle_overlay(m, Overlay::palette); }},
-      {"help",
-       "Help",
-       "",
-       "Lists every key, command and value.",
-       "Help",
-       icon::help,
-       {{GLFW_KEY_F1}},
-       [](M& m, const A&) { return toggle_overlay(m, Overlay::help); }},
-      {"about",
-       "About Isoscope",
-       "",
-       "Says what this is, its licence and its sources.",
-       "Help",
-       icon::info,
-       {},
-       [](M& m, const A&) { return toggle_overlay(m, Overlay::about); }},
-  };
+Status toggle_orthographic(WindowState& m, const Arguments&) {
+  CameraPose pose = m.camera.pose();
+  pose.orthographic = !pose.orthographic;
+  m.camera.set(pose);
+  return {};
 }
 
-std::vector<Command> script_commands() {
-  const auto only = [](Command command) {
-    command.for_scripts = true;
-    return command;
-  };
-  return {
-      {"set",
-       "Set a value",
-       "NAME VALUE",
-       "Sets a named value; parameters take effect with apply or restart.",
-       "",
-       nullptr,
-       {},
-       set_value},
-      only({"expect",
-            "Expect",
-            "NAME OP VALUE [and ...]",
-            "Stops the script unless the comparison holds.",
-            "",
-            nullptr,
-            {},
-            expect_value}),
-      only({"wait",
-            "Wait",
-            "[settled | answers | SECONDS]",
-            "Waits until the run is at rest and shown, until what was asked is answered, or for a time.",
-            "",
-            nullptr,
-            {},
-            wait_for}),
-      only({"click",
-            "Click",
-            "X Y [left | right]",
-            "Clicks at a place of the window.",
-            "",
-            nullptr,
-            {},
-            click}),
-      only({"drag",
-            "Drag",
-            "X1 Y1 X2 Y2 [left | right] [shift]",
-            "Drags from one place of the window to another.",
-            "",
-            nullptr,
-            {},
-            drag}),
-      only({"move", "Move", "X Y", "Moves the mouse to a place of the window.", "", nullptr, {}, move}),
-      only({"wheel",
-            "Wheel",
-            "X Y STEPS",
-            "Turns the wheel at a place of the window.",
-            "",
-            nullptr,
-            {},
-            wheel}),
-      only({"key", "Key", "CHORD", "Does what a key does: Ctrl+P, Right, F1.", "", nullptr, {}, press_key}),
-      only({"hands",
-            "Hands",
-            "SECONDS",
-            "Lets the real mouse and keys act for a time.",
-            "",
-            nullptr,
-            {},
-            give_hands}),
-      only({"dismiss",
-            "Dismiss",
-            "",
-            "Removes all messages.",
-            "",
-            nullptr,
-            {},
-            [](M& m, const A&) {
-              m.messages.clear();
-              return Status();
-            }}),
-  };
+Status next_clip_shape(WindowState& m, const Arguments&) {
+  ClipSettings& clip = m.view.clip;
+  clip.shape = static_cast<ClipSettings::Shape>((static_cast<int>(clip.shape) + 1) % 4);
+  return {};
+}
+
+Status next_clip_mode(WindowState& m, const Arguments&) {
+  ClipSettings& clip = m.view.clip;
+  clip.mode = static_cast<ClipSettings::Mode>((static_cast<int>(clip.mode) + 1) % 3);
+  return {};
+}
+
+Status change_shrink(WindowState& m, float by) {
+  m.view.tets.shrink = std::clamp(m.view.tets.shrink + by, 0.1f, 1.0f);
+  return {};
+}
+
+struct ModeCommand {
+  const char *name, *title, *help, *icon;
+  int key;
+  ViewMode mode;
+};
+constexpr std::array<ModeCommand, 3> mode_commands{
+    {{"scene", "3D view", "Shows the scene in space.", icon::cube, '6', ViewMode::scene},
+     {"section", "2D section", "Shows the section by the clip's plane, drawn like the paper's figures.",
+      icon::square, '7', ViewMode::section},
+     {"split", "3D and section", "Shows both beside each other.", icon::split, '8', ViewMode::split}}};
+
+struct AxisCommand {
+  const char *name, *title, *axis;
+  int key;
+};
+constexpr std::array<AxisCommand, 3> axis_commands{{{"front", "Front view", "z", GLFW_KEY_KP_1},
+                                                    {"right", "Right view", "x", GLFW_KEY_KP_3},
+                                                    {"top", "Top view", "y", GLFW_KEY_KP_7}}};
+
+Status set_view(WindowState& m, const Arguments& a) {
+  return a.size() == 1 ? show_view(m, a[0]) : Status(wrong_arguments("The view's JSON is missing."));
+}
+
+Status copy_view(WindowState& m, const Arguments&) {
+  m.requests.copy = to_json(ViewState{m.camera.pose(), m.view, m.section});
+  m.tell("The view is copied; Ctrl+V pastes it, here or in another window.");
+  return {};
+}
+
+Status toggle_blink(WindowState& m, const Arguments&) {
+  m.blinking = !m.blinking;
+  if (!m.blinking) m.view.moment = Moment::both;
+  return {};
+}
+
+Status undo_view(WindowState& m, const Arguments&) {
+  if (const auto before = m.history.undo()) m.take(*before);
+  return {};
+}
+
+Status redo_view(WindowState& m, const Arguments&) {
+  if (const auto after = m.history.redo()) m.take(*after);
+  return {};
+}
+
+} // namespace
+
+Status show_view(WindowState& m, const std::string& json) {
+  const auto state = view_from_json(json, {m.camera.pose(), m.view, m.section});
+  if (!state)
+    return Error{ErrorCode::usage, "This text is no view.",
+                 "Copy one with Ctrl+C in the window, then paste that."};
+  m.show(*state);
+  return {};
+}
+
+void add_view_commands(CommandTable& table, WindowState& m) {
+  for (const ModeCommand& mode : mode_commands)
+    table.add({{.name = mode.name,
+                .title = mode.title,
+                .help = mode.help,
+                .menu = "View",
+                .icon = mode.icon,
+                .keys = {{mode.key}},
+                .run = does([&m, to = mode.mode] { m.view.mode = to; }),
+                .checked = [&m, to = mode.mode] { return m.view.mode == to; }}});
+  table.add({{.name = "frame-all",
+              .title = "Frame everything",
+              .help = "Moves the camera so that the whole model is seen.",
+              .menu = "View",
+              .icon = icon::home,
+              .keys = {{'A'}},
+              .run = does([&m] { m.requests.frame_all = true; })},
+             {.name = "look",
+              .title = "Look along an axis",
+              .usage = "x | y | z | -x | -y | -z",
+              .help = "Looks along an axis.",
+              .run = on(m, look_along)}});
+  for (const AxisCommand& axis : axis_commands)
+    table.add({{.name = axis.name,
+                .title = axis.title,
+                .help = std::string("Looks along ") + axis.axis + ".",
+                .menu = "View",
+                .keys = {{axis.key}},
+                .run = [&m, along = axis.axis](const Arguments&) { return look_along(m, {along}); }}});
+  table.add({{.name = "orthographic",
+              .title = "Orthographic",
+              .help = "Switches between perspective and parallel projection.",
+              .menu = "View",
+              .keys = {{GLFW_KEY_KP_5}, {'5'}},
+              .run = on(m, toggle_orthographic),
+              .checked = [&m] { return m.camera.pose().orthographic; }},
+             {.name = "clip-next",
+              .title = "Next clip shape",
+              .help = "Cuts by nothing, plane, slab or ball in turn.",
+              .menu = "View",
+              .icon = icon::scissors,
+              .keys = {{'X'}},
+              .run = on(m, next_clip_shape)},
+             {.name = "clip-mode",
+              .title = "Next clip mode",
+              .help = "Cuts cells, keeps them whole, or shows those that straddle the cut.",
+              .menu = "View",
+              .keys = {{'C'}},
+              .run = on(m, next_clip_mode)},
+             {.name = "clip-flip",
+              .title = "Flip the clip",
+              .help = "Cuts the other side away.",
+              .menu = "View",
+              .icon = icon::flip,
+              .keys = {{'X', false, true}},
+              .run = flips(m.view.clip.flipped),
+              .checked = is_on(m.view.clip.flipped)},
+             {.name = "blink",
+              .title = "Blink before and after",
+              .help = "Shows Z before and after the operation in turn.",
+              .menu = "View",
+              .keys = {{'V'}},
+              .run = on(m, toggle_blink),
+              .checked = is_on(m.blinking)},
+             {.name = "focus",
+              .title = "Focus on the selected edge",
+              .help = "With an edge selected samples, Ω and changed tetrahedra step back, or stay.",
+              .menu = "View",
+              .keys = {{'Z'}},
+              .run = flips(m.view.focus),
+              .checked = is_on(m.view.focus)},
+             {.name = "psi",
+              .title = "Ψ of the edge",
+              .help = "Shows or hides Ψ in the X-ray: where targets are known to fail.",
+              .menu = "View",
+              .run = flips(m.view.invalid_regions),
+              .checked = is_on(m.view.invalid_regions)},
+             {.name = "octree-cells",
+              .title = "Octree of the edge",
+              .help = "Shows or hides the cells of the octree search in the X-ray.",
+              .menu = "View",
+              .run = flips(m.view.octree_cells),
+              .checked = is_on(m.view.octree_cells)},
+             {.name = "shrink-less",
+              .title = "Grow tetrahedra",
+              .help = "Shows tetrahedra larger.",
+              .keys = {{GLFW_KEY_RIGHT_BRACKET}},
+              .run = [&m](const Arguments&) { return change_shrink(m, 0.05f); }},
+             {.name = "shrink-more",
+              .title = "Shrink tetrahedra",
+              .help = "Shows tetrahedra smaller.",
+              .keys = {{GLFW_KEY_LEFT_BRACKET}},
+              .run = [&m](const Arguments&) { return change_shrink(m, -0.05f); }},
+             {.name = "view",
+              .title = "Set the view",
+              .usage = "JSON",
+              .help = "Takes camera, layers, filter and clip from JSON.",
+              .run = on(m, set_view),
+              .raw = true},
+             {.name = "copy-view",
+              .title = "Copy the view",
+              .help = "Copies camera, layers, filter and clip as JSON.",
+              .menu = "View",
+              .keys = {{'C', true}},
+              .run = on(m, copy_view)},
+             {.name = "paste-view",
+              .title = "Paste a view",
+              .help = "Takes the view from the clipboard.",
+              .menu = "View",
+              .keys = {{'V', true}},
+              .run = does([&m] { m.requests.paste = true; })},
+             {.name = "undo",
+              .title = "Undo the view",
+              .help = "Takes back the last change of view, filter, selection or layout; never of the run.",
+              .menu = "View",
+              .keys = {{'Z', true}},
+              .run = on(m, undo_view),
+              .enabled = [&m] { return m.history.undo_depth() > 0; }},
+             {.name = "redo",
+              .title = "Redo the view",
+              .help = "Brings again what was undone.",
+              .menu = "View",
+              .keys = {{'Y', true}, {'Z', true, true}},
+              .run = on(m, redo_view),
+              .enabled = [&m] { return m.history.redo_depth() > 0; }}});
 }
 
 } // namespace isoscope

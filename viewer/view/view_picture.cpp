@@ -11,7 +11,7 @@ constexpr double settle_seconds = 0.15; ///< after the last change the picture i
 } // namespace
 
 void ViewPicture::draw(const Ui& ui, ViewArea area, Key key, const Render& render) {
-  const AppModel& m = ui.model;
+  const WindowState& m = ui.window;
   const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
   key.width = static_cast<int>(area.size.x * density.x);
   key.pixel_height = static_cast<int>(area.size.y * density.y);

@@ -2,8 +2,8 @@
 // it rests.
 #pragma once
 
-#include "ui/ui.h"
 #include "scene/renderer.h"
+#include "ui/ui.h"
 
 #include <functional>
 #include <optional>

@@ -1,0 +1,130 @@
+// What the commands on the window do, and their table.
+#include "app/window_commands.h"
+
+#include "ui/bottom_tabs.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+
+Status toggle_panes(WindowState& m, const Arguments&) {
+  PaneLayout& p = m.settings.panes;
+  const bool any = p.show_left || p.show_right || p.show_bottom;
+  p.show_left = p.show_right = p.show_bottom = !any;
+  return {};
+}
+
+std::string tab_words() {
+  std::string words;
+  for (const BottomTabName& tab : bottom_tabs) words += (words.empty() ? "" : " | ") + std::string(tab.word);
+  return words;
+}
+
+Status choose_tab(WindowState& m, const Arguments& a) {
+  const auto found = std::find_if(bottom_tabs.begin(), bottom_tabs.end(),
+                                  [&](const BottomTabName& tab) { return !a.empty() && a[0] == tab.word; });
+  if (found == bottom_tabs.end()) return wrong_arguments("Which tab?");
+  m.open_tab(static_cast<BottomTab>(found - bottom_tabs.begin()));
+  return {};
+}
+
+Status choose_theme(WindowState& m, const NamedValues& values, const Arguments& a) {
+  if (!a.empty()) return values.find("theme")->set(a[0]);
+  m.view.theme = static_cast<ThemeKind>((static_cast<int>(m.view.theme) + 1) % 3);
+  return {};
+}
+
+void change_scale(WindowState& m, int direction) {
+  float& scale = m.settings.ui_scale;
+  scale = direction == 0
+              ? 1.0f
+              : std::clamp(std::round((scale + 0.1f * static_cast<float>(direction)) * 10) / 10, 0.5f, 4.0f);
+}
+
+struct PaneCommand {
+  const char *name, *title, *help;
+  int key;
+  bool PaneLayout::*shown;
+};
+constexpr std::array<PaneCommand, 3> panes{
+    {{"pane-left", "Layers and parameters", "Shows or hides the left pane.", '1', &PaneLayout::show_left},
+     {"pane-right", "Inspector", "Shows or hides the right pane.", '2', &PaneLayout::show_right},
+     {"pane-bottom", "Timeline", "Shows or hides the bottom pane.", '3', &PaneLayout::show_bottom}}};
+
+} // namespace
+
+void add_window_commands(CommandTable& table, WindowState& m, const NamedValues& values) {
+  for (const PaneCommand& pane : panes) {
+    bool& shown = m.settings.panes.*pane.shown;
+    table.add({{.name = pane.name,
+                .title = pane.title,
+                .help = pane.help,
+                .menu = "Window",
+                .keys = {{pane.key, true, true}},
+                .run = flips(shown),
+                .checked = is_on(shown)}});
+  }
+  table.add({{.name = "only-view",
+              .title = "Only the view",
+              .help = "Hides all panes, or shows them again.",
+              .menu = "Window",
+              .keys = {{'P', false, true}},
+              .run = on(m, toggle_panes)},
+             {.name = "tab",
+              .title = "Bottom tab",
+              .usage = tab_words(),
+              .help = "Chooses what the bottom pane shows.",
+              .run = on(m, choose_tab)},
+             {.name = "theme",
+              .title = "Theme",
+              .usage = "[dark | light | paper]",
+              .help = "Sets the colours; without a name it takes the next.",
+              .menu = "Window",
+              .keys = {{'T', true}},
+              .run = [&m, &values](const Arguments& a) { return choose_theme(m, values, a); }},
+             {.name = "larger",
+              .title = "Larger interface",
+              .help = "Enlarges text and controls.",
+              .menu = "Window",
+              .keys = {{GLFW_KEY_EQUAL, true}, {GLFW_KEY_KP_ADD, true}},
+              .run = does([&m] { change_scale(m, 1); })},
+             {.name = "smaller",
+              .title = "Smaller interface",
+              .help = "Makes text and controls smaller.",
+              .menu = "Window",
+              .keys = {{GLFW_KEY_MINUS, true}, {GLFW_KEY_KP_SUBTRACT, true}},
+              .run = does([&m] { change_scale(m, -1); })},
+             {.name = "normal-size",
+              .title = "Normal size",
+              .help = "Text and controls in the monitor's own scale.",
+              .menu = "Window",
+              .keys = {{'0', true, true}},
+              .run = does([&m] { change_scale(m, 0); })},
+             {.name = "palette",
+              .title = "Command palette",
+              .help = "Finds a command by typing.",
+              .menu = "Help",
+              .icon = icon::search,
+              .keys = {{'P', true}},
+              .run = does([&m] { m.toggle(Overlay::palette); })},
+             {.name = "help",
+              .title = "Help",
+              .help = "Lists every key, command and value.",
+              .menu = "Help",
+              .icon = icon::help,
+              .keys = {{GLFW_KEY_F1}},
+              .run = does([&m] { m.toggle(Overlay::help); })},
+             {.name = "about",
+              .title = "About Isoscope",
+              .help = "Says what this is, its licence and its sources.",
+              .menu = "Help",
+              .icon = icon::info,
+              .run = does([&m] { m.toggle(Overlay::about); })}});
+}
+
+} // namespace isoscope

@@ -1,0 +1,101 @@
+// Messages, the window's memory of its look, and what follows from what is selected.
+#include "model/window_state.h"
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t message_limit = 4;
+
+} // namespace
+
+void WindowState::add(Message message) {
+  messages.push_back(std::move(message));
+  while (messages.size() > message_limit) messages.pop_front();
+}
+
+void WindowState::report(const Error& error) {
+  add({true, error.message, error.remedy, clock});
+}
+
+void WindowState::tell(std::string text) {
+  add({false, std::move(text), "", clock});
+}
+
+void WindowState::toggle(Overlay which) {
+  overlay = overlay == which ? Overlay::none : which;
+}
+
+void WindowState::open_tab(BottomTab tab) {
+  settings.panes.tab = tab;
+  settings.panes.show_bottom = true;
+}
+
+ViewMemento WindowState::memento() const {
+  ViewMemento m;
+  m.view = {camera.goal(), view, section};
+  if (blinking) m.view.view.moment = Moment::both;
+  m.filter = filter.chosen;
+  m.condition = filter.condition;
+  m.picked = selection.picked;
+  m.kinds = selection.kinds;
+  m.event = selection.event;
+  m.panes = settings.panes;
+  return m;
+}
+
+void WindowState::take(const ViewMemento& m) {
+  if (!(m.view.camera == camera.goal())) {
+    camera.set(m.view.camera, !scripted);
+    camera.mark_set();
+  }
+  const Moment moment = view.moment;
+  view = m.view.view;
+  if (blinking) view.moment = moment;
+  section = m.view.section;
+  filter.chosen = m.filter;
+  if (m.condition != filter.condition) filter.set_condition(m.condition);
+  selection.pick(m.picked);
+  selection.kinds = m.kinds;
+  selection.event = m.event;
+  settings.panes = m.panes;
+}
+
+void WindowState::show(const ViewState& state) {
+  const ThemeKind theme = view.theme;
+  view = state.view;
+  view.theme = theme;
+  section = state.section;
+  section_set = true;
+  camera.set(state.camera, !scripted);
+  camera.mark_set();
+}
+
+ViewSettings WindowState::shown_view() const {
+  ViewSettings shown = view;
+  const bool heat = settings.panes.tab == BottomTab::work && settings.panes.show_bottom;
+  const bool element = selection.picked.kind == Pick::Kind::edge || selection.picked.kind == Pick::Kind::tet;
+  if (!view.focus || !(element || heat)) return shown;
+  constexpr float step_back = 0.35f;
+  shown.samples.visible = false;
+  if (selection.picked.kind == Pick::Kind::tet) {
+    shown.highlight.visible = shown.tets.violate_3 = false;
+    shown.zero_set.opacity *= step_back;
+  }
+  shown.outer.opacity *= step_back;
+  shown.inner.opacity *= step_back;
+  shown.tets.changed = false;
+  return shown;
+}
+
+std::optional<std::uint32_t> WindowState::selected_event() const {
+  const auto shown = state();
+  if (!shown || !run.journal || selection.picked.kind != Pick::Kind::edge) return std::nullopt;
+  if (selection.event && *selection.event < run.journal->events().size()) {
+    const Event& e = run.journal->events()[*selection.event];
+    if (e.step == shown->step || (e.operation && e.step + 1 == shown->step)) return selection.event;
+  }
+  return edge_event(*run.journal, shown->step, VertexId(selection.picked.id),
+                    VertexId(selection.picked.other));
+}
+
+} // namespace isoscope

@@ -1,0 +1,163 @@
+// What all features of the window share: the run that is shown, how it is looked at, what is selected, and
+// what is told and asked around it.
+#pragma once
+
+#include "model/event_filter.h"
+#include "model/settings.h"
+#include "model/shown_run.h"
+#include "model/view_history.h"
+#include "questions/edge_xray.h"
+#include "scene/camera.h"
+#include "scene/renderer.h"
+#include "scene/view_settings.h"
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// What lies over the window.
+enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, bookmarks, pictures };
+
+/// A line that tells the user something, with what to do about it.
+struct Message {
+  bool error = false;
+  std::string text, remedy;
+  double since = 0; ///< on the window's clock
+};
+
+/// A picture asked for; taken after the next frame at full quality.
+struct ScreenshotRequest {
+  std::string file;
+  bool view_only = false; ///< the 3D view without the panels
+};
+
+/// A mouse position or button change that a script makes, one a frame; window units.
+struct MouseStep {
+  float x = 0, y = 0;
+  int button = -1; ///< -1 none, 0 left, 1 right
+  bool down = false;
+  float wheel = 0;
+  bool shift = false, control = false;
+};
+
+/// What commands ask of the program around the window's state.
+struct WindowRequests {
+  std::vector<ScreenshotRequest> screenshots;
+  std::deque<MouseStep> mouse;
+  std::optional<std::string> copy;
+  double hands = 0; ///< seconds for which a script lets the real mouse and keys act
+  bool paste = false, close = false;
+  bool frame_selection = false, frame_all = false;
+};
+
+/// What is selected and hovered, and which kinds a pick may hit.
+struct Selection {
+  Pick picked, hovered;
+  PickKinds kinds = PickKinds::all;
+  /// An event of the journal whose edge is picked: its own moment is judged.
+  std::optional<std::uint32_t> event;
+  std::optional<Vec3> mark; ///< a witness that was asked for
+  XrayTarget target = XrayTarget::automatic;
+  std::optional<Vec3> what_if;                    ///< a target of the edge that is tried
+  std::optional<std::uint32_t> candidate;         ///< of the X-ray, where that target is one
+  std::optional<std::uint32_t> hovered_candidate; ///< its ghost is shown instead
+
+  void pick(const Pick& other) {
+    picked = other;
+    event.reset();
+    mark.reset();
+    try_target({});
+  }
+  void try_target(std::optional<Vec3> at, std::optional<std::uint32_t> which = {}) {
+    what_if = at;
+    candidate = which;
+    hovered_candidate.reset();
+  }
+};
+
+/// How deep one steps.
+enum class DebugLevel : std::uint8_t {
+  stage,
+  operation, ///< attempts: operations, and edges or tetrahedra that could not be served
+  gate       ///< the checks of a collapse, or the sweeps of a repair
+};
+
+/// Where one stands in the tree of stages, operations and gates.
+struct StepPlace {
+  DebugLevel level = DebugLevel::operation;
+  std::size_t gate = 0;
+  std::optional<std::uint32_t> gate_event; ///< whose gates are stepped through
+  bool at_gate(std::size_t which) const { return level == DebugLevel::gate && gate == which; }
+};
+
+/// The window before an audience: one scene, one sentence.
+struct Presenter {
+  bool on = false;
+  bool slow_down = true; ///< playing dwells at moments
+};
+
+/// The active run, and how the window looks at it. Features keep a reference to it; plain settings are
+/// changed in place.
+class WindowState : public ShownRun {
+ public:
+  using ShownRun::ShownRun;
+
+  RunParameters draft; ///< what the parameter panel shows: asked for when applied
+
+  // The view.
+  ViewSettings view;
+  Camera camera;
+  Renderer::SectionView section;
+  bool section_set = false; ///< a person or a script has chosen the section's place
+  Selection selection;
+  ListFilter filter;             ///< of the event list
+  std::optional<StepSpan> range; ///< limits lanes, plots, lists and maps
+  StepPlace place;
+  bool plot_time = false; ///< plots over seconds instead of steps
+  bool blinking = false;  ///< before and after of the operation in turn
+  ViewHistory history;    ///< undo of view, filter, selection and layout
+  bool dragging = false;  ///< a mouse button is held: what it changes is one entry of the history
+  Presenter presenter;
+
+  // The window.
+  Settings settings;
+  Overlay overlay = Overlay::none;
+  bool files_beside = false; ///< what is chosen among the files opens beside the run
+  std::deque<Message> messages;
+  WindowRequests requests;
+  std::array<float, 4> scene_area{}; ///< where the 3D view lies in the window: low x, y, width, height
+  double clock = 0;                  ///< seconds since the start
+  bool scripted = false;             ///< no easing, nothing remembered, following is immediate
+  /// After the last update: the state shown is the one asked for, and nothing under way would change it.
+  bool settled = false;
+
+  void report(const Error& error);
+  void tell(std::string text);
+  /// Lays it over the window, or takes it away where it lies there.
+  void toggle(Overlay which);
+  void open_tab(BottomTab tab);
+
+  /// What undo would bring back of the present window, and bringing it back.
+  ViewMemento memento() const;
+  void take(const ViewMemento& memento);
+  /// Shows a stored view; the theme stays.
+  void show(const ViewState& state);
+  /// The view as it is drawn and picked: what hides a selected edge steps back, and so do samples once they
+  /// are no longer asked.
+  ViewSettings shown_view() const;
+  /// The event that the selection speaks of at the step shown, if any.
+  std::optional<std::uint32_t> selected_event() const;
+
+  bool has_run() const { return run.journal != nullptr; }
+  bool has_state() const { return state() != nullptr; }
+
+ private:
+  void add(Message message);
+};
+
+} // namespace isoscope

@@ -1,0 +1,108 @@
+// What is asked of the session, and what the draft of the parameters would change.
+#include "steering/steering.h"
+
+#include "input/gallery.h"
+#include "recording/recording_reader.h"
+
+namespace isoscope {
+
+void Steering::open(const std::string& input, bool paused) {
+  window.draft.input = input;
+  if (input.starts_with(gallery_prefix)) {
+    if (const GalleryEntry* entry = gallery_entry(input))
+      window.draft.tolerance = {entry->tolerance_percent, true};
+  } else if (!window.scripted) {
+    window.settings.add_recent(input);
+  }
+  window.overlay = Overlay::none;
+  window.transport.restart();
+  debug.breakpoints->forget_hits();
+  if (is_recording_name(input))
+    window.session.open_recording(input);
+  else
+    window.session.start(window.draft, nullptr, paused);
+}
+
+void Steering::restart() {
+  if (window.draft.input.empty()) return;
+  window.transport.restart();
+  debug.breakpoints->forget_hits();
+  // The input of a recording may be on another machine: the recording holds it.
+  const bool stored =
+      window.shows_recording() && window.run.scene && window.draft.input == window.run.parameters.input;
+  if (stored)
+    window.session.start(window.draft, window.run.scene->input, false, window.run.scene->notes);
+  else
+    window.session.start(window.draft);
+}
+
+Status Steering::apply() {
+  if (Status fits = window.session.apply(window.draft); !fits) return fits;
+  window.transport.follow();
+  return {};
+}
+
+bool Steering::draft_needs_restart() const {
+  return fields_differ(window.draft, window.run.parameters, [](const FieldFacts& f) { return f.restart; });
+}
+
+bool Steering::draft_differs() const {
+  const double by_default = window.run.scene ? window.run.scene->default_sigma : 0.5;
+  RunParameters wanted = window.draft, now = window.run.parameters;
+  for (RunParameters* p : {&wanted, &now}) p->sigma = p->sigma_ratio(by_default);
+  return fields_differ(wanted, now, [](const FieldFacts&) { return true; });
+}
+
+void Steering::add_parameter_values(NamedValues& values) {
+  for (NamedField<RunParameters>& f : named_fields<RunParameters>())
+    values.add(
+        std::move(f.name), std::move(f.help),
+        [&draft = window.draft, get = std::move(f.get)] { return get(draft); },
+        [&draft = window.draft, set = std::move(f.set)](const std::string& text) {
+          return set(draft, text);
+        });
+}
+
+CriteriaParameters Steering::draft_criteria() const {
+  return window.run.scene ? window.draft.criteria(window.run.scene->delta, window.run.scene->default_sigma)
+                          : window.draft.criteria(0);
+}
+
+std::optional<ViolationPreview> Steering::draft_preview() const {
+  const auto preview = window.playhead.preview();
+  if (!preview || preview->criteria != draft_criteria()) return std::nullopt;
+  return preview->violations;
+}
+
+void Steering::forget() {
+  preview_asked_.reset();
+  error_seen_.clear();
+  draft_generation_ = 0;
+}
+
+void Steering::take_run() {
+  const SessionSnapshot& run = window.run;
+  if (run.error && run.error->message != error_seen_) {
+    error_seen_ = run.error->message;
+    window.report(*run.error);
+  }
+  if (window.shows_recording() && draft_generation_ != run.generation && !run.parameters.input.empty()) {
+    draft_generation_ = run.generation;
+    window.draft = run.parameters;
+  }
+  const std::string error = run.recording && run.recording->error ? run.recording->error->message : "";
+  if (!error.empty() && error != recording_error_seen_) window.report(*run.recording->error);
+  recording_error_seen_ = error;
+}
+
+void Steering::ask_preview() {
+  const auto state = window.state();
+  if (!state || !window.run.scene || !draft_differs() || window.transport.moving()) return;
+  const CriteriaParameters criteria = draft_criteria();
+  if (preview_asked_ == criteria && preview_state_ == state) return;
+  preview_asked_ = criteria;
+  preview_state_ = state;
+  window.playhead.request_preview(criteria);
+}
+
+} // namespace isoscope

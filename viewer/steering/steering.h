@@ -1,0 +1,57 @@
+// Opening, restarting and recording runs, and going on with other parameters.
+#pragma once
+
+#include "command/commands.h"
+#include "command/named_values.h"
+#include "debug/debugger.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace isoscope {
+
+class Steering {
+ public:
+  explicit Steering(Debugger& debugger) : window(debugger.window), debug(debugger) {}
+
+  WindowState& window;
+  Debugger& debug;
+
+  /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ, a
+  /// recording (.isorun) all its parameters.
+  void open(const std::string& input, bool paused = false);
+  /// Runs again from the beginning with the draft's parameters.
+  void restart();
+  /// Goes on with the draft's parameters.
+  Status apply();
+  /// Whether the draft differs from what the run was asked, and whether that needs a restart.
+  bool draft_differs() const;
+  bool draft_needs_restart() const;
+  /// The live preview for the draft, absent while it is computed.
+  std::optional<ViolationPreview> draft_preview() const;
+
+  /// Once a frame: takes the parameters of a recording that was opened, tells what failed, asks for the
+  /// preview.
+  void take_run();
+  void ask_preview();
+  /// Of a run that is not shown any more.
+  void forget();
+
+  void add_file_commands(CommandTable& table);
+  void add_recording_commands(CommandTable& table);
+  void add_run_commands(CommandTable& table);
+  void add_parameter_values(NamedValues& values);
+  void add_recording_values(NamedValues& values);
+
+ private:
+  /// The draft as criteria, in the units of the present scene.
+  CriteriaParameters draft_criteria() const;
+  std::optional<CriteriaParameters> preview_asked_;
+  std::shared_ptr<const StateSnapshot> preview_state_;
+  std::uint64_t draft_generation_ = 0; ///< the recording whose parameters the draft has taken
+  std::string error_seen_, recording_error_seen_;
+};
+
+} // namespace isoscope
