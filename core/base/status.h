@@ -8,7 +8,7 @@
 
 namespace isoscope {
 
-/// What kind of failure; the batch program's exit status follows from it (architecture: 2 usage, 3 bad input,
+/// What kind of failure; the batch program's exit status follows from it (2 usage, 3 bad input,
 /// 4 stopped).
 enum class ErrorCode {
   usage,        ///< an option or a command is wrong

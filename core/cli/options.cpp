@@ -1,7 +1,9 @@
 // Options by CLI11, values judged by parameters.h.
 #include "cli/options.h"
 
+#include "base/field_options.h"
 #include "input/gallery.h"
+#include "run/parameter_fields.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,12 +1,12 @@
 // The command line both programs share: options to RunParameters, with later stages refused in clear words.
 #pragma once
 
-#include "base/field_options.h"
 #include "base/status.h"
 #include "query/breakpoints.h"
 #include "run/parameters.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +15,8 @@ class App;
 }
 
 namespace isoscope {
+
+struct FieldOption;
 
 /// Registers options of fields. After parsing, `wrong` holds the first value that a field cannot have; it
 /// must outlive the parsing.

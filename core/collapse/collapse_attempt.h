@@ -1,5 +1,5 @@
 // The verdict on one edge: every check of a collapse with its number and its witness, never a bool
-// (architecture D1, D2).
+// (core/README.md, D1 and D2).
 #pragma once
 
 #include "criteria/invalid_region.h"

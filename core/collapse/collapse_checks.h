@@ -32,7 +32,7 @@ std::vector<Triangle3> zero_facets_before(const EdgeStar& star);
 /// Sampled mode: samples of the star keep their class: ε <= 1 − α where it held (§2.4.1), the tetrahedron of
 /// their own label once Z is embedded (§2.4.2).
 TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const CriteriaParameters& criteria);
-/// Certified mode: every changed facet of Z proven inside Ω (algorithm notes §4).
+/// Certified mode: every changed facet of Z proven inside Ω (core/README.md, N4).
 TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
 /// Condition 3 is violated by no more tests than before (§2.4).
 TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationContext& context);

@@ -1,5 +1,5 @@
 // One pure function from the star of an edge to the verdict on collapsing it: the algorithm, the window's
-// what-if and the tests all ask it (architecture D2).
+// what-if and the tests all ask it (core/README.md, D2).
 #pragma once
 
 #include "collapse/collapse_attempt.h"

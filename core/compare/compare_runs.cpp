@@ -3,6 +3,7 @@
 
 #include "journal/describe.h"
 #include "journal/digest.h"
+#include "run/parameter_fields.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // The improver inside T: its changes of Z are changes of T, whose tetrahedra stay positively oriented at each
-// step (algorithm notes §6).
+// step (core/README.md, N6).
 #pragma once
 
 #include "collapse/collapse_checks.h"

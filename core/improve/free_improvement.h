@@ -1,4 +1,4 @@
-// The improver on a Z that has left T: its changes become operations of the journal (algorithm notes §6).
+// The improver on a Z that has left T: its changes become operations of the journal (core/README.md, N6).
 #pragma once
 
 #include "mesh/complex.h"

@@ -1,5 +1,5 @@
 // The improver: reduces the vertices of Z by minimax placement, relocation, flips and collapse with repair,
-// guarded by certificates, exact intersection tests, link conditions and witnesses (algorithm notes §6).
+// guarded by certificates, exact intersection tests, link conditions and witnesses (core/README.md, N6).
 #pragma once
 
 #include "journal/journal.h"

@@ -1,4 +1,4 @@
-// One decision of the algorithm with its reasons: the unit of the journal (architecture D1).
+// One decision of the algorithm with its reasons: the unit of the journal (core/README.md, D1).
 #pragma once
 
 #include "base/geometry.h"

@@ -1,5 +1,5 @@
 // The spine: every event of a run in order, every operation's delta, the figures after each operation
-// (architecture D1).
+// (core/README.md, D1).
 #pragma once
 
 #include "base/append_only.h"

@@ -34,7 +34,7 @@ enum class Stage : std::uint8_t {
   tessellation, ///< Z into T (§2.4.2)
   zero_set,     ///< collapses of edges of Z (§2.4.3)
   all,          ///< collapses of edges between Z and Γ, and of Z again (§2.4.4)
-  improve       ///< minimax placement, flips, collapses with repair (algorithm notes §6)
+  improve       ///< minimax placement, flips, collapses with repair (core/README.md, N6)
 };
 constexpr int stage_count = static_cast<int>(Stage::improve) + 1;
 
@@ -156,7 +156,7 @@ enum class Condition : std::uint8_t {
   height,         ///< condition 2: height >= 2σ/α
   orientation,    ///< condition 3: shrunk copy classified well
   topology,       ///< condition 4: components and genus of Z
-  containment,    ///< the facet certificate (algorithm notes §4), certified mode
+  containment,    ///< the facet certificate (core/README.md, N4), certified mode
   witness         ///< f has a region's sign at its deepest point
 };
 constexpr int condition_count = static_cast<int>(Condition::witness) + 1;
@@ -224,7 +224,7 @@ enum class Reason : std::uint8_t {
   lazy_constraints,  ///< the least error under half-spaces learnt from facets that left Ω
   kernel_sampling,   ///< a point drawn inside the kernel
   octree_search,     ///< the octree over the kernel, pruned by Ψ (Figures 9 and 12)
-  minimax_placement, ///< the least largest distance (algorithm notes §6)
+  minimax_placement, ///< the least largest distance (core/README.md, N6)
   // Why an edge was not collapsed.
   link_condition,      ///< Lk(a) ∩ Lk(b) ≠ Lk(ab) in T
   zero_link_condition, ///< the same in Z

@@ -16,7 +16,7 @@ namespace isoscope {
 enum class VertexKind : std::uint8_t {
   box,         ///< one of the eight corners of the loose bounding box (§2.2)
   sample,      ///< a sample of S (§2.3)
-  containment, ///< placed where the facet certificate failed (algorithm notes §2)
+  containment, ///< placed where the facet certificate failed (core/README.md, N2)
   witness,     ///< the deepest point of a region that Z had on the wrong side
   topology,    ///< placed to mend a handle or a component (condition 4)
   zero         ///< a vertex of Z, F = 0 (§2.4.2)

@@ -1,5 +1,5 @@
 // An edge of T with its whole neighbourhood as a value: what the evaluation of a collapse looks at, and
-// nothing else (architecture D2).
+// nothing else (core/README.md, D2).
 #pragma once
 
 #include "base/geometry.h"

@@ -25,7 +25,7 @@ class Incidence {
 };
 
 /// How far the planes of the error reach from the edge (§2.4 says the 2-ring; the 1-ring gave 2 to 15 % fewer
-/// vertices, algorithm notes §5).
+/// vertices, core/README.md, N5).
 enum class CostRing : std::uint8_t { one, two };
 
 /// Copies the star of an edge of T; `a` stays. Samples are left out.

@@ -1,5 +1,5 @@
 // Everything there is to say about collapsing one edge at one step: what a person asks of an edge, answered
-// by the evaluator that the run itself asks (architecture D2).
+// by the evaluator that the run itself asks (core/README.md, D2).
 #pragma once
 
 #include "criteria/nearest_sample.h"

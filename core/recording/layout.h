@@ -1,4 +1,4 @@
-// The tables of a recording (.isorun) and what both of its sides agree on (architecture D8).
+// The tables of a recording (.isorun) and what both of its sides agree on (core/README.md, D8).
 #pragma once
 
 #include "input/input_note.h"

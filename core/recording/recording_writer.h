@@ -1,4 +1,4 @@
-// Follows a growing journal from a thread of its own and commits it to a file (architecture D8).
+// Follows a growing journal from a thread of its own and commits it to a file (core/README.md, D8).
 #pragma once
 
 #include "base/status.h"

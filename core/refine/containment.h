@@ -1,5 +1,5 @@
 // Containment by certificate: every zero polygon is proven inside Ω, else a point outside becomes a vertex
-// (algorithm notes §2).
+// (core/README.md, N2).
 #pragma once
 
 #include "refine/context.h"

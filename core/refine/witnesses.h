@@ -1,4 +1,4 @@
-// Separation: f has the sign of its side at every witness of the complement of Ω (algorithm notes §2, §4).
+// Separation: f has the sign of its side at every witness of the complement of Ω (core/README.md, N2 and N4).
 #pragma once
 
 #include "refine/context.h"

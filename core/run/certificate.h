@@ -1,4 +1,4 @@
-// The proof of a finished mesh (architecture D7): each figure is proven, not sampled.
+// The proof of a finished mesh (core/README.md, D7): each figure is proven, not sampled.
 #pragma once
 
 #include "base/run_control.h"

@@ -2,6 +2,7 @@
 #include "run/parameters.h"
 
 #include "base/memory.h"
+#include "run/parameter_fields.h"
 
 #include <charconv>
 #include <cmath>

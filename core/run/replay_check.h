@@ -1,4 +1,4 @@
-// Runs a recording again from its input and compares every event, delta and state (architecture D1).
+// Runs a recording again from its input and compares every event, delta and state (core/README.md, D1).
 #pragma once
 
 #include "run/pipeline.h"

@@ -1,4 +1,4 @@
-// The JSON report of a run (architecture §4): one object with fixed keys.
+// The JSON report of a run: one object with fixed keys.
 #pragma once
 
 #include "run/pipeline.h"

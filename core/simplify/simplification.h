@@ -14,7 +14,7 @@
 
 namespace isoscope {
 
-/// Where the improver works (algorithm notes §6).
+/// Where the improver works (core/README.md, N6).
 enum class ImproverPlace : std::uint8_t {
   free,    ///< on Z alone: it leaves T first
   embedded ///< inside T: what keeps the embedding where Ω is no thickening

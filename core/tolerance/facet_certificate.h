@@ -1,4 +1,4 @@
-// Proof that a triangle lies inside Ω, by branch and bound on the 1-Lipschitz distance (algorithm notes §4).
+// Proof that a triangle lies inside Ω, by branch and bound on the 1-Lipschitz distance (core/README.md, N4).
 #pragma once
 
 #include "tolerance/closest_point.h"

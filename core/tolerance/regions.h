@@ -1,5 +1,5 @@
 // A lazily refined octree of the complement of Ω' = {d <= δ'}: which points outside of Ω' are connected
-// (algorithm notes §1).
+// (core/README.md, N1).
 #pragma once
 
 #include "base/run_control.h"

@@ -46,7 +46,7 @@ struct BoundaryComponent {
   long euler_characteristic = 0;
 };
 
-/// Thresholds (algorithm notes §1.1): labels and samples live on d = δ', a facet is accepted below δ and
+/// Thresholds (core/README.md, N1.1): labels and samples live on d = δ', a facet is accepted below δ and
 /// rejected above δ_r. δ_r is halfway between δ' and δ, but at least δ' + 0.01 δ: labels must be decidable at
 /// finite depth also where δ' = δ. There δ_r exceeds δ and is only where labels are sure; a certificate then
 /// rejects at δ itself.

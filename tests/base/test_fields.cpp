@@ -1,5 +1,6 @@
 // A struct of its own gets fields: it is seen in files, comparisons, keys, on the command line and in
 // scripts.
+#include "base/field_options.h"
 #include "base/fields_json.h"
 #include "cli/options.h"
 

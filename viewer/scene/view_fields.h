@@ -82,7 +82,7 @@ inline constexpr auto clip_fields = [] {
                                           0, 1, view_words::clip_modes},
                     ViewField<C, bool>{"flipped", "clip.flip", "the other side is cut away", &C::flipped},
                     ViewField<C, double>{"radius", "clip.radius", "radius of the ball, half the slab",
-                                         &C::radius, 0, 1e300}};
+                                         &C::radius, 1e-300, 1e300}};
 }();
 
 /// Calls visit(const ViewField<S, T>&) for each row of one of the lists.

@@ -4,6 +4,7 @@
 #include "model/words.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
+#include "run/parameter_fields.h"
 
 #include <array>
 #include <cmath>

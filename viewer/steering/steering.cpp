@@ -3,6 +3,7 @@
 
 #include "input/gallery.h"
 #include "recording/recording_reader.h"
+#include "run/parameter_fields.h"
 
 namespace isoscope {
 

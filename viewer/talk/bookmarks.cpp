@@ -5,6 +5,7 @@
 #include "input/gallery.h"
 #include "journal/digest.h"
 #include "model/words.h"
+#include "run/parameter_fields.h"
 
 #include <nlohmann/json.hpp>
 
