@@ -3,7 +3,6 @@
 
 #include "base/field_options.h"
 #include "input/gallery.h"
-#include "run/parameter_fields.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,7 +3,6 @@
 
 #include "journal/describe.h"
 #include "journal/digest.h"
-#include "run/parameter_fields.h"
 
 #include <algorithm>
 #include <bit>

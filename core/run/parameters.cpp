@@ -2,7 +2,6 @@
 #include "run/parameters.h"
 
 #include "base/memory.h"
-#include "run/parameter_fields.h"
 
 #include <charconv>
 #include <cmath>

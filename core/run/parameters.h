@@ -1,7 +1,8 @@
-// Everything a run is asked, with the paper's symbols; what is said of each field is in
-// run/parameter_fields.h.
+// Everything a run is asked: one struct, and of each of its fields, in one row, all that files, the command
+// line, comparisons, scripts and the window's panel say of it.
 #pragma once
 
+#include "base/fields.h"
 #include "base/status.h"
 #include "criteria/topology.h"
 #include "journal/journal.h"
@@ -13,8 +14,6 @@
 #include <string_view>
 
 namespace isoscope {
-
-struct FieldFacts;
 
 /// How containment of Z in Ω is ensured (core/README.md, N2).
 enum class Containment : std::uint8_t {
@@ -33,6 +32,11 @@ struct Tolerance {
   Status check(const FieldFacts& field, const std::string& asked) const;
   friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
+
+constexpr auto fields_of(const Tolerance*) {
+  return std::tuple{field(&Tolerance::value, {.name = "", .help = ""}),
+                    field(&Tolerance::percent, {.name = "percent", .help = ""})};
+}
 
 struct RunParameters {
   std::string input;   ///< a file, or gallery:NAME
@@ -75,6 +79,324 @@ struct RunParameters {
   friend bool operator==(const RunParameters&, const RunParameters&) = default;
 };
 
+namespace parameter_words {
+
+inline constexpr std::array<Choice, 2> containment{{{"certified"}, {"sampled"}}};
+inline constexpr std::array<Choice, 2> topology{{{"keep"}, {"separate"}}};
+inline constexpr std::array<Choice, 3> sides{{{"auto"}, {"winding"}, {"parity"}}};
+inline constexpr std::array<Choice, 2> drop_thin{{{.name = "off", .shown = "refuse", .told = "refused"},
+                                                  {.name = "on", .shown = "leave out", .told = "left out"}}};
+inline constexpr std::array<Choice, 4> target{{{"optimum"}, {"constraints"}, {"sampling"}, {"octree"}}};
+inline constexpr std::array<Choice, 2> cost_ring{
+    {{.name = "1", .shown = "1-ring", .told = "1-ring", .script = "one"},
+     {.name = "2", .shown = "2-ring", .told = "2-ring", .script = "two"}}};
+inline constexpr std::array<Choice, 2> improver{
+    {{.name = "free", .shown = "Z alone"}, {.name = "embedded", .shown = "inside T"}}};
+inline constexpr std::array<Choice, 4> effort{{{"0"}, {"1"}, {"2"}, {"3"}}};
+inline constexpr std::array<Choice, 4> conditions{
+    {{.name = "1",
+      .shown = "1  classification",
+      .words = "classification",
+      .tip = "ε(s) ≤ 1 − α for every sample s: f classifies S with a margin. §2.3"},
+     {.name = "2",
+      .shown = "2  height",
+      .words = "heights",
+      .tip = "Every tetrahedron that carries Z is at least 2σ/α high. §2.3, Figure 5"},
+     {.name = "3",
+      .shown = "3  orientation",
+      .words = "orientation",
+      .tip =
+          "The shrunk copy of a tetrahedron that carries Z classifies its nearest samples. §2.3, Figure 4"},
+     {.name = "4",
+      .shown = "4  topology",
+      .words = "topology",
+      .tip = "Z has the components and the genus that are expected. §2.3"}}};
+
+/// The stages by name, those offered that a run may be asked for.
+constexpr std::array<Choice, stage_count> stages(bool (*is_offered)(Stage)) {
+  std::array<Choice, stage_count> all{};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = {.name = stage_table[i].name,
+              .shown = stage_table[i].title,
+              .offered = is_offered(stage_table[i].value)};
+  return all;
+}
+inline constexpr auto until = stages([](Stage s) { return s != Stage::setup; });
+inline constexpr auto skipped =
+    stages([](Stage s) { return s != Stage::setup && s != Stage::refinement && s != Stage::tessellation; });
+
+} // namespace parameter_words
+
+/// In the order of files; the panel has an order of its own.
+constexpr auto fields_of(const RunParameters*) {
+  using P = RunParameters;
+  using JournalChange::none, JournalChange::end;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return std::tuple{
+      field(&P::input, {.name = "input",
+                        .option = "INPUT",
+                        .symbol = "input",
+                        .help = "a mesh file (OFF, OBJ, PLY, STL), or gallery:NAME for a bundled model"}),
+      field(&P::tolerance,
+            {.name = "tolerance",
+             .symbol = "δ",
+             .help = "δ: a percentage of the longest edge of the bounding box (0.6%) or a length; default "
+                     "0.6%, for bundled models their own",
+             .words = "δ: a percentage of the longest edge, or a length",
+             .range = {.low = 0,
+                       .high = 100,
+                       .low_included = false,
+                       .remedy = "Percentages are of the longest edge of the input's bounding box."},
+             .unreadable = "no positive number",
+             .unreadable_remedy = "Give a percentage of the longest edge, as 0.6%, or a length, as 0.012.",
+             .place = 4,
+             .label = "δ tolerance",
+             .title = "Tolerance δ",
+             .tip = "δ, half the thickness of Ω. In percent of the longest edge of the input's bounding box, "
+                    "or as a length of the input's units. Range: above 0. A change needs a restart. §2.1"}),
+      field(&P::sigma,
+            {.name = "sigma",
+             .symbol = "σ/δ",
+             .help = "σ/δ, density of the samples, in (0, 1]; default 0.5, or what keeps them to about two "
+                     "million, at most 0.95; sampled mode 0.125",
+             .words = "σ/δ, density of the samples; 0 is the mode's own",
+             .range = {.low = 0,
+                       .high = 1,
+                       .low_included = false,
+                       .remedy = "It is relative to δ: 0.5 means δ/2."},
+             .zero_is_default = true,
+             .restart = false,
+             .place = 2,
+             .label = "σ/δ density",
+             .title = "Sampling density σ",
+             .tip = "Radius within which every point of ∂Ω has a sample, as a fraction of δ, in (0, 1]. "
+                    "Smaller means more samples. §2.2",
+             .format = "%.3f",
+             .slider_from = 0.05,
+             .logarithmic = true}),
+      field(&P::alpha,
+            {.name = "alpha",
+             .symbol = "α",
+             .help = "α, margin of the classification, in (0, 1); default 0.2",
+             .words = "α, margin of condition 1",
+             .range = {.low = 0,
+                       .high = 1,
+                       .low_included = false,
+                       .high_included = false,
+                       .remedy = "The paper takes 0.2 everywhere."},
+             .restart = false,
+             .place = 1,
+             .label = "α margin",
+             .title = "Margin α",
+             .tip = "How far f must be on the right side at every sample: ε(s) ≤ 1 − α. No unit, in (0, 1); "
+                    "0.2 in the paper. Larger is safer and asks for more Steiner points. §2.3",
+             .format = "%.2f"}),
+      field(&P::shrink,
+            {.name = "shrink",
+             .symbol = "shrink",
+             .help = "factor of the shrunk copy in condition 3, in (0, 1]; default 0.7",
+             .words = "factor of condition 3's copy",
+             .range = {.low = 0, .high = 1, .low_included = false, .remedy = "The paper takes 0.7."},
+             .restart = false,
+             .place = 3,
+             .title = "Shrink factor of condition 3",
+             .tip =
+                 "Size of the shrunk copy about its centroid by which condition 3 judges a tetrahedron. No "
+                 "unit, in (0, 1]; 0.7 in the paper. §2.3, Figure 4",
+             .format = "%.2f",
+             .slider_from = 0.05}),
+      field(&P::containment,
+            {.name = "containment",
+             .symbol = "containment",
+             .help = "certified (facets proven inside the volume) or sampled (the paper to the letter)",
+             .words = "how Z is kept inside Ω",
+             .choices = parameter_words::containment,
+             .place = 11,
+             .title = "Containment of Z in Ω",
+             .tip = "Certified: every facet of Z is proven inside Ω; a coarse S suffices. Sampled: the paper "
+                    "to the letter, dense S and condition 2. Needs a restart."}),
+      field(&P::topology,
+            {.name = "topology",
+             .symbol = "topology",
+             .help = "keep (the input's) or separate (only the sides)",
+             .words = "what is asked of Z where Ω is no thickening",
+             .choices = parameter_words::topology,
+             .place = 12,
+             .title = "Topology mode",
+             .tip = "What is asked of Z where Ω is no thickening of a surface: keep the input's topology, or "
+                    "only separate the two sides. Needs a restart. §1.2"}),
+      field(&P::drop_thin,
+            {.name = "drop_thin",
+             .symbol = "thin parts",
+             .help = "leave out parts of the input that are thinner than twice the tolerance everywhere, and "
+                     "say so; without it they are refused",
+             .words = "parts thinner than twice the tolerance everywhere are left out",
+             .choices = parameter_words::drop_thin,
+             .place = 13,
+             .title = "Parts thinner than 2δ",
+             .tip = "Of a part that is thinner than 2δ everywhere Ω leaves no inside that Z could enclose: "
+                    "the input is refused, or the part is left out and named. Needs a restart."}),
+      field(&P::cover,
+            {.name = "cover",
+             .symbol = "cover",
+             .unit = " δ",
+             .help = "how far from the result a point of the input may be, in δ, or off; default 3",
+             .words = "how far the input may be from the result, in δ, or off",
+             .range = {.low = 0,
+                       .high = infinity,
+                       .low_included = false,
+                       .wrong = "not above 0",
+                       .remedy = "It is in δ; off takes the limit away."},
+             .unreadable = "neither a positive number nor off",
+             .unreadable_remedy =
+                 "It is in δ: 3 lets no point of the input be farther than 3 δ from the result.",
+             .absent = "off",
+             .place = 14,
+             .title = "Cover",
+             .tip = "How far from the finished mesh a point of the input may be, in δ. Off: as far as it "
+                    "likes, as in the paper. Needs a restart."}),
+      field(&P::sides,
+            {.name = "sides",
+             .symbol = "sides",
+             .help = "what tells inside from outside: auto (parity; where closed parts meet, the winding "
+                     "number), winding or parity",
+             .words = "what tells inside from outside",
+             .choices = parameter_words::sides,
+             .place = 15,
+             .title = "What tells inside from outside",
+             .tip = "Auto: parity where closed parts do not meet, and the winding number where they overlap "
+                    "or touch, so that what lies in several parts is inside. Needs a restart."}),
+      field(&P::conditions, {.name = "conditions",
+                             .option = "--no-condition",
+                             .symbol = "conditions",
+                             .help = "switch a condition of the refinement off: 1, 2, 3 or 4; repeatable",
+                             .words = "a condition of the refinement",
+                             .prefix = "condition-",
+                             .choices = parameter_words::conditions,
+                             .numbered = true,
+                             .restart = false,
+                             .place = 31,
+                             .title = "Condition "}),
+      field(&P::skipped, {.name = "skip",
+                          .symbol = "skipped",
+                          .help = "a stage to leave out: gamma, zero-set, all or improve; repeatable",
+                          .words = "the stage is left out",
+                          .prefix = "skip.",
+                          .choices = parameter_words::skipped,
+                          .place = 17,
+                          .label = "stages",
+                          .title = "Stages",
+                          .tip = "Those struck through are left out. Needs a restart."}),
+      field(&P::target,
+            {.name = "target",
+             .symbol = "target",
+             .help = "how targets of collapses are found: optimum, constraints, sampling or octree (the "
+                     "paper's); default constraints, sampled mode sampling",
+             .words = "how targets of collapses are looked for",
+             .choices = parameter_words::target,
+             .place = 18,
+             .title = "Target strategy",
+             .tip = "How the target of a collapse is looked for in its kernel: the least error alone, again "
+                    "under learnt half-spaces, also by points drawn in the kernel, or by the paper's octree "
+                    "with invalid regions Ψ. Needs a restart. §2.4, Figures 9 and 12"}),
+      field(&P::cost_ring,
+            {.name = "cost_ring",
+             .symbol = "error over",
+             .help = "facets whose planes make the error of a collapse: 1 or 2 rings; default 1",
+             .words = "whose planes make the error of a collapse",
+             .choices = parameter_words::cost_ring,
+             .numbered = true,
+             .place = 19,
+             .title = "Ring of the error",
+             .tip = "Facets of Z whose planes make the error of a collapse; the paper takes two rings. Needs "
+                    "a restart. §2.4"}),
+      field(&P::effort,
+            {.name = "effort",
+             .symbol = "effort",
+             .help = "of the improver: 0 (least) to 3 (fewest vertices); default 2",
+             .words = "of the improver, 0 to 3",
+             .choices = parameter_words::effort,
+             .range = {.low = 0,
+                       .high = 3,
+                       .wrong = "not 0, 1, 2 or 3",
+                       .remedy = "2 is the default; 3 takes longest and gives the fewest vertices."},
+             .place = 20,
+             .title = "Effort of the improver",
+             .tip = "0 to 3: more rounds of relocation and repair for fewer vertices. Needs a restart."}),
+      field(
+          &P::improver,
+          {.name = "improver",
+           .symbol = "improver",
+           .help = "where it works: free (Z leaves T, fewest vertices) or embedded (inside T); default free",
+           .words = "on Z alone or inside T",
+           .choices = parameter_words::improver,
+           .place = 21,
+           .title = "Where the improver works",
+           .tip = "On Z alone it gets by with fewer vertices; inside T every step keeps the embedding, "
+                  "which is the proof where Ω is no thickening. Needs a restart."}),
+      field(&P::drop_small,
+            {.name = "drop_small",
+             .symbol = "drop small",
+             .unit = " δ",
+             .help = "leave out connected components of the input whose box is smaller than so many δ; "
+                     "default 0: none",
+             .words = "components of the input smaller than so many δ are left out; 0: none",
+             .range = {.low = 0,
+                       .high = 1e6,
+                       .remedy = "It is in δ: 4 leaves out parts with a box smaller than 4 δ; 0 leaves out "
+                                 "none."},
+             .place = 5,
+             .title = "Small parts of the input",
+             .tip = "Connected components of the input whose bounding box is smaller than so many δ are left "
+                    "out; 0 leaves out none. Needs a restart."}),
+      field(&P::threads,
+            {.name = "threads",
+             .symbol = "threads",
+             .help = "number of threads, 0 for all cores; the result does not depend on it",
+             .words = "number of threads, 0 for all cores",
+             .range = {.low = 0, .high = 1024, .wrong = "more than 1024", .remedy = "0 takes all cores."},
+             .journal = none}),
+      field(&P::time_limit, {.name = "time_limit",
+                             .symbol = "time limit",
+                             .unit = " s",
+                             .help = "seconds after which the run stops with what it has; 0: none",
+                             .words = "seconds after which a run stops; 0: none",
+                             .range = {.low = 0,
+                                       .high = infinity,
+                                       .wrong = "no time",
+                                       .remedy = "Give seconds, at least 0; 0 means none."},
+                             .journal = end}),
+      field(&P::memory_limit,
+            {.name = "memory_limit",
+             .symbol = "memory limit",
+             .unit = " MiB",
+             .help = "MiB that the volume and its samples may take, foreseen before they are made; 0, the "
+                     "default: two thirds of the machine's memory",
+             .words = "MiB that the volume and its samples may take; 0: two thirds of the memory",
+             .range = {.low = 0,
+                       .high = infinity,
+                       .wrong = "no size",
+                       .remedy = "Give MiB, at least 0; 0 means two thirds of the machine's memory."},
+             .journal = end}),
+      field(&P::until,
+            {.name = "until",
+             .symbol = "until",
+             .help = "the last stage to run: refinement, gamma, tessellation, zero-set, all or improve; "
+                     "default improve, sampled mode all",
+             .words = "the last stage; default: improve in certified mode, all in sampled mode",
+             .choices = parameter_words::until,
+             .absent = "default",
+             .place = 16,
+             .title = "The last stage",
+             .tip = "Where the run ends: a valid mesh is there after every stage. Needs a restart."},
+            [](const P& p) { return std::optional(p.last_stage()); }),
+  };
+}
+
+/// The word of a choice: "embedded".
+template <class T> std::string_view word_of(T RunParameters::*member, const RunParameters& p) {
+  return field_choice(field_of(member), p.*member).name;
+}
 /// Checks every range; the error names the option, the value and the range.
 Status check(const RunParameters& parameters);
 

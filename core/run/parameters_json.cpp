@@ -2,7 +2,6 @@
 #include "run/parameters_json.h"
 
 #include "base/fields_json.h"
-#include "run/parameter_fields.h"
 
 namespace isoscope {
 

@@ -2,7 +2,6 @@
 #include "run/report.h"
 
 #include "base/pending_file.h"
-#include "run/parameter_fields.h"
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,6 @@
 #include "bench/measure.h"
 #include "bench/table.h"
 #include "run/complete_run.h"
-#include "run/parameter_fields.h"
 
 #include <CLI/CLI.hpp>
 

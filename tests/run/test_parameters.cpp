@@ -1,6 +1,5 @@
 // Parameters: what is read, what is refused, and what the refusal says.
 #include "run/parameters.h"
-#include "run/parameter_fields.h"
 
 #include <doctest/doctest.h>
 

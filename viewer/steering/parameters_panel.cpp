@@ -4,7 +4,6 @@
 #include "model/words.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
-#include "run/parameter_fields.h"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,6 @@
 
 #include "input/gallery.h"
 #include "recording/recording_reader.h"
-#include "run/parameter_fields.h"
 
 namespace isoscope {
 

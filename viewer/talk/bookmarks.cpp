@@ -5,7 +5,6 @@
 #include "input/gallery.h"
 #include "journal/digest.h"
 #include "model/words.h"
-#include "run/parameter_fields.h"
 
 #include <nlohmann/json.hpp>
 
