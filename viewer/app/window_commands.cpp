@@ -1,6 +1,7 @@
 // What the commands on the window do, and their table.
 #include "app/window_commands.h"
 
+#include "command/command_group.h"
 #include "ui/bottom_tabs.h"
 
 #include <GLFW/glfw3.h>
@@ -79,50 +80,45 @@ void add_window_commands(CommandTable& table, WindowState& m, const NamedValues&
               .title = "Bottom tab",
               .usage = tab_words(),
               .help = "Chooses what the bottom pane shows.",
-              .run = on(m, choose_tab)},
-             {.name = "theme",
+              .run = on(m, choose_tab)}});
+  add_group(table, {.menu = "Window"},
+            {{.name = "theme",
               .title = "Theme",
               .usage = "[dark | light | paper]",
               .help = "Sets the colours; without a name it takes the next.",
-              .menu = "Window",
               .keys = {{'T', true}},
               .run = [&m, &values](const Arguments& a) { return choose_theme(m, values, a); }},
              {.name = "larger",
               .title = "Larger interface",
               .help = "Enlarges text and controls.",
-              .menu = "Window",
               .keys = {{GLFW_KEY_EQUAL, true}, {GLFW_KEY_KP_ADD, true}},
               .run = does([&m] { change_scale(m, 1); })},
              {.name = "smaller",
               .title = "Smaller interface",
               .help = "Makes text and controls smaller.",
-              .menu = "Window",
               .keys = {{GLFW_KEY_MINUS, true}, {GLFW_KEY_KP_SUBTRACT, true}},
               .run = does([&m] { change_scale(m, -1); })},
              {.name = "normal-size",
               .title = "Normal size",
               .help = "Text and controls in the monitor's own scale.",
-              .menu = "Window",
               .keys = {{'0', true, true}},
-              .run = does([&m] { change_scale(m, 0); })},
-             {.name = "palette",
+              .run = does([&m] { change_scale(m, 0); })}});
+  add_group(table, {.menu = "Help"},
+            {{.name = "palette",
               .title = "Command palette",
               .help = "Finds a command by typing.",
-              .menu = "Help",
               .icon = icon::search,
               .keys = {{'P', true}},
               .run = does([&m] { m.toggle(Overlay::palette); })},
              {.name = "help",
               .title = "Help",
               .help = "Lists every key, command and value.",
-              .menu = "Help",
               .icon = icon::help,
               .keys = {{GLFW_KEY_F1}},
               .run = does([&m] { m.toggle(Overlay::help); })},
              {.name = "about",
               .title = "About Isoscope",
               .help = "Says what this is, its licence and its sources.",
-              .menu = "Help",
               .icon = icon::info,
               .run = does([&m] { m.toggle(Overlay::about); })}});
 }

@@ -1,6 +1,7 @@
 // Commands that ask about the selected element, the work done, the topology and the validity of a step.
 #include "ask/investigation.h"
 
+#include "command/command_group.h"
 #include "ui/icons.h"
 
 #include <algorithm>
@@ -101,87 +102,70 @@ Status look_at(M& m, const A& a) {
 
 void Investigation::add_commands(CommandTable& table) {
   const auto has_state = [this] { return window.has_state(); };
-  table.add(
+  add_group(
+      table, {.menu = "Ask", .enabled = has_state},
       {{.name = "next-violation",
         .title = "Next violating tetrahedron",
         .usage = "[misoriented | flat]",
         .help = "Selects the next tetrahedron that violates condition 3, or the next flattest below 2σ/α.",
-        .menu = "Ask",
         .icon = icon::cube,
         .keys = {{'N'}},
-        .run = [this](const Arguments& a) { return next_violation(*this, a, 1); },
-        .enabled = has_state},
+        .run = [this](const Arguments& a) { return next_violation(*this, a, 1); }},
        {.name = "previous-violation",
         .title = "Previous violating tetrahedron",
         .usage = "[misoriented | flat]",
         .help = "The one before it.",
-        .menu = "Ask",
         .keys = {{'N', false, true}},
-        .run = [this](const Arguments& a) { return next_violation(*this, a, -1); },
-        .enabled = has_state},
+        .run = [this](const Arguments& a) { return next_violation(*this, a, -1); }},
        {.name = "history",
         .title = "History of the selection",
         .help = "Lists what happened to the selected element over all steps and draws a vertex' way through "
                 "collapses.",
-        .menu = "Ask",
         .icon = icon::history,
         .keys = {{'H'}},
-        .run = on(*this, show_history),
-        .enabled = has_state},
+        .run = on(*this, show_history)},
        {.name = "last-change",
         .title = "Last change of the selection",
         .help = "Goes to the step before this one at which the selected element changed; again for earlier.",
-        .menu = "Ask",
         .keys = {{'L'}},
-        .run = on(*this, last_change),
-        .enabled = has_state},
+        .run = on(*this, last_change)},
        {.name = "advice",
         .title = "Would other parameters help?",
         .help = "Also asks the evaluator of selected edges over values of α and shrink.",
-        .menu = "Ask",
         .icon = icon::sliders,
         .keys = {{'Y'}},
         .run = flips(edge_advice),
-        .enabled = has_state,
         .checked = is_on(edge_advice)},
        {.name = "topology",
         .title = "Topology of Z",
         .help = "Judges each component of Z against the boundaries of Ω and draws a shortest handle loop.",
-        .menu = "Ask",
         .keys = {{'T'}},
         .run = on(*this, toggle_topology),
-        .enabled = has_state,
         .checked = is_on(topology_shown)},
        {.name = "check",
         .title = "Check everything at this step",
         .help = "Judges from scratch all that must hold at the step shown.",
-        .menu = "Ask",
         .icon = icon::check,
         .keys = {{'K'}},
-        .run = [this](const Arguments&) { return check_step(*this, false); },
-        .enabled = has_state},
+        .run = [this](const Arguments&) { return check_step(*this, false); }},
        {.name = "find-invalid",
         .title = "Find the first invalid step",
         .help = "Where the step shown is not valid: bisection over the journal for the first that is not.",
-        .menu = "Ask",
         .keys = {{'K', false, true}},
-        .run = [this](const Arguments&) { return check_step(*this, true); },
-        .enabled = has_state},
+        .run = [this](const Arguments&) { return check_step(*this, true); }},
        {.name = "work",
         .title = "Where the work goes",
         .help =
             "Draws insertions or attempts as a heat map; tells time by reason and why nothing is accepted.",
-        .menu = "Ask",
         .icon = icon::chart,
         .keys = {{'W', false, true}},
-        .run = does([this] { window.open_tab(BottomTab::work); }),
-        .enabled = has_state},
-       {.name = "look-at-place",
+        .run = does([this] { window.open_tab(BottomTab::work); })}});
+  table.add(
+      {{.name = "look-at-place",
         .title = "Look at a busy or uncovered place",
         .usage = "[work | stall | uncovered] [N]",
         .help = "Moves the camera to the busiest places of the heat map or of the last attempts, or to those "
-                "of the "
-                "input that the finished mesh leaves behind, and marks it; 0 is the first.",
+                "of the input that the finished mesh leaves behind, and marks it; 0 is the first.",
         .run = on(*this, look_at),
         .enabled = has_state}});
 }

@@ -1,4 +1,5 @@
 // Commands on breakpoints, saved filters, ranges and steps on three levels.
+#include "command/command_group.h"
 #include "debug/debugger.h"
 #include "debug/suggested_breaks.h"
 #include "ui/icons.h"
@@ -111,77 +112,64 @@ Status choose_range(Debugger& d, const Arguments& a) {
 
 void Debugger::add_commands(CommandTable& table) {
   const auto has_run = [this] { return window.has_run(); };
-  table.add(
+  add_group(
+      table, {.menu = "Run", .enabled = has_run},
       {{.name = "step-over",
         .title = "Step over",
         .usage = "[N]",
         .help = "To the next attempt, gate or stage, as deep as one is: operations and edges that stay are "
                 "attempts.",
-        .menu = "Run",
         .icon = icon::right,
         .keys = {{GLFW_KEY_F10}},
-        .run = [this](const Arguments& a) { return step_over(a, Direction::forward); },
-        .enabled = has_run},
+        .run = [this](const Arguments& a) { return step_over(a, Direction::forward); }},
        {.name = "step-back-over",
         .title = "Step back over",
         .usage = "[N]",
         .help = "The same backwards.",
-        .menu = "Run",
         .icon = icon::left,
         .keys = {{GLFW_KEY_F10, false, true}},
-        .run = [this](const Arguments& a) { return step_over(a, Direction::backward); },
-        .enabled = has_run},
+        .run = [this](const Arguments& a) { return step_over(a, Direction::backward); }},
        {.name = "step-into",
         .title = "Step into",
         .help =
             "From a stage into its operations, from an attempt into its gates or the sweeps of its repair.",
-        .menu = "Run",
         .icon = icon::down,
         .keys = {{GLFW_KEY_F11}},
-        .run = [this](const Arguments&) { return step_into(); },
-        .enabled = has_run},
+        .run = [this](const Arguments&) { return step_into(); }},
        {.name = "step-out",
         .title = "Step out",
         .help = "From a gate to its attempt, from there to the stage.",
-        .menu = "Run",
         .icon = icon::up,
         .keys = {{GLFW_KEY_F11, false, true}},
-        .run = [this](const Arguments&) { return step_out(); },
-        .enabled = has_run},
+        .run = [this](const Arguments&) { return step_out(); }},
        {.name = "continue",
         .title = "Continue to a breakpoint",
         .help = "To the next event of the journal that matches an enabled breakpoint; past its end the run "
                 "goes on.",
-        .menu = "Run",
         .icon = icon::play,
         .keys = {{GLFW_KEY_F5}},
-        .run = [this](const Arguments&) { return continue_run(*this, Direction::forward); },
-        .enabled = has_run},
+        .run = [this](const Arguments&) { return continue_run(*this, Direction::forward); }},
        {.name = "reverse-continue",
         .title = "Back to a breakpoint",
         .help = "Back to the previous event that matches an enabled breakpoint.",
-        .menu = "Run",
         .keys = {{GLFW_KEY_F5, false, true}},
-        .run = [this](const Arguments&) { return continue_run(*this, Direction::backward); },
-        .enabled = has_run},
+        .run = [this](const Arguments&) { return continue_run(*this, Direction::backward); }},
        {.name = "break-here",
         .title = "Break on the selection",
         .usage = "[CONDITION]",
         .help = "A breakpoint on the selected edge with its verdict, or vertex, tetrahedron or sample, on "
-                "the gate or "
-                "the event shown, or on a condition; again takes it away.",
-        .menu = "Run",
+                "the gate or the event shown, or on a condition; again takes it away.",
         .icon = icon::dot,
         .keys = {{GLFW_KEY_F9}},
         .run = on(*this, toggle_break_here),
-        .enabled = has_run,
         .checked =
             [this] {
               const auto suggested = suggested_breaks(*this);
               return !suggested.empty() && breaks_on(*this, suggested.front().condition);
             },
-        .raw = true},
-       {.name = "break",
+        .raw = true}});
+  table.add(
+      {{.name = "break",
         .title = "Add a breakpoint…",
         .usage = "CONDITION",
         .help = "Pauses the run at every event for which the condition holds.",

@@ -1,6 +1,7 @@
 // Commands that write pictures, figures and films.
 #include "export/exports.h"
 
+#include "command/command_group.h"
 #include "model/words.h"
 #include "ui/icons.h"
 
@@ -161,33 +162,29 @@ Status write_step_frames(M& m, const A& a) {
 
 void Exports::add_commands(CommandTable& table) {
   const auto has_state = [this] { return window.has_state(); };
-  table.add(
+  add_group(
+      table, {.menu = "File", .enabled = has_state},
       {{.name = "pictures",
         .title = "Pictures and films…",
         .help = "Chooses size and ground of pictures and films and writes them.",
-        .menu = "File",
         .icon = icon::camera,
         .keys = {{GLFW_KEY_F12, true}},
-        .run = does([this] { window.toggle(Overlay::pictures); }),
-        .enabled = has_state},
+        .run = does([this] { window.toggle(Overlay::pictures); })},
        {.name = "picture",
         .title = "Picture of the view",
         .usage = "[FILE] [WIDTHxHEIGHT] [alpha] [VIEW.json]",
         .help = "Writes the view without panels as PNG at any size; alpha leaves the ground transparent.",
-        .menu = "File",
         .icon = icon::camera,
         .keys = {{GLFW_KEY_F12, false, true}},
-        .run = on(*this, write_picture),
-        .enabled = has_state},
+        .run = on(*this, write_picture)},
        {.name = "svg",
         .title = "Section as SVG",
         .usage = "[FILE]",
         .help = "Writes the 2D section as a vector figure with scale and caption.",
-        .menu = "File",
         .icon = icon::disk,
-        .run = on(*this, write_svg),
-        .enabled = has_state},
-       {.name = "turntable",
+        .run = on(*this, write_svg)}});
+  table.add(
+      {{.name = "turntable",
         .title = "Turntable",
         .usage = "FOLDER [FRAMES] [WIDTHxHEIGHT] [alpha] [FILM.mp4] [25fps]",
         .help = "Writes frames of a turn about the up axis, and a film of them where ffmpeg is there.",

@@ -1,6 +1,7 @@
 // Commands on files, recordings and the run.
 #include "steering/steering.h"
 
+#include "command/command_group.h"
 #include "input/mesh_io.h"
 #include "mesh/zero_set.h"
 #include "model/words.h"
@@ -115,18 +116,17 @@ Status apply_parameters(Steering& m, const Arguments&) {
 } // namespace
 
 void Steering::add_file_commands(CommandTable& table) {
-  table.add({{.name = "open",
+  add_group(table, {.menu = "File"},
+            {{.name = "open",
               .title = "Open…",
               .usage = "[FILE | gallery:NAME] [paused]",
               .help = "Opens a model and starts refining it; without a name it shows the files.",
-              .menu = "File",
               .icon = icon::folder_open,
               .keys = {{'O', true}},
               .run = on(*this, open_model)},
              {.name = "gallery",
               .title = "Gallery",
               .help = "Shows the bundled models and what each teaches.",
-              .menu = "File",
               .icon = icon::gallery,
               .keys = {{'G', true}},
               .run = does([this] { window.toggle(Overlay::gallery); })},
@@ -134,7 +134,6 @@ void Steering::add_file_commands(CommandTable& table) {
               .title = "Export Z…",
               .usage = "[FILE]",
               .help = "Writes the zero set shown as OFF, OBJ, PLY or STL.",
-              .menu = "File",
               .icon = icon::disk,
               .keys = {{'E', true}},
               .run = on(window, export_mesh),
@@ -143,14 +142,12 @@ void Steering::add_file_commands(CommandTable& table) {
               .title = "Screenshot",
               .usage = "[FILE] [view]",
               .help = "Writes a picture of the window, or of the view alone, as PNG.",
-              .menu = "File",
               .icon = icon::camera,
               .keys = {{GLFW_KEY_F12}},
               .run = on(window, screenshot)},
              {.name = "quit",
               .title = "Quit",
               .help = "Ends the program.",
-              .menu = "File",
               .keys = {{'Q', true}},
               .run = does([this] { window.requests.close = true; })}});
 }
@@ -171,10 +168,10 @@ void Steering::add_recording_commands(CommandTable& table) {
 
 void Steering::add_run_commands(CommandTable& table) {
   const auto has_run = [this] { return window.has_run(); };
-  table.add({{.name = "apply",
+  add_group(table, {.menu = "Run"},
+            {{.name = "apply",
               .title = "Apply parameters",
               .help = "Goes on with the parameters of the panel from the present state.",
-              .menu = "Run",
               .icon = icon::check,
               .keys = {{GLFW_KEY_ENTER, true}},
               .run = on(*this, apply_parameters),
@@ -182,7 +179,6 @@ void Steering::add_run_commands(CommandTable& table) {
              {.name = "restart",
               .title = "Restart",
               .help = "Runs again from the beginning with the parameters of the panel.",
-              .menu = "Run",
               .icon = icon::restart,
               .keys = {{'R', true}},
               .run = does([this] { restart(); }),
@@ -190,7 +186,6 @@ void Steering::add_run_commands(CommandTable& table) {
              {.name = "stop",
               .title = "Stop",
               .help = "Ends the run; what is there is kept and certified.",
-              .menu = "Run",
               .icon = icon::stop,
               .run = does([this] { window.session.stop(); }),
               .enabled = [this] { return window.running() || window.run.phase == SessionPhase::paused; }}});

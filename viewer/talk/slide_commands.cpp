@@ -1,6 +1,7 @@
 // Commands for talks: bookmarks as slides, the presenter mode.
 #include "talk/talk.h"
 
+#include "command/command_group.h"
 #include "model/words.h"
 #include "ui/icons.h"
 
@@ -122,11 +123,11 @@ Status delete_bookmark(Talk& talk, const Arguments& a) {
 void Talk::add_commands(CommandTable& table) {
   const auto has_run = [this] { return window.has_run(); };
   const auto has_bookmarks = [this] { return bookmarks.size() > 0; };
-  table.add(
+  add_group(
+      table, {.menu = "Talk"},
       {{.name = "presenter",
         .title = "Presenter mode",
         .help = "One scene with large text and a sentence on what happens; Esc ends it.",
-        .menu = "Talk",
         .icon = icon::square,
         .keys = {{'P'}},
         .run = does([this] {
@@ -136,18 +137,14 @@ void Talk::add_commands(CommandTable& table) {
         .checked = is_on(window.presenter.on)},
        {.name = "slow-down",
         .title = "Slow down at moments",
-        .help =
-            "Presenting, playing dwells where a stage begins, the topology of Z changes or a collapse comes "
-            "through "
-            "at last.",
-        .menu = "Talk",
+        .help = "Presenting, playing dwells where a stage begins, the topology of Z changes or a collapse "
+                "comes through at last.",
         .run = flips(window.presenter.slow_down),
         .checked = is_on(window.presenter.slow_down)},
        {.name = "bookmark",
         .title = "Add a bookmark",
         .usage = "[NOTE…]",
         .help = "Keeps step, view and selection, with a note.",
-        .menu = "Talk",
         .icon = icon::star,
         .keys = {{'B', true}},
         .run = on(*this, add_bookmark),
@@ -157,14 +154,12 @@ void Talk::add_commands(CommandTable& table) {
         .usage = "[save FILE | load FILE]",
         .help =
             "Lists the bookmarks: notes, order, removal; or writes them to a file or reads them from one.",
-        .menu = "Talk",
         .icon = icon::list,
         .keys = {{'B', true, true}},
         .run = on(*this, list_bookmarks)},
        {.name = "next-slide",
         .title = "Next slide",
         .help = "Shows the next bookmark; without bookmarks the next moment that matters.",
-        .menu = "Talk",
         .icon = icon::forward,
         .keys = {{GLFW_KEY_PAGE_DOWN}},
         .run = [this](const Arguments&) { return turn_slide(*this, 1); },
@@ -172,35 +167,31 @@ void Talk::add_commands(CommandTable& table) {
        {.name = "previous-slide",
         .title = "Previous slide",
         .help = "Shows the bookmark before; without bookmarks the moment before.",
-        .menu = "Talk",
         .icon = icon::back,
         .keys = {{GLFW_KEY_PAGE_UP}},
         .run = [this](const Arguments&) { return turn_slide(*this, -1); },
-        .enabled = has_run},
-       {.name = "bookmark-go",
-        .title = "Go to bookmark…",
-        .usage = "N",
-        .help = "Shows a bookmark's step, view and selection.",
-        .run = on(*this, go_to_bookmark),
-        .enabled = has_bookmarks},
-       {.name = "bookmark-note",
-        .title = "Note a bookmark…",
-        .usage = "N NOTE…",
-        .help = "Gives a bookmark another note.",
-        .run = on(*this, note_bookmark),
-        .enabled = has_bookmarks},
-       {.name = "bookmark-move",
-        .title = "Move a bookmark…",
-        .usage = "N TO",
-        .help = "Gives a bookmark another place in the order.",
-        .run = on(*this, move_bookmark),
-        .enabled = has_bookmarks},
-       {.name = "bookmark-delete",
-        .title = "Delete a bookmark…",
-        .usage = "N",
-        .help = "Removes a bookmark from the list.",
-        .run = on(*this, delete_bookmark),
-        .enabled = has_bookmarks}});
+        .enabled = has_run}});
+  add_group(table, {.enabled = has_bookmarks},
+            {{.name = "bookmark-go",
+              .title = "Go to bookmark…",
+              .usage = "N",
+              .help = "Shows a bookmark's step, view and selection.",
+              .run = on(*this, go_to_bookmark)},
+             {.name = "bookmark-note",
+              .title = "Note a bookmark…",
+              .usage = "N NOTE…",
+              .help = "Gives a bookmark another note.",
+              .run = on(*this, note_bookmark)},
+             {.name = "bookmark-move",
+              .title = "Move a bookmark…",
+              .usage = "N TO",
+              .help = "Gives a bookmark another place in the order.",
+              .run = on(*this, move_bookmark)},
+             {.name = "bookmark-delete",
+              .title = "Delete a bookmark…",
+              .usage = "N",
+              .help = "Removes a bookmark from the list.",
+              .run = on(*this, delete_bookmark)}});
   // Ctrl+1 to Ctrl+9, and Ctrl+0 for the tenth.
   for (int i = 0; i < 10; ++i) {
     const std::string number = std::to_string(i + 1);

@@ -1,6 +1,7 @@
 // Commands on two runs: beginning the second one, going to where they differ, linking their views.
 #include "two_runs/comparison.h"
 
+#include "command/command_group.h"
 #include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
@@ -141,10 +142,10 @@ Status toggle_linked_steps(M& m, const A&) {
 void Comparison::add_commands(CommandTable& table) {
   const auto has_scene = [this] { return window.run.scene != nullptr; };
   const auto has_other = [this] { return other() != nullptr; };
-  table.add({{.name = "run-beside",
+  add_group(table, {.menu = "Run", .enabled = has_other},
+            {{.name = "run-beside",
               .title = "Run beside",
               .help = "Runs the same input with the panel's parameters beside this run: two views, A and B.",
-              .menu = "Run",
               .icon = icon::split,
               .keys = {{GLFW_KEY_ENTER, true, true}},
               .run = [this](const Arguments&) { return run_beside(); },
@@ -153,7 +154,6 @@ void Comparison::add_commands(CommandTable& table) {
               .title = "Open beside…",
               .usage = "[FILE | gallery:NAME]",
               .help = "Opens a recording or a model beside this run; without a name it shows the files.",
-              .menu = "Run",
               .icon = icon::folder_open,
               .keys = {{'O', true, true}},
               .run = on(*this, open_beside_or_ask),
@@ -161,71 +161,55 @@ void Comparison::add_commands(CommandTable& table) {
              {.name = "side-by-side",
               .title = "Two views",
               .help = "Draws the other run beside this one, also the one that a branch left, or hides it.",
-              .menu = "Run",
               .icon = icon::split,
               .keys = {{'B'}},
               .run = on(*this, side_by_side),
-              .enabled = has_other,
               .checked = [this] { return beside(); }},
              {.name = "other-run",
               .title = "Change to the other run",
               .help = "Makes the other run the active one: panels, keys and questions speak of it.",
-              .menu = "Run",
               .icon = icon::flip,
               .keys = {{GLFW_KEY_TAB}},
-              .run = [this](const Arguments&) { return change_run(); },
-              .enabled = has_other},
+              .run = [this](const Arguments&) { return change_run(); }},
              {.name = "first-difference",
               .title = "First differing decision",
               .help = "Takes both play heads to the first event that the runs decided differently.",
-              .menu = "Run",
               .icon = icon::target,
               .keys = {{'D'}},
-              .run = on(*this, first_difference),
-              .enabled = has_other},
+              .run = on(*this, first_difference)},
              {.name = "next-difference",
               .title = "Next differing decision",
               .help = "Takes both play heads to the next decision of the table that only one run made.",
-              .menu = "Run",
               .keys = {{'G'}},
-              .run = [this](const Arguments&) { return next_difference(*this, 1); },
-              .enabled = has_other},
+              .run = [this](const Arguments&) { return next_difference(*this, 1); }},
              {.name = "previous-difference",
               .title = "Previous differing decision",
               .help = "The one before it.",
-              .menu = "Run",
               .keys = {{'G', false, true}},
-              .run = [this](const Arguments&) { return next_difference(*this, -1); },
-              .enabled = has_other},
-             {.name = "difference",
+              .run = [this](const Arguments&) { return next_difference(*this, -1); }}});
+  table.add({{.name = "difference",
               .title = "Go to a differing decision…",
               .usage = "ROW",
               .help = "Shows a row of the table of decisions that only one run made; 0 is the first.",
               .run = on(*this, go_to_difference),
-              .enabled = has_other},
-             {.name = "link-cameras",
+              .enabled = has_other}});
+  add_group(table, {.menu = "Run", .enabled = has_other},
+            {{.name = "link-cameras",
               .title = "Link the cameras",
               .help = "One camera for both views, or one each.",
-              .menu = "Run",
               .run = on(*this, toggle_linked_cameras),
-              .enabled = has_other,
               .checked = is_on(linked_cameras)},
              {.name = "link-steps",
               .title = "Link the play heads",
               .help = "The other run goes along: by step up to the first difference, by stage after it. Or "
-                      "each goes its "
-                      "own way.",
-              .menu = "Run",
+                      "each goes its own way.",
               .run = on(*this, toggle_linked_steps),
-              .enabled = has_other,
               .checked = is_on(linked_steps)},
              {.name = "close-other",
               .title = "Close the other run",
               .help = "Ends the run that is not active and gives its half back.",
-              .menu = "Run",
               .icon = icon::close,
-              .run = does([this] { close_other(); }),
-              .enabled = has_other}});
+              .run = does([this] { close_other(); })}});
 }
 
 void Comparison::add_branch_command(CommandTable& table) {
