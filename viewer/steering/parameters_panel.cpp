@@ -34,6 +34,11 @@ void label(const Ui& ui, const FieldFacts& f, float units) {
   ImGui::SameLine(0, 0);
 }
 
+/// The identifier of a control that has its label on the left.
+std::string unlabelled(const FieldFacts& f) {
+  return "##" + std::string(f.name);
+}
+
 /// What a slider offers: the field's range, one digit inside where an end is not part of it.
 void slider(const Ui& ui, const FieldFacts& f, double& value) {
   const int digits = f.format[2] - '0'; // "%.2f"
@@ -41,7 +46,7 @@ void slider(const Ui& ui, const FieldFacts& f, double& value) {
   const double low = f.slider_from > 0 ? f.slider_from : f.range.low + (f.range.low_included ? 0 : step);
   const double high = f.range.high - (f.range.high_included ? 0 : step);
   auto shown = static_cast<float>(value);
-  if (widgets::slider(ui, f.name.data(), shown, static_cast<float>(low), static_cast<float>(high),
+  if (widgets::slider(ui, unlabelled(f).c_str(), shown, static_cast<float>(low), static_cast<float>(high),
                       f.format.data(), f.logarithmic))
     value = std::round(static_cast<double>(shown) * 1e4) / 1e4;
 }
@@ -49,7 +54,7 @@ void slider(const Ui& ui, const FieldFacts& f, double& value) {
 /// A number that is typed; what the field cannot be is not taken. True when changed.
 template <class Takes> bool typed(const FieldFacts& f, double& value, const char* format, Takes&& takes) {
   double wanted = value;
-  if (!ImGui::InputDouble(("##" + std::string(f.name)).c_str(), &wanted, 0, 0, format) || !takes(wanted))
+  if (!ImGui::InputDouble(unlabelled(f).c_str(), &wanted, 0, 0, format) || !takes(wanted))
     return false;
   value = wanted;
   return true;
@@ -122,7 +127,7 @@ bool word(const Ui& ui, const FieldFacts& f, int& chosen) {
   if (letters <= letters_beside) return widgets::segmented(ui, f.name.data(), shown, chosen);
   bool changed = false;
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::BeginCombo(("##" + std::string(f.name)).c_str(), shown[static_cast<std::size_t>(chosen)])) {
+  if (ImGui::BeginCombo(unlabelled(f).c_str(), shown[static_cast<std::size_t>(chosen)])) {
     for (std::size_t i = 0; i < shown.size(); ++i)
       if (f.choices[i].offered && ImGui::Selectable(shown[i], static_cast<int>(i) == chosen)) {
         chosen = static_cast<int>(i);
