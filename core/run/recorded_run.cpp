@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace isoscope {
 
 namespace {
@@ -46,8 +48,9 @@ void read_certificate(const Json& json, Certificate& c) {
   c.oriented = json.at("oriented").get<bool>();
   c.intersection_free = json.at("intersection_free").get<bool>();
   c.within_tolerance = json.at("within_tolerance").get<bool>();
-  c.max_distance = json.at("max_distance").get<double>();
   // JSON has no infinity: no bound is null.
+  const Json& bound = json.at("max_distance");
+  c.max_distance = bound.is_null() ? std::numeric_limits<double>::infinity() : bound.get<double>();
   const Json& distance = json.at("input_distance");
   if (distance.at("lower").is_number()) c.input_distance.lower = distance.at("lower").get<double>();
   if (distance.at("upper").is_number()) c.input_distance.upper = distance.at("upper").get<double>();
