@@ -1,11 +1,11 @@
 // Judges a target by samples, by the facet certificate, by condition 3 and by the regions' witnesses.
 #include "collapse/collapse_checks.h"
 
+#include "collapse/star_location.h"
 #include "criteria/orientation.h"
 #include "mesh/predicates.h"
 #include "mesh/sample_sets.h"
 #include "mesh/zero_set.h"
-#include "collapse/star_location.h"
 #include "tolerance/facet_certificate.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 #include "collapse/collapse_evaluator.h"
 
 #include "base/stopwatch.h"
+#include "collapse/collapse_margins.h"
 #include "criteria/collapse_cost.h"
 #include "criteria/kernel.h"
 #include "criteria/link.h"
-#include "collapse/collapse_margins.h"
 
 #include <algorithm>
 #include <array>

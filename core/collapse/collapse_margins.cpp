@@ -1,9 +1,9 @@
 // Each number is gathered over the whole star.
 #include "collapse/collapse_margins.h"
 
+#include "collapse/star_location.h"
 #include "criteria/orientation.h"
 #include "mesh/zero_set.h"
-#include "collapse/star_location.h"
 
 namespace isoscope {
 

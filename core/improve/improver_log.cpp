@@ -8,7 +8,8 @@ bool ImproverLog::accepted(const SurfaceChange& change, const ImproverVerdict& v
   Event e = event(verdict);
   e.kind = change.kind;
   e.reason = Reason::minimax_placement;
-  if (change.kind == EventKind::relaxation || change.kind == EventKind::shake) e.vertex = e.other = VertexId();
+  if (change.kind == EventKind::relaxation || change.kind == EventKind::shake)
+    e.vertex = e.other = VertexId();
   log_.operation(e, std::move(delta), figures());
   return !log_.stopped();
 }

@@ -56,9 +56,8 @@ struct PolygonFigures {
                " corners by a Delaunay triangulation); corners leave their face's plane by up to",
            largest_deviation});
     if (crossing > 0)
-      notes.push_back({counted(crossing, "face") + " of more than " +
-                       std::to_string(most_clipped_corners) + " corners " +
-                       (crossing == 1 ? "crosses itself and is" : "cross themselves and are") +
+      notes.push_back({counted(crossing, "face") + " of more than " + std::to_string(most_clipped_corners) +
+                       " corners " + (crossing == 1 ? "crosses itself and is" : "cross themselves and are") +
                        " cut into strips, which may leave the outline."});
     return notes;
   }

@@ -1,10 +1,10 @@
 // Gathers the star on the state, or on the one before it, and asks the evaluator for everything.
 #include "questions/edge_xray.h"
 
+#include "collapse/sample_targets.h"
 #include "criteria/collapse_cost.h"
 #include "mesh/incidence.h"
 #include "questions/star_at.h"
-#include "collapse/sample_targets.h"
 
 #include <algorithm>
 

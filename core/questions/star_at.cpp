@@ -1,8 +1,8 @@
 // The samples are found by the star's box first.
 #include "questions/star_at.h"
 
-#include "mesh/predicates.h"
 #include "collapse/sample_targets.h"
+#include "mesh/predicates.h"
 
 #include <algorithm>
 

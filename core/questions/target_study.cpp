@@ -1,8 +1,8 @@
 // The evaluator's verdict on one target, with the numbers of the moment before.
 #include "questions/target_study.h"
 
-#include "criteria/collapse_cost.h"
 #include "collapse/star_location.h"
+#include "criteria/collapse_cost.h"
 #include "tolerance/facet_certificate.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 #include "questions/unlock_search.h"
 
 #include "base/sort_unique.h"
+#include "collapse/sample_targets.h"
 #include "mesh/incidence.h"
 #include "questions/star_at.h"
-#include "collapse/sample_targets.h"
 
 #include <algorithm>
 #include <utility>

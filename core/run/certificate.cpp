@@ -2,8 +2,8 @@
 // winding numbers.
 #include "run/certificate.h"
 
-#include "base/numbers.h"
 #include "base/disjoint_sets.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/place.h"
 #include "run/exposed_input.h"
@@ -192,7 +192,8 @@ std::string uncovered_words(const Certificate& c, double delta) {
   return "the input is farther than " + general(*c.cover_limit, 4) + " δ from the mesh in " +
          (c.uncovered_count == 1 ? "one place, "
                                  : std::to_string(c.uncovered_count) + " places, the farthest ") +
-         general(c.uncovered.front().distance / delta, 4) + " δ at " + place(c.uncovered.front().point, place_digits);
+         general(c.uncovered.front().distance / delta, 4) + " δ at " +
+         place(c.uncovered.front().point, place_digits);
 }
 
 bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, const CoverTest& test,

@@ -27,8 +27,7 @@ std::string crumbs_note(const SmallParts& crumbs, const TriangleMesh& mesh) {
   if (crumbs.vertices == 0 || crumbs.vertices == mesh.points.size()) return {};
   return grouped(crumbs.vertices) + " of " + grouped(mesh.points.size()) + " vertices went to " +
          counted(crumbs.components, "component") + " smaller than " + general(crumb_size, 6) +
-         " δ; --drop-small " + general(crumb_size, 6) +
-         " leaves such small parts of the input out.";
+         " δ; --drop-small " + general(crumb_size, 6) + " leaves such small parts of the input out.";
 }
 
 } // namespace isoscope

@@ -1,11 +1,11 @@
 // The order of the stages, and how the improver's changes of Z become operations.
 #include "simplify/simplification.h"
 
-#include "criteria/nearest_sample.h"
 #include "collapse/collapse_stage.h"
+#include "collapse/live_complex.h"
+#include "criteria/nearest_sample.h"
 #include "improve/embedded_improvement.h"
 #include "improve/free_improvement.h"
-#include "collapse/live_complex.h"
 #include "journal/stage_log.h"
 #include "simplify/tessellation.h"
 

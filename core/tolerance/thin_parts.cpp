@@ -1,8 +1,8 @@
 // Finds components of Ω' without an inside and measures them.
 #include "tolerance/thin_parts.h"
 
-#include "base/numbers.h"
 #include "base/disjoint_sets.h"
+#include "base/numbers.h"
 #include "base/place.h"
 #include "input/point_numbers.h"
 #include "tolerance/region_labels.h"

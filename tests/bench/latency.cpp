@@ -2,13 +2,13 @@
 #include "bench/latency.h"
 
 #include "criteria/nearest_sample.h"
+#include "questions/state_check.h"
+#include "questions/target_study.h"
 #include "recording/recording_reader.h"
 #include "recording/recording_writer.h"
 #include "run/complete_run.h"
 #include "run/parameters_json.h"
 #include "run/recorded_run.h"
-#include "questions/state_check.h"
-#include "questions/target_study.h"
 
 #include <algorithm>
 #include <chrono>

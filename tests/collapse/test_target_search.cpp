@@ -1,8 +1,8 @@
 // The target search with judges whose valid set is known.
 #include "collapse/target_search.h"
 
-#include "criteria/stars.h"
 #include "collapse/kernel_walk.h"
+#include "criteria/stars.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // Developer's bench: improves a given Z of a model and prints stages, counts and seconds.
 #include "base/parallel.h"
+#include "improve/improver.h"
 #include "input/gallery.h"
 #include "input/mesh_io.h"
-#include "improve/improver.h"
 #include "tolerance/boundary_sampler.h"
 
 #include <chrono>

@@ -1,8 +1,8 @@
 // Whole runs: valid results, fewer vertices with more effort, the same bits on any number of threads.
 #include "base/parallel.h"
-#include "input/gallery.h"
-#include "improve/surface_collapses.h"
 #include "improve/support.h"
+#include "improve/surface_collapses.h"
+#include "input/gallery.h"
 #include "tolerance/boundary_sampler.h"
 #include "tolerance/shapes.h"
 

@@ -1,6 +1,6 @@
 // The worker behind the play head: the newest request wins, answers are right, nothing is left behind.
-#include "model/playhead.h"
 #include "app/small_run.h"
+#include "model/playhead.h"
 
 #include <doctest/doctest.h>
 

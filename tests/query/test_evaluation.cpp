@@ -132,7 +132,8 @@ TEST_CASE("what the screen calls a thing is a name of it") {
     e.*member = row.value;
     other.*member = static_cast<decltype(row.value)>(row.value == decltype(row.value){} ? 1 : 0);
     const std::string title(row.title);
-    for (const std::string& text : {std::string(sort) + " == " + title, std::string(sort) + " == \"" + title + "\""}) {
+    for (const std::string& text :
+         {std::string(sort) + " == " + title, std::string(sort) + " == \"" + title + "\""}) {
       CAPTURE(text);
       CHECK(passes(text, e));
       CHECK(!passes(text, other));

@@ -2,11 +2,11 @@
 // runs that go on from there.
 #include "criteria/collapse_cost.h"
 #include "journal/digest.h"
-#include "run/complete_run.h"
 #include "questions/edge_advice.h"
-#include "run/session.h"
 #include "questions/target_study.h"
 #include "questions/unlock_search.h"
+#include "run/complete_run.h"
+#include "run/session.h"
 
 #include <doctest/doctest.h>
 

@@ -2,8 +2,8 @@
 #include "questions/state_check.h"
 
 #include "journal/synthetic.h"
-#include "run/complete_run.h"
 #include "questions/topology_report.h"
+#include "run/complete_run.h"
 
 #include <doctest/doctest.h>
 

@@ -17,7 +17,8 @@ TEST_CASE("The elephant comes out certified, with the same journal on 1 and 7 th
   RunParameters parameters;
   parameters.input = model->string();
   parameters.tolerance = {1.0, true};
-  // The schedule of the improver and its batches are the same at every effort; one run tries as hard as by default.
+  // The schedule of the improver and its batches are the same at every effort; one run tries as hard as by
+  // default.
   std::set<std::uint64_t> digests;
   for (const unsigned threads : {1u, 7u, 2u}) {
     const ThreadLimit limit(threads);

@@ -2,9 +2,9 @@
 #include "run/session.h"
 
 #include "journal/playback.h"
+#include "questions/snapshot.h"
 #include "recording/recording_reader.h"
 #include "run/complete_run.h"
-#include "questions/snapshot.h"
 
 #include <doctest/doctest.h>
 

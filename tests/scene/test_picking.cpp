@@ -155,7 +155,8 @@ TEST_CASE("a vertex under the cursor wins over the cell around it") {
   ViewSettings view = only_tetrahedra();
   view.tets.shrink = 1;
   const Vec3 apex = state.complex.vertices[3].position;
-  const Pick pick = pick_scene(scene, camera, view, at(camera, apex), PickKinds::vertices | PickKinds::tetrahedra, 0);
+  const Pick pick =
+      pick_scene(scene, camera, view, at(camera, apex), PickKinds::vertices | PickKinds::tetrahedra, 0);
   CHECK(pick.kind == Kind::vertex);
   CHECK(pick.id == 3);
 }
@@ -179,7 +180,8 @@ TEST_CASE("picking in the section finds the tetrahedron around the position") {
   view.clip.normal = {0, 0, 1};
   const Renderer::SectionView section{0, 0, 4};
   CHECK(pick_section_scene(state, section, view, {200, 155, 400, 300}, PickKinds::tetrahedra).id == 0);
-  CHECK(pick_section_scene(state, section, view, {20, 20, 400, 300}, PickKinds::tetrahedra).kind == Kind::none);
+  CHECK(pick_section_scene(state, section, view, {20, 20, 400, 300}, PickKinds::tetrahedra).kind ==
+        Kind::none);
 }
 
 TEST_CASE("what is framed is seen from where nothing of Z hides it") {

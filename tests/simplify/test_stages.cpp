@@ -2,10 +2,10 @@
 #include "simplify/simplified.h"
 
 #include "base/parallel.h"
-#include "journal/playback.h"
-#include "mesh/validity.h"
 #include "collapse/collapse_evaluator.h"
 #include "collapse/collapse_stage.h"
+#include "journal/playback.h"
+#include "mesh/validity.h"
 
 #include <doctest/doctest.h>
 

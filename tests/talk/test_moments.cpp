@@ -1,6 +1,6 @@
 // Which steps a talk dwells at, and how playing does.
-#include "talk/moments.h"
 #include "model/transport.h"
+#include "talk/moments.h"
 
 #include <doctest/doctest.h>
 

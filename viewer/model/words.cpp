@@ -51,10 +51,6 @@ std::string_view pick_word(Pick::Kind kind) {
   constexpr std::array<std::string_view, 6> words{"none", "vertex", "edge", "tet", "sample", "facet"};
   return words.at(static_cast<std::size_t>(kind));
 }
-std::string_view theme_word(ThemeKind theme) {
-  constexpr std::array<std::string_view, 3> words{"dark", "light", "paper"};
-  return words.at(static_cast<std::size_t>(theme));
-}
 std::span<const LayerName> layer_names() {
   return layers;
 }

@@ -1,12 +1,12 @@
 // One set of words for phases, kinds and layers, so that panels, scripts and help never differ.
 #pragma once
 
-#include "model/transport.h"
 #include "base/numbers.h"
+#include "collapse/collapse_attempt.h"
 #include "journal/event.h"
+#include "model/transport.h"
 #include "run/session.h"
 #include "scene/view_settings.h"
-#include "collapse/collapse_attempt.h"
 
 #include <span>
 #include <string>
@@ -17,7 +17,6 @@ namespace isoscope {
 std::string_view phase_word(SessionPhase phase);       ///< "running"
 std::string_view transport_word(Transport::Mode mode); ///< "following"
 std::string_view pick_word(Pick::Kind kind);           ///< "tet"
-std::string_view theme_word(ThemeKind theme);          ///< "dark"
 
 /// A layer by name.
 struct LayerName {

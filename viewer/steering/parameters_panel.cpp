@@ -54,8 +54,7 @@ void slider(const Ui& ui, const FieldFacts& f, double& value) {
 /// A number that is typed; what the field cannot be is not taken. True when changed.
 template <class Takes> bool typed(const FieldFacts& f, double& value, const char* format, Takes&& takes) {
   double wanted = value;
-  if (!ImGui::InputDouble(unlabelled(f).c_str(), &wanted, 0, 0, format) || !takes(wanted))
-    return false;
+  if (!ImGui::InputDouble(unlabelled(f).c_str(), &wanted, 0, 0, format) || !takes(wanted)) return false;
   value = wanted;
   return true;
 }
