@@ -36,6 +36,7 @@ float round_up(double x) {
 
 BvhBuilder::BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup, const RunControl* control)
     : index_(index), soup_(soup), control_(control) {
+  index_.area_ = soup.area();
   items_.resize(soup.triangles.size());
   for (std::size_t i = 0; i < items_.size(); ++i) {
     for (const Vec3 p : soup.triangle(i)) items_[i].box.add(p);

@@ -4,6 +4,7 @@
 #include "base/geometry.h"
 #include "base/ids.h"
 #include "input/triangle_soup.h"
+#include "tolerance/field.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,37 +14,15 @@
 
 namespace isoscope {
 
-/// The closest point of the input to some query. `triangle` is invalid when nothing lay within the search
-/// radius.
-struct ClosestPoint {
-  Vec3 point;
-  double squared_distance = std::numeric_limits<double>::infinity();
-  TriangleId triangle;
-
-  double distance() const { return std::sqrt(squared_distance); }
-};
-
 /// Closest point on triangle abc to p, in double precision. Degenerate triangles count as segments or points.
 Vec3 closest_point_on_triangle(Vec3 p, const Triangle3& t);
 
 /// Whether the distance between two triangles is at most r.
 bool triangles_within(const Triangle3& a, const Triangle3& b, double r);
 
-/// All triangles within some radius of a centre: answers closest-point queries near it by looking at a few.
-struct TriangleNeighborhood {
-  struct Entry {
-    double distance; ///< of the centre
-    Vec3 direction;  ///< to the centre, of length 1: the triangle lies in the half-space behind
-    std::uint32_t slot;
-  };
-  Vec3 center;
-  double radius = 0;          ///< complete up to here; 0 when there are too many triangles to list
-  std::vector<Entry> entries; ///< ascending by distance
-};
-
 /// A bounding volume hierarchy over the triangles of a soup. Immutable after construction; all queries are
 /// thread-safe.
-class ClosestPointIndex {
+class ClosestPointIndex final : public ToleranceField {
  public:
   /// Degenerate triangles are kept as the segments or points they are. A soup without triangles makes an
   /// index that finds nothing: every distance is infinite.
@@ -51,30 +30,30 @@ class ClosestPointIndex {
 
   /// The closest point within `radius` of p (ties: smallest triangle id of equal distance is not promised,
   /// but the result depends on p and the soup only).
-  ClosestPoint closest(Vec3 p, double radius = std::numeric_limits<double>::infinity()) const;
+  ClosestPoint closest(Vec3 p, double radius) const;
+  ClosestPoint closest(Vec3 p) const override { return closest(p, std::numeric_limits<double>::infinity()); }
   /// The same, starting from a guess that is likely close: a faster query, the same distance.
-  ClosestPoint closest_near(Vec3 p, TriangleId guess) const;
+  ClosestPoint closest_near(Vec3 p, TriangleId guess) const override;
   /// The same, starting from the closest point on some triangle. Once something nearer than `enough` is found
   /// it may be returned.
-  ClosestPoint closest_near(Vec3 p, const ClosestPoint& found, double enough) const {
+  ClosestPoint closest_near(Vec3 p, const ClosestPoint& found, double enough) const override {
     return search(p, found, enough * enough);
   }
-  double distance(Vec3 p) const { return closest(p).distance(); }
 
   /// Fills `near` with the triangles within `radius` of `center`; leaves it unusable, which makes its queries
   /// slower but not wrong, where they are many.
-  void find_neighborhood(Vec3 center, double radius, TriangleNeighborhood& near) const;
+  void find_neighborhood(Vec3 center, double radius, TriangleNeighborhood& near) const override;
   /// The same as closest_near for any p; fast where d(p) + |p - near.center| <= near.radius. Where d(p) is
   /// below `enough`, any point nearer than that may be returned.
   ClosestPoint closest_near(Vec3 p, TriangleId guess, const TriangleNeighborhood& near,
-                            double enough = 0) const;
+                            double enough = 0) const override;
 
   /// Whether p is enclosed by an odd number of layers, by majority over several rays. Meaningful for closed
   /// input only.
   bool inside_by_parity(Vec3 p) const;
-  /// How often the input winds around p, as most of several rays tell: the triangles a ray leaves through count
-  /// +1, those it enters through -1, each times its entry of `turns` (by id; empty: 1). Meaningful where the
-  /// triangles cancel along every edge.
+  /// How often the input winds around p, as most of several rays tell: the triangles a ray leaves through
+  /// count +1, those it enters through -1, each times its entry of `turns` (by id; empty: 1). Meaningful
+  /// where the triangles cancel along every edge.
   int winding_number(Vec3 p, std::span<const std::int8_t> turns) const;
   /// Parameters t in (0, 1) at which the open segment a + t (b - a) crosses the input, ascending.
   std::vector<double> crossings(Vec3 a, Vec3 b) const;
@@ -82,10 +61,18 @@ class ClosestPointIndex {
   std::vector<TriangleId> triangles_in(const Box3& box) const;
 
   const Triangle3& triangle(TriangleId id) const { return triangles_[slots_[id.index()]]; }
-  std::size_t size() const { return triangles_.size(); }
-  bool empty() const { return triangles_.empty(); }
-  const Box3& bounds() const { return bounds_; }
-  std::size_t memory_bytes() const;
+  FieldKind kind() const override { return FieldKind::triangles; }
+  std::size_t size() const override { return triangles_.size(); }
+  const Box3& bounds() const override { return bounds_; }
+  double area() const override { return area_; }
+  std::size_t memory_bytes() const override;
+  ClosestPoint at_site(Vec3 p, TriangleId site) const override {
+    const Vec3 c = closest_point_on_triangle(p, triangle(site));
+    return {c, squared_length(c - p), site};
+  }
+  bool rays_are_exact() const override { return true; }
+  VolumeComponents components(double r, const RunControl& control) const override;
+  const ClosestPointIndex* surface() const override { return this; }
 
  private:
   friend class BvhBuilder;
@@ -113,6 +100,7 @@ class ClosestPointIndex {
   std::vector<std::uint32_t> slots_; ///< triangle id -> slot
   std::vector<Node> nodes_;          ///< nodes_[0] is the root
   Box3 bounds_;
+  double area_ = 0;
   Vec3 origin_;
   double inverse_scale_ = 1;
   double largest_coordinate_ = 0;

@@ -13,6 +13,10 @@ constexpr std::uint32_t triangles_between_questions = 16;
 
 } // namespace
 
+VolumeComponents ClosestPointIndex::components(double r, const RunControl& control) const {
+  return find_volume_components(*this, r, control);
+}
+
 VolumeComponents find_volume_components(const ClosestPointIndex& index, double r, const RunControl& control) {
   const auto n = static_cast<std::uint32_t>(index.size());
   DisjointSets sets(n);

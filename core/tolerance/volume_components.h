@@ -4,19 +4,10 @@
 #include "base/run_control.h"
 #include "tolerance/closest_point.h"
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 namespace isoscope {
 
 /// Two triangles are in one component of {d <= r} when a chain of triangles at most 2r apart joins them.
-struct VolumeComponents {
-  std::vector<std::uint32_t> of_triangle; ///< component by triangle id
-  std::size_t count = 0;                  ///< numbered by their smallest triangle id
-};
-
-/// Of no use once the control is cancelled.
+/// Numbered by their smallest triangle id. Of no use once the control is cancelled.
 VolumeComponents find_volume_components(const ClosestPointIndex& index, double r,
                                         const RunControl& control = {});
 
