@@ -1,17 +1,20 @@
-// Builds the hierarchy of a ClosestPointIndex: binned surface-area splits, four children a node.
+// Builds a box hierarchy: binned surface-area splits, four children a node.
 #pragma once
 
 #include "base/run_control.h"
-#include "tolerance/closest_point.h"
+#include "tolerance/box_hierarchy.h"
+
+#include <utility>
+#include <vector>
 
 namespace isoscope {
 
-/// One-shot: fills nodes, slots and triangles of `index` from the soup.
+/// One-shot: fills a hierarchy from the boxes of its items.
 class BvhBuilder {
  public:
   /// `control`, where given, may stop it.
-  BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup, const RunControl* control = nullptr);
-  /// False when it was stopped: the index is of no use then.
+  BvhBuilder(BoxHierarchy& boxes, const std::vector<Box3>& items, const RunControl* control = nullptr);
+  /// False when it was stopped: the hierarchy is of no use then.
   bool build();
 
  private:
@@ -29,8 +32,7 @@ class BvhBuilder {
   void fill_node(std::size_t node, const Range& range, unsigned depth);
   void set_box(std::size_t node, unsigned k, const Box3& box);
 
-  ClosestPointIndex& index_;
-  const TriangleSoup& soup_;
+  BoxHierarchy& boxes_;
   const RunControl* control_;
   bool stopped_ = false;
   std::vector<Item> items_;
