@@ -4,6 +4,7 @@
 #include "input/gallery.h"
 #include "input/mesh_io.h"
 #include "tolerance/boundary_sampler.h"
+#include "tolerance/closest_point.h"
 
 #include <chrono>
 #include <cstdio>

@@ -3,6 +3,7 @@
 
 #include "mesh/delaunay.h"
 #include "mesh/sample_sets.h"
+#include "tolerance/closest_point.h"
 #include "tolerance/grid_sides.h"
 
 #include <algorithm>
