@@ -9,7 +9,7 @@
 #include "mesh/zero_set.h"
 #include "run/closing_tolerance.h"
 #include "run/coordinate_check.h"
-#include "tolerance/index_building.h"
+#include "run/make_field.h"
 
 #include <sys/resource.h>
 
@@ -132,9 +132,9 @@ struct Pipeline::Impl {
   }
   /// What is wrong with the input; when it is open, with the tolerance that would close it.
   Error refused(Error error, const Scene& at, const ToleranceVolume::Options& options) const {
-    if (error.code != ErrorCode::open_surface) return error;
+    if (error.code != ErrorCode::open_surface || at.field->surface() == nullptr) return error;
     control->report("tolerance that closes the input", -1);
-    return with_closing_tolerance(std::move(error), {at.index, at.input_topology, kept_area, options},
+    return with_closing_tolerance(std::move(error), {at.field, at.input_topology, kept_area, options},
                                   *parameters, *control);
   }
 
@@ -182,14 +182,24 @@ struct Pipeline::Impl {
     refinement.reset();
   }
 
+  /// The field of what is kept of the input, and what is known of its surface.
+  Status make_field(Scene& made, const std::shared_ptr<const TriangleSoup>& kept) {
+    auto input = isoscope::make_field(kept, *parameters, *control);
+    if (control->cancelled()) return cancelled_error(*control);
+    if (!input) return input.error();
+    made.field = std::move(input->field);
+    made.input_topology = std::move(input->topology);
+    return {};
+  }
+
   /// Ω of what is kept of the input; without its thin parts, one after the other, where they are to be
   /// dropped.
   Status build_volume(Scene& made, std::shared_ptr<const TriangleSoup> kept,
                       const ToleranceVolume::Options& options, ThinParts thin) {
     const bool drop = parameters->drop_thin;
     for (;;) {
-      kept_area = kept->area();
-      auto built = ToleranceVolume::build(made.index, made.input_topology, options, *control);
+      kept_area = made.field->area();
+      auto built = ToleranceVolume::build(made.field, made.input_topology, options, *control);
       if (!built) return built.error();
       const std::vector<ThinPart> parts = find_thin_parts(*built);
       const bool all = parts.size() == built->volume_component_count();
@@ -202,9 +212,7 @@ struct Pipeline::Impl {
         return {};
       }
       kept = std::make_shared<const TriangleSoup>(without_parts(*kept, *built, parts));
-      made.index = build_index(*kept, *control);
-      if (control->cancelled()) return cancelled_error(*control);
-      made.input_topology = analyse_input(*kept, parameters->sides, *control);
+      if (Status read = make_field(made, kept); !read) return read;
       made.left_out.insert(made.left_out.end(), parts.begin(), parts.end());
     }
   }
@@ -265,11 +273,8 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (!rest->note.empty()) scene->warnings.push_back({rest->note, 0});
   soup = rest->soup;
   if (auto note = coordinate_note(*soup, scene->delta)) scene->warnings.push_back({std::move(*note), 0});
-  scene->index = build_index(*soup, *m.control);
-  if (m.control->cancelled()) return cancelled_error(*m.control);
-  scene->input_topology = analyse_input(*soup, parameters_.sides, *m.control);
+  if (Status read = m.make_field(*scene, soup); !read) return read.error();
   scene->input_seconds = watch.seconds();
-  if (m.control->cancelled()) return cancelled_error(*m.control);
 
   const ToleranceVolume::Options options = m.volume_options(scene->delta);
   if (Status built = m.build_volume(*scene, soup, options, thin); !built) {
@@ -378,7 +383,7 @@ Result<RunResult> Pipeline::run() {
   result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control,
                                {parameters_.cover, parameters_.topology == TopologyMode::separate, true});
   result.crumbs = count_small_parts(result.mesh, crumb_size * m.scene->delta);
-  result.normals = measure_normal_deviation(result.mesh, *m.volume, *m.control);
+  if (m.volume->has_surface()) result.normals = measure_normal_deviation(result.mesh, *m.volume, *m.control);
   m.seconds += watch.seconds();
   result.seconds = m.seconds;
   result.peak_memory_bytes = peak_memory_bytes();

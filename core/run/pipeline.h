@@ -26,10 +26,10 @@ namespace isoscope {
 
 /// What is known about a run before its first operation; immutable once published.
 struct Scene {
-  std::shared_ptr<const TriangleSoup> input;      ///< as given, with the parts that the run leaves out
-  std::vector<InputNote> notes;                   ///< on reading it; `warnings` has them in words
-  std::shared_ptr<const ClosestPointIndex> index; ///< of the input without them
-  double delta = 0;                               ///< absolute
+  std::shared_ptr<const TriangleSoup> input;   ///< as given, with the parts that the run leaves out
+  std::vector<InputNote> notes;                ///< on reading it; `warnings` has them in words
+  std::shared_ptr<const ToleranceField> field; ///< of the input without them
+  double delta = 0;                            ///< absolute
   double longest_edge = 0;
   std::shared_ptr<const ToleranceVolume> volume; ///< without its octree: what evaluations ask
   double default_sigma = 0.5;                    ///< σ/δ of this input in certified mode when none is given

@@ -20,6 +20,8 @@ constexpr int most_steps = 200; ///< of a climb
 /// region on both sides from which on the surface counts as open.
 constexpr std::size_t side_probes = 4000;
 constexpr double side_reach = 1.2, open_share = 0.05;
+/// A region of points this deep, in units of δ, is no gap between neighbours.
+constexpr double deep_enough = 1.3;
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -149,21 +151,21 @@ std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::
   return probes;
 }
 
-ThicknessProbe deepest_around(const ClosestPointIndex& index, const ThicknessProbe& from, double step) {
+ThicknessProbe deepest_around(const ToleranceField& field, const ThicknessProbe& from, double step) {
   ThicknessProbe best = from;
   for (int k = 0; k < 27; ++k) {
     const Vec3 p = from.middle + step * normalized({k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0});
-    const double d = index.distance(p);
+    const double d = field.distance(p);
     if (d > best.distance) best.middle = p, best.distance = d;
   }
   return best;
 }
 
-ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double enough) {
+ThicknessProbe climb(const ToleranceField& field, ThicknessProbe from, double enough) {
   double step = 0.99 * from.distance;
   const double least_step = 1e-3 * from.distance;
   for (int steps = 0; steps < most_steps && step > least_step && from.distance < enough; ++steps) {
-    const ThicknessProbe best = deepest_around(index, from, step);
+    const ThicknessProbe best = deepest_around(field, from, step);
     step = best.distance < from.distance + 0.05 * step ? 0.5 * step : 0.99 * best.distance;
     from = best;
   }
@@ -176,6 +178,18 @@ std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl&
     if (control.cancelled()) break;
     labels.push_back(r.unbounded ? +1 : volume.sides().label(r.deepest));
   }
+  return labels;
+}
+
+int label_by_depth(const ToleranceVolume& volume, RegionId region, const RunControl& control) {
+  static_cast<void>(control);
+  const Region& r = volume.regions()[region.index()];
+  return !r.unbounded && r.depth > deep_enough * volume.thresholds().delta ? -1 : +1;
+}
+
+Result<std::vector<int>> label_by_depth(const ToleranceVolume& volume, const RunControl& control) {
+  std::vector<int> labels;
+  for (const Region& r : volume.regions()) labels.push_back(label_by_depth(volume, r.id, control));
   return labels;
 }
 

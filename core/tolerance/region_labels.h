@@ -18,6 +18,13 @@ std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl&
 /// on open and non-manifold surfaces, with anything once the control is cancelled.
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, const RunControl& control);
 
+/// Labels for points, which nothing but Ω tells the sides of: - for bounded regions that are deep (beyond
+/// deep_enough δ) and for those that are joined to one sooner than to the outside as δ shrinks, + for the
+/// others. Of no use once the control is cancelled.
+Result<std::vector<int>> label_by_depth(const ToleranceVolume& volume, const RunControl& control);
+/// The same of one region.
+int label_by_depth(const ToleranceVolume& volume, RegionId region, const RunControl& control);
+
 /// A point midway between a wall of the input and the next one along the normal.
 struct ThicknessProbe {
   Vec3 middle;
@@ -31,10 +38,10 @@ std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::
                                             const RunControl& control = {});
 
 /// The deepest of the probe and 26 places around it at a distance of `step`.
-ThicknessProbe deepest_around(const ClosestPointIndex& index, const ThicknessProbe& from, double step);
+ThicknessProbe deepest_around(const ToleranceField& field, const ThicknessProbe& from, double step);
 
 /// Where d is locally largest, reached by steps that stay within the ball around the probe and so on its
 /// side; ends where d is `enough`.
-ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double enough);
+ThicknessProbe climb(const ToleranceField& field, ThicknessProbe from, double enough);
 
 } // namespace isoscope
