@@ -114,9 +114,9 @@ TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const Crit
 
 TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
   const double delta = volume.thresholds().delta;
-  const ClosestPointIndex& index = volume.index();
+  const ToleranceField& field = volume.field();
   if (star.vertices[0].value == 0) {
-    const ClosestPoint closest = index.closest(target);
+    const ClosestPoint closest = field.closest(target);
     if (closest.distance() > delta) {
       TargetVerdict verdict = Refusal{Reason::outside_tolerance, closest.distance(), delta, target};
       const Vec3 inward = normalized(closest.point - target);
@@ -126,7 +126,7 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
     }
   }
   for (const ZeroFacetAfter& facet : zero_facets_after(star, target)) {
-    const FacetVerdict verdict = certify_facet(index, facet.corners, delta, delta, piece_budget);
+    const FacetVerdict verdict = certify_facet(field, facet.corners, delta, delta, piece_budget);
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     if (verdict.kind == FacetVerdict::Kind::undecided) {
       return Refusal{Reason::unproven, verdict.closest.distance(), delta, verdict.witness};

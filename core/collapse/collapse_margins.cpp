@@ -105,7 +105,7 @@ CheckMargin largest_distance(const Triangle3& facet, const ToleranceVolume& volu
     for (int j = 0; i + j <= parts; ++j) {
       const double u = static_cast<double>(i) / parts, v = static_cast<double>(j) / parts;
       const Vec3 x = (1 - u - v) * facet[0] + u * facet[1] + v * facet[2];
-      const double d = volume.index().closest(x).distance();
+      const double d = volume.field().closest(x).distance();
       if (d > worst.value) worst.value = d, worst.at = x;
     }
   return worst;

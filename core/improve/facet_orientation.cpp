@@ -6,7 +6,8 @@
 namespace isoscope {
 
 Vec3 OrientationTester::on_boundary(Vec3 x) const {
-  const ClosestPoint closest = index->closest(x);
+  const ClosestPoint closest = field->closest(x);
+  if (!field->is_distance()) return field->project(x, closest, delta).value_or(x);
   const double d = closest.distance();
   return d > 0 ? closest.point + (delta / d) * (x - closest.point) : x;
 }
@@ -17,7 +18,7 @@ Vec3 OrientationTester::nearest_on_boundary(Vec3 x, Vec3 sample) const {
   const double longest_step = 0.5 * delta, shortest_step = 1e-3 * delta;
   Vec3 nearest = on_boundary(sample);
   for (int i = 0; i < most_steps; ++i) {
-    const Vec3 normal = normalized(nearest - index->closest(nearest).point);
+    const Vec3 normal = normalized(nearest - field->closest(nearest).point);
     const Vec3 way = x - nearest;
     Vec3 step = way - dot(way, normal) * normal;
     const double l = length(step);

@@ -16,15 +16,15 @@ struct OrientationTester {
   const NearestSample* samples = nullptr;
   double shrink = 0.7; ///< size of the copy about the centroid
   double radius = 0;   ///< a sample farther than this from a shrunk corner says nothing about the place
-  const ClosestPointIndex* index = nullptr; ///< of the input
-  double delta = 0;                         ///< δ
+  const ToleranceField* field = nullptr;
+  double delta = 0; ///< δ
 
   /// Failed tests among the six (three corners, both sides), as points of ∂Ω: the positive one must lie on
   /// the positive side of the facet, the negative one on the negative side.
   std::vector<SideSample> failures(const Triangle3& facet) const;
 
  private:
-  /// The point with d = δ on the ray from the input through x; x near ∂Ω.
+  /// The point with φ = δ on the ray from the input through x; x near ∂Ω.
   Vec3 on_boundary(Vec3 x) const;
   /// The point of ∂Ω to which sliding from the sample towards x leads.
   Vec3 nearest_on_boundary(Vec3 x, Vec3 sample) const;

@@ -60,7 +60,7 @@ class Improver {
            const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
            const RoomInT* room)
       : options_(options), control_(control), observer_(observer), room_(room),
-        input_(volume.index(), volume.thresholds().delta, mesh, control), rules_(make_rules(volume, samples)),
+        input_(volume.field(), volume.thresholds().delta, mesh, control), rules_(make_rules(volume, samples)),
         surface_(mesh, rules_, room != nullptr ? &room->embedding : nullptr, control) {}
 
   ImproverOutcome run() {
@@ -87,7 +87,7 @@ class Improver {
     const double delta = volume.thresholds().delta;
     if (options_.preserve_normals && samples != nullptr)
       rules.orientation =
-          OrientationTester{samples, options_.shrink, orientation_reach * delta, &volume.index(), delta};
+          OrientationTester{samples, options_.shrink, orientation_reach * delta, &volume.field(), delta};
     for (const Witness& w : volume.witnesses()) rules.witnesses.push_back(w.point);
     return rules;
   }

@@ -28,21 +28,30 @@ DisjointSets consistent_pieces(const ClosestPointIndex& index) {
 
 } // namespace
 
-InputSurface::InputSurface(const ClosestPointIndex& index, double delta, const TriangleMesh& surface,
+InputSurface::InputSurface(const ToleranceField& field, double delta, const TriangleMesh& surface,
                            const RunControl& control)
-    : index_(&index), delta_(delta), on_surface_(1e-6 * delta), enough_(without_weight * delta),
-      normals_(index.size()) {
+    : field_(&field), delta_(delta), on_surface_(1e-6 * delta), enough_(without_weight * delta),
+      normals_(field.size()) {
   const TriangleSoup soup{surface.points, surface.triangles, {}};
   const ClosestPointIndex near_surface(soup);
+  const auto normal_near = [&](Vec3 p) {
+    const ClosestPoint near = near_surface.closest(p);
+    if (!near.triangle.valid()) return Vec3{};
+    const Triangle3& facet = near_surface.triangle(near.triangle);
+    return normalized(cross(facet[1] - facet[0], facet[2] - facet[0]));
+  };
+  if (field.surface() == nullptr) {
+    parallel_until(field.size(), 256, control,
+                   [&](std::size_t s) { normals_[s] = normal_near(field.place_of(TriangleId(s))); });
+    return;
+  }
+  const ClosestPointIndex& index = *field.surface();
   std::vector<double> votes(index.size());
   const bool complete = parallel_until(index.size(), 256, control, [&](std::size_t t) {
     const Triangle3& corners = index.triangle(TriangleId(t));
     const Vec3 area = cross(corners[1] - corners[0], corners[2] - corners[0]);
     normals_[t] = normalized(area);
-    const ClosestPoint near = near_surface.closest(centroid(corners));
-    if (!near.triangle.valid()) return;
-    const Triangle3& facet = near_surface.triangle(near.triangle);
-    votes[t] = dot(area, normalized(cross(facet[1] - facet[0], facet[2] - facet[0])));
+    votes[t] = dot(area, normal_near(centroid(corners)));
   });
   if (!complete) return;
   DisjointSets pieces = consistent_pieces(index);

@@ -40,7 +40,7 @@ Proof prove(const InputSurface& input, FacetComplex& complex) {
     const Triangle3 t = complex.triangle(facet);
     witnesses.clear();
     const FacetVerdict verdict =
-        certify_facet(input.index(), t, delta, reject_from * delta,
+        certify_facet(input.field(), t, delta, reject_from * delta,
                       FacetSearch{certificate_budget, facet.seed, &witnesses, most_witnesses});
     if (verdict.kind == FacetVerdict::Kind::inside) {
       facet.proven = true;

@@ -41,14 +41,6 @@ bool is_obj_keyword(std::string_view word) {
   return std::find(std::begin(keywords), std::end(keywords), word) != std::end(keywords);
 }
 
-/// Names under which lists of points go, whatever stands above the numbers.
-bool is_points_extension(std::string_view extension) {
-  constexpr std::string_view extensions[] = {".xyz", ".asc", ".txt", ".pts",    ".csv",
-                                             ".pwn", ".xyzn", ".npts", ".xyzrgb", ".neu"};
-  return std::any_of(std::begin(extensions), std::end(extensions),
-                     [&](auto e) { return same_word(e, extension); });
-}
-
 /// Whether it begins as OFF does after its keyword, with two whole numbers.
 bool begins_with_counts(std::string_view line) {
   for (int i = 0; i < 2; ++i) {
@@ -96,6 +88,13 @@ void pass_byte_order_mark(FileScanner& in) {
 }
 
 } // namespace
+
+bool is_points_extension(std::string_view extension) {
+  constexpr std::string_view extensions[] = {".xyz", ".asc",  ".txt",  ".pts",    ".csv",
+                                             ".pwn", ".xyzn", ".npts", ".xyzrgb", ".neu"};
+  return std::any_of(std::begin(extensions), std::end(extensions),
+                     [&](auto e) { return same_word(e, extension); });
+}
 
 MeshFormat detect_format(FileScanner& in) {
   // Before any mark is believed: the header of binary STL may hold anything.

@@ -1,5 +1,5 @@
-// Points as rows of numbers (XYZ, ASC, TXT, PTS, CSV): what separates the columns and what they mean is found,
-// and told.
+// Points as rows of numbers (XYZ, ASC, TXT, PTS, CSV): what separates the columns and what they mean is
+// found, and told.
 #include "base/numbers.h"
 #include "input/mesh_readers.h"
 
@@ -79,7 +79,8 @@ std::optional<double> number(std::string_view word, bool decimal_commas) {
   if (stop == end && failure == std::errc{}) return value;
   if (stop == end && failure == std::errc::result_out_of_range) {
     const std::size_t exponent = word.find_first_of("eE");
-    const bool tiny = exponent != std::string_view::npos && word.substr(exponent).find('-') != std::string_view::npos;
+    const bool tiny =
+        exponent != std::string_view::npos && word.substr(exponent).find('-') != std::string_view::npos;
     return tiny ? 0 : HUGE_VAL;
   }
   if (word.starts_with('-')) word.remove_prefix(1);
@@ -271,8 +272,9 @@ class XyzReader {
     if (!names_.empty() && columns_ > 3)
       note("Of its " + std::to_string(columns_) + " columns those named x, y and z are taken.");
     else if (columns_ > 3)
-      note("Of its " + std::to_string(columns_) + " columns the first three are taken for x, y and z; the others look like " +
-           find_meaning() + " and are passed over.");
+      note("Of its " + std::to_string(columns_) +
+           " columns the first three are taken for x, y and z; the others look like " + find_meaning() +
+           " and are passed over.");
     if (decimal_commas_) note("Its commas are read as decimal points.");
     if (dropped_ > 0) file_.notes.push_back(dropped_points_note(dropped_, first_dropped_));
     if (ragged_ > 0)
@@ -305,8 +307,9 @@ bool looks_like_points(std::string_view line) {
 
 InputNote dropped_points_note(std::uint64_t dropped, std::uint64_t first_line) {
   const std::string where = first_line > 0 ? ", the first on line " + std::to_string(first_line) : "";
-  return {counted(dropped, "point") + (dropped == 1 ? " has a coordinate that is" : " have coordinates that are") +
-          " no number" + where + ": left out."};
+  return {counted(dropped, "point") +
+          (dropped == 1 ? " has a coordinate that is" : " have coordinates that are") + " no number" + where +
+          ": left out."};
 }
 
 PolygonFile read_xyz(FileScanner& in) {

@@ -19,7 +19,7 @@ struct Probed {
 
 class FacetProbe {
  public:
-  FacetProbe(const Triangle3& t, const ClosestPointIndex& input) : t_(t), input_(input) {}
+  FacetProbe(const Triangle3& t, const ToleranceField& input) : t_(t), input_(input) {}
 
   RefusedFacet farthest() const {
     std::vector<Probed> points;
@@ -50,7 +50,7 @@ class FacetProbe {
   }
 
   const Triangle3& t_;
-  const ClosestPointIndex& input_;
+  const ToleranceField& input_;
 };
 
 /// Which reasons say that a facet is too far away.
@@ -61,7 +61,7 @@ bool is_too_far(Reason reason) {
 } // namespace
 
 std::optional<RefusedFacet> refused_facet(const Journal& journal, const Event& event,
-                                          const StateSnapshot& state, const ClosestPointIndex& input,
+                                          const StateSnapshot& state, const ToleranceField& input,
                                           std::optional<std::size_t> sweep) {
   const bool refused = event.kind == EventKind::rejection;
   if (event.detail > 0 && event.detail < journal.repairs().size()) {

@@ -19,7 +19,7 @@ struct RefusedFacet {
 /// without repair: the worst facet of the star that it would have made of `state`, the one before the event.
 /// Nothing for other events.
 std::optional<RefusedFacet> refused_facet(const Journal& journal, const Event& event,
-                                          const StateSnapshot& state, const ClosestPointIndex& input,
+                                          const StateSnapshot& state, const ToleranceField& input,
                                           std::optional<std::size_t> sweep = std::nullopt);
 
 } // namespace isoscope

@@ -38,7 +38,7 @@ TargetStudy study_target(const EdgeXray& xray, Vec3 target, const XrayContext& c
     constexpr std::size_t budget = 4000;
     const bool inside =
         !xray.criteria.certified ||
-        certify_facet(volume.index(), f.corners, delta, delta, budget).kind == FacetVerdict::Kind::inside;
+        certify_facet(volume.field(), f.corners, delta, delta, budget).kind == FacetVerdict::Kind::inside;
     study.after.push_back({f.corners, inside});
   }
   const bool in_kernel = study.attempt.check(CollapseCheck::candidates).state == CheckVerdict::State::passed;
@@ -54,7 +54,7 @@ TargetStudy study_target(const EdgeXray& xray, Vec3 target, const XrayContext& c
   study.witness = verdict.witness;
   study.measured_to = verdict.witness;
   if (*study.failed == CollapseCheck::containment) {
-    study.measured_to = volume.index().closest(verdict.witness).point;
+    study.measured_to = volume.field().closest(verdict.witness).point;
   } else if (*study.failed == CollapseCheck::classification && in_kernel) {
     if (const StarLocation at = locate_after(xray.star, target, verdict.witness); at.tet != nullptr)
       study.tet = at.corners;

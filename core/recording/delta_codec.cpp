@@ -287,12 +287,12 @@ template <class Io> void pass(Io& io, Shown<Io, Delta>& d, DeltaMirror& mirror, 
   if (has(part_added_facets)) pass_added(io, d.added_facets, mirror, 4, slots);
   if (has(part_facet_slots)) io.number(d.facet_slots_before);
   if (has(part_sample_set)) {
-    if constexpr (!Io::writes) d.sample_set.emplace();
+    if constexpr (!Io::writes) d.sample_set = Delta::SampleSetChange{};
     io.number(d.sample_set->before);
     io.number(d.sample_set->after);
   }
   if (has(part_form)) {
-    if constexpr (!Io::writes) d.form.emplace();
+    if constexpr (!Io::writes) d.form = Delta::FormChange{};
     pass_form(io, d.form->before);
     pass_form(io, d.form->after);
   }

@@ -22,7 +22,7 @@ FacetVerdict::Kind ContainmentCondition::certify(TetId t, Violation* violation) 
   append_triangles(zero_polygon(complex.positions(t), complex.values(t)), facets);
   for (const Triangle3& facet : facets) {
     const FacetVerdict verdict =
-        certify_facet(context_.volume().index(), facet, limits.delta, std::min(limits.reject, limits.delta));
+        certify_facet(context_.volume().field(), facet, limits.delta, std::min(limits.reject, limits.delta));
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     worst = verdict.kind;
     if (verdict.kind != FacetVerdict::Kind::outside) continue;
@@ -89,7 +89,8 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
 
 Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event) {
   checklist_.set(t, state);
-  if (!open_at_ && !context_.volume().sides().known()) open_at_ = both_sides_meet(t);
+  if (!open_at_ && context_.volume().has_surface() && !context_.volume().sides().known())
+    open_at_ = both_sides_meet(t);
   event.kind = EventKind::exhausted;
   if (event.reason != Reason::budget) event.reason = Reason::too_close;
   event.count = static_cast<std::uint32_t>(checklist_.exhausted());
@@ -100,7 +101,7 @@ Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event)
 std::optional<Vec3> ContainmentCondition::both_sides_meet(TetId t) const {
   const Complex& complex = context_.live().complex();
   const auto clearance = [&](Vec3 p) {
-    return context_.volume().index().distance(p) - context_.volume().thresholds().boundary;
+    return context_.volume().field().distance(p) - context_.volume().thresholds().boundary;
   };
   for (const VertexId a : complex.tet(t).v) {
     for (const VertexId b : complex.tet(t).v) {
@@ -117,16 +118,23 @@ std::optional<ContainmentCondition::Candidate>
 ContainmentCondition::candidate(TetId t, const Violation& violation, int label) const {
   const ToleranceThresholds& limits = context_.volume().thresholds();
   const double spacing = 0.5 * std::min(limits.delta - limits.boundary, 0.5 * limits.boundary);
-  const Vec3 away = violation.witness - violation.closest.point;
-  const Vec3 projected = violation.closest.point + (limits.boundary / violation.closest.distance()) * away;
-  if (context_.spacing(context_.snapped(projected), t) >= spacing) {
-    return Candidate{projected, Reason::projected};
+  const std::optional<Vec3> projected = projection(violation);
+  if (projected && context_.spacing(context_.snapped(*projected), t) >= spacing) {
+    return Candidate{*projected, Reason::projected};
   }
   if (const auto traced = traced_candidate(t, violation, label)) return traced;
   // The input may be so thin that all these places coincide with vertices; beyond δ the side is known as
   // well.
   if (has_room(violation.witness, t)) return Candidate{violation.witness, Reason::violating_point};
   return std::nullopt;
+}
+
+std::optional<Vec3> ContainmentCondition::projection(const Violation& violation) const {
+  const ToleranceField& field = context_.volume().field();
+  const double boundary = context_.volume().thresholds().boundary;
+  if (!field.is_distance()) return field.project(violation.witness, violation.closest, boundary);
+  const Vec3 away = violation.witness - violation.closest.point;
+  return violation.closest.point + (boundary / violation.closest.distance()) * away;
 }
 
 bool ContainmentCondition::has_room(Vec3 p, TetId t) const {
@@ -162,7 +170,7 @@ std::optional<Vec3> ContainmentCondition::first_boundary_point(Vec3 from, Vec3 t
   double travelled = 0;
   for (int step = 0; step < march_steps; ++step) {
     const Vec3 p = from + travelled * direction;
-    const double clearance = context_.volume().index().distance(p) - boundary;
+    const double clearance = context_.volume().field().distance(p) - boundary;
     if (clearance < march_precision * boundary) return p;
     travelled += clearance;
     if (travelled >= length) return std::nullopt;

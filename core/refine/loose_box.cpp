@@ -21,7 +21,7 @@ double corner_value(double distance_to_boundary) {
 std::vector<Vertex> loose_box_corners(const ToleranceVolume& volume, const BoundarySamples& samples) {
   Box3 box;
   for (const Vec3& p : samples.positions) box.add(p);
-  if (box.empty()) box = volume.index().bounds().grown(volume.thresholds().boundary);
+  if (box.empty()) box = volume.field().bounds().grown(volume.thresholds().boundary);
   const double longest = box.longest_edge();
   const Box3 loose = box.grown(looseness * longest);
   const double unit = grid_unit(longest);
@@ -33,7 +33,7 @@ std::vector<Vertex> loose_box_corners(const ToleranceVolume& volume, const Bound
       const double x = (k >> axis) & 1u ? loose.hi[axis] : loose.lo[axis];
       vertex.position[axis] = std::round(x / unit) * unit;
     }
-    const double depth = (volume.index().distance(vertex.position) - boundary) / boundary;
+    const double depth = (volume.field().distance(vertex.position) - boundary) / boundary;
     vertex.value = volume.regions().front().label * corner_value(depth);
     vertex.kind = VertexKind::box;
     corners.push_back(vertex);

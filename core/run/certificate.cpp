@@ -148,7 +148,7 @@ bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
   const bool complete =
       parallel_until(mesh.triangles.size(), 64, stop,
                      [&](std::size_t f) {
-                       verdicts[f] = certify_facet(volume.index(), corners(mesh, f), delta, delta, search);
+                       verdicts[f] = certify_facet(volume.field(), corners(mesh, f), delta, delta, search);
                      }) &&
       !stop();
   c.within_tolerance = complete && !mesh.triangles.empty();
@@ -200,7 +200,8 @@ bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, con
                     Certificate& c, const RunControl& control) {
   c.cover_limit = test.limit;
   c.covers = !test.measure || !test.limit;
-  if (!test.measure) return true;
+  if (!volume.has_surface()) c.cover_limit.reset(); // there are no walls to cover
+  if (!test.measure || !volume.has_surface()) return c.covers = true;
   if (control.out_of_grace()) return !test.limit;
   const double delta = volume.thresholds().delta;
   const ClosestPointIndex index({mesh.points, mesh.triangles, {}});

@@ -42,7 +42,7 @@ class Trials {
   Trials(const OpenInput& input, const RunParameters& parameters, const RunControl& control)
       : input_(&input), parameters_(&parameters), control_(&control) {}
 
-  double longest_edge() const { return input_->index->bounds().longest_edge(); }
+  double longest_edge() const { return input_->field->bounds().longest_edge(); }
   /// Whether one more trial is within what all may take; counts it.
   bool affords(double delta) {
     cells_ += cells_by_area * input_->area / (delta * delta);
@@ -73,7 +73,7 @@ class Trials {
   Result<ToleranceVolume> build(double delta) const {
     ToleranceVolume::Options options = input_->options;
     options.delta = delta;
-    auto volume = ToleranceVolume::build(input_->index, input_->topology, options, *control_);
+    auto volume = ToleranceVolume::build(input_->field, input_->topology, options, *control_);
     if (!volume) return volume;
     const std::vector<ThinPart> thin = find_thin_parts(*volume);
     const bool all = thin.size() == volume->volume_component_count();

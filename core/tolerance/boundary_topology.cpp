@@ -16,7 +16,7 @@ constexpr std::size_t block_cells = 32768;
 struct Corner {
   bool outside = false;
   RegionId region;                    ///< when outside
-  std::uint32_t volume_component = 0; ///< of the closest triangle
+  std::uint32_t volume_component = 0; ///< of the site that gives φ, or below it
 };
 
 struct LatticeCell {
@@ -89,7 +89,7 @@ class Counter {
   }
 
   /// What the octree's cells around a corner tell. All of an OUT cell is in its region, all of an IN cell in
-  /// the component of Ω' of the triangle closest to its centre. OUT cells are not counted, so all their
+  /// the component of Ω' of the site that gives φ at its centre. OUT cells are not counted, so all their
   /// corners must be known.
   struct Surroundings {
     std::optional<Corner> corner; ///< when a cell that has it on its border decides
@@ -128,9 +128,9 @@ class Counter {
     const auto [told, finer_region] = surroundings(p);
     const bool one_component = volume_.volume_component_count() == 1;
     if (told && (one_component || !told->outside)) return *told;
-    const ClosestPoint closest = volume_.index().closest_near(p, guess);
+    const ClosestPoint closest = volume_.field().closest_near(p, guess);
     Corner corner = told.value_or(Corner{});
-    corner.volume_component = volume_.volume_component(closest.triangle);
+    corner.volume_component = volume_.component_below(p, closest);
     if (!told && closest.distance() > volume_.thresholds().boundary) {
       corner.region = finer_region.valid() ? finer_region : volume_.escape(p, closest).region;
       corner.outside = corner.region.valid();

@@ -1,4 +1,5 @@
-// A hierarchy of boxes, four children a node: what closest triangles and closest weighted points are found by.
+// A hierarchy of boxes, four children a node: what closest triangles and closest weighted points are found
+// by.
 #pragma once
 
 #include "base/geometry.h"

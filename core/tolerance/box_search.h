@@ -127,8 +127,7 @@ struct ChildDistances {
   }
   /// What their roots may be too large by.
   static double margin(const BoxHierarchy& boxes, Vec3 center) {
-    return 1e-12 / boxes.inverse_scale *
-           std::max(1.0, length(center - boxes.origin) * boxes.inverse_scale);
+    return 1e-12 / boxes.inverse_scale * std::max(1.0, length(center - boxes.origin) * boxes.inverse_scale);
   }
 };
 

@@ -84,8 +84,7 @@ void ClosestPointIndex::fill(const TriangleSoup& soup, const RunControl* control
   }
   if (boxes.empty()) return;
   for (int a = 0; a < 3; ++a)
-    largest_coordinate_ =
-        std::max({largest_coordinate_, std::abs(bounds().lo[a]), std::abs(bounds().hi[a])});
+    largest_coordinate_ = std::max({largest_coordinate_, std::abs(bounds().lo[a]), std::abs(bounds().hi[a])});
 }
 
 std::shared_ptr<const ClosestPointIndex> build_index(const TriangleSoup& soup, const RunControl& control) {
@@ -109,7 +108,7 @@ ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared
       });
 }
 
-ClosestPoint ClosestPointIndex::closest(Vec3 p, double radius) const {
+ClosestPoint ClosestPointIndex::closest_within(Vec3 p, double radius) const {
   ClosestPoint none;
   if (radius < std::numeric_limits<double>::infinity()) none.squared_distance = radius * radius;
   ClosestPoint found = search(p, none);
@@ -246,6 +245,14 @@ std::vector<TriangleId> ClosestPointIndex::triangles_in(const Box3& box) const {
   });
   std::sort(found.begin(), found.end());
   return found;
+}
+
+double ClosestPointIndex::convex_bound(const Triangle3& facet, TriangleId site) const {
+  const Triangle3& nearest = triangle(site);
+  double bound2 = 0;
+  for (const Vec3 p : facet)
+    bound2 = std::max(bound2, squared_length(closest_point_on_triangle(p, nearest) - p));
+  return std::sqrt(bound2);
 }
 
 std::size_t ClosestPointIndex::memory_bytes() const {

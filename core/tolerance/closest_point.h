@@ -34,8 +34,10 @@ class ClosestPointIndex final : public ToleranceField {
 
   /// The closest point within `radius` of p (ties: smallest triangle id of equal distance is not promised,
   /// but the result depends on p and the soup only).
-  ClosestPoint closest(Vec3 p, double radius) const;
-  ClosestPoint closest(Vec3 p) const override { return closest(p, std::numeric_limits<double>::infinity()); }
+  ClosestPoint closest_within(Vec3 p, double radius) const override;
+  ClosestPoint closest(Vec3 p) const override {
+    return closest_within(p, std::numeric_limits<double>::infinity());
+  }
   /// The same, starting from a guess that is likely close: a faster query, the same distance.
   ClosestPoint closest_near(Vec3 p, TriangleId guess) const override;
   /// The same, starting from the closest point on some triangle. Once something nearer than `enough` is found
@@ -74,7 +76,9 @@ class ClosestPointIndex final : public ToleranceField {
     const Vec3 c = closest_point_on_triangle(p, triangle(site));
     return {c, squared_length(c - p), site};
   }
-  bool rays_are_exact() const override { return true; }
+  double convex_bound(const Triangle3& facet, TriangleId site) const override;
+  Vec3 place_of(TriangleId site) const override { return centroid(triangle(site)); }
+  bool is_distance() const override { return true; }
   VolumeComponents components(double r, const RunControl& control) const override;
   const ClosestPointIndex* surface() const override { return this; }
 

@@ -1,6 +1,7 @@
 // Merge trees of φ over the leaves of an octree.
 #include "tolerance/delta_study.h"
 
+#include "tolerance/cell_links.h"
 #include "tolerance/field_octree.h"
 
 #include <algorithm>
@@ -21,7 +22,8 @@ constexpr double above_least = 1.15, search_factor = 1.5;
 constexpr std::size_t curve_steps = 64;
 constexpr std::size_t most_regions = 1000;
 
-/// A component of {φ > δ} or of {φ < δ}, from the δ at which it appears to that at which it joins an older one.
+/// A component of {φ > δ} or of {φ < δ}, from the δ at which it appears to that at which it joins an older
+/// one.
 struct Pair {
   double birth, death;
   std::uint32_t at, saddle; ///< leaves
@@ -57,29 +59,6 @@ template <class Before> class MergeTree {
   std::vector<std::uint32_t> parent_; ///< roots are where components were born
 };
 
-/// A counting sort of links, in place, by the logarithms of their levels.
-template <class LevelOf> void sort_by_level(std::vector<FieldOctree::Link>& links, const LevelOf& level_of) {
-  constexpr std::size_t levels = 1 << 13;
-  double low = std::numeric_limits<double>::infinity(), high = 0;
-  for (const FieldOctree::Link& link : links) {
-    const double v = level_of(link);
-    if (v > 0 && std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
-  }
-  if (!(high > low)) return;
-  const double scale = (levels - 1) / std::log(high / low);
-  std::vector<std::uint16_t> bins(links.size());
-  std::vector<std::uint32_t> begin(levels + 1);
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const double v = std::clamp(level_of(links[i]), low, high);
-    bins[i] = static_cast<std::uint16_t>(std::min(scale * std::log(v / low), levels - 1.0));
-    ++begin[bins[i] + 1u];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<FieldOctree::Link> sorted(links.size());
-  for (std::size_t i = 0; i < links.size(); ++i) sorted[begin[bins[i]]++] = links[i];
-  links = std::move(sorted);
-}
-
 /// What ended of the components of {φ > δ} as δ shrinks, and of {φ < δ} as it grows.
 struct Histories {
   std::vector<Pair> regions, components;
@@ -89,17 +68,17 @@ Histories find_histories(const FieldOctree& octree, const RunControl& control) {
   std::vector<double> values = octree.values();
   const auto outside = static_cast<std::uint32_t>(values.size());
   values.push_back(std::numeric_limits<double>::infinity());
-  std::vector<FieldOctree::Link> links = octree.links();
+  std::vector<CellLink> links = octree.links();
   for (const std::uint32_t leaf : octree.border()) links.push_back({leaf, outside});
   Histories found;
   SparsePoll poll(control);
-  for (FieldOctree::Link& link : links) // the lower one first
+  for (CellLink& link : links) // the lower one first
     if (values[link.b] < values[link.a]) std::swap(link.a, link.b);
-  sort_by_level(links, [&](const FieldOctree::Link& link) { return values[link.a]; });
+  sort_by_level(links, [&](const CellLink& link) { return values[link.a]; });
   MergeTree<std::greater<>> regions(values);
   for (std::size_t i = links.size(); i-- > 0 && !poll.cancelled();)
     regions.join(links[i].a, links[i].b, links[i].a, found.regions);
-  sort_by_level(links, [&](const FieldOctree::Link& link) { return values[link.b]; });
+  sort_by_level(links, [&](const CellLink& link) { return values[link.b]; });
   MergeTree<std::less<>> components(values);
   for (std::size_t i = 0; i < links.size() && !poll.cancelled(); ++i)
     components.join(links[i].a, links[i].b, links[i].b, found.components);
@@ -109,9 +88,8 @@ Histories find_histories(const FieldOctree& octree, const RunControl& control) {
 /// Those that one surface may enclose: they open at about the same δ as the one that lasts longest.
 std::vector<LastingRegion> find_insides(const std::vector<LastingRegion>& regions) {
   const auto lasts = [](const LastingRegion& r) { return r.depth / r.separation; };
-  const auto main = std::max_element(regions.begin(), regions.end(), [&](const auto& a, const auto& b) {
-    return lasts(a) < lasts(b);
-  });
+  const auto main = std::max_element(regions.begin(), regions.end(),
+                                     [&](const auto& a, const auto& b) { return lasts(a) < lasts(b); });
   std::vector<LastingRegion> insides;
   if (main == regions.end()) return insides;
   for (const LastingRegion& r : regions)

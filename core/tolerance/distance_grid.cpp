@@ -27,12 +27,12 @@ BlockRange block_range(std::size_t block, const std::array<int, 3>& blocks, cons
 
 } // namespace
 
-Result<DistanceGrid> make_distance_grid(const ClosestPointIndex& index, double delta, int resolution,
+Result<DistanceGrid> make_distance_grid(const ToleranceField& field, double delta, int resolution,
                                         const RunControl& control) {
   if (!(delta > 0) || resolution < 1)
     return Error{ErrorCode::usage, "A distance grid needs a tolerance and a size.", ""};
   DistanceGrid grid;
-  grid.box = index.bounds().grown(2 * delta);
+  grid.box = field.bounds().grown(2 * delta);
   const double voxel = grid.box.longest_edge() / resolution;
   std::array<int, 3> blocks{};
   for (int a = 0; a < 3; ++a) {
@@ -54,12 +54,12 @@ Result<DistanceGrid> make_distance_grid(const ClosestPointIndex& index, double d
     const Vec3 middle = center(0.5 * (r.begin[0] + r.end[0] - 1), 0.5 * (r.begin[1] + r.end[1] - 1),
                                0.5 * (r.begin[2] + r.end[2] - 1));
     const double radius = 0.5 * std::sqrt(3.0) * (block_side - 1) * voxel;
-    ClosestPoint last = index.closest(middle, (reach + radius) * (1 + 1e-9));
-    if (!last.triangle.valid()) return; // d is 1-Lipschitz: the whole block is beyond the clamp
+    ClosestPoint last = field.closest_within(middle, (reach + radius) * (1 + 1e-9));
+    if (!last.triangle.valid()) return; // φ is 1-Lipschitz: the whole block is beyond the clamp
     for (int z = r.begin[2]; z < r.end[2]; ++z)
       for (int y = r.begin[1]; y < r.end[1]; ++y)
         for (int x = r.begin[0]; x < r.end[0]; ++x) {
-          last = index.closest_near(center(x, y, z), last.triangle);
+          last = field.closest_near(center(x, y, z), last.triangle);
           const std::size_t i = static_cast<std::size_t>(z) * slice + static_cast<std::size_t>(y) * row +
                                 static_cast<std::size_t>(x);
           grid.values[i] = std::min(grid.clamp, static_cast<float>(last.distance() / delta));

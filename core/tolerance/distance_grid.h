@@ -1,9 +1,9 @@
-// The distance to the input on a regular grid: the 3D texture from which the viewer renders Ω.
+// The field on a regular grid: the 3D texture from which the viewer renders Ω.
 #pragma once
 
 #include "base/run_control.h"
 #include "base/status.h"
-#include "tolerance/closest_point.h"
+#include "tolerance/field.h"
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace isoscope {
 
-/// values[(z * size[1] + y) * size[0] + x] = d / δ at the centre of voxel (x, y, z), clamped to `clamp`.
+/// values[(z * size[1] + y) * size[0] + x] = φ / δ at the centre of voxel (x, y, z), clamped to `clamp`.
 struct DistanceGrid {
   Box3 box;
   std::array<int, 3> size{0, 0, 0};
@@ -22,9 +22,9 @@ struct DistanceGrid {
   std::vector<std::int8_t> sides;
 };
 
-/// A grid over the input's box grown by 2δ, with the longest side of `resolution` voxels. Exact at every
-/// voxel centre with d < clamp δ.
-Result<DistanceGrid> make_distance_grid(const ClosestPointIndex& index, double delta, int resolution,
+/// A grid over the field's box grown by 2δ, with the longest side of `resolution` voxels. Exact at every
+/// voxel centre with φ < clamp δ.
+Result<DistanceGrid> make_distance_grid(const ToleranceField& field, double delta, int resolution,
                                         const RunControl& control);
 
 } // namespace isoscope

@@ -8,7 +8,7 @@
 namespace isoscope {
 namespace {
 
-/// A piece of the facet, with the input triangle closest to its parent's centroid as a guess.
+/// A piece of the facet, with the site that gives φ at its parent's centroid as a guess.
 struct Piece {
   Triangle3 corners;
   TriangleId guess;
@@ -37,15 +37,6 @@ constexpr std::size_t pieces_between_questions = 256;
 /// bisections drift by at most one rounding a level, so (32 + 32 + max_depth) u M is enough; 256 leaves room.
 constexpr int roundings = 256;
 
-/// Upper bound of d on the piece from one input triangle: the distance to a convex set is convex, so a corner
-/// attains it.
-double corner_bound(const Piece& piece, const Triangle3& input) {
-  double bound2 = 0;
-  for (const Vec3 p : piece.corners)
-    bound2 = std::max(bound2, squared_length(closest_point_on_triangle(p, input) - p));
-  return std::sqrt(bound2);
-}
-
 void push_halves(const Piece& piece, TriangleId guess, PieceStack& stack) {
   const Triangle3& t = piece.corners;
   std::size_t longest = 0;
@@ -65,18 +56,26 @@ void push_halves(const Piece& piece, TriangleId guess, PieceStack& stack) {
 
 } // namespace
 
-FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
-                           double reject, const FacetSearch& search) {
+FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, double accept, double reject,
+                           const FacetSearch& search) {
   using Kind = FacetVerdict::Kind;
   FacetVerdict verdict;
-  if (index.empty()) {
+  if (field.empty()) {
     verdict.kind = Kind::outside;
     verdict.witness = facet[0];
     return verdict;
   }
+  if (field.meets_boundary(facet) == std::optional(false)) {
+    const ClosestPoint closest = field.closest_near(centroid(facet), search.guess);
+    if (closest.distance() <= accept) {
+      verdict.kind = Kind::inside;
+      verdict.max_distance = accept;
+      return verdict;
+    }
+  }
   Box3 box;
   for (const Vec3 p : facet) box.add(p);
-  const double rounding = rounding_bound(index.bounds(), box, roundings);
+  const double rounding = rounding_bound(field.bounds(), box, roundings);
   // Whoever brings a guess asks for speed: then a bound from the guess is good enough, if looser.
   const bool trust_guess = search.guess.valid();
   PieceStack stack;
@@ -93,7 +92,7 @@ FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& face
       return verdict;
     }
     if (trust_guess) {
-      const double bound = corner_bound(piece, index.triangle(piece.guess)) + rounding;
+      const double bound = field.convex_bound(piece.corners, piece.guess) + rounding;
       if (bound <= accept) {
         verdict.max_distance = std::max(verdict.max_distance, bound);
         continue;
@@ -101,7 +100,7 @@ FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& face
     }
     const Triangle3& t = piece.corners;
     const Vec3 center = centroid(t);
-    const ClosestPoint closest = index.closest_near(center, piece.guess);
+    const ClosestPoint closest = field.closest_near(center, piece.guess);
     const double d = closest.distance();
     if (d - rounding > reject) {
       if (verdict.kind != Kind::outside || closest.squared_distance > verdict.closest.squared_distance) {
@@ -118,7 +117,7 @@ FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& face
     for (const Vec3 p : t) radius2 = std::max(radius2, squared_length(p - center));
     double bound = d + std::sqrt(radius2) + rounding;
     // The convexity bound is the tighter one in flat places; it costs three distances to one triangle.
-    bound = std::min(bound, corner_bound(piece, index.triangle(closest.triangle)) + rounding);
+    bound = std::min(bound, field.convex_bound(t, closest.triangle) + rounding);
     if (bound <= accept) {
       verdict.max_distance = std::max(verdict.max_distance, bound);
       continue;

@@ -1,7 +1,7 @@
 // Proof that a triangle lies inside Ω, by branch and bound on the 1-Lipschitz distance (core/README.md, N4).
 #pragma once
 
-#include "tolerance/closest_point.h"
+#include "tolerance/field.h"
 
 #include <cstddef>
 #include <functional>
@@ -15,14 +15,14 @@ struct FacetVerdict {
   Kind kind = Kind::undecided;
   Vec3 witness; ///< outside: a point of the triangle with d > reject; undecided: the last one looked at
   ClosestPoint closest;    ///< of the witness
-  double max_distance = 0; ///< inside: proven upper bound of d over the triangle
+  double max_distance = 0; ///< inside: proven upper bound of φ over the triangle
   std::size_t pieces = 0;  ///< pieces looked at
 };
 
 /// How a certificate is made.
 struct FacetSearch {
   std::size_t budget = 20000; ///< pieces
-  TriangleId guess;           ///< an input triangle close to the facet: makes it faster, max_distance looser
+  TriangleId guess;           ///< a site close to the facet: makes it faster, max_distance looser
   /// Where given, the search goes on after the first violating point until this has `most_witnesses`; each
   /// comes from a piece of its own.
   std::vector<Vec3>* witnesses = nullptr;
@@ -32,12 +32,13 @@ struct FacetSearch {
 };
 
 /// Accepts when d <= accept is proven everywhere (rounded outward), rejects at a point found with d > reject
-/// (reject <= accept), undecided when the budget did not suffice. Outside where the index has no triangles.
-FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
-                           double reject, const FacetSearch& search);
-inline FacetVerdict certify_facet(const ClosestPointIndex& index, const Triangle3& facet, double accept,
+/// (reject <= accept), undecided when the budget did not suffice. Outside where the field has no sites. Where
+/// the field tells which facets meet φ = δ, that decides, `accept` being δ.
+FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, double accept, double reject,
+                           const FacetSearch& search);
+inline FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, double accept,
                                   double reject, std::size_t budget = 20000) {
-  return certify_facet(index, facet, accept, reject, FacetSearch{budget, {}, nullptr, 0, nullptr});
+  return certify_facet(field, facet, accept, reject, FacetSearch{budget, {}, nullptr, 0, nullptr});
 }
 
 } // namespace isoscope

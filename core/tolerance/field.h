@@ -21,7 +21,9 @@ class ClosestPointIndex;
 /// triangle of a surface, a point with its weight, a cell of a grid); invalid when nothing lay within the
 /// search radius.
 struct ClosestPoint {
-  Vec3 point; ///< where φ leads to: the closest point of a surface, the centre of a weighted point
+  /// Where φ would be 0, went on along its gradient: p - φ ∇φ / |∇φ|. The closest point, where φ is a
+  /// distance; p itself, where φ is flat.
+  Vec3 point;
   double squared_distance = std::numeric_limits<double>::infinity(); ///< φ²; φ is never negative
   TriangleId triangle;
 
@@ -73,6 +75,11 @@ class ToleranceField {
   /// φ at p.
   virtual ClosestPoint closest(Vec3 p) const = 0;
   double distance(Vec3 p) const { return closest(p).distance(); }
+  /// The same where φ is at most some radius; elsewhere its site may be invalid and φ infinite.
+  virtual ClosestPoint closest_within(Vec3 p, double radius) const {
+    static_cast<void>(radius);
+    return closest(p);
+  }
   /// The same, starting from a guess that is likely the site, or from an invalid one: a faster query.
   virtual ClosestPoint closest_near(Vec3 p, TriangleId guess) const = 0;
   /// The same, starting from what some site gives at p. Once a φ below `enough` is found it may be returned.
@@ -97,29 +104,43 @@ class ToleranceField {
     return closest_near(p, guess);
   }
 
-  /// φ as one site gives it, where that is an upper bound of φ and convex in p; else its distance is
-  /// infinite.
+  /// φ as one site gives it, where that is an upper bound of φ; else its distance is infinite.
   virtual ClosestPoint at_site(Vec3 p, TriangleId site) const {
     static_cast<void>(p);
     return {{}, std::numeric_limits<double>::infinity(), site};
   }
-  /// ∇φ at p, whose φ is given: of length at most 1, zero where φ is flat or 0.
+  /// An upper bound of φ on a triangle from one site, where what it gives is convex; else infinite.
+  virtual double convex_bound(const Triangle3& facet, TriangleId site) const {
+    static_cast<void>(facet);
+    static_cast<void>(site);
+    return std::numeric_limits<double>::infinity();
+  }
+  /// A point of a site, for those who ask what lies around it.
+  virtual Vec3 place_of(TriangleId site) const = 0;
+  /// ∇φ at p, whose answer is given: of length at most 1, zero where φ is flat or 0.
   virtual Vec3 gradient(Vec3 p, const ClosestPoint& at) const {
     const double d = at.distance();
     return d > 0 ? (p - at.point) / d : Vec3{};
   }
-  /// Whether a ray from `point` of an answer through its p meets φ = r at the distance r, where p is no
-  /// nearer.
-  virtual bool rays_are_exact() const { return false; }
 
-  /// What φ is between in a cube.
+  /// Whether φ is the distance to its sites: then φ = r at the distance r from `point` of an answer on the
+  /// ray through its p, as far as no other site is nearer.
+  virtual bool is_distance() const { return false; }
+  /// A point with φ = r up to 1e-11 r near p, whose answer is given; nothing where none is found, so that one
+  /// has to begin nearer to it.
+  virtual std::optional<Vec3> project(Vec3 p, const ClosestPoint& at, double r) const;
+  /// Whether φ is nowhere on the way from p to q, which leads along the gradient at p, below φ(p); false
+  /// where that cannot be told from both answers.
+  virtual bool rises(Vec3 p, const ClosestPoint& at_p, Vec3 q, const ClosestPoint& at_q) const;
+
+  /// What φ is between in a cube; nothing where the field knows no more than that φ is 1-Lipschitz.
   struct Range {
     double least, most;
   };
-  virtual Range range_in_cube(Vec3 center, double half_side, double at_center) const {
+  virtual std::optional<Range> range_in_cube(Vec3 center, double half_side) const {
     static_cast<void>(center);
-    const double reach = std::sqrt(3.0) * half_side * (1 + 1e-7);
-    return {at_center - reach, at_center + reach};
+    static_cast<void>(half_side);
+    return std::nullopt;
   }
 
   /// Whether a triangle meets φ = δ: false where none of its points does, true where one does, nothing where
@@ -133,6 +154,8 @@ class ToleranceField {
     static_cast<void>(p);
     return 0;
   }
+  /// Points of regions outside of Ω that may be too thin to be found; empty where the field knows none.
+  virtual std::vector<Vec3> region_seeds() const { return {}; }
   /// The components of {φ <= r}. Of no use once the control is cancelled.
   virtual VolumeComponents components(double r, const RunControl& control) const = 0;
 

@@ -91,9 +91,9 @@ std::uint32_t FieldOctree::neighbor(const Cell& c, unsigned face) const {
   return at;
 }
 
-std::vector<FieldOctree::Link> FieldOctree::links() const {
+std::vector<CellLink> FieldOctree::links() const {
   const std::size_t tasks = (leaves_.size() + cells_by_task - 1) / cells_by_task;
-  std::vector<std::vector<Link>> by_task(tasks);
+  std::vector<std::vector<CellLink>> by_task(tasks);
   parallel_for(tasks, 1, [&](std::size_t task) {
     const std::size_t end = std::min((task + 1) * cells_by_task, leaves_.size());
     for (std::size_t i = task * cells_by_task; i < end; ++i) {
@@ -107,7 +107,7 @@ std::vector<FieldOctree::Link> FieldOctree::links() const {
       }
     }
   });
-  std::vector<Link> links;
+  std::vector<CellLink> links;
   for (const auto& part : by_task) links.insert(links.end(), part.begin(), part.end());
   return links;
 }

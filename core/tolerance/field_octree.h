@@ -3,6 +3,7 @@
 
 #include "base/geometry.h"
 #include "base/run_control.h"
+#include "tolerance/cell_links.h"
 #include "tolerance/field.h"
 
 #include <array>
@@ -14,11 +15,6 @@ namespace isoscope {
 /// Leaves are smaller than φ at their centres by a factor, but not much smaller than `finest` by that factor.
 class FieldOctree {
  public:
-  /// Two leaves with a common face.
-  struct Link {
-    std::uint32_t a, b;
-  };
-
   /// Of no use once the control is cancelled.
   FieldOctree(const ToleranceField& field, double finest, const RunControl& control);
 
@@ -26,7 +22,8 @@ class FieldOctree {
   /// φ at the centres of the leaves.
   std::vector<double> values() const;
   Vec3 center(std::uint32_t leaf) const { return center(cells_[leaves_[leaf]]); }
-  std::vector<Link> links() const;
+  /// Each two leaves with a common face.
+  std::vector<CellLink> links() const;
   /// The leaves at the border of the octree, which is outside of everything.
   std::vector<std::uint32_t> border() const;
 

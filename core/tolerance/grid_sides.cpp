@@ -49,7 +49,7 @@ struct Voxels {
 
 } // namespace
 
-Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, const InputSides& sides_of_input,
+Status find_sides(DistanceGrid& grid, const ToleranceField& field, const InputSides& sides_of_input,
                   double delta, std::span<const Region> regions, const RunControl& control) {
   const Voxels voxels(grid);
   std::vector<std::int8_t> sides(grid.values.size(), 0);
@@ -62,19 +62,24 @@ Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, const Inpu
   const Error cancelled{ErrorCode::cancelled, "The picture of the tolerance volume was cancelled.", ""};
   std::size_t next = 0;
   // The distance is 1-Lipschitz: where d(a) + d(b) exceeds |ab|, the input does not meet the segment ab.
+  // Without an input surface it is Ω that divides the sides.
+  const bool has_surface = field.surface() != nullptr;
+  const auto beyond = [&](std::size_t voxel) { return static_cast<double>(grid.values[voxel]) > 1; };
   const auto spread_proven = [&]() {
     for (; next < queue.size(); ++next) {
       if ((next & 0xffffu) == 0 && control.cancelled()) return false;
       const std::size_t voxel = queue[next];
       const double own = static_cast<double>(grid.values[voxel]) * delta;
       voxels.for_each_neighbor(voxel, [&](std::size_t other, double gap) {
-        if (own + static_cast<double>(grid.values[other]) * delta > gap) give(other, sides[voxel]);
+        const bool joined = has_surface ? own + static_cast<double>(grid.values[other]) * delta > gap
+                                        : beyond(voxel) && beyond(other);
+        if (joined) give(other, sides[voxel]);
       });
     }
     return true;
   };
   // Whatever lies outside the input's bounding box lies outside.
-  const Box3& input = index.bounds();
+  const Box3& input = field.bounds();
   for (std::size_t voxel = 0; voxel < sides.size(); ++voxel) {
     const Vec3 p = voxels.center(voxel);
     bool outside = false;
@@ -96,8 +101,7 @@ Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, const Inpu
     const std::size_t voxel = queue[done];
     voxels.for_each_neighbor(voxel, [&](std::size_t other, double) {
       if (sides[other] != 0) return;
-      const int label =
-          sides_of_input.label_across(voxels.center(voxel), sides[voxel], voxels.center(other));
+      const int label = sides_of_input.label_across(voxels.center(voxel), sides[voxel], voxels.center(other));
       give(other, static_cast<std::int8_t>(label));
     });
   }

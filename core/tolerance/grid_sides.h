@@ -10,8 +10,9 @@ namespace isoscope {
 
 /// Fills grid.sides. A side spreads from outside the input's bounding box (+1) and from the regions' deepest
 /// points (their labels) between neighbouring voxels whose distances prove that the input does not pass
-/// between their centres; where nothing proves it, `sides` decides. Fails with cancelled when told to.
-Status find_sides(DistanceGrid& grid, const ClosestPointIndex& index, const InputSides& sides, double delta,
+/// between their centres; where nothing proves it, `sides` decides. Without a surface it spreads outside of
+/// Ω', and from there to the nearest voxels. Fails with cancelled when told to.
+Status find_sides(DistanceGrid& grid, const ToleranceField& field, const InputSides& sides, double delta,
                   std::span<const Region> regions, const RunControl& control);
 
 } // namespace isoscope

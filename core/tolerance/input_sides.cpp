@@ -43,7 +43,7 @@ unsigned votes_for_inside(const ClosestPointIndex& index, Vec3 p) {
 } // namespace
 
 std::string_view name(SideRule rule) {
-  constexpr std::array<std::string_view, 3> names{"colouring", "parity", "winding"};
+  constexpr std::array<std::string_view, 5> names{"colouring", "parity", "winding", "given", "depth"};
   return names[static_cast<std::size_t>(rule)];
 }
 
@@ -53,6 +53,10 @@ bool InputSides::inside(Vec3 p) const {
     return winding_number(p) != 0;
   case SideRule::parity:
     return turns_ ? winding_number(p) % 2 != 0 : index_->inside_by_parity(p);
+  case SideRule::given:
+    return field_->side(p) < 0;
+  case SideRule::depth:
+    return false;
   case SideRule::colouring:
     break;
   }
@@ -73,6 +77,7 @@ std::optional<bool> InputSides::unanimous_parity(Vec3 p) const {
 }
 
 int InputSides::label_across(Vec3 a, int label, Vec3 b) const {
+  if (rule_ == SideRule::given || rule_ == SideRule::depth) return label;
   const std::size_t crossings = index_->crossings(a, b).size();
   if (crossings == 0) return label;
   if (rule_ == SideRule::winding || (rule_ == SideRule::parity && turns_)) return this->label(b);

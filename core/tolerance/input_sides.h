@@ -24,10 +24,12 @@ enum class SidesMode : std::uint8_t {
 enum class SideRule : std::uint8_t {
   colouring, ///< nothing but Ω: regions alternate (open soups)
   parity,    ///< the number of layers around a point: odd is inside
-  winding    ///< how often the input winds around a point: 0 is outside
+  winding,   ///< how often the input winds around a point: 0 is outside
+  given,     ///< the field itself, which knows what lies behind its boundaries
+  depth      ///< what is deep and not joined to the outside is inside (points)
 };
 
-/// "colouring", "parity" or "winding".
+/// "colouring", "parity", "winding", "given" or "depth".
 std::string_view name(SideRule rule);
 
 /// The sides of the input. Const and thread-safe.
@@ -40,12 +42,17 @@ class InputSides {
              std::shared_ptr<const std::vector<std::int8_t>> turns)
       : index_(std::move(index)), turns_(std::move(turns)), rule_(rule) {}
 
+  /// Of a field without a surface: it knows them, or they go with the depth of regions.
+  explicit InputSides(std::shared_ptr<const ToleranceField> field, SideRule rule)
+      : field_(std::move(field)), rule_(rule) {}
+
   SideRule rule() const { return rule_; }
   /// Whether every point off the input has a side that is known.
-  bool known() const { return rule_ != SideRule::colouring; }
+  bool known() const { return rule_ != SideRule::colouring && rule_ != SideRule::depth; }
 
-  /// Whether p is inside. Of soups only a guess: what many rays say; where they disagree, the winding number
-  /// if there are turns and it is near a whole number, else most of the rays.
+  /// Whether p, which is outside of Ω where the field gives the sides, is inside. Of soups only a guess: what
+  /// many rays say; where they disagree, the winding number if there are turns and it is near a whole number,
+  /// else most of the rays. Not told for the sides of points, which only regions have: false.
   bool inside(Vec3 p) const;
   /// F of p: -1 inside, +1 outside.
   int label(Vec3 p) const { return inside(p) ? -1 : +1; }
@@ -53,11 +60,13 @@ class InputSides {
   int winding_number(Vec3 p) const { return index_->winding_number(p, turns()); }
   /// Whether all of many rays say that p is inside (true), none does (false), or some do only (nothing).
   std::optional<bool> unanimous_parity(Vec3 p) const;
-  /// The label of b, when that of a is `label`: by what the segment between them crosses.
+  /// The label of b, when that of a is `label`: by what the segment between them crosses, if there is a
+  /// surface.
   int label_across(Vec3 a, int label, Vec3 b) const;
 
  private:
   std::shared_ptr<const ClosestPointIndex> index_;
+  std::shared_ptr<const ToleranceField> field_; ///< where there is no surface
   std::shared_ptr<const std::vector<std::int8_t>> turns_;
   SideRule rule_ = SideRule::colouring;
 

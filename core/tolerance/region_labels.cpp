@@ -149,21 +149,21 @@ std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::
   return probes;
 }
 
-ThicknessProbe deepest_around(const ClosestPointIndex& index, const ThicknessProbe& from, double step) {
+ThicknessProbe deepest_around(const ToleranceField& field, const ThicknessProbe& from, double step) {
   ThicknessProbe best = from;
   for (int k = 0; k < 27; ++k) {
     const Vec3 p = from.middle + step * normalized({k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0});
-    const double d = index.distance(p);
+    const double d = field.distance(p);
     if (d > best.distance) best.middle = p, best.distance = d;
   }
   return best;
 }
 
-ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double enough) {
+ThicknessProbe climb(const ToleranceField& field, ThicknessProbe from, double enough) {
   double step = 0.99 * from.distance;
   const double least_step = 1e-3 * from.distance;
   for (int steps = 0; steps < most_steps && step > least_step && from.distance < enough; ++steps) {
-    const ThicknessProbe best = deepest_around(index, from, step);
+    const ThicknessProbe best = deepest_around(field, from, step);
     step = best.distance < from.distance + 0.05 * step ? 0.5 * step : 0.99 * best.distance;
     from = best;
   }

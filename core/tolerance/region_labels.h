@@ -5,6 +5,7 @@
 #include "base/status.h"
 #include "tolerance/tolerance_volume.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace isoscope {
@@ -17,6 +18,17 @@ std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl&
 /// component of Ω', as they do at pockets, rays decide if they agree. Fails with open_surface or unsupported
 /// on open and non-manifold surfaces, with anything once the control is cancelled.
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, const RunControl& control);
+
+/// Labels for points, which nothing but Ω tells the sides of. Deep regions, which reach beyond deep_enough δ,
+/// alternate across components of Ω'; shallow ones, pockets in it, go with the deep region to which the way
+/// over the largest φ leads first.
+struct DepthLabels {
+  std::vector<int> of_regions;
+  std::vector<bool> shallow;         ///< by region
+  std::vector<std::int8_t> of_cells; ///< by leaf of the octree as it was: where a pocket there would go
+};
+/// Of no use once the control is cancelled.
+DepthLabels label_by_depth(const ToleranceVolume& volume, const RunControl& control);
 
 /// A point midway between a wall of the input and the next one along the normal.
 struct ThicknessProbe {
@@ -31,10 +43,10 @@ std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::
                                             const RunControl& control = {});
 
 /// The deepest of the probe and 26 places around it at a distance of `step`.
-ThicknessProbe deepest_around(const ClosestPointIndex& index, const ThicknessProbe& from, double step);
+ThicknessProbe deepest_around(const ToleranceField& field, const ThicknessProbe& from, double step);
 
 /// Where d is locally largest, reached by steps that stay within the ball around the probe and so on its
 /// side; ends where d is `enough`.
-ThicknessProbe climb(const ClosestPointIndex& index, ThicknessProbe from, double enough);
+ThicknessProbe climb(const ToleranceField& field, ThicknessProbe from, double enough);
 
 } // namespace isoscope

@@ -58,18 +58,18 @@ Regions::Cell child_of(const Regions::Cell& c, unsigned k) {
 
 } // namespace
 
-Regions::Regions(const ClosestPointIndex& index, const Options& options)
-    : index_(&index), boundary_(options.boundary) {
+Regions::Regions(const ToleranceField& field, const Options& options)
+    : field_(&field), boundary_(options.boundary) {
   // The domain is what the main side times a power of two makes it, so that main cells are as large as they
   // may be.
-  const double needed = (index.bounds().longest_edge() + 2 * options.margin) * 1.0001;
+  const double needed = (field.bounds().longest_edge() + 2 * options.margin) * 1.0001;
   domain_side_ = options.main_side;
   while (main_level_ < deepest_level && domain_side_ < needed) domain_side_ *= 2, ++main_level_;
   domain_side_ = std::max(domain_side_, needed);
   max_level_ = main_level_;
   while (max_level_ < deepest_level && side(max_level_) > options.min_side) ++max_level_;
   const double half = 0.5 * domain_side_;
-  origin_ = index.bounds().center() - Vec3{half, half, half};
+  origin_ = field.bounds().center() - Vec3{half, half, half};
 }
 
 Vec3 Regions::center(const Cell& c) const {
@@ -82,25 +82,28 @@ Box3 Regions::domain() const {
 }
 
 void Regions::classify(Cell& c, TriangleId guess, const TriangleNeighborhood& near) const {
-  const ClosestPoint closest = index_->closest_near(center(c), guess, near);
+  const ClosestPoint closest = field_->closest_near(center(c), guess, near);
   const double d = closest.distance(), reach = half_diagonal * side(c.level);
   c.distance = static_cast<float>(d);
   c.triangle = closest.triangle;
-  c.kind = d > boundary_ + reach ? Kind::out : (d + reach <= boundary_ ? Kind::in : Kind::ambiguous);
+  if (const auto range = field_->range_in_cube(center(c), 0.5 * side(c.level)))
+    c.kind = range->least > boundary_ ? Kind::out : range->most <= boundary_ ? Kind::in : Kind::ambiguous;
+  else
+    c.kind = d > boundary_ + reach ? Kind::out : (d + reach <= boundary_ ? Kind::in : Kind::ambiguous);
 }
 
-/// Every triangle that is closest to some child's centre lies within a diagonal more than d of the parent's.
+/// Every site that gives φ at some child's centre gives at most a diagonal more than φ at the parent's.
 void Regions::classify_children(CellIndex parent) {
   const Cell p = cells_[parent];
   TriangleNeighborhood near;
-  index_->find_neighborhood(center(p), static_cast<double>(p.distance) + 1.01 * half_diagonal * side(p.level),
+  field_->find_neighborhood(center(p), static_cast<double>(p.distance) + 1.01 * half_diagonal * side(p.level),
                             near);
   for (unsigned k = 0; k < 8; ++k) classify(cells_[p.child + k], p.triangle, near);
 }
 
-Result<Regions> Regions::build(const ClosestPointIndex& index, const Options& options,
+Result<Regions> Regions::build(const ToleranceField& field, const Options& options,
                                const RunControl& control) {
-  Regions r(index, options);
+  Regions r(field, options);
   auto& cells = r.cells_;
   cells.emplace_back();
   std::vector<CellIndex> parents; // of each group of eight in the level
@@ -201,9 +204,8 @@ void Regions::split(CellIndex i) {
 
 namespace {
 
-/// Walks from the root of an octree towards p; `at_leaf(i)` says whether to go on below a leaf it may have
-/// split.
-template <class AtLeaf> Regions::CellIndex descend(const Regions& r, Vec3 p, const AtLeaf& at_leaf) {
+/// Walks from the root of an octree towards p until ends_at(i), which may split a leaf.
+template <class EndsAt> Regions::CellIndex descend(const Regions& r, Vec3 p, const EndsAt& ends_at) {
   const Box3 domain = r.domain();
   for (int a = 0; a < 3; ++a)
     if (!(p[a] >= domain.lo[a] && p[a] < domain.hi[a])) return Regions::none;
@@ -215,7 +217,7 @@ template <class AtLeaf> Regions::CellIndex descend(const Regions& r, Vec3 p, con
   }
   Regions::CellIndex i = 0;
   for (;;) {
-    if (r.cell(i).child == Regions::none && !at_leaf(i)) return i;
+    if (ends_at(i)) return i;
     const unsigned shift = deepest_level - 1 - r.cell(i).level;
     i = r.cell(i).child + ((u[0] >> shift) & 1u) + 2 * ((u[1] >> shift) & 1u) + 4 * ((u[2] >> shift) & 1u);
   }
@@ -224,15 +226,36 @@ template <class AtLeaf> Regions::CellIndex descend(const Regions& r, Vec3 p, con
 } // namespace
 
 Regions::CellIndex Regions::locate(Vec3 p) const {
-  return descend(*this, p, [](CellIndex) { return false; });
+  return descend(*this, p, [&](CellIndex i) { return cells_[i].child == none; });
+}
+
+Regions::CellIndex Regions::locate_among(Vec3 p, std::size_t count) const {
+  return descend(*this, p, [&](CellIndex i) { return cells_[i].child >= count; });
 }
 
 Regions::CellIndex Regions::locate_refining(Vec3 p) {
   return descend(*this, p, [&](CellIndex i) {
-    if (cells_[i].kind != Kind::ambiguous || cells_[i].level >= max_level_) return false;
+    if (cells_[i].child != none) return false;
+    if (cells_[i].kind != Kind::ambiguous || cells_[i].level >= max_level_) return true;
     split(i);
-    return true;
+    return false;
   });
+}
+
+std::vector<CellLink> Regions::leaf_links(const RunControl& control) const {
+  std::vector<CellLink> links;
+  SparsePoll poll(control);
+  for (CellIndex i = 0; i < cells_.size() && !poll.cancelled(); ++i) {
+    const Cell& c = cells_[i];
+    if (c.child != none) continue;
+    for (int face = 0; face < 6; ++face) {
+      const CellIndex j = neighbor(c, face);
+      // Finer neighbours link themselves, and of two of the same level one does.
+      if (j == none || cells_[j].child != none || (cells_[j].level == c.level && face % 2 == 0)) continue;
+      links.push_back({i, j});
+    }
+  }
+  return links;
 }
 
 Regions::CellIndex Regions::root(CellIndex i) const {

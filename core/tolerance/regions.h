@@ -1,10 +1,11 @@
-// A lazily refined octree of the complement of Ω' = {d <= δ'}: which points outside of Ω' are connected
+// A lazily refined octree of the complement of Ω' = {φ <= δ'}: which points outside of Ω' are connected
 // (core/README.md, N1).
 #pragma once
 
 #include "base/run_control.h"
 #include "base/status.h"
-#include "tolerance/closest_point.h"
+#include "tolerance/cell_links.h"
+#include "tolerance/field.h"
 
 #include <array>
 #include <cstddef>
@@ -16,7 +17,7 @@
 
 namespace isoscope {
 
-/// The octree with a union-find over its OUT cells. An OUT cell has d > δ' everywhere, so face-adjacent OUT
+/// The octree with a union-find over its OUT cells. An OUT cell has φ > δ' everywhere, so face-adjacent OUT
 /// cells are in one component of the complement: what the union-find joins is joined. Cells are refined where
 /// someone asks.
 class Regions {
@@ -30,23 +31,23 @@ class Regions {
   struct Cell {
     std::uint32_t x = 0, y = 0, z = 0;
     CellIndex child = none; ///< first of eight consecutive children
-    TriangleId triangle;    ///< closest to the centre
-    float distance = 0;     ///< d at the centre
+    TriangleId triangle;    ///< the site that gives φ at the centre
+    float distance = 0;     ///< φ at the centre
     std::uint8_t level = 0;
-    Kind kind = Kind::ambiguous; ///< out: d > δ' in the whole cell; in: d <= δ' in the whole cell
+    Kind kind = Kind::ambiguous; ///< out: φ > δ' in the whole cell; in: φ <= δ' in the whole cell
   };
 
   struct Options {
     double boundary = 0;  ///< δ'
     double main_side = 0; ///< ambiguous cells are split at once down to this side
     double min_side = 0;  ///< and on demand down to this one
-    double margin = 0;    ///< between the input's box and the domain's
+    double margin = 0;    ///< between the field's box and the domain's
     double most_bytes = std::numeric_limits<double>::infinity(); ///< that the main cells may take
   };
 
   /// Builds the main cells. Fails with unsupported when the tolerance is so small that their number would
   /// exceed 2^31 or their memory the limit, with cancelled when told to.
-  static Result<Regions> build(const ClosestPointIndex& index, const Options& options,
+  static Result<Regions> build(const ToleranceField& field, const Options& options,
                                const RunControl& control);
 
   const Cell& cell(CellIndex i) const { return cells_[i]; }
@@ -63,6 +64,11 @@ class Regions {
   CellIndex locate(Vec3 p) const;
   /// The same, splitting ambiguous cells on the way.
   CellIndex locate_refining(Vec3 p);
+
+  /// The same among the first `count` cells.
+  CellIndex locate_among(Vec3 p, std::size_t count) const;
+  /// Each two leaves with a common face. Fewer once the control is cancelled.
+  std::vector<CellLink> leaf_links(const RunControl& control) const;
 
   /// Representative of the component that holds an OUT cell.
   CellIndex root(CellIndex i) const;
@@ -87,7 +93,7 @@ class Regions {
   std::size_t memory_bytes() const;
 
  private:
-  Regions(const ClosestPointIndex& index, const Options& options);
+  Regions(const ToleranceField& field, const Options& options);
   void classify(Cell& c, TriangleId guess, const TriangleNeighborhood& near) const;
   void classify_children(CellIndex parent);
   void split(CellIndex i);
@@ -98,7 +104,7 @@ class Regions {
   bool is_goal(CellIndex root) const { return root < main_size_ || numbers_.contains(root); }
   void unite(CellIndex a, CellIndex b);
 
-  const ClosestPointIndex* index_;
+  const ToleranceField* field_;
   double boundary_;
   Vec3 origin_;
   double domain_side_;

@@ -1,6 +1,7 @@
 // Subdivides a cell until a boundary point close enough to all of each part is known.
 #include "tolerance/sample_candidates.h"
 
+#include <cmath>
 #include <optional>
 
 namespace isoscope {
@@ -36,7 +37,7 @@ class Subdivision {
     const auto& [center, side, closest] = cube;
     const double d = closest.distance(), reach = half_diagonal * side;
     // Enough for the cells' centres, at most two thirds of the reach away, and for points of ∂Ω'.
-    volume_.index().find_neighborhood(
+    volume_.field().find_neighborhood(
         center, std::max(d + 1.35 * reach, (2 * step_out - 1) * boundary_ + reach), near_);
     const double cells = std::ceil(side / (coarsest_cell * options_.target_bound)), cell = side / cells;
     const int n = static_cast<int>(cells);
@@ -52,7 +53,7 @@ class Subdivision {
  private:
   void visit(Vec3 center, double side, TriangleId guess) {
     const double reach = half_diagonal * side;
-    const ClosestPoint closest = volume_.index().closest_near(center, guess, near_, boundary_ - reach);
+    const ClosestPoint closest = volume_.field().closest_near(center, guess, near_, boundary_ - reach);
     if (!may_hold_boundary(closest.distance(), reach, boundary_)) return;
 
     SampleCandidate candidate;
@@ -70,19 +71,24 @@ class Subdivision {
     for (unsigned k = 0; k < 8; ++k) visit(center + corner(k, 0.25 * side), 0.5 * side, closest.triangle);
   }
 
-  /// Finds the point at δ' on the ray from the closest point through the centre, if it covers the cell. Seen
-  /// from outside it is exact; from inside another part of the input may be nearer there, which one more
-  /// query tells.
+  /// Finds a point at δ' near the centre, if it covers the cell. Where φ is a distance it lies on the ray
+  /// from the closest point through the centre: seen from outside it is exact; from inside another site may
+  /// be nearer there, which one more query tells.
   bool project(SampleCandidate& candidate, const ClosestPoint& closest, bool last) const {
     const double d = closest.distance();
     if (!(d > 1e-6 * boundary_)) return false;
-    const Vec3 q = closest.point + (boundary_ / d) * (candidate.center - closest.point);
+    Vec3 q = closest.point + (boundary_ / d) * (candidate.center - closest.point);
+    if (!volume_.field().is_distance()) {
+      const auto projected = volume_.field().project(candidate.center, closest, boundary_);
+      if (!projected) return false;
+      q = *projected;
+    }
     candidate.point = snap(q);
     const double bound = farthest_in_cube(candidate.point, candidate.center, candidate.half_side);
     if (bound > options_.target_bound && !last) return false;
-    if (d >= boundary_) return true;
+    if (d >= boundary_ || !volume_.field().is_distance()) return true;
     const double least = boundary_ * (1 - projection_error);
-    return volume_.index().closest_near(q, closest.triangle, near_, least).distance() >= least;
+    return volume_.field().closest_near(q, closest.triangle, near_, least).distance() >= least;
   }
 
   Vec3 snap(Vec3 p) const {
@@ -91,6 +97,7 @@ class Subdivision {
   }
 
   void find_side(SampleCandidate& candidate, const ClosestPoint& closest) {
+    if (!volume_.field().is_distance()) return find_side_from_the_point(candidate, closest.triangle);
     candidate.volume_component = volume_.volume_component(closest.triangle);
     if (!known_region_.valid() || !(options_.one_region_a_cell || meets_known_ball(candidate, closest))) {
       // From outside the way to the boundary point is straight, so the centre is a start as good and farther
@@ -106,8 +113,7 @@ class Subdivision {
       known_radius_ = escape.distance - boundary_;
       if (!escape.region.valid()) {
         const bool has_side = escape.distance > volume_.thresholds().reject;
-        if (has_side && volume_.sides().known())
-          set_label(candidate, volume_.sides().label(escape.reached));
+        if (has_side && volume_.sides().known()) set_label(candidate, volume_.sides().label(escape.reached));
         candidate.ask_octree = has_side && !candidate.has_point;
         return;
       }
@@ -116,13 +122,29 @@ class Subdivision {
     set_label(candidate, volume_.regions()[known_region_.index()].label);
   }
 
+  /// The same where no ray leads to the point: from the point itself outwards.
+  void find_side_from_the_point(SampleCandidate& candidate, TriangleId guess) {
+    const ClosestPoint own = volume_.field().closest_near(candidate.point, guess);
+    candidate.volume_component = volume_.volume_component(own.triangle);
+    const ToleranceVolume::Escape escape = volume_.escape(candidate.point, own);
+    candidate.reached = escape.reached;
+    candidate.region = escape.region;
+    const bool has_side = escape.distance > volume_.thresholds().reject;
+    if (escape.region.valid())
+      set_label(candidate, volume_.regions()[escape.region.index()].label);
+    else if (const int side = volume_.field().side(candidate.point))
+      set_label(candidate, side);
+    else
+      candidate.ask_octree = has_side;
+  }
+
   /// Whether a ball that holds no point of Ω', around a point a little farther out, overlaps one in the known
   /// region.
   bool meets_known_ball(const SampleCandidate& candidate, const ClosestPoint& closest) const {
     const double d = closest.distance(), t = std::max(d, step_out * boundary_), sure = t * (1 - 1e-9);
     const Vec3 w = closest.point + (t / d) * (candidate.center - closest.point);
     if (distance(w, known_center_) >= (sure - boundary_ + known_radius_) * (1 - 1e-9)) return false;
-    return d >= t || volume_.index().closest_near(w, closest.triangle, near_, sure).distance() >= sure;
+    return d >= t || volume_.field().closest_near(w, closest.triangle, near_, sure).distance() >= sure;
   }
 
   static void set_label(SampleCandidate& candidate, int label) {
@@ -150,10 +172,10 @@ double farthest_in_cube(Vec3 p, Vec3 center, double half_side) {
 
 CandidateCube cube_of(const ToleranceVolume& volume, const Regions::Cell& main_cell) {
   const Vec3 center = volume.octree().center(main_cell);
-  const Vec3 point = closest_point_on_triangle(center, volume.index().triangle(main_cell.triangle));
-  return {center,
-          volume.octree().side(main_cell.level),
-          {point, squared_length(point - center), main_cell.triangle}};
+  ClosestPoint closest = volume.field().at_site(center, main_cell.triangle);
+  if (!std::isfinite(closest.squared_distance))
+    closest = volume.field().closest_near(center, main_cell.triangle);
+  return {center, volume.octree().side(main_cell.level), closest};
 }
 
 void split_cube(const ToleranceVolume& volume, const CandidateCube& cube, double widest,
@@ -166,7 +188,7 @@ void split_cube(const ToleranceVolume& volume, const CandidateCube& cube, double
   }
   for (unsigned k = 0; k < 8; ++k) {
     const Vec3 c = cube.center + corner(k, 0.25 * side);
-    split_cube(volume, {c, 0.5 * side, volume.index().closest_near(c, cube.closest.triangle)}, widest, parts);
+    split_cube(volume, {c, 0.5 * side, volume.field().closest_near(c, cube.closest.triangle)}, widest, parts);
   }
 }
 

@@ -32,7 +32,7 @@ SampleEstimate estimate_samples(const ToleranceVolume& volume) {
   const double side = octree.side(octree.main_level());
   SampleEstimate estimate;
   estimate.boundary_area = static_cast<double>(ambiguous) * side * side / layer;
-  estimate.bytes_before = static_cast<double>(volume.memory_bytes() + volume.index().memory_bytes());
+  estimate.bytes_before = static_cast<double>(volume.memory_bytes() + volume.field().memory_bytes());
   estimate.bytes_by_sample = bytes_by_sample;
   estimate.samples_by_density = samples_by_density;
   return estimate;

@@ -91,14 +91,6 @@ void measure(const ToleranceVolume& volume, DisjointSets& connected, ThinPart& p
   }
 }
 
-double area_of(const ClosestPointIndex& index) {
-  double sum = 0;
-  for (std::size_t i = 0; i < index.size(); ++i) {
-    sum += area(index.triangle(TriangleId(i)));
-  }
-  return sum;
-}
-
 double least_thickness(std::span<const ThinPart> parts) {
   double least = std::numeric_limits<double>::infinity();
   for (const ThinPart& part : parts) least = std::min(least, part.least_thickness);
@@ -108,6 +100,7 @@ double least_thickness(std::span<const ThinPart> parts) {
 } // namespace
 
 std::vector<ThinPart> find_thin_parts(const ToleranceVolume& volume) {
+  if (!volume.has_surface()) return {};
   std::vector<std::array<bool, 2>> has(volume.volume_component_count()); // an inside, an outside
   for (const BoundaryComponent& c : volume.boundary_components())
     has[c.volume_component][volume.regions()[c.region.index()].label < 0 ? 0 : 1] = true;
@@ -136,7 +129,7 @@ std::vector<ThinPart> find_thin_parts(const ToleranceVolume& volume) {
 Result<KeepingTolerance> find_keeping_tolerance(const ToleranceVolume& volume,
                                                 std::span<const ThinPart> parts, const RunControl& control) {
   const ToleranceThresholds& t = volume.thresholds();
-  const double ratio = t.boundary / t.delta, surface = area_of(volume.index());
+  const double ratio = t.boundary / t.delta, surface = volume.field().area();
   const auto cells = [&](double delta) { return cells_by_area * surface / (ratio * ratio * delta * delta); };
   KeepingTolerance keeping{two_digits_below(0.5 * keeping_share * least_thickness(parts)), true};
   for (int tries = 0; tries < most_tries && keeping.value > 0; ++tries) {

@@ -26,19 +26,19 @@ constexpr std::size_t most_climbs = 64;
 /// Places that are looked at where they are deep enough as they are: each may cost a flood of small cells.
 constexpr std::size_t most_looks = 16;
 constexpr int place_digits = 6;
+/// Steps down to Ω', and how near to it, in units of δ', counts as there.
+constexpr int most_descents = 60;
+constexpr double arrival = 1e-3;
+/// How far from Ω, in units of δ, a cell's way down to it is looked at.
+constexpr double nearby = 2;
 
 /// The side of the octree's main cells, in units of δ': half, and where that would take more than about 30
 /// million cells and parity tells the sides anyway, one, which takes a quarter of them. Regions that only
 /// smaller cells see are then found when somebody asks for them.
-double main_side_ratio(const ClosestPointIndex& index, const InputTopology& input, double boundary) {
+double main_side_ratio(const ToleranceField& field, const InputTopology& input, double boundary) {
   constexpr double most_fine_cells = 3e7, fine_cells_by_area = 40;
   if (!input.sides_known()) return 0.5;
-  double area = 0;
-  for (std::size_t i = 0; i < index.size(); ++i) {
-    const Triangle3& t = index.triangle(TriangleId(i));
-    area += 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
-  }
-  return fine_cells_by_area * area > most_fine_cells * boundary * boundary ? 1 : 0.5;
+  return fine_cells_by_area * field.area() > most_fine_cells * boundary * boundary ? 1 : 0.5;
 }
 
 struct RegionSummary {
@@ -80,7 +80,7 @@ ToleranceVolume::ToleranceVolume() = default;
 
 ToleranceVolume ToleranceVolume::without_octree() const {
   ToleranceVolume copy;
-  copy.index_ = index_;
+  copy.field_ = field_;
   copy.input_ = input_;
   copy.sides_ = sides_;
   copy.thresholds_ = thresholds_;
@@ -96,7 +96,7 @@ ToleranceVolume::ToleranceVolume(ToleranceVolume&&) noexcept = default;
 ToleranceVolume& ToleranceVolume::operator=(ToleranceVolume&&) noexcept = default;
 ToleranceVolume::~ToleranceVolume() = default;
 
-Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPointIndex> index,
+Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceField> field,
                                                const InputTopology& input, const Options& options,
                                                const RunControl& control) {
   if (!(options.delta > 0) || !std::isfinite(options.delta))
@@ -105,39 +105,41 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ClosestPoin
   if (!(options.boundary_ratio > 0 && options.boundary_ratio <= 1))
     return Error{ErrorCode::usage, "The boundary ratio must lie in (0, 1].", ""};
   ToleranceVolume v;
-  v.index_ = std::move(index);
+  v.field_ = std::move(field);
   v.input_ = input;
-  v.sides_ = InputSides(v.index_, input.side_rule, input.turns);
+  v.sides_ = v.has_surface() ? InputSides(v.shared_index(), input.side_rule, input.turns)
+                             : InputSides(v.field_, input.side_rule);
   const double delta = options.delta, boundary = options.boundary_ratio * delta;
   v.thresholds_ = {delta, std::max(0.5 * (boundary + delta), boundary + 0.01 * delta), boundary};
 
   // A cell of this side that holds a point beyond δ_r is OUT: its centre is at most 0.867 sides away from
   // that point, and OUT needs another 0.867 sides.
   const double min_side = 0.57 * (v.thresholds_.reject - boundary);
-  const double main_side = main_side_ratio(*v.index_, input, boundary) * boundary;
+  const double main_side = main_side_ratio(*v.field_, input, boundary) * boundary;
   auto octree =
-      Regions::build(*v.index_, {boundary, main_side, min_side, 3 * delta, options.most_bytes}, control);
+      Regions::build(*v.field_, {boundary, main_side, min_side, 3 * delta, options.most_bytes}, control);
   if (!octree.ok()) return octree.error();
   v.octree_ = std::make_unique<Regions>(std::move(octree).value());
   const Error stopped{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
   v.join_pockets(control);
   if (control.cancelled()) return stopped;
 
-  VolumeComponents components = find_volume_components(*v.index_, boundary, control);
+  VolumeComponents components = v.field_->components(boundary, control);
   if (control.cancelled()) return stopped;
   v.volume_components_ = std::move(components.of_triangle);
   v.volume_component_count_ = components.count;
   v.collect_regions(control);
   if (control.cancelled()) return stopped;
+  v.add_seeded_regions(control);
   v.collect_boundary_components(control);
   // Where sides are known, those that are missing are; soups must know all regions before they can be
   // coloured.
-  if (!v.sides_.known()) v.find_thin_regions(control);
+  if (v.has_surface() && !v.sides_.known()) v.find_thin_regions(control);
   if (control.cancelled()) return stopped;
   const Status labelled = v.label_regions(control);
   if (control.cancelled()) return stopped;
   if (!labelled) return labelled.error();
-  if (v.sides_.known()) v.find_thin_regions(control);
+  if (v.has_surface() && v.sides_.known()) v.find_thin_regions(control);
   if (control.cancelled()) return stopped;
   for (BoundaryComponent& c : v.boundary_components_) c.label = v.regions_[c.region.index()].label;
 
@@ -168,11 +170,11 @@ void ToleranceVolume::join_pockets(const RunControl& control) {
 /// Climbs from a point of a region to where d is locally largest, by steps that stay within the ball around
 /// the point. What the octree took for a pocket may lead outside: there d grows without end.
 void ToleranceVolume::deepen(Region& region) const {
-  const double outside = index_->bounds().longest_edge();
+  const double outside = field_->bounds().longest_edge();
   double step = region.depth - thresholds_.boundary;
   while (step > 1e-3 * thresholds_.boundary && region.depth < outside) {
     step = std::min(step, 0.99 * (region.depth - thresholds_.boundary));
-    const ThicknessProbe best = deepest_around(*index_, {region.deepest, region.depth, {}}, step);
+    const ThicknessProbe best = deepest_around(*field_, {region.deepest, region.depth, {}}, step);
     if (best.distance < region.depth + 0.05 * step) step *= 0.5;
     region.deepest = best.middle;
     region.depth = best.distance;
@@ -205,8 +207,32 @@ void ToleranceVolume::collect_regions(const RunControl& control) {
   regions_.front().volume = std::numeric_limits<double>::infinity();
 }
 
-/// From the centre of an OUT cell towards its closest triangle everything outside of Ω' is in the cell's
-/// region: so that region touches the component of Ω' of that triangle.
+/// Regions that the field knows of and the main cells are too coarse for.
+void ToleranceVolume::add_seeded_regions(const RunControl& control) {
+  for (const Vec3 seed : field_->region_seeds()) {
+    if (control.cancelled()) return;
+    region_at(seed, thin_region_budget, control);
+  }
+}
+
+std::uint32_t ToleranceVolume::component_below(Vec3 p, const ClosestPoint& closest) const {
+  // On the way to the closest point everything outside of Ω' is in the region of p.
+  if (field_->is_distance()) return volume_component(closest.triangle);
+  const double boundary = thresholds_.boundary;
+  ClosestPoint at = closest;
+  for (int step = 0; step < most_descents; ++step) {
+    const double radius = at.distance() - boundary;
+    if (radius <= arrival * boundary) return volume_component(at.triangle);
+    const Vec3 before = p;
+    p = p - std::max(radius, arrival * boundary) * normalized(p - at.point);
+    const double depth = at.distance();
+    at = field_->closest_near(p, at.triangle);
+    if (p == before || at.distance() >= depth) break;
+  }
+  return VolumeComponents::none;
+}
+
+/// A region touches the component of Ω' that the ways down from its cells lead to.
 void ToleranceVolume::collect_boundary_components(const RunControl& control) {
   SparsePoll poll(control);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
@@ -216,7 +242,17 @@ void ToleranceVolume::collect_boundary_components(const RunControl& control) {
     if (c.kind != Regions::Kind::out) continue;
     const auto number = octree_->number(i);
     if (!number) continue;
-    const std::pair<std::uint32_t, std::uint32_t> pair{*number, volume_component(c.triangle)};
+    std::uint32_t component = VolumeComponents::none;
+    if (field_->is_distance()) {
+      component = volume_component(c.triangle);
+    } else {
+      const Vec3 center = octree_->center(c);
+      // Cells far from Ω lie behind others that are nearer.
+      if (static_cast<double>(c.distance) > nearby * thresholds_.delta) continue;
+      component = component_below(center, field_->closest_near(center, c.triangle));
+    }
+    if (component == VolumeComponents::none) continue;
+    const std::pair<std::uint32_t, std::uint32_t> pair{*number, component};
     if (!pairs.empty() && pairs.back() == pair) continue;
     pairs.push_back(pair);
   }
@@ -231,10 +267,10 @@ void ToleranceVolume::collect_boundary_components(const RunControl& control) {
 bool ToleranceVolume::touches(Vec3 p, double d, std::uint32_t component) const {
   const double reach = d * (1 + 1e-3);
   const Vec3 corner{reach, reach, reach};
-  const std::vector<TriangleId> near = index_->triangles_in({p - corner, p + corner});
+  const std::vector<TriangleId> near = index().triangles_in({p - corner, p + corner});
   return std::any_of(near.begin(), near.end(), [&](TriangleId t) {
     return volume_component(t) == component &&
-           distance(p, closest_point_on_triangle(p, index_->triangle(t))) <= reach;
+           distance(p, closest_point_on_triangle(p, index().triangle(t))) <= reach;
   });
 }
 
@@ -271,7 +307,7 @@ void ToleranceVolume::find_thin_regions(const RunControl& control) {
     if (found.empty()) {
       for (const ThicknessProbe& probe : probes) {
         if (control.cancelled()) return;
-        if (const auto top = climb(*index_, probe, 1.01 * thresholds_.reject);
+        if (const auto top = climb(*field_, probe, 1.01 * thresholds_.reject);
             top.distance > thresholds_.reject)
           look(top);
       }
@@ -301,6 +337,16 @@ std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region
 }
 
 Status ToleranceVolume::label_regions(const RunControl& control) {
+  if (sides_.rule() == SideRule::depth) {
+    DepthLabels labels = label_by_depth(*this, control);
+    if (control.cancelled()) return {};
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      regions_[i].label = labels.of_regions[i];
+      regions_[i].shallow = labels.shallow[i];
+    }
+    basins_ = std::move(labels.of_cells);
+    return {};
+  }
   auto labels = sides_.known() ? label_by_sides(*this, control) : label_by_two_colouring(*this, control);
   if (control.cancelled()) return {};
   if (!labels.ok()) return labels.error();
@@ -342,9 +388,9 @@ ToleranceVolume::Escape ToleranceVolume::escape(Vec3 p, const ClosestPoint& clos
   for (double t = 1.8 * boundary; t > 1.001 * boundary; t = boundary + 0.5 * (t - boundary)) {
     if (t <= closest.distance()) break;
     const Vec3 q = closest.point + t * direction;
-    const ClosestPoint c = index_->closest_near(q, closest.triangle);
-    if (c.distance() < t * (1 - 1e-9)) continue;
-    if (arrive(q, t)) return result;
+    const ClosestPoint c = field_->closest_near(q, closest.triangle);
+    if (field_->is_distance() ? c.distance() < t * (1 - 1e-9) : !field_->rises(p, closest, q, c)) continue;
+    if (arrive(q, field_->is_distance() ? t : c.distance())) return result;
     w = q;
     at = c;
     break;
@@ -358,7 +404,7 @@ ToleranceVolume::Escape ToleranceVolume::escape(Vec3 p, const ClosestPoint& clos
     const Vec3 away = normalized(w - at.point);
     w = w + 0.95 * radius * normalized(away + before);
     before = away;
-    at = index_->closest_near(w, at.triangle);
+    at = field_->closest_near(w, at.triangle);
     if (arrive(w, at.distance())) return result;
   }
   return result;
@@ -376,13 +422,20 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget, const RunControl
   const double side = octree_->side(c.level);
   const RegionId id = add_region(i, octree_->center(c), static_cast<double>(c.distance), side * side * side);
   Region& region = regions_.back();
-  region.label = sides_.label(region.deepest);
+  region.shallow = sides_.rule() == SideRule::depth;
+  region.label = region.shallow ? basin_at(region.deepest) : sides_.label(region.deepest);
   if (winds()) region.winding_number = sides_.winding_number(region.deepest);
   if (region.depth > thresholds_.delta) witnesses_.push_back({region.deepest, region.label, region.depth});
   return id;
 }
 
+int ToleranceVolume::basin_at(Vec3 p) const {
+  const Regions::CellIndex leaf = octree_->locate_among(p, basins_.size());
+  return leaf != Regions::none && basins_[leaf] < 0 ? -1 : +1;
+}
+
 int ToleranceVolume::label_at(Vec3 p, const RunControl& control) {
+  if (sides_.rule() == SideRule::given && field_->distance(p) > thresholds_.boundary) return field_->side(p);
   const RegionId region = region_at(p, thin_region_budget, control);
   return region.valid() ? regions_[region.index()].label : 0;
 }
@@ -408,7 +461,7 @@ bool ToleranceVolume::thickening() const {
   if (pockets() > 0) return false;
   std::vector<std::vector<long>> sides(volume_component_count_);
   for (const BoundaryComponent& c : boundary_components_)
-    sides[c.volume_component].push_back(c.euler_characteristic);
+    if (!regions_[c.region.index()].shallow) sides[c.volume_component].push_back(c.euler_characteristic);
   return std::all_of(sides.begin(), sides.end(), [](const auto& s) { return s.size() == 2 && s[0] == s[1]; });
 }
 
@@ -434,9 +487,9 @@ std::string ToleranceVolume::cause_in_words(const RunControl& control) const {
   if (has_inner_walls()) return overlap_in_words();
   if (input_.sides_known() && (input_.components > 1 || !input_.embedded())) {
     std::vector<Contact> contacts;
-    if (!input_.embedded()) contacts = find_contacts(*index_, control);
+    if (!input_.embedded()) contacts = find_contacts(index(), control);
     if (contacts.empty() && input_.components > 1)
-      contacts = find_near_contacts(*index_, sides_, thresholds_.delta, thresholds_.boundary, control);
+      contacts = find_near_contacts(index(), sides_, thresholds_.delta, thresholds_.boundary, control);
     if (!contacts.empty())
       return "parts of the input touch, near " +
              place(0.5 * (contacts.front()[0] + contacts.front()[1]), place_digits) +
@@ -489,8 +542,9 @@ std::vector<std::string> ToleranceVolume::side_notes() const {
 }
 
 std::size_t ToleranceVolume::memory_bytes() const {
-  return octree_->memory_bytes() + volume_components_.capacity() * sizeof(std::uint32_t) +
-         regions_.capacity() * sizeof(Region) + boundary_components_.capacity() * sizeof(BoundaryComponent);
+  return octree_->memory_bytes() + basins_.capacity() +
+         volume_components_.capacity() * sizeof(std::uint32_t) + regions_.capacity() * sizeof(Region) +
+         boundary_components_.capacity() * sizeof(BoundaryComponent);
 }
 
 } // namespace isoscope

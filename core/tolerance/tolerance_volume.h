@@ -1,4 +1,4 @@
-// The tolerance volume Ω = {d <= δ} of a triangle soup: its distance, the regions outside of it and their
+// The tolerance volume Ω = {φ <= δ} of a field: its distance, the regions outside of it and their
 // labels (§2.1, §2.2).
 #pragma once
 
@@ -24,14 +24,16 @@ class Regions;
 
 using RegionId = Id<struct RegionTag>;
 
-/// A connected component of the complement of Ω' = {d <= δ'}: what lies behind one boundary component.
+/// A connected component of the complement of Ω' = {φ <= δ'}: what lies behind one boundary component.
 struct Region {
   RegionId id;
   int label = +1; ///< F of its side: +1 outside, -1 inside (§2.2)
   bool unbounded = false;
   Vec3 deepest;      ///< a point of the region far from the input: the witness of its side
-  double depth = 0;  ///< d(deepest), same units as δ
+  double depth = 0;  ///< φ(deepest), same units as δ
   double volume = 0; ///< lower bound from the octree; infinite for the unbounded region
+  /// Points: it is a pocket in Ω, and on the side of the deep region that it is joined to first.
+  bool shallow = false;
   /// How often the input winds around it, where that is what tells its side.
   int winding_number = 0;
 };
@@ -73,8 +75,8 @@ struct InputTopology {
 
   /// Whether the input is a surface that has two sides and does not cross itself.
   bool embedded() const { return closed_manifold && self_intersection_free; }
-  /// Whether the side of every point is told, also where Ω has no boundary, and is what the user means:
-  /// parity does not say it where parts intersect each other.
+  /// Whether the side of every point of the input's surface is told, also where Ω has no boundary, and is
+  /// what the user means: parity does not say it where parts intersect each other.
   bool sides_known() const {
     return side_rule == SideRule::winding || (closed_manifold && (self_intersection_free || components == 1));
   }
@@ -98,7 +100,7 @@ class ToleranceVolume {
   /// surfaces (three regions or more), naming the place, and where the octree takes too much memory; with
   /// cancelled when told to. Parts that are thinner than 2δ' everywhere are built: find_thin_parts()
   /// tells them.
-  static Result<ToleranceVolume> build(std::shared_ptr<const ClosestPointIndex> index,
+  static Result<ToleranceVolume> build(std::shared_ptr<const ToleranceField> field,
                                        const InputTopology& input, const Options& options,
                                        const RunControl& control);
   ToleranceVolume(ToleranceVolume&&) noexcept;
@@ -106,8 +108,12 @@ class ToleranceVolume {
   ~ToleranceVolume();
 
   const ToleranceThresholds& thresholds() const { return thresholds_; }
-  const ClosestPointIndex& index() const { return *index_; }
-  std::shared_ptr<const ClosestPointIndex> shared_index() const { return index_; }
+  const ToleranceField& field() const { return *field_; }
+  /// Whether the field is the distance to triangles: normals, crossings and parity exist.
+  bool has_surface() const { return field_->surface() != nullptr; }
+  /// The triangles, where has_surface().
+  const ClosestPointIndex& index() const { return *field_->surface(); }
+  std::shared_ptr<const ClosestPointIndex> shared_index() const { return {field_, field_->surface()}; }
   const InputTopology& input() const { return input_; }
   /// Which side of the input a point is on.
   const InputSides& sides() const { return sides_; }
@@ -141,7 +147,7 @@ class ToleranceVolume {
   /// What the user should know about the sides, one sentence each: inner walls, odd orientation.
   std::vector<std::string> side_notes() const;
 
-  /// F of the region that holds p, or 0 when p lies in Ω' or in a crevice too thin to tell. d(p) > δ_r always
+  /// F of the region that holds p, or 0 when p lies in Ω' or in a crevice too thin to tell. φ(p) > δ_r always
   /// has a label, unless the control is cancelled before it is known: then it is 0 too.
   int label_at(Vec3 p, const RunControl& control = {});
   /// The region that holds p, invalid where label_at would be 0, visiting at most `budget` cells before what
@@ -153,13 +159,16 @@ class ToleranceVolume {
   struct Escape {
     RegionId region;     ///< invalid when no OUT cell was met: a crevice as far as the existing cells tell
     Vec3 reached;        ///< connected with the start outside of Ω'
-    double distance = 0; ///< d(reached)
+    double distance = 0; ///< φ(reached)
   };
-  /// Steps from p, whose closest point is given and whose d is at least δ' up to rounding. Thread-safe.
+  /// Steps from p, whose closest point is given and whose φ is at least δ' up to rounding. Thread-safe.
   Escape escape(Vec3 p, const ClosestPoint& closest) const;
-  /// The component of Ω' that an input triangle lies in, below volume_component_count().
+  /// The component of Ω' that a site lies in: below volume_component_count(), or VolumeComponents::none.
   std::uint32_t volume_component(TriangleId t) const { return volume_components_[t.index()]; }
   std::size_t volume_component_count() const { return volume_component_count_; }
+  /// The component of Ω' that is met first on the way down from a point outside of it, whose answer is given;
+  /// VolumeComponents::none where the way ends before.
+  std::uint32_t component_below(Vec3 p, const ClosestPoint& closest) const;
   /// Index into boundary_components() of what lies between a region and a component of Ω', if the octree saw
   /// it.
   std::optional<std::uint16_t> boundary_component(RegionId region, std::uint32_t volume_component) const;
@@ -179,17 +188,20 @@ class ToleranceVolume {
   void collect_regions(const RunControl& control);
   void collect_boundary_components(const RunControl& control);
   void find_thin_regions(const RunControl& control);
+  void add_seeded_regions(const RunControl& control);
   bool touches(Vec3 p, double d, std::uint32_t component) const;
   void deepen(Region& region) const;
   Status label_regions(const RunControl& control);
   bool is_uncounted(const Region& r) const;
   /// Whether winding numbers mean something: the triangles cancel along every edge.
   bool winds() const { return sides_.rule() == SideRule::winding || input_.consistently_oriented; }
+  /// The side that a pocket at p goes with.
+  int basin_at(Vec3 p) const;
   std::string overlap_in_words() const;
   std::string cause_in_words(const RunControl& control) const;
   RegionId add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume);
 
-  std::shared_ptr<const ClosestPointIndex> index_;
+  std::shared_ptr<const ToleranceField> field_;
   InputTopology input_;
   InputSides sides_;
   ToleranceThresholds thresholds_;
@@ -197,8 +209,9 @@ class ToleranceVolume {
   std::vector<Region> regions_;
   std::vector<Witness> witnesses_;
   std::vector<BoundaryComponent> boundary_components_; ///< ascending by region, then component of Ω'
-  std::vector<std::uint32_t> volume_components_;       ///< by triangle id
+  std::vector<std::uint32_t> volume_components_;       ///< by site
   std::size_t volume_component_count_ = 0;
+  std::vector<std::int8_t> basins_; ///< where sides go with depth, by leaf: the side of a pocket there
 };
 
 /// Connectivity of a soup after merging bitwise equal points, and what tells its sides; the self-intersection

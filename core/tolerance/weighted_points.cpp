@@ -10,6 +10,13 @@ namespace isoscope {
 namespace {
 
 constexpr std::uint32_t sites_between_questions = 1024;
+constexpr int most_steps = 12; ///< of a projection
+/// How far from r a projected point may be, relative to r.
+constexpr double projection_error = 1e-11;
+/// A flatter gradient leads nowhere.
+constexpr double least_slope = 1e-6;
+/// What a sum of two squared distances may be off by, relatively.
+constexpr double rounding = 1e-9;
 
 } // namespace
 
@@ -58,19 +65,38 @@ void WeightedPointIndex::find_least_weights() {
   }
 }
 
+ClosestPoint WeightedPointIndex::at_site(Vec3 p, TriangleId id) const {
+  const WeightedPoint& s = site(id);
+  const Vec3 away = p - s.center;
+  const double flat = length(away), squared = squared_at(p, s);
+  if (s.weight == 0) return {s.center, squared, id};
+  return {flat > 0 ? p - (std::sqrt(squared) / flat) * away : p, squared, id};
+}
+
 ClosestPoint WeightedPointIndex::search(Vec3 p, ClosestPoint best, double squared_enough) const {
-  return search_boxes(
+  const TriangleId before = best.triangle;
+  best = search_boxes(
       boxes_, p, best, squared_enough, [&](std::uint32_t node) { return lanes(weights_[node].of); },
       [&](std::uint32_t first, std::uint32_t count, ClosestPoint& found) {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          const ClosestPoint at = at_slot(p, slot);
-          if (at.squared_distance < found.squared_distance) found = at;
+          const double squared = squared_at(p, sites_[slot]);
+          if (squared >= found.squared_distance) continue;
+          found.squared_distance = squared;
+          found.triangle = TriangleId(boxes_.ids[slot]);
         }
       });
+  return best.triangle == before ? best : at_site(p, best.triangle);
 }
 
 ClosestPoint WeightedPointIndex::closest(Vec3 p) const {
   return search(p, {});
+}
+
+ClosestPoint WeightedPointIndex::closest_within(Vec3 p, double radius) const {
+  ClosestPoint none;
+  none.squared_distance = radius * radius;
+  const ClosestPoint found = search(p, none);
+  return found.triangle.valid() ? found : ClosestPoint();
 }
 
 ClosestPoint WeightedPointIndex::closest_near(Vec3 p, TriangleId guess) const {
@@ -79,6 +105,42 @@ ClosestPoint WeightedPointIndex::closest_near(Vec3 p, TriangleId guess) const {
 
 ClosestPoint WeightedPointIndex::closest_near(Vec3 p, const ClosestPoint& found, double enough) const {
   return search(p, found, enough * enough);
+}
+
+double WeightedPointIndex::convex_bound(const Triangle3& facet, TriangleId id) const {
+  double squared = 0;
+  for (const Vec3 p : facet) squared = std::max(squared, squared_at(p, site(id)));
+  return std::sqrt(squared);
+}
+
+Vec3 WeightedPointIndex::gradient(Vec3 p, const ClosestPoint& at) const {
+  const double d = at.distance();
+  return d > 0 && at.triangle.valid() ? (p - site(at.triangle).center) / d : Vec3{};
+}
+
+std::optional<Vec3> WeightedPointIndex::project(Vec3 p, const ClosestPoint& at, double r) const {
+  Vec3 q = p;
+  ClosestPoint here = at;
+  for (int step = 0; step < most_steps; ++step) {
+    if (std::abs(here.distance() - r) <= projection_error * r) return q;
+    // Onto the ball of the site; another one may reach farther there.
+    const WeightedPoint& s = site(here.triangle);
+    const Vec3 away = q - s.center;
+    const double flat = length(away), squared = r * r - s.weight;
+    if (!(squared > 0) || !(flat > least_slope * r)) return std::nullopt;
+    q = s.center + (std::sqrt(squared) / flat) * away;
+    here = closest_near(q, here.triangle);
+  }
+  return std::nullopt;
+}
+
+bool WeightedPointIndex::rises(Vec3 p, const ClosestPoint& at_p, Vec3 q, const ClosestPoint& at_q) const {
+  const double step2 = squared_length(q - p);
+  // Less the square of the way gone, φ² is concave along it: at least what its ends say.
+  if (at_q.squared_distance >= (at_p.squared_distance + step2) * (1 - rounding)) return true;
+  // A site that gives φ at both ends gives it between them.
+  return at_p.triangle.valid() && at_p.triangle == at_q.triangle &&
+         dot(p - site(at_p.triangle).center, q - p) >= 0;
 }
 
 void WeightedPointIndex::find_neighborhood(Vec3 center, double radius, TriangleNeighborhood& near) const {
@@ -95,11 +157,10 @@ void WeightedPointIndex::find_neighborhood(Vec3 center, double radius, TriangleN
       },
       [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          const ClosestPoint at = at_slot(center, slot);
-          if (at.squared_distance > r2) continue;
+          const double squared = squared_at(center, sites_[slot]), d = std::sqrt(squared);
+          if (squared > r2) continue;
           // The part of the direction in R⁴ that steps in space have to do with.
-          const double d = at.distance();
-          near.entries.push_back({d, d > 0 ? (center - at.point) / d : Vec3{}, slot});
+          near.entries.push_back({d, d > 0 ? (center - sites_[slot].center) / d : Vec3{}, slot});
         }
         return few = near.entries.size() <= most_neighbors;
       });
@@ -113,19 +174,21 @@ ClosestPoint WeightedPointIndex::closest_near(Vec3 p, TriangleId guess, const Tr
   const Vec3 step = p - near.center;
   const double offset = length(step);
   if (offset > near.radius) return closest_near(p, guess);
-  ClosestPoint best;
-  double best_distance = std::numeric_limits<double>::infinity();
+  double best = std::numeric_limits<double>::infinity(), best_distance = best;
+  TriangleId best_site;
   for (const TriangleNeighborhood::Entry& e : near.entries) {
     if (e.distance - offset > best_distance) break;
     if (e.distance + dot(e.direction, step) > best_distance) continue;
-    const ClosestPoint at = at_slot(p, e.slot);
-    if (!(at.squared_distance < best.squared_distance)) continue;
-    best = at;
-    best_distance = best.distance();
-    if (best_distance < enough) return best;
+    const double squared = squared_at(p, sites_[e.slot]);
+    if (!(squared < best)) continue;
+    best = squared;
+    best_distance = std::sqrt(squared);
+    best_site = TriangleId(boxes_.ids[e.slot]);
+    if (best_distance < enough) return at_site(p, best_site);
   }
-  if (best_distance + offset <= near.radius) return best;
-  return best.triangle.valid() ? search(p, best) : closest_near(p, guess);
+  if (!best_site.valid()) return closest_near(p, guess);
+  const ClosestPoint found = at_site(p, best_site);
+  return best_distance + offset <= near.radius ? found : search(p, found);
 }
 
 /// Finds the balls of one component after the other. Those that were found are out of the way of later
@@ -209,9 +272,9 @@ class WeightedPointIndex::Flood {
   const WeightedPointIndex& index_;
   const BoxHierarchy& boxes_;
   double squared_;
-  std::vector<std::uint32_t> above_;                                ///< by node: the place of its child entry
+  std::vector<std::uint32_t> above_; ///< by node: the place of its child entry
   std::vector<std::array<std::uint32_t, BoxHierarchy::width>> left_; ///< balls below a child, not yet found
-  std::vector<std::uint32_t> leaf_;                                 ///< by slot: the place of its leaf
+  std::vector<std::uint32_t> leaf_;                                  ///< by slot: the place of its leaf
   std::vector<bool> found_;
   std::vector<std::uint32_t> waiting_;
 };

@@ -1,4 +1,5 @@
-// Points with weights: φ(x) = min √(|x - b|² + w), the field of scans and of noisy soups (core/README.md, N1).
+// Points with weights: φ(x) = min √(|x - b|² + w), the field of scans and of noisy soups (core/README.md,
+// N1).
 #pragma once
 
 #include "base/run_control.h"
@@ -6,6 +7,7 @@
 #include "tolerance/field.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -32,13 +34,19 @@ class WeightedPointIndex final : public ToleranceField {
   std::size_t memory_bytes() const override;
 
   ClosestPoint closest(Vec3 p) const override;
+  ClosestPoint closest_within(Vec3 p, double radius) const override;
   ClosestPoint closest_near(Vec3 p, TriangleId guess) const override;
   ClosestPoint closest_near(Vec3 p, const ClosestPoint& found, double enough) const override;
   void find_neighborhood(Vec3 center, double radius, TriangleNeighborhood& near) const override;
   ClosestPoint closest_near(Vec3 p, TriangleId guess, const TriangleNeighborhood& near,
                             double enough = 0) const override;
-  ClosestPoint at_site(Vec3 p, TriangleId site) const override { return at_slot(p, slots_[site.index()]); }
-  bool rays_are_exact() const override { return !weighted_; }
+  ClosestPoint at_site(Vec3 p, TriangleId site) const override;
+  double convex_bound(const Triangle3& facet, TriangleId site) const override;
+  Vec3 place_of(TriangleId id) const override { return site(id).center; }
+  Vec3 gradient(Vec3 p, const ClosestPoint& at) const override;
+  bool is_distance() const override { return !weighted_; }
+  std::optional<Vec3> project(Vec3 p, const ClosestPoint& at, double r) const override;
+  bool rises(Vec3 p, const ClosestPoint& at_p, Vec3 q, const ClosestPoint& at_q) const override;
   /// By balls that meet. Numbered by their smallest site.
   VolumeComponents components(double r, const RunControl& control) const override;
 
@@ -46,10 +54,7 @@ class WeightedPointIndex final : public ToleranceField {
 
  private:
   class Flood;
-  ClosestPoint at_slot(Vec3 p, std::uint32_t slot) const {
-    const WeightedPoint& s = sites_[slot];
-    return {s.center, squared_length(p - s.center) + s.weight, TriangleId(boxes_.ids[slot])};
-  }
+  double squared_at(Vec3 p, const WeightedPoint& s) const { return squared_length(p - s.center) + s.weight; }
   ClosestPoint search(Vec3 p, ClosestPoint best, double squared_enough = 0) const;
 
   /// The least weight below each child of a node, in the hierarchy's frame.

@@ -17,8 +17,8 @@ constexpr std::size_t points_by_leaf = 10;
 constexpr std::size_t points_by_task = 256;
 /// Neighbours by which density is told.
 constexpr std::size_t density_neighbors = 12;
-/// A point is outlying whose neighbours are so many times as far as those of most: surfaces sampled twenty times
-/// more densely here than there reach 4.5.
+/// A point is outlying whose neighbours are so many times as far as those of most: surfaces sampled twenty
+/// times more densely here than there reach 4.5.
 constexpr double far_away = 5;
 /// Beyond this share of outlying points more neighbours are needed to outvote them.
 constexpr double few_outlying = 0.05;
@@ -30,8 +30,8 @@ struct Cloud {
   template <class Box> bool kdtree_get_bbox(Box&) const { return false; }
 };
 
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3,
-                                                 std::uint32_t>;
+using Tree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::uint32_t>;
 
 /// Calls at(i, neighbours of i, their squared distances) for each point, both ascending by distance.
 template <class At>
@@ -80,8 +80,8 @@ double WitnessedDistance::finest() const {
   std::vector<double> weights;
   weights.reserve(sites.size());
   for (const WeightedPoint& s : sites) weights.push_back(s.weight);
-  const auto at = weights.begin() +
-                  static_cast<std::ptrdiff_t>(most * static_cast<double>(weights.size() - 1));
+  const auto at =
+      weights.begin() + static_cast<std::ptrdiff_t>(most * static_cast<double>(weights.size() - 1));
   std::nth_element(weights.begin(), at, weights.end());
   return std::max(farther * std::sqrt(*at), least_spacing * spacing);
 }
@@ -136,8 +136,7 @@ std::vector<Vec3> sample_area(const TriangleSoup& soup, std::size_t n, std::uint
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     const Triangle3 t = soup.triangle(i);
     passed += area(t);
-    for (; next < passed && points.size() < n;
-         next = share * (static_cast<double>(points.size()) + draw())) {
+    for (; next < passed && points.size() < n; next = share * (static_cast<double>(points.size()) + draw())) {
       const double r = std::sqrt(draw()), s = draw();
       points.push_back((1 - r) * t[0] + r * (1 - s) * t[1] + r * s * t[2]);
     }

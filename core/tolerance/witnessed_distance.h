@@ -1,5 +1,5 @@
-// The witnessed k-distance of points (Guibas, Mérigot, Morozov 2013): weighted points whose φ is near to a surface
-// only where many points are, so that noise is evened out and outliers vanish (core/README.md, N1).
+// The witnessed k-distance of points (Guibas, Mérigot, Morozov 2013): weighted points whose φ is near to a
+// surface only where many points are, so that noise is evened out and outliers vanish (core/README.md, N1).
 #pragma once
 
 #include "base/run_control.h"
@@ -13,8 +13,8 @@
 namespace isoscope {
 
 /// A site a point: the mean of the k points nearest to it, itself among them, and their mean squared distance
-/// from that mean. Its φ is nowhere below the distance to the measure of the points (of mass k/n), so that what
-/// is proven of φ holds for that.
+/// from that mean. Its φ is nowhere below the distance to the measure of the points (of mass k/n), so that
+/// what is proven of φ holds for that.
 struct WitnessedDistance {
   std::vector<WeightedPoint> sites; ///< by point
   std::size_t neighbors = 0;        ///< k

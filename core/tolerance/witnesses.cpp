@@ -94,14 +94,14 @@ class DeepCells {
 
 /// Climbs from a point beyond δ by balls outside of Ω; true when it comes to where a group of cells is, else
 /// `p` is the farthest point reached.
-bool climb(const ClosestPointIndex& index, const DeepCells& cells, double delta, Vec3& p, double& depth) {
-  ClosestPoint at = index.closest(p);
+bool climb(const ToleranceField& field, const DeepCells& cells, double delta, Vec3& p, double& depth) {
+  ClosestPoint at = field.closest(p);
   depth = at.distance();
   for (int step = 0; step < climb_steps; ++step) {
     if (cells.joined(p)) return true;
     const double radius = 0.99 * (at.distance() - delta);
     const Vec3 q = p + radius * normalized(p - at.point);
-    const ClosestPoint next = index.closest_near(q, at.triangle);
+    const ClosestPoint next = field.closest_near(q, at.triangle);
     if (next.distance() <= at.distance() + 1e-3 * radius) break;
     p = q;
     at = next;
@@ -113,7 +113,7 @@ bool climb(const ClosestPointIndex& index, const DeepCells& cells, double delta,
 /// Where sides are not known, a ray through a hole counts one crossing too few: there a point belongs to the
 /// region that it can escape to, and 0 says that it has none.
 int label_of(const ToleranceVolume& volume, Vec3 p) {
-  const RegionId region = volume.escape(p, volume.index().closest(p)).region;
+  const RegionId region = volume.escape(p, volume.field().closest(p)).region;
   if (region.valid()) return volume.regions()[region.index()].label;
   return volume.sides().known() ? volume.sides().label(p) : 0;
 }
@@ -122,7 +122,6 @@ int label_of(const ToleranceVolume& volume, Vec3 p) {
 
 std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunControl& control) {
   const double delta = volume.thresholds().delta;
-  const ClosestPointIndex& index = volume.index();
   std::vector<Witness> witnesses;
   for (const Region& r : volume.regions()) {
     if (r.depth > delta * (1 + offset_margin)) witnesses.push_back({r.deepest, r.label, r.depth});
@@ -132,11 +131,12 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
     if (control.cancelled()) return witnesses;
     const Regions::Cell& c = volume.octree().cell(i);
     const Vec3 p = volume.octree().center(c);
-    const double depth = index.distance(p);
+    const double depth = volume.field().distance(p);
     if (depth <= delta * (1 + offset_margin)) continue;
     if (const int label = label_of(volume, p); label != 0) witnesses.push_back({p, label, depth});
   }
-  if (!volume.sides().known()) return witnesses;
+  if (!volume.sides().known() || !volume.has_surface()) return witnesses;
+  const ClosestPointIndex& index = volume.index();
 
   const std::size_t stride = index.size() / most_triangles + 1, looked = (index.size() + stride - 1) / stride;
   std::vector<Witness> found(2 * looked);

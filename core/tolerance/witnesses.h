@@ -11,12 +11,12 @@ namespace isoscope {
 
 class ToleranceVolume;
 
-/// A point outside of Ω and the side that it must stay on. As no Z inside Ω passes through {d > δ}, one point
+/// A point outside of Ω and the side that it must stay on. As no Z inside Ω passes through {φ > δ}, one point
 /// of each of its components decides for all of it.
 struct Witness {
   Vec3 point;
   int label = +1;   ///< F of its side
-  double depth = 0; ///< d(point) > δ
+  double depth = 0; ///< φ(point) > δ
 };
 
 /// Witnesses of {d > δ}, whose components are smaller than the regions of {d > δ'}: Z may pass where a region

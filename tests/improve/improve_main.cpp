@@ -4,6 +4,7 @@
 #include "input/gallery.h"
 #include "input/mesh_io.h"
 #include "tolerance/boundary_sampler.h"
+#include "tolerance/closest_point.h"
 
 #include <chrono>
 #include <cstdio>
@@ -68,7 +69,7 @@ class Printer : public ImproverObserver {
 void print_normals(const TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample& samples,
                    const ImproverOptions& options) {
   const InputSurface input(volume.index(), volume.thresholds().delta, mesh);
-  const OrientationTester tester{&samples, options.shrink, 2.5 * input.delta(), &volume.index(),
+  const OrientationTester tester{&samples, options.shrink, 2.5 * input.delta(), &volume.field(),
                                  input.delta()};
   std::size_t failures = 0, bad_facets = 0;
   double area = 0, off_60 = 0, off_90 = 0;

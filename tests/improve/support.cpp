@@ -2,6 +2,7 @@
 #include "improve/support.h"
 
 #include "run/certificate.h"
+#include "tolerance/closest_point.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>

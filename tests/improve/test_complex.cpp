@@ -1,6 +1,7 @@
 // Link condition, collapses, stars and patches on surfaces small enough to know by heart.
 #include "improve/patch_moves.h"
 #include "improve/support.h"
+#include "tolerance/closest_point.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>

@@ -2,6 +2,7 @@
 #include "criteria/nearest_sample.h"
 #include "criteria/orientation.h"
 #include "improve/facet_orientation.h"
+#include "tolerance/closest_point.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>

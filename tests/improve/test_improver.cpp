@@ -223,7 +223,7 @@ TEST_CASE("preserved normals cost little and leave no failed test of condition 3
   const auto samples = sample_boundary(*start.volume, start.delta() / 2, control);
   REQUIRE(samples.ok());
   const NearestSample nearest(samples->positions, samples->labels);
-  const OrientationTester tester{&nearest, 0.7, 2.5 * start.delta(), &start.volume->index(), start.delta()};
+  const OrientationTester tester{&nearest, 0.7, 2.5 * start.delta(), &start.volume->field(), start.delta()};
   std::size_t before = 0, after = 0;
   for (const Triangle3& t : triangles(start.mesh)) before += tester.failures(t).size();
   TriangleMesh kept = start.mesh, loose = start.mesh;

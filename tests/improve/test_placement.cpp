@@ -1,6 +1,7 @@
 // Minimax placement against brute force, and the folding rule in every orientation of the input.
 #include "improve/placement.h"
 #include "improve/support.h"
+#include "tolerance/closest_point.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>

@@ -53,7 +53,7 @@ TEST_CASE("every edge of a sphere: accepted patches are proven, refused ones say
       for (std::size_t k = 0; k < patch.complex.facets.size(); ++k) {
         if (!patch.complex.facets[k].alive()) continue;
         const Triangle3 t = patch.complex.triangle(k);
-        CHECK(certify_facet(bench.input.index(), t, bench.start.delta(), bench.start.delta()).kind ==
+        CHECK(certify_facet(bench.input.field(), t, bench.start.delta(), bench.start.delta()).kind ==
               FacetVerdict::Kind::inside);
       }
       for (std::size_t v = 0; v < patch.vertices.size(); ++v)

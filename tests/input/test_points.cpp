@@ -101,7 +101,8 @@ TEST_CASE("rows that are no points are left out with a word, bad ones named with
   check_bad(folder.file("three.xyz", "0 0 0\n1 0 0\n0 1 0\n"), "holds 3 points and no faces");
   check_bad(folder.file("one.xyz", "1 2 3\n1 2 3\n1 2 3\n1 2 3\n"), "all its points at one point");
   check_bad(folder.file("far.xyz", "0 0 0\n1e200 0 0\n0 1 0\n0 0 1\n"), "too large or too small");
-  check_bad(folder.file("long.xyz", "0 0 0 " + std::string(20000, '1') + "\n"), "line 1: a line of more than");
+  check_bad(folder.file("long.xyz", "0 0 0 " + std::string(20000, '1') + "\n"),
+            "line 1: a line of more than");
 }
 
 TEST_CASE("mesh files without faces are points") {

@@ -92,7 +92,7 @@ TEST_CASE("Small components of the input are left out and told, in a recording a
   CHECK(run.result->certificate.components == 1);
   CHECK(run.result->crumbs.vertices == 0);
   CHECK(run.scene->input->triangles.size() == 36); // what was given is shown
-  CHECK(run.scene->index->size() == 12);
+  CHECK(run.scene->field->size() == 12);
   CHECK(run.scene->longest_edge == run.scene->input->bounds().longest_edge());
   const std::vector<std::string> texts = recorded_warnings(*run.journal);
   CHECK(any_says(texts,
@@ -114,7 +114,7 @@ TEST_CASE("Small components of the input are left out and told, in a recording a
 TEST_CASE("Nothing small, nothing left, and a run that is cancelled") {
   CrumbRun none(2);
   REQUIRE(none.prepare());
-  CHECK(none.scene->index->size() == 36);
+  CHECK(none.scene->field->size() == 36);
   CHECK(!any_says(recorded_warnings(*none.journal), "left out"));
   CrumbRun all(40);
   CHECK(!all.prepare());

@@ -99,7 +99,7 @@ TEST_CASE("A thin part beside a thick one is refused, or left out and reported")
   REQUIRE(dropped.scene->left_out.size() == 1);
   CHECK(dropped.scene->left_out[0].box.hi.x == 3);
   CHECK(dropped.scene->input->triangles.size() == 24);
-  CHECK(dropped.scene->index->size() == 12);
+  CHECK(dropped.scene->field->size() == 12);
   REQUIRE(!dropped.scene->warnings.empty());
   CHECK(dropped.scene->warnings.back().message.find("left out") != std::string::npos);
   const auto report = nlohmann::json::parse(

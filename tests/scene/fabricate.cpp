@@ -3,6 +3,7 @@
 
 #include "mesh/delaunay.h"
 #include "mesh/sample_sets.h"
+#include "tolerance/closest_point.h"
 #include "tolerance/grid_sides.h"
 
 #include <algorithm>
@@ -114,9 +115,9 @@ Fabricated refine(const std::shared_ptr<Scene>& scene, std::shared_ptr<const Bou
   }
   describe(*state);
   auto grid = std::make_shared<DistanceGrid>(
-      take(make_distance_grid(*scene->index, scene->delta, resolution, control)));
-  const InputSides sides(scene->index, SideRule::parity, nullptr);
-  if (const Status found = find_sides(*grid, *scene->index, sides, scene->delta, scene->regions, control);
+      take(make_distance_grid(*scene->field, scene->delta, resolution, control)));
+  const InputSides sides({scene->field, scene->field->surface()}, SideRule::parity, nullptr);
+  if (const Status found = find_sides(*grid, *scene->field, sides, scene->delta, scene->regions, control);
       !found)
     throw std::runtime_error(found.error().line());
   return {scene, state, grid};
@@ -137,7 +138,7 @@ void add_sphere(BoundarySamples& samples, Vec3 center, double radius, std::size_
 std::shared_ptr<Scene> prepare(const TriangleSoup& soup, double delta) {
   auto scene = std::make_shared<Scene>();
   scene->input = std::make_shared<TriangleSoup>(soup);
-  scene->index = std::make_shared<ClosestPointIndex>(soup);
+  scene->field = std::make_shared<ClosestPointIndex>(soup);
   scene->longest_edge = soup.bounds().longest_edge();
   scene->delta = delta / 100 * scene->longest_edge;
   return scene;
@@ -151,7 +152,7 @@ Fabricated fabricate(const TriangleSoup& soup, double delta, double sigma, std::
   auto scene = prepare(soup, delta);
   scene->input_topology = analyse_input(soup);
   ToleranceVolume volume =
-      take(ToleranceVolume::build(scene->index, scene->input_topology, {scene->delta, 0.95}, control));
+      take(ToleranceVolume::build(scene->field, scene->input_topology, {scene->delta, 0.95}, control));
   auto samples =
       std::make_shared<BoundarySamples>(take(sample_boundary(volume, sigma * scene->delta, control)));
   scene->thresholds = volume.thresholds();

@@ -60,8 +60,8 @@ TEST_CASE("closest points equal those of brute force on soups of every size and 
           const ClosestPoint near = index.closest_near(p, {}, enough);
           CHECK(std::abs(distance(p, near.point) - near.distance()) <= slack);
           CHECK(near.distance() <= std::max(enough, expected) + slack);
-          CHECK_FALSE(index.closest(p, expected * (1 - 1e-9) - slack).triangle.valid());
-          CHECK(index.closest(p, expected * (1 + 1e-9) + slack).triangle.valid());
+          CHECK_FALSE(index.closest_within(p, expected * (1 - 1e-9) - slack).triangle.valid());
+          CHECK(index.closest_within(p, expected * (1 + 1e-9) + slack).triangle.valid());
         }
       }
 }
@@ -140,7 +140,7 @@ TEST_CASE("An index without triangles answers every question at once: there is n
   CHECK(index.empty());
   CHECK(index.size() == 0);
   CHECK_FALSE(index.closest(p).triangle.valid());
-  CHECK_FALSE(index.closest(p, 5).triangle.valid());
+  CHECK_FALSE(index.closest_within(p, 5).triangle.valid());
   CHECK_FALSE(index.closest_near(p, TriangleId()).triangle.valid());
   CHECK(std::isinf(index.distance(p)));
   TriangleNeighborhood near;

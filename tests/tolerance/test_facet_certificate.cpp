@@ -1,4 +1,5 @@
 // Facets known to be inside and outside, small planted violations, and the proven bound.
+#include "tolerance/closest_point.h"
 #include "tolerance/facet_certificate.h"
 #include "tolerance/shapes.h"
 

@@ -1,4 +1,5 @@
 // The distance grid and the check of parameters.
+#include "tolerance/closest_point.h"
 #include "tolerance/distance_grid.h"
 #include "tolerance/parameter_check.h"
 #include "tolerance/shapes.h"

@@ -28,8 +28,7 @@ std::vector<WeightedPoint> random_points(Random& random, std::size_t n, Vec3 off
 
 double brute_force(const std::vector<WeightedPoint>& points, Vec3 p) {
   double best = std::numeric_limits<double>::infinity();
-  for (const WeightedPoint& s : points)
-    best = std::min(best, squared_length(p - s.center) + s.weight);
+  for (const WeightedPoint& s : points) best = std::min(best, squared_length(p - s.center) + s.weight);
   return best;
 }
 

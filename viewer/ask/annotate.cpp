@@ -120,10 +120,10 @@ void uncovered(const std::vector<UncoveredPlace>& places, Annotation& a) {
 std::optional<RefusedFacet> shown_refusal(const WindowState& m) {
   const auto state = m.state();
   const auto event = m.selected_event();
-  if (!state || !event || !m.run.journal || !m.run.scene || !m.run.scene->index) return std::nullopt;
+  if (!state || !event || !m.run.journal || !m.run.scene || !m.run.scene->field) return std::nullopt;
   std::optional<std::size_t> sweep;
   if (m.place.level == DebugLevel::gate && m.place.gate_event == event) sweep = m.place.gate;
-  return refused_facet(*m.run.journal, m.run.journal->events()[*event], *state, *m.run.scene->index, sweep);
+  return refused_facet(*m.run.journal, m.run.journal->events()[*event], *state, *m.run.scene->field, sweep);
 }
 
 Annotation Investigation::make_annotation() const {

@@ -241,10 +241,10 @@ void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   widgets::value_row(ui, "area", short_number(0.5 * length(normal) / (delta * delta)) + " δ²");
   widgets::value_row(ui, "normal", position_text(normalized(normal)));
   const auto& scene = ui.window.run.scene;
-  if (!scene || !scene->index) return;
+  if (!scene || !scene->field) return;
   double largest = 0;
   const Vec3 center = (1.0 / 3) * (p[0] + p[1] + p[2]);
-  for (const Vec3& q : {p[0], p[1], p[2], center}) largest = std::max(largest, scene->index->distance(q));
+  for (const Vec3& q : {p[0], p[1], p[2], center}) largest = std::max(largest, scene->field->distance(q));
   widgets::limit_bar(ui, "d at corners and centroid", largest / delta, 1, largest <= delta, "δ", true);
 }
 

@@ -16,9 +16,9 @@ int resolution_for(const Scene& scene) {
 }
 
 std::shared_ptr<const DistanceGrid> grid_of(const std::shared_ptr<const Scene>& scene, RunControl& control) {
-  auto made = make_distance_grid(*scene->index, scene->delta, resolution_for(*scene), control);
+  auto made = make_distance_grid(*scene->field, scene->delta, resolution_for(*scene), control);
   if (!made ||
-      !find_sides(*made, *scene->index, scene->volume->sides(), scene->delta, scene->regions, control))
+      !find_sides(*made, *scene->field, scene->volume->sides(), scene->delta, scene->regions, control))
     return nullptr;
   return std::make_shared<const DistanceGrid>(*std::move(made));
 }
@@ -31,7 +31,7 @@ GridLoader::GridLoader(std::function<void()> notify)
 void GridLoader::want(const std::shared_ptr<const Scene>& scene) {
   if (scene == scene_) return;
   scene_ = scene;
-  if (scene && scene->index)
+  if (scene && scene->field)
     worker_->ask(scene);
   else
     worker_->stop();

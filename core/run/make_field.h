@@ -1,0 +1,29 @@
+// The one place where an input becomes a field (core/README.md, D9).
+#pragma once
+
+#include "base/run_control.h"
+#include "base/status.h"
+#include "input/triangle_soup.h"
+#include "run/parameters.h"
+#include "run/point_field.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <memory>
+#include <optional>
+
+namespace isoscope {
+
+/// What the algorithm asks of an input, and what is known of its surface.
+struct FieldInput {
+  std::shared_ptr<const ToleranceField> field;
+  InputTopology topology; ///< with what tells the sides
+  MadePointField points;  ///< where the field is one of points
+};
+
+/// The field of what was read: the distance to triangles, or the robust distance to points. `delta`: δ, where
+/// it is known already. Of no use once the control is cancelled.
+Result<FieldInput> make_field(const std::shared_ptr<const TriangleSoup>& input,
+                              const RunParameters& parameters, std::optional<double> delta,
+                              const RunControl& control);
+
+} // namespace isoscope
