@@ -9,7 +9,6 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t leaf_size = 2;
 constexpr unsigned bin_count = 16;
 /// Ranges of so many items take long enough to ask before them whether to go on.
 constexpr std::size_t worth_a_question = 1000;
@@ -32,8 +31,9 @@ float round_up(double x) {
 
 } // namespace
 
-BvhBuilder::BvhBuilder(BoxHierarchy& boxes, const std::vector<Box3>& items, const RunControl* control)
-    : boxes_(boxes), control_(control), items_(items.size()) {
+BvhBuilder::BvhBuilder(BoxHierarchy& boxes, const std::vector<Box3>& items, const RunControl* control,
+                       std::size_t leaf_size)
+    : boxes_(boxes), control_(control), leaf_size_(leaf_size), items_(items.size()) {
   for (std::size_t i = 0; i < items.size(); ++i) items_[i] = {items[i], static_cast<std::uint32_t>(i)};
 }
 
@@ -119,7 +119,7 @@ void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth)
   while (parts.size() < width) {
     std::size_t widest = parts.size();
     for (std::size_t i = 0; i < parts.size(); ++i)
-      if (parts[i].size() > leaf_size &&
+      if (parts[i].size() > leaf_size_ &&
           (widest == parts.size() || half_area(parts[i].box) > half_area(parts[widest].box)))
         widest = i;
     if (widest == parts.size()) break;
@@ -136,7 +136,7 @@ void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth)
       continue;
     }
     set_box(node, k, parts[k].box);
-    if (parts[k].size() <= leaf_size) {
+    if (parts[k].size() <= leaf_size_) {
       boxes_.nodes[node].child[k] = static_cast<std::uint32_t>(parts[k].begin);
       boxes_.nodes[node].count[k] = static_cast<std::uint8_t>(parts[k].size());
       continue;

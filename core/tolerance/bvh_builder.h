@@ -4,7 +4,7 @@
 #include "base/run_control.h"
 #include "tolerance/box_hierarchy.h"
 
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace isoscope {
@@ -12,8 +12,11 @@ namespace isoscope {
 /// One-shot: fills a hierarchy from the boxes of its items.
 class BvhBuilder {
  public:
+  /// Leaves hold at most so many items where asking one takes long, as of triangles, or not.
+  static constexpr std::size_t small_leaf = 2, large_leaf = 4;
   /// `control`, where given, may stop it.
-  BvhBuilder(BoxHierarchy& boxes, const std::vector<Box3>& items, const RunControl* control = nullptr);
+  BvhBuilder(BoxHierarchy& boxes, const std::vector<Box3>& items, const RunControl* control = nullptr,
+             std::size_t leaf_size = small_leaf);
   /// False when it was stopped: the hierarchy is of no use then.
   bool build();
 
@@ -34,6 +37,7 @@ class BvhBuilder {
 
   BoxHierarchy& boxes_;
   const RunControl* control_;
+  std::size_t leaf_size_;
   bool stopped_ = false;
   std::vector<Item> items_;
 };

@@ -1,4 +1,5 @@
 // Whole runs on points: noise, outliers, blobs, gaps, two scans, and soups that are taken as points.
+#include "base/parallel.h"
 #include "input/gallery.h"
 #include "run/complete_run.h"
 #include "run/report.h"
@@ -65,7 +66,7 @@ TEST_CASE("a noisy sphere with outliers comes out as a sphere, and they are told
   CHECK(warned(*run->scene, "are outliers and left out"));
   CHECK(run->result->points->all.most > run->result->points->kept.most);
   const auto report = nlohmann::json::parse(
-      report_json(run->parameters, *run->scene, *run->result, stage_statistics(*run->journal)));
+      report_json(run->parameters, *run->scene, *run->result, gather_statistics(*run->journal)));
   CHECK(report["points"]["count"] == 4210);
   CHECK(report["points"]["neighbors"] == run->scene->points->neighbors);
   CHECK(report["tolerances"]["curve"].size() > 10);
