@@ -3,6 +3,7 @@
 
 #include "tolerance/cell_links.h"
 #include "tolerance/field_octree.h"
+#include "tolerance/region_labels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ constexpr double same_opening = 1.3;
 /// How far inside of the interval δ is proposed, and how much farther fewer components are looked for.
 constexpr double above_least = 1.15, search_factor = 1.5;
 constexpr std::size_t curve_steps = 64;
-constexpr std::size_t most_regions = 1000;
+constexpr std::size_t most_regions = 200;
 
 /// A component of {φ > δ} or of {φ < δ}, from the δ at which it appears to that at which it joins an older
 /// one.
@@ -161,6 +162,13 @@ DeltaStudy study_delta(const ToleranceField& field, double finest, const RunCont
   std::stable_sort(study.regions.begin(), study.regions.end(),
                    [](const auto& a, const auto& b) { return a.depth > b.depth; });
   if (study.regions.size() > most_regions) study.regions.resize(most_regions);
+  for (LastingRegion& r : study.regions) { // from the centre of a leaf to the top itself
+    if (control.cancelled()) return study;
+    const ThicknessProbe top =
+        climb(field, {r.deepest, r.depth, {}}, std::numeric_limits<double>::infinity());
+    r.deepest = top.middle;
+    r.depth = top.distance;
+  }
   study.insides = find_insides(study.regions);
   double from = finest, to = 4 * finest;
   if (!study.insides.empty()) {

@@ -17,9 +17,9 @@ constexpr std::size_t points_by_leaf = 10;
 constexpr std::size_t points_by_task = 256;
 /// Neighbours by which density is told.
 constexpr std::size_t density_neighbors = 12;
-/// A point is outlying whose neighbours are so many times as far as those of most: surfaces sampled twenty
-/// times more densely here than there reach 4.5.
-constexpr double far_away = 5;
+/// A point is outlying whose neighbours are so many times as far as those of most: where a surface is sampled
+/// a twelfth as densely they reach it.
+constexpr double far_away = 3.5;
 /// Beyond this share of outlying points more neighbours are needed to outvote them.
 constexpr double few_outlying = 0.05;
 

@@ -73,7 +73,7 @@ TEST_CASE("φ is nowhere below the distance to the measure of the points") {
 
 TEST_CASE("k goes with the share of points that stand apart; area and spacing are those of the surface") {
   Random random(4);
-  std::vector<Vec3> points = sphere_points(random, 4000, 1, 0.005);
+  std::vector<Vec3> points = sphere_points(random, 10000, 1, 0.005);
   const Box3 box{{-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}};
   const double area = 4 * std::numbers::pi;
   const WitnessedDistance clean = witness_distance(points, 0, RunControl());
@@ -81,8 +81,8 @@ TEST_CASE("k goes with the share of points that stand apart; area and spacing ar
   CHECK(clean.automatic);
   CHECK(clean.outlying < 0.001);
   CHECK(clean.area == doctest::Approx(area).epsilon(0.2));
-  CHECK(clean.spacing == doctest::Approx(std::sqrt(area / 4000)).epsilon(0.2));
-  add_outliers(random, points, 400, box);
+  CHECK(clean.spacing == doctest::Approx(std::sqrt(area / 10000)).epsilon(0.2));
+  add_outliers(random, points, 1000, box);
   const WitnessedDistance noisy = witness_distance(points, 0, RunControl());
   CHECK(noisy.neighbors == robust_neighbors);
   CHECK(noisy.outlying > 0.05);
