@@ -1,7 +1,7 @@
 # Finds everything we link against, from the system alone; the reasons are in third_party/README.md.
 #
 # Targets for the rest of the build: CGAL::CGAL, TBB::tbb, nlohmann_json::nlohmann_json, CLI11::CLI11,
-# SQLite::SQLite3;
+# nanoflann::nanoflann, SQLite::SQLite3;
 # with ISOSCOPE_VIEWER: glfw, X11::X11, imgui::imgui (with its GLFW, OpenGL 3 and FreeType parts), glm::glm, glad::glad, stb::stb;
 # with ISOSCOPE_TESTS: doctest::doctest.
 
@@ -25,6 +25,8 @@ find_package(nlohmann_json QUIET)
 isoscope_need("nlohmann-json ${nlohmann_json_VERSION}" "${nlohmann_json_FOUND}" "${nlohmann_json_DIR}" nlohmann-json3-dev)
 find_package(CLI11 QUIET)
 isoscope_need("CLI11 ${CLI11_VERSION}" "${CLI11_FOUND}" "${CLI11_DIR}" libcli11-dev)
+find_package(nanoflann QUIET)
+isoscope_need("nanoflann ${nanoflann_VERSION}" "${nanoflann_FOUND}" "${nanoflann_DIR}" libnanoflann-dev)
 find_package(SQLite3 3.37 QUIET)
 isoscope_need("SQLite ${SQLite3_VERSION}" "${SQLite3_FOUND}" "${SQLite3_LIBRARIES}" libsqlite3-dev)
 

@@ -3,6 +3,7 @@
 
 #include "base/field_options.h"
 #include "input/gallery.h"
+#include "input/mesh_io.h"
 
 #include <CLI/CLI.hpp>
 
@@ -72,6 +73,7 @@ Result<RunParameters> RunOptions::finish() const {
   const auto given = [&](const char* option) { return r.app->count(option) > 0; };
   if (const GalleryEntry* entry = gallery_entry(p.input); entry != nullptr && !given("--tolerance"))
     p.tolerance = {entry->tolerance_percent, true};
+  if (!given("--tolerance") && is_named_as_points(p.input)) p.tolerance.automatic = true;
   // Half-spaces are learnt from facets that leave Ω, which sampled mode does not look at.
   if (p.containment == Containment::sampled && !given("--target")) p.target = TargetStrategy::sampling;
   if (r.no_normals) p.conditions[2] = false;

@@ -29,11 +29,25 @@ std::string normal_words(const NormalDeviation& n) {
          " % beyond 90°" + (n.oriented ? "" : " (without a sign: the input is not oriented)");
 }
 
-std::string holds_words(const Certificate& c, double delta) {
+/// "d <= 0.97 δ everywhere": what is proven of all of Z in the words of the field.
+std::string containment_words(const Certificate& c, const Scene& scene) {
+  const std::string most = number("%.4f", c.max_distance / scene.delta) + " δ";
+  if (scene.field->kind() != FieldKind::points) return "d <= " + most + " everywhere";
+  return "φ <= " + most + " everywhere" +
+         (scene.points->neighbors > 1 ? ", so that the robust distance is at most δ" : "");
+}
+
+/// Quantiles in δ.
+std::string point_words(const PointDistances::Quantiles& q, double delta) {
+  return number("%.3f", q.median / delta) + " δ for half of them, " +
+         number("%.3f", q.percentile_90 / delta) + " for 90 %, " + number("%.3f", q.percentile_99 / delta) +
+         " for 99 %, " + number("%.3g", q.most / delta) + " at most";
+}
+
+std::string holds_words(const Certificate& c, const Scene& scene) {
   using Topology = Certificate::Topology;
   std::string words =
-      "holds: closed, oriented, free of intersections, d <= " + number("%.4f", c.max_distance / delta) +
-      " δ everywhere, sides separated";
+      "holds: closed, oriented, free of intersections, " + containment_words(c, scene) + ", sides separated";
   if (c.cover_limit && c.cover_note.empty())
     words += ", the input covered within " + number("%.4g", *c.cover_limit) + " δ";
   if (c.topology == Topology::as_expected) words += ", topology as expected";
@@ -58,10 +72,13 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                     const std::vector<StageStatistics>& stages, const std::string& stopped_at) {
   const Certificate& c = result.certificate;
   std::string text;
-  text += line("Input", parameters.input + ": " + grouped(scene.input->points.size()) + " vertices, " +
-                            grouped(scene.input->triangles.size()) + " faces; δ = " +
-                            number("%.6g", scene.delta) + " (" + parameters.tolerance.text() +
-                            "), σ = " + number("%.3g", parameters.sigma_ratio(scene.default_sigma)) + " δ");
+  text += line("Input",
+               parameters.input + ": " +
+                   (scene.input->is_point_set() ? counted(scene.input->points.size(), "point")
+                                                : grouped(scene.input->points.size()) + " vertices, " +
+                                                      grouped(scene.input->triangles.size()) + " faces") +
+                   "; δ = " + number("%.6g", scene.delta) + " (" + parameters.tolerance.text() +
+                   "), σ = " + number("%.3g", parameters.sigma_ratio(scene.default_sigma)) + " δ");
   text += line("Samples", grouped(scene.samples->size()) + " on " +
                               counted(scene.boundary_components.size(), "boundary component") + ", " +
                               number("%.2f", scene.sampling_seconds) + " s");
@@ -72,11 +89,17 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                              ", χ = " + std::to_string(c.euler_characteristic) +
                              (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
   if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));
-  text += line("Certificate", c.holds() ? holds_words(c, scene.delta) : "does NOT hold");
+  text += line("Certificate", c.holds() ? holds_words(c, scene) : "does NOT hold");
   if (c.input_distance.upper < std::numeric_limits<double>::infinity()) {
     text += line("", "the input is at most " + number("%.4f", c.input_distance.upper / scene.delta) +
                          " δ away from it, somewhere " +
                          number("%.4f", c.input_distance.lower / scene.delta) + " δ");
+  }
+  if (result.points) {
+    text += line("Points", "within " + point_words(result.points->kept, scene.delta));
+    if (scene.points->dropped_points() > 0)
+      text += line("", "with the " + grouped(scene.points->dropped_points()) +
+                           " left out: " + point_words(result.points->all, scene.delta));
   }
   if (!c.topology_note.empty()) text += line("", c.topology_note);
   for (const std::string& note : {c.cover_note, c.gap_note})

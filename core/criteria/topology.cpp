@@ -20,7 +20,7 @@ struct Side {
 Side side_of(const ToleranceVolume& volume, int label) {
   Side side;
   for (const BoundaryComponent& component : volume.boundary_components()) {
-    if (component.label != label) continue;
+    if (component.label != label || volume.regions()[component.region.index()].shallow) continue;
     side.euler_characteristic += component.euler_characteristic;
     ++side.components;
   }

@@ -58,7 +58,7 @@ std::uint64_t physical_memory() {
 FileScanner::FileScanner(const std::filesystem::path& file, const RunControl& control)
     : file_(file), control_(&control) {
   struct stat info {};
-  const std::string give = "Give the path of an OFF, OBJ, PLY or STL file.";
+  const std::string give = "Give the path of an OFF, OBJ, PLY, STL or XYZ file.";
   // Asked before opening, since opening a pipe or a device may wait or have effects.
   if (::stat(file.c_str(), &info) != 0) fail("cannot be opened (" + reason(errno) + ")", give);
   if (!S_ISREG(info.st_mode)) fail(std::string("is ") + kind_of(info.st_mode) + ", not a file", give);
@@ -208,6 +208,22 @@ std::string_view FileScanner::word(char comment) {
   return {word_.data(), length};
 }
 
+std::string_view FileScanner::rest_of_line() {
+  constexpr std::size_t longest = 10000;
+  line_text_.clear();
+  for (;;) {
+    std::size_t end = position_;
+    while (end < filled_ && !is_line_end(buffer_[end])) ++end;
+    const std::string_view part(buffer_.data() + position_, end - position_);
+    position_ = end;
+    if (line_text_.size() + part.size() > longest)
+      fail_here("a line of more than " + std::to_string(longest) + " characters", "Is this the right file?");
+    if (end < filled_ && line_text_.empty()) return part;
+    line_text_ += part;
+    if (end < filled_ || peek() == end_of_file) return line_text_;
+  }
+}
+
 std::string_view FileScanner::word_across_lines(std::string_view what, char comment) {
   skip_empty_lines(comment);
   const std::string_view w = word(comment);
@@ -259,8 +275,8 @@ std::int64_t FileScanner::to_integer(std::string_view text) const {
   return value;
 }
 
-void FileScanner::fail_here(const std::string& what, const std::string& remedy) const {
-  const std::string place = printable(file_.native(), 1000) + ", line " + std::to_string(line_);
+void FileScanner::fail_at(std::uint64_t line, const std::string& what, const std::string& remedy) const {
+  const std::string place = printable(file_.native(), 1000) + ", line " + std::to_string(line);
   throw MeshFileFailure{Error{ErrorCode::bad_input, place + ": " + what + ".", remedy}};
 }
 

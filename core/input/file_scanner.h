@@ -83,6 +83,9 @@ class FileScanner {
   /// The next word of this line, empty at its end; valid until the next call. Longer than 200 characters
   /// fails.
   std::string_view word(char comment = '#');
+  /// What is left of this line, without its end; valid until the next call. Longer than 10,000 characters
+  /// fails.
+  std::string_view rest_of_line();
   /// The next word of this file, on whatever line; `what` is missed when the file ends.
   std::string_view word_across_lines(std::string_view what, char comment = '#');
 
@@ -95,7 +98,10 @@ class FileScanner {
   std::int64_t to_integer(std::string_view word) const;
 
   /// Fails with bad_input: "FILE, line N: what" and a remedy.
-  [[noreturn]] void fail_here(const std::string& what, const std::string& remedy = {}) const;
+  [[noreturn]] void fail_here(const std::string& what, const std::string& remedy = {}) const {
+    fail_at(line_, what, remedy);
+  }
+  [[noreturn]] void fail_at(std::uint64_t line, const std::string& what, const std::string& remedy) const;
   /// Fails: "FILE: what" and a remedy.
   [[noreturn]] void fail(const std::string& what, const std::string& remedy = {},
                          ErrorCode code = ErrorCode::bad_input) const;
@@ -119,6 +125,7 @@ class FileScanner {
   std::vector<char> buffer_;
   std::size_t position_ = 0, filled_ = 0;
   std::array<char, 200> word_{};
+  std::string line_text_; ///< of a line that crosses the buffer's end
 };
 
 /// Whether two words are the same but for upper and lower case of ASCII letters.

@@ -16,6 +16,7 @@ constexpr std::string_view from_cad =
     "It holds curved surfaces: open it in a CAD program and export a mesh as STL, OBJ, PLY or OFF.";
 constexpr std::string_view from_modeller =
     "Open it in a modelling program and export it as OFF, OBJ, PLY or STL.";
+constexpr std::string_view from_scanner = "Convert it to PLY or XYZ, as CloudCompare does.";
 constexpr std::string_view no_mesh = "Give the mesh itself as OFF, OBJ, PLY or STL.";
 
 constexpr ForeignFormat formats[] = {
@@ -40,6 +41,9 @@ constexpr ForeignFormat formats[] = {
     {"; FBX"sv, 0, "an FBX file", from_modeller},
     {"glTF"sv, 0, "a binary glTF file (GLB)", from_modeller},
     {"#VRML"sv, 0, "a VRML file", from_modeller},
+    {"# .PCD"sv, 0, "a PCD file of points", from_scanner},
+    {"LASF"sv, 0, "a LAS file of points", from_scanner},
+    {"ASTM-E57"sv, 0, "an E57 file of points", from_scanner},
     {"# vtk DataFile"sv, 0, "a VTK file", from_modeller},
     {"MeshVersionFormatted"sv, 0, "a Medit mesh", from_modeller},
     {"$MeshFormat"sv, 0, "a Gmsh mesh", from_modeller},

@@ -9,7 +9,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<GalleryEntry, 9> entries{{
+constexpr std::array<GalleryEntry, 11> entries{{
     {"bracket", "Angle bracket",
      "Long thin triangles, sharp edges and drilled holes do not matter: only the volume around them does, "
      "and refinement "
@@ -42,6 +42,14 @@ constexpr std::array<GalleryEntry, 9> entries{{
      "Gaps, overlaps, flipped and double triangles vanish inside the tolerance volume: only where it closes "
      "matters.",
      4.0, 0},
+    {"noisy-sphere", "Noisy sphere",
+     "Points with 1 % of noise and a few outliers: each is averaged with its neighbours, and Ω encloses the "
+     "inside from some tolerance on, which the diagram of tolerances shows.",
+     6.0, 2},
+    {"scan", "Scan with a gap",
+     "A ring of points with a slit and outliers: the tolerance closes the slit, and a blob that encloses "
+     "nothing is left out.",
+     5.5, 0},
 }};
 
 TriangleSoup make_nested_spheres() {
@@ -59,6 +67,14 @@ TriangleSoup make_rings() {
   for (Vec3& p : other.points) p = {p.x + 1, -p.z, p.y}; // stands upright, through the middle of the first
   append(model, other);
   return model;
+}
+
+TriangleSoup make_torn_scan() {
+  const auto in_slit = [](Vec3 p) { return p.x > 0 && p.y > -0.04 && p.y < 0.04; };
+  TriangleSoup scan = make_scan(make_torus(1, 0.45, 64, 32), 9000, 0.01, 200, in_slit);
+  TriangleSoup blob = make_sphere(2);
+  for (const Vec3 p : blob.points) scan.points.push_back(Vec3{1.4, 1.4, 0.4} + 0.08 * p);
+  return scan;
 }
 
 TriangleSoup make_blob() {
@@ -107,6 +123,10 @@ Result<TriangleSoup> make_gallery_model(std::string_view name) {
     model = make_blob();
   else if (name == "soup")
     model = make_defective(make_torus(1, 0.4, 64, 32), 0.008);
+  else if (name == "noisy-sphere")
+    model = make_scan(make_sphere(3), 6000, 0.02, 180, {});
+  else if (name == "scan")
+    model = make_torn_scan();
   else {
     std::string names;
     for (const GalleryEntry& e : entries) names += (names.empty() ? "" : ", ") + std::string(e.name);

@@ -1,8 +1,10 @@
 // Spheres, tubes, subdivision surfaces and the art of spoiling them.
 #include "input/gallery_shapes.h"
 
+#include "base/scramble.h"
 #include "input/exact_circle.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -220,6 +222,38 @@ TriangleSoup make_defective(const TriangleSoup& model, double noise) {
     }
   }
   return soup;
+}
+
+TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, std::size_t outliers,
+                       const std::function<bool(Vec3)>& missing) {
+  std::uint64_t state = 0;
+  const auto draw = [&] { return static_cast<double>(scrambled(state += golden_step) >> 11) * 0x1p-53; };
+  const auto gauss = [&] {
+    double sum = -6; // of twelve draws: variance 1, and the same bits with every library
+    for (int i = 0; i < 12; ++i) sum += draw();
+    return sum;
+  };
+  std::vector<double> passed;
+  double area = 0;
+  for (std::size_t i = 0; i < model.triangles.size(); ++i)
+    passed.push_back(area += isoscope::area(model.triangle(i)));
+  TriangleSoup scan;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto at = std::lower_bound(passed.begin(), passed.end() - 1, area * draw()) - passed.begin();
+    const Triangle3 t = model.triangle(static_cast<std::size_t>(at));
+    const double r = std::sqrt(draw()), s = draw();
+    Vec3 p = (1 - r) * t[0] + r * (1 - s) * t[1] + r * s * t[2];
+    if (missing && missing(p)) continue;
+    for (int a = 0; a < 3; ++a) p[a] += noise * gauss();
+    scan.points.push_back(p);
+  }
+  const Box3 box = model.bounds().grown(0.1 * model.bounds().longest_edge());
+  for (std::size_t i = 0; i < outliers; ++i) {
+    Vec3 p;
+    for (int a = 0; a < 3; ++a) p[a] = box.lo[a] + draw() * (box.hi[a] - box.lo[a]);
+    scan.points.push_back(p);
+  }
+  return scan;
 }
 
 void append(TriangleSoup& to, const TriangleSoup& part) {

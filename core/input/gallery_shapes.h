@@ -36,6 +36,11 @@ TriangleSoup make_bracket(int arc);
 /// triangles missing, enlarged, flipped and doubled.
 TriangleSoup make_defective(const TriangleSoup& model, double noise);
 
+/// `n` points evenly on a model, each moved by about normal noise of this size along each axis, then so many
+/// anywhere around it; without those of the model for which `missing` holds.
+TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, std::size_t outliers,
+                       const std::function<bool(Vec3)>& missing);
+
 void append(TriangleSoup& to, const TriangleSoup& part);
 void turn_inside_out(TriangleSoup& model);
 

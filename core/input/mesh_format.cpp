@@ -9,12 +9,9 @@
 
 namespace isoscope {
 
-const char* const points_remedy =
-    "Point sets come with a later version of Isoscope; give a triangle mesh as OFF, OBJ, PLY or STL.";
-
 namespace {
 
-const std::string known_formats = "Isoscope reads OFF, OBJ, PLY and STL.";
+const std::string known_formats = "Isoscope reads OFF, OBJ, PLY, STL and lists of points (XYZ).";
 
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
@@ -42,10 +39,6 @@ bool is_obj_keyword(std::string_view word) {
   constexpr std::string_view keywords[] = {"v", "vn", "vt", "vp", "f",      "g",
                                            "o", "s",  "l",  "p",  "mtllib", "usemtl"};
   return std::find(std::begin(keywords), std::end(keywords), word) != std::end(keywords);
-}
-
-bool looks_like_points(std::string_view line) {
-  return !line.empty() && line.find_first_not_of("0123456789+-.,;eE \t") == std::string_view::npos;
 }
 
 /// Whether it begins as OFF does after its keyword, with two whole numbers.
@@ -96,6 +89,13 @@ void pass_byte_order_mark(FileScanner& in) {
 
 } // namespace
 
+bool is_points_extension(std::string_view extension) {
+  constexpr std::string_view extensions[] = {".xyz", ".asc",  ".txt",  ".pts",    ".csv",
+                                             ".pwn", ".xyzn", ".npts", ".xyzrgb", ".neu"};
+  return std::any_of(std::begin(extensions), std::end(extensions),
+                     [&](auto e) { return same_word(e, extension); });
+}
+
 MeshFormat detect_format(FileScanner& in) {
   // Before any mark is believed: the header of binary STL may hold anything.
   if (is_whole_binary_stl(in.head(), in.size())) return MeshFormat::stl_binary;
@@ -112,8 +112,8 @@ MeshFormat detect_format(FileScanner& in) {
   if (is_obj_keyword(first.word)) return MeshFormat::obj;
   const bool text = head.find('\0') == std::string_view::npos;
   if (same_word(extension, ".off") && begins_with_counts(first.line)) return MeshFormat::off;
-  if (looks_like_points(first.line))
-    in.fail("holds a list of numbers, which looks like a point set", points_remedy, ErrorCode::unsupported);
+  if (looks_like_points(first.line) || (is_points_extension(extension) && !is_binary(head)))
+    return MeshFormat::xyz;
   if (same_word(extension, ".stl") && is_binary(head)) return MeshFormat::stl_binary;
   if (same_word(extension, ".obj") && text) return MeshFormat::obj;
   fail_unknown(in, extension, text);

@@ -1,4 +1,4 @@
-// Reads polygons and makes a sound triangle soup of them.
+// Reads polygons or points and makes a sound triangle soup of them.
 #include "input/mesh_io.h"
 
 #include "base/numbers.h"
@@ -19,6 +19,8 @@ namespace {
 /// Faces whose corners leave their plane by less than this part of the longest edge are called flat: so much
 /// may be rounding.
 constexpr double flat_enough = 1e-6;
+/// Fewer points span no volume.
+constexpr std::size_t fewest_points = 4;
 
 PolygonFile read_polygons(FileScanner& in) {
   switch (detect_format(in)) {
@@ -32,6 +34,8 @@ PolygonFile read_polygons(FileScanner& in) {
     return read_stl_ascii(in);
   case MeshFormat::stl_binary:
     return read_stl_binary(in);
+  case MeshFormat::xyz:
+    return read_xyz(in);
   }
   in.fail("is in no format that we know");
 }
@@ -93,32 +97,47 @@ PolygonFigures triangulate_all(const FileScanner& in, const PolygonFile& polygon
   return figures;
 }
 
+/// Refuses what has no extent, and coordinates beyond which the products of four lengths that geometry needs
+/// would leave the range of a double.
+void check_size(const FileScanner& in, const Box3& box, const std::string& what, const std::string& remedy) {
+  const double size = box.longest_edge();
+  if (size == 0) in.fail("has all its " + what + " at one point", remedy);
+  const Vec3 largest{std::max(std::abs(box.lo.x), std::abs(box.hi.x)),
+                     std::max(std::abs(box.lo.y), std::abs(box.hi.y)),
+                     std::max(std::abs(box.lo.z), std::abs(box.hi.z))};
+  if (std::max({largest.x, largest.y, largest.z}) > 1e60 || size < 1e-60)
+    in.fail("has coordinates too large or too small to compute with", "Rescale the model to a size near 1.");
+}
+
+InputMesh make_point_set(const FileScanner& in, PolygonFile&& file) {
+  InputMesh mesh;
+  mesh.soup.name = in.file().stem().string();
+  mesh.soup.points = std::move(file.points);
+  mesh.notes = std::move(file.notes);
+  const std::size_t n = mesh.soup.points.size();
+  if (n < fewest_points)
+    in.fail("holds " + counted(n, "point") + " and no faces",
+            "Give triangles, or at least " + std::to_string(fewest_points) + " points.");
+  check_size(in, mesh.soup.bounds(), "points", "Give points of a surface.");
+  return mesh;
+}
+
 /// Triangulates, drops triangles that name a vertex twice, and refuses what is no surface at all.
 InputMesh make_soup(const FileScanner& in, PolygonFile&& polygons) {
   InputMesh mesh;
   TriangleSoup& soup = mesh.soup;
   soup.name = in.file().stem().string();
   if (polygons.corner_count.empty() && polygons.points.empty())
-    in.fail("holds neither vertices nor faces", "Give a file with triangles.");
-  if (polygons.corner_count.empty())
-    in.fail("holds " + std::to_string(polygons.points.size()) + " points but no faces", points_remedy,
-            ErrorCode::unsupported);
+    in.fail("holds neither vertices nor faces", "Give a file with triangles or points.");
+  if (polygons.corner_count.empty()) return make_point_set(in, std::move(polygons));
 
   mesh.notes = std::move(polygons.notes);
   for (InputNote& note : triangulate_all(in, polygons, soup).notes()) mesh.notes.push_back(std::move(note));
   soup.points = std::move(polygons.points);
   std::erase_if(soup.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
 
-  const Box3 box = soup.bounds();
-  const double size = box.longest_edge();
   if (soup.triangles.empty()) in.fail("holds only degenerate faces", "Give a surface with area.");
-  if (size == 0) in.fail("has all its vertices at one point", "Give a surface with area.");
-  const Vec3 largest{std::max(std::abs(box.lo.x), std::abs(box.hi.x)),
-                     std::max(std::abs(box.lo.y), std::abs(box.hi.y)),
-                     std::max(std::abs(box.lo.z), std::abs(box.hi.z))};
-  // Beyond these bounds the products of four lengths that geometry needs would leave the range of a double.
-  if (std::max({largest.x, largest.y, largest.z}) > 1e60 || size < 1e-60)
-    in.fail("has coordinates too large or too small to compute with", "Rescale the model to a size near 1.");
+  check_size(in, soup.bounds(), "vertices", "Give a surface with area.");
   bool any_area = false;
   for (std::size_t i = 0; i < soup.triangles.size() && !any_area; ++i) any_area = has_area(soup.triangle(i));
   if (!any_area) in.fail("holds only degenerate faces, all without area", "Give a surface with area.");
@@ -143,6 +162,10 @@ Result<InputMesh> read_input_mesh(const std::filesystem::path& file, const RunCo
   } catch (const std::length_error&) {
     return too_much_memory(file);
   }
+}
+
+bool is_named_as_points(const std::filesystem::path& file) {
+  return is_points_extension(file.extension().string());
 }
 
 Result<TriangleSoup> read_mesh(const std::filesystem::path& file) {

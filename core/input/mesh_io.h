@@ -1,4 +1,5 @@
-// Reads triangle soups from OFF, OBJ, PLY, STL files and writes triangle meshes to the same formats.
+// Reads triangle soups and point sets from OFF, OBJ, PLY, STL, XYZ files and writes triangle meshes to the
+// same formats.
 #pragma once
 
 #include "base/status.h"
@@ -8,16 +9,21 @@
 
 namespace isoscope {
 
-/// Reads OFF, OBJ, PLY (ascii, binary) or STL (ascii, binary), by content where the name does not tell; polygons are triangulated.
-/// Fails with bad_input (file, place, remedy) on anything that is not a finite, non-empty set of triangles, and with
-/// unsupported on point sets (XYZ, or a mesh file without faces but with points).
+/// Reads OFF, OBJ, PLY (ascii, binary), STL (ascii, binary) or rows of numbers, by content where the name
+/// does not tell; polygons are triangulated. A list of points, or a mesh file with points but no faces, gives
+/// a soup without triangles. Fails with bad_input (file, place, remedy) on anything else.
 Result<TriangleSoup> read_mesh(const std::filesystem::path& file);
 
-/// Writes by the extension: .off, .obj, .ply (binary) or .stl (binary). Goes through a temporary file in the same folder,
-/// so that a full disk leaves no half-written file behind. OFF and OBJ keep every bit of the coordinates.
+/// Whether a file is a list of points by its name.
+bool is_named_as_points(const std::filesystem::path& file);
+
+/// Writes by the extension: .off, .obj, .ply (binary) or .stl (binary). Goes through a temporary file in the
+/// same folder, so that a full disk leaves no half-written file behind. OFF and OBJ keep every bit of the
+/// coordinates.
 Status write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh);
 
-/// Whether write_mesh could write there now: known extension, folder exists and is writable. To be asked before long work.
+/// Whether write_mesh could write there now: known extension, folder exists and is writable. To be asked
+/// before long work.
 Status check_writable_mesh(const std::filesystem::path& file);
 
 } // namespace isoscope

@@ -11,7 +11,7 @@
 
 namespace isoscope {
 
-/// What a mesh file says: points and polygons, all indices in range, all coordinates finite.
+/// What a file says: points and polygons, or points alone, all indices in range, all coordinates finite.
 struct PolygonFile {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> corners;      ///< of all faces, one after the other
@@ -29,7 +29,13 @@ PolygonFile read_obj(FileScanner& in);
 PolygonFile read_ply(FileScanner& in);
 PolygonFile read_stl_ascii(FileScanner& in);
 PolygonFile read_stl_binary(FileScanner& in);
+/// Points alone, a row of numbers each.
+PolygonFile read_xyz(FileScanner& in);
 
+/// What is said of points that were left out because some coordinate of them is no number.
+InputNote dropped_points_note(std::uint64_t dropped, std::uint64_t first_line);
+/// Whether a line may be the first of a list of points: numbers and what separates them.
+bool looks_like_points(std::string_view line);
 /// Whether the word begins an OFF file: OFF in any case, perhaps with letters before and a count behind it.
 bool is_off_keyword(std::string_view word);
 /// Whether the size of a file fits the count in its head, which nothing but binary STL does.

@@ -32,6 +32,12 @@ class ObjReader {
                    std::to_string(largest_ + 1) + ", but there are only " +
                    std::to_string(mesh_.points.size()),
                export_anew);
+    if (dropped_ > 0 && !mesh_.corner_count.empty())
+      in_.fail_at(first_dropped_, "a coordinate is not finite", "Remove such vertices or export it anew.");
+    if (dropped_ > 0) {
+      std::erase_if(mesh_.points, [](Vec3 p) { return !is_finite(p); });
+      mesh_.notes.push_back(dropped_points_note(dropped_, first_dropped_));
+    }
     return std::move(mesh_);
   }
 
@@ -55,8 +61,9 @@ class ObjReader {
     for (int i = 0; i < 3; ++i) {
       const std::string_view w = next_word();
       if (w.empty()) in_.fail_here("a vertex has fewer than three coordinates", export_anew);
-      p[i] = in_.to_number(w);
+      p[i] = in_.to_attribute(w); // faces, where there are some, show later that it must be finite
     }
+    if (!is_finite(p) && dropped_++ == 0) first_dropped_ = in_.line();
     for (std::string_view w = next_word(); !w.empty(); w = next_word())
       in_.to_attribute(w); // weight or colour
     mesh_.points.push_back(p);
@@ -88,7 +95,8 @@ class ObjReader {
   std::vector<std::uint32_t> face_;
   std::uint32_t largest_ = 0;
   std::uint64_t largest_line_ = 0;
-  bool continued_ = false; ///< the statement goes on on the next line
+  std::uint64_t dropped_ = 0, first_dropped_ = 0; ///< points that are not finite, and the first one's line
+  bool continued_ = false;                        ///< the statement goes on on the next line
 };
 
 } // namespace

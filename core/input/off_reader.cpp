@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace isoscope {
 
@@ -87,7 +88,7 @@ class OffReader {
   PolygonFile read_lines() {
     PolygonFile mesh;
     for (std::uint64_t i = 0; i < vertices_; ++i) {
-      mesh.points.push_back(read_vertex());
+      add_vertex(mesh);
       std::uint64_t more = 0;
       for (; !in_.at_line_end(); ++more) in_.to_attribute(in_.word());
       crowded_ = crowded_ || more >= attributes_ + 3;
@@ -97,7 +98,7 @@ class OffReader {
       read_face(mesh);
       in_.next_line();
     }
-    return mesh;
+    return finished(std::move(mesh));
   }
 
   /// Nothing but the numbers of vertices and faces, wherever the lines break.
@@ -113,9 +114,10 @@ class OffReader {
 
   PolygonFile read_words(std::uint64_t attributes) {
     in_.return_to(data_);
+    dropped_ = 0;
     PolygonFile mesh;
     for (std::uint64_t i = 0; i < vertices_; ++i) {
-      mesh.points.push_back(read_vertex());
+      add_vertex(mesh);
       for (std::uint64_t k = 0; k < attributes; ++k)
         in_.to_attribute(in_.word_across_lines("the last vertex"));
     }
@@ -123,15 +125,33 @@ class OffReader {
     in_.skip_empty_lines();
     if (in_.peek() != FileScanner::end_of_file)
       in_.fail_here("more numbers follow than the header announces", export_anew);
-    return mesh;
+    return finished(std::move(mesh));
+  }
+
+  /// Without faces, which would go by their numbers, vertices may be left out.
+  void add_vertex(PolygonFile& mesh) {
+    const Vec3 p = read_vertex();
+    if (faces_ > 0 || is_finite(p))
+      mesh.points.push_back(p);
+    else if (dropped_++ == 0)
+      first_dropped_ = in_.line();
+  }
+
+  PolygonFile finished(PolygonFile&& mesh) {
+    if (dropped_ > 0) mesh.notes.push_back(dropped_points_note(std::exchange(dropped_, 0), first_dropped_));
+    return std::move(mesh);
+  }
+
+  double to_coordinate(std::string_view word) const {
+    return faces_ > 0 ? in_.to_number(word) : in_.to_attribute(word);
   }
 
   Vec3 read_vertex() {
     Vec3 p;
-    for (int i = 0; i < 3; ++i) p[i] = in_.to_number(in_.word_across_lines("the last vertex"));
+    for (int i = 0; i < 3; ++i) p[i] = to_coordinate(in_.word_across_lines("the last vertex"));
     if (!homogeneous_) return p;
-    p = p / in_.to_number(in_.word_across_lines("the last vertex"));
-    if (!is_finite(p))
+    p = p / to_coordinate(in_.word_across_lines("the last vertex"));
+    if (faces_ > 0 && !is_finite(p))
       in_.fail_here("the fourth coordinate makes the vertex infinite", "Remove such vertices.");
     return p;
   }
@@ -161,6 +181,7 @@ class OffReader {
   bool crowded_ = false;         ///< some line could hold two vertices
   std::uint64_t attributes_ = 0; ///< other numbers that the keyword announces behind each vertex
   std::uint64_t vertices_ = 0, faces_ = 0;
+  std::uint64_t dropped_ = 0, first_dropped_ = 0; ///< points that are not finite, and the first one's line
 };
 
 } // namespace

@@ -83,9 +83,12 @@ class PlyReader {
 
   PolygonFile read() {
     read_header();
-    for (const Element& element : elements_)
+    for (const Element& element : elements_) {
       if (element.vertices()) vertex_count_ = element.count;
+      has_faces_ = has_faces_ || (element.faces() && element.count > 0);
+    }
     for (const Element& element : elements_) read_element(element);
+    if (dropped_ > 0) mesh_.notes.push_back(dropped_points_note(dropped_, first_dropped_));
     return std::move(mesh_);
   }
 
@@ -194,8 +197,12 @@ class PlyReader {
           point[property.name[0] - 'x'] = value;
       }
       if (!vertices) continue;
-      if (!is_finite(point))
-        fail_row("has a coordinate that is not finite", "Remove such vertices or export it anew.");
+      if (!is_finite(point)) {
+        if (has_faces_)
+          fail_row("has a coordinate that is not finite", "Remove such vertices or export it anew.");
+        if (dropped_++ == 0 && encoding_ == Encoding::ascii) first_dropped_ = in_.line();
+        continue;
+      }
       mesh_.points.push_back(point);
     }
   }
@@ -276,6 +283,8 @@ class PlyReader {
   std::vector<Element> elements_;
   std::vector<std::uint32_t> face_;
   std::uint64_t vertex_count_ = 0, row_ = 0;
+  bool has_faces_ = false;
+  std::uint64_t dropped_ = 0, first_dropped_ = 0; ///< points that are not finite, and the first one's line
   const Element* element_ = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// Raw triangles as they come from a file or from the gallery: no manifoldness, no orientation, no
+// Raw triangles or points as they come from a file or from the gallery: no manifoldness, no orientation, no
 // connectivity promised.
 #pragma once
 
@@ -12,6 +12,7 @@
 namespace isoscope {
 
 /// An indexed triangle soup with finite coordinates and indices in range; degenerate triangles may occur.
+/// Without triangles it is a set of points.
 struct TriangleSoup {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -21,6 +22,7 @@ struct TriangleSoup {
     const auto& t = triangles[i];
     return {points[t[0]], points[t[1]], points[t[2]]};
   }
+  bool is_point_set() const { return triangles.empty() && !points.empty(); }
   double area() const {
     double sum = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -28,8 +30,11 @@ struct TriangleSoup {
     }
     return sum;
   }
+  /// Of the triangles; of a point set's points.
   Box3 bounds() const {
     Box3 b;
+    if (is_point_set())
+      for (const Vec3 p : points) b.add(p);
     for (const auto& t : triangles)
       for (const auto v : t) b.add(points[v]);
     return b;

@@ -200,6 +200,7 @@ bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, con
                     Certificate& c, const RunControl& control) {
   c.cover_limit = test.limit;
   c.covers = !test.measure || !test.limit;
+  if (!volume.has_surface()) c.cover_limit.reset(); // there are no walls to cover
   if (!test.measure || !volume.has_surface()) return c.covers = true;
   if (control.out_of_grace()) return !test.limit;
   const double delta = volume.thresholds().delta;

@@ -5,9 +5,11 @@
 #include "base/status.h"
 #include "input/triangle_soup.h"
 #include "run/parameters.h"
+#include "run/point_field.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <memory>
+#include <optional>
 
 namespace isoscope {
 
@@ -15,10 +17,13 @@ namespace isoscope {
 struct FieldInput {
   std::shared_ptr<const ToleranceField> field;
   InputTopology topology; ///< with what tells the sides
+  MadePointField points;  ///< where the field is one of points
 };
 
-/// The field of what was read: the distance to triangles. Of no use once the control is cancelled.
+/// The field of what was read: the distance to triangles, or the robust distance to points. `delta`: δ, where
+/// it is known already. Of no use once the control is cancelled.
 Result<FieldInput> make_field(const std::shared_ptr<const TriangleSoup>& input,
-                              const RunParameters& parameters, const RunControl& control);
+                              const RunParameters& parameters, std::optional<double> delta,
+                              const RunControl& control);
 
 } // namespace isoscope

@@ -10,6 +10,7 @@
 namespace isoscope {
 
 std::string Tolerance::text() const {
+  if (automatic) return "auto";
   return shortest(value) + (percent ? "%" : "");
 }
 
@@ -47,6 +48,10 @@ SimplificationParameters RunParameters::simplification() const {
 
 std::optional<Tolerance> Tolerance::read(std::string_view text) {
   Tolerance tolerance;
+  if (text == "auto") {
+    tolerance.automatic = true;
+    return tolerance;
+  }
   std::string_view digits = text;
   tolerance.percent = !digits.empty() && digits.back() == '%';
   if (tolerance.percent) digits.remove_suffix(1);
@@ -58,10 +63,28 @@ std::optional<Tolerance> Tolerance::read(std::string_view text) {
 }
 
 Status Tolerance::check(const FieldFacts& field, const std::string& asked) const {
+  if (automatic) return {};
   if (!std::isfinite(value) || value <= 0)
     return Error{ErrorCode::usage, asked + " is " + shortest(value) + ", which is not above 0.",
                  "Give a percentage of the longest edge, as 0.6%, or a length."};
   return percent ? check_range(field, asked, value) : Status();
+}
+
+std::string Robust::text() const {
+  return neighbors == automatic ? "auto" : neighbors == off ? "off" : std::to_string(neighbors);
+}
+
+std::optional<Robust> Robust::read(std::string_view text) {
+  if (text == "auto") return Robust{automatic};
+  if (text == "off") return Robust{off};
+  int neighbors = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), neighbors);
+  if (failure != std::errc() || end != text.data() + text.size() || neighbors < 2) return std::nullopt;
+  return Robust{neighbors};
+}
+
+Status Robust::check(const FieldFacts& field, const std::string& asked) const {
+  return check_range(field, asked, neighbors);
 }
 
 Status check(const RunParameters& p) {

@@ -21,12 +21,15 @@ enum class Containment : std::uint8_t {
   sampled    ///< the paper to the letter: dense S, α margin, condition 2
 };
 
-/// δ as given: a percentage of the longest edge of the input's bounding box, or an absolute length.
+/// δ as given: a percentage of the longest edge of the input's bounding box, or an absolute length, or left
+/// to the run.
 struct Tolerance {
   double value = 0.6;
   bool percent = true;
+  bool automatic = false; ///< found from the input; the value does not count
+  /// Not of an automatic one.
   double absolute(double longest_edge) const { return percent ? value / 100.0 * longest_edge : value; }
-  std::string text() const; ///< "0.6%" or "0.012"
+  std::string text() const; ///< "0.6%", "0.012" or "auto"
   /// Reads that; nothing where the text is no positive finite number.
   static std::optional<Tolerance> read(std::string_view text);
   Status check(const FieldFacts& field, const std::string& asked) const;
@@ -35,7 +38,22 @@ struct Tolerance {
 
 constexpr auto fields_of(const Tolerance*) {
   return std::tuple{field(&Tolerance::value, {.name = "", .help = ""}),
-                    field(&Tolerance::percent, {.name = "percent", .help = ""})};
+                    field(&Tolerance::percent, {.name = "percent", .help = ""}),
+                    field(&Tolerance::automatic, {.name = "auto", .help = ""})};
+}
+
+/// How many neighbours make a point robust: the k of the witnessed k-distance.
+struct Robust {
+  static constexpr int automatic = 0, off = 1;
+  int neighbors = automatic;
+  std::string text() const; ///< "12", "auto" or "off"
+  static std::optional<Robust> read(std::string_view text);
+  Status check(const FieldFacts& field, const std::string& asked) const;
+  friend bool operator==(const Robust&, const Robust&) = default;
+};
+
+constexpr auto fields_of(const Robust*) {
+  return std::tuple{field(&Robust::neighbors, {.name = "", .help = ""})};
 }
 
 struct RunParameters {
@@ -51,6 +69,8 @@ struct RunParameters {
   /// How far from the result a point of the input may be, in δ, > 0; absent: as far as it likes, as in the
   /// paper, whose bound is one-sided.
   std::optional<double> cover = 3;
+  /// Of points; of triangles, where it is a number, that a sample of their area is taken for them.
+  Robust robust;
   SidesMode sides = SidesMode::automatic;                 ///< what tells inside from outside
   std::array<bool, 4> conditions{true, true, true, true}; ///< 1 to 4 of §2.3
   std::array<bool, stage_count> skipped{}; ///< stages to leave out: gamma, zero_set, all or improve
@@ -136,24 +156,28 @@ constexpr auto fields_of(const RunParameters*) {
       field(&P::input, {.name = "input",
                         .option = "INPUT",
                         .symbol = "input",
-                        .help = "a mesh file (OFF, OBJ, PLY, STL), or gallery:NAME for a bundled model"}),
+                        .help = "a file of triangles or of points (OFF, OBJ, PLY, STL, XYZ), or "
+                                "gallery:NAME for a bundled model"}),
       field(&P::tolerance,
             {.name = "tolerance",
              .symbol = "δ",
-             .help = "δ: a percentage of the longest edge of the bounding box (0.6%) or a length; default "
-                     "0.6%, for bundled models their own",
-             .words = "δ: a percentage of the longest edge, or a length",
+             .help =
+                 "δ: a percentage of the longest edge of the bounding box (0.6%), a length, or auto: found "
+                 "from the input; default 0.6%, for bundled models their own, for lists of points auto",
+             .words = "δ: a percentage of the longest edge, a length, or auto",
              .range = {.low = 0,
                        .high = 100,
                        .low_included = false,
                        .remedy = "Percentages are of the longest edge of the input's bounding box."},
              .unreadable = "no positive number",
-             .unreadable_remedy = "Give a percentage of the longest edge, as 0.6%, or a length, as 0.012.",
+             .unreadable_remedy =
+                 "Give a percentage of the longest edge, as 0.6%, a length, as 0.012, or auto.",
              .place = 4,
              .label = "δ tolerance",
              .title = "Tolerance δ",
              .tip = "δ, half the thickness of Ω. In percent of the longest edge of the input's bounding box, "
-                    "or as a length of the input's units. Range: above 0. A change needs a restart. §2.1"}),
+                    "or as a length of the input's units, above 0; or auto: found from points by what Ω "
+                    "encloses. A change needs a restart. §2.1"}),
       field(&P::sigma,
             {.name = "sigma",
              .symbol = "σ/δ",
@@ -255,6 +279,22 @@ constexpr auto fields_of(const RunParameters*) {
              .title = "Cover",
              .tip = "How far from the finished mesh a point of the input may be, in δ. Off: as far as it "
                     "likes, as in the paper. Needs a restart."}),
+      field(&P::robust,
+            {.name = "robust",
+             .symbol = "robust k",
+             .help = "neighbours that each point is averaged with, so that noise evens out and outliers "
+                     "vanish: a number, auto (12, or 40 with many outliers) or off; a number for triangles "
+                     "takes a sample of their area as points; default auto: points alone",
+             .words = "neighbours that each point is averaged with, auto or off",
+             .range = {.low = 0, .high = 1000},
+             .unreadable = "no whole number from 2 to 1000, auto or off",
+             .unreadable_remedy = "12 suits noise, 40 more than a twentieth of outliers.",
+             .place = 6,
+             .title = "Robust distance",
+             .tip = "k of the distance to points: each is averaged with its k nearest, which evens out noise "
+                    "and lets outliers vanish. Auto: 12, or 40 where more than 5 % of the points are "
+                    "outliers. Off: the plain distance. For triangles a number takes a sample of their area "
+                    "as points. Needs a restart."}),
       field(&P::sides,
             {.name = "sides",
              .symbol = "sides",

@@ -21,6 +21,8 @@ namespace isoscope {
 namespace {
 
 constexpr double certified_boundary_ratio = 0.95;
+/// How fine triangles that do not close are studied, relative to the longest edge.
+constexpr double study_resolution = 0.003;
 
 std::size_t peak_memory_bytes() {
   rusage usage{};
@@ -124,6 +126,7 @@ struct Pipeline::Impl {
   double seconds = 0;   ///< of all parts so far
   double kept_area = 0; ///< of the input without what is left out
   std::string branched;
+  MadePointField points; ///< where the field is one of points
   const RunParameters* parameters = nullptr;
 
   ToleranceVolume::Options volume_options(double delta) const {
@@ -183,12 +186,41 @@ struct Pipeline::Impl {
   }
 
   /// The field of what is kept of the input, and what is known of its surface.
-  Status make_field(Scene& made, const std::shared_ptr<const TriangleSoup>& kept) {
-    auto input = isoscope::make_field(kept, *parameters, *control);
+  Status make_field(Scene& made, const std::shared_ptr<const TriangleSoup>& kept,
+                    std::optional<double> delta) {
+    auto input = isoscope::make_field(kept, *parameters, delta, *control);
     if (control->cancelled()) return cancelled_error(*control);
     if (!input) return input.error();
     made.field = std::move(input->field);
     made.input_topology = std::move(input->topology);
+    points = std::move(input->points);
+    if (points.points) made.study = {points.points, &points.points->study};
+    return {};
+  }
+
+  void use_points(Scene& made, MadePointField kept) const {
+    made.field = kept.index;
+    made.points = kept.points;
+  }
+
+  /// δ as given, or found from the field, which is made for that.
+  Result<double> find_delta(Scene& made, const std::shared_ptr<const TriangleSoup>& soup) {
+    if (!parameters->tolerance.automatic) return parameters->tolerance.absolute(made.longest_edge);
+    if (Status read = make_field(made, soup, {}); !read) return read.error();
+    if (made.input_topology.closed_manifold) return Tolerance().absolute(made.longest_edge);
+    if (!made.study)
+      made.study = std::make_shared<const DeltaStudy>(
+          study_delta(*made.field, study_resolution * made.longest_edge, *control));
+    if (control->cancelled()) return cancelled_error(*control);
+    return proposed_tolerance(*made.study);
+  }
+
+  /// Leaves points out that do not belong to the surface at this δ.
+  Status settle_points(Scene& made) {
+    if (!points.points) return {};
+    points = without_outliers(points, made.delta, *control);
+    if (control->cancelled()) return cancelled_error(*control);
+    use_points(made, points);
     return {};
   }
 
@@ -201,6 +233,18 @@ struct Pipeline::Impl {
       kept_area = made.field->area();
       auto built = ToleranceVolume::build(made.field, made.input_topology, options, *control);
       if (!built) return built.error();
+      if (points.points) {
+        auto rest = without_blobs(points, *built, *control);
+        if (!rest) return rest.error();
+        if (rest->index == points.index) {
+          volume.emplace(std::move(*built));
+          return {};
+        }
+        points = std::move(*rest);
+        use_points(made, points);
+        if (control->cancelled()) return cancelled_error(*control);
+        continue;
+      }
       const std::vector<ThinPart> parts = find_thin_parts(*built);
       const bool all = parts.size() == built->volume_component_count();
       if (!parts.empty() && thin == ThinParts::refuse && (!drop || all)) {
@@ -212,7 +256,7 @@ struct Pipeline::Impl {
         return {};
       }
       kept = std::make_shared<const TriangleSoup>(without_parts(*kept, *built, parts));
-      if (Status read = make_field(made, kept); !read) return read;
+      if (Status read = make_field(made, kept, made.delta); !read) return read;
       made.left_out.insert(made.left_out.end(), parts.begin(), parts.end());
     }
   }
@@ -254,11 +298,13 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
     soup = std::make_shared<const TriangleSoup>(std::move(loaded->soup));
     notes = std::move(loaded->notes);
   }
-  if (soup->triangles.empty())
-    return Error{ErrorCode::bad_input, "The input has no triangles.", "Give a surface."};
+  if (soup->points.empty())
+    return Error{ErrorCode::bad_input, "The input has neither triangles nor points.", "Give a surface."};
   scene->input = soup;
   scene->longest_edge = soup->bounds().longest_edge();
-  scene->delta = parameters_.tolerance.absolute(scene->longest_edge);
+  const auto delta = m.find_delta(*scene, soup);
+  if (!delta) return delta.error();
+  scene->delta = *delta;
   if (!(scene->delta > 1e-9 * scene->longest_edge) || !(scene->delta < 100 * scene->longest_edge)) {
     return Error{ErrorCode::usage,
                  "--tolerance " + parameters_.tolerance.text() + " does not fit the size of the input.",
@@ -267,13 +313,17 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (Status fine = check_coordinates(*soup, scene->delta); !fine) return fine.error();
   scene->notes = std::move(notes);
   for (const InputNote& note : scene->notes) scene->warnings.push_back({told(note, scene->delta), 0});
-  auto rest = without_crumbs(soup, parameters_.drop_small, scene->delta, *m.control);
+  auto rest =
+      without_crumbs(soup, soup->is_point_set() ? 0 : parameters_.drop_small, scene->delta, *m.control);
   if (m.control->cancelled()) return cancelled_error(*m.control);
   if (!rest) return rest.error();
   if (!rest->note.empty()) scene->warnings.push_back({rest->note, 0});
+  if (rest->soup != soup) scene->field.reset();
   soup = rest->soup;
   if (auto note = coordinate_note(*soup, scene->delta)) scene->warnings.push_back({std::move(*note), 0});
-  if (Status read = m.make_field(*scene, soup); !read) return read.error();
+  if (!scene->field)
+    if (Status read = m.make_field(*scene, soup, scene->delta); !read) return read.error();
+  if (Status settled = m.settle_points(*scene); !settled) return settled.error();
   scene->input_seconds = watch.seconds();
 
   const ToleranceVolume::Options options = m.volume_options(scene->delta);
@@ -314,6 +364,9 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
 
   if (!scene->left_out.empty()) scene->warnings.push_back({left_out_words(scene->left_out), 0});
   for (const std::string& note : m.volume->side_notes()) scene->warnings.push_back({note, 0});
+  if (scene->points)
+    for (std::string& note : scene->points->notes(scene->delta, scene->longest_edge))
+      scene->warnings.push_back({std::move(note), 0});
 
   m.journal->add_sample_set(scene->samples);
   m.journal->add_parameters(criteria);
@@ -384,6 +437,7 @@ Result<RunResult> Pipeline::run() {
                                {parameters_.cover, parameters_.topology == TopologyMode::separate, true});
   result.crumbs = count_small_parts(result.mesh, crumb_size * m.scene->delta);
   if (m.volume->has_surface()) result.normals = measure_normal_deviation(result.mesh, *m.volume, *m.control);
+  if (m.scene->points) result.points = measure_points(*m.scene->points, result.mesh, *m.control);
   m.seconds += watch.seconds();
   result.seconds = m.seconds;
   result.peak_memory_bytes = peak_memory_bytes();

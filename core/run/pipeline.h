@@ -13,6 +13,7 @@
 #include "run/crumbs.h"
 #include "run/normal_deviation.h"
 #include "run/parameters.h"
+#include "run/point_field.h"
 #include "tolerance/parameter_check.h"
 #include "tolerance/sample_estimate.h"
 #include "tolerance/thin_parts.h"
@@ -29,6 +30,8 @@ struct Scene {
   std::shared_ptr<const TriangleSoup> input;   ///< as given, with the parts that the run leaves out
   std::vector<InputNote> notes;                ///< on reading it; `warnings` has them in words
   std::shared_ptr<const ToleranceField> field; ///< of the input without them
+  std::shared_ptr<const PointField> points;    ///< where that is a field of points
+  std::shared_ptr<const DeltaStudy> study;     ///< of its tolerances: of points, and where δ was found
   double delta = 0;                            ///< absolute
   double longest_edge = 0;
   std::shared_ptr<const ToleranceVolume> volume; ///< without its octree: what evaluations ask
@@ -59,7 +62,8 @@ struct RunResult {
   ZeroForm form = ZeroForm::interpolated; ///< free: the last stage ran on Z alone
   Certificate certificate;
   NormalDeviation normals;
-  SmallParts crumbs; ///< of Z, smaller than crumb_size δ
+  SmallParts crumbs;                    ///< of Z, smaller than crumb_size δ
+  std::optional<PointDistances> points; ///< to Z, where the input is points
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
   std::string branch;      ///< where it left another run and how; empty: it began at the beginning

@@ -82,6 +82,58 @@ Json normals_json(const NormalDeviation& n) {
           {"above_90", n.above_90}};
 }
 
+Json region_json(const LastingRegion& r) {
+  return {{"separation", r.separation},
+          {"depth", r.depth},
+          {"saddle", point_json(r.saddle)},
+          {"deepest", point_json(r.deepest)}};
+}
+
+/// The tolerances that were studied; null where none were.
+Json study_json(const Scene& scene) {
+  if (!scene.study) return nullptr;
+  const DeltaStudy& study = *scene.study;
+  Json curve = Json::array(), insides = Json::array();
+  for (const DeltaStudy::Step& s : study.curve)
+    curve.push_back(
+        {{"delta", s.delta}, {"components", s.components}, {"regions", s.regions}, {"deep", s.deep}});
+  for (const LastingRegion& r : study.insides) insides.push_back(region_json(r));
+  return {{"found", study.found()},     {"least", study.least}, {"most", study.most},
+          {"proposed", study.proposed}, {"insides", insides},   {"curve", curve}};
+}
+
+Json quantiles_json(const PointDistances::Quantiles& q) {
+  return {{"median", q.median},
+          {"percentile_90", q.percentile_90},
+          {"percentile_99", q.percentile_99},
+          {"most", q.most}};
+}
+
+/// What was made of points; null for other inputs.
+Json points_json(const Scene& scene, const RunResult& result) {
+  if (!scene.points) return nullptr;
+  const PointField& field = *scene.points;
+  Json dropped = Json::array();
+  for (const DroppedPoints& d : field.dropped)
+    dropped.push_back(
+        {{"why", d.why == DroppedPoints::Why::outliers ? "outliers" : "blob"},
+         {"points", d.points},
+         {"share", static_cast<double>(d.points) / static_cast<double>(field.points->points.size())},
+         {"place", point_json(d.place)},
+         {"size", d.size}});
+  Json json{{"count", field.points->points.size()},
+            {"drawn_from_triangles", field.drawn},
+            {"neighbors", field.neighbors},
+            {"neighbors_found", field.automatic},
+            {"outlying", field.outlying},
+            {"dropped", dropped},
+            {"distances", nullptr}};
+  if (result.points)
+    json["distances"] = {{"kept", quantiles_json(result.points->kept)},
+                         {"all", quantiles_json(result.points->all)}};
+  return json;
+}
+
 } // namespace
 
 std::string_view name(RunResult::End end) {
@@ -144,6 +196,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"until", name(p.last_stage())},
         {"improver", word_of(&RunParameters::improver, p)},
         {"drop_small", p.drop_small},
+        {"robust", p.robust.text()},
         {"threads", p.threads}}},
       {"samples",
        {{"count", scene.samples->size()},
@@ -156,6 +209,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"components", scene.expected.components ? Json(*scene.expected.components) : Json(nullptr)},
         {"required", scene.expected.required},
         {"source", scene.expected.source}}},
+      {"points", points_json(scene, result)},
+      {"tolerances", study_json(scene)},
       {"warnings", warnings},
       {"parts",
        {{"input_seconds", scene.input_seconds},

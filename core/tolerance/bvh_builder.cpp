@@ -1,16 +1,16 @@
-// Builds the hierarchy of a ClosestPointIndex.
+// Splits ranges of items until each leaf holds few.
 #include "tolerance/bvh_builder.h"
 
-#include "tolerance/index_building.h"
-
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace isoscope {
 namespace {
 
-constexpr std::size_t leaf_size = 2;
 constexpr unsigned bin_count = 16;
-/// Ranges of so many triangles take long enough to ask before them whether to go on.
+/// Ranges of so many items take long enough to ask before them whether to go on.
 constexpr std::size_t worth_a_question = 1000;
 /// Beyond this depth ranges are halved, which bounds the depth and with it the stacks of the searches.
 constexpr unsigned max_surface_area_depth = 24;
@@ -20,9 +20,6 @@ double half_area(const Box3& b) {
   const Vec3 e = b.extent();
   return e.x * e.y + e.y * e.z + e.z * e.x;
 }
-
-/// The normal of a triangle with a sharper angle loses too many digits.
-constexpr double least_squared_sine = 1e-4;
 
 float round_down(double x) {
   const float f = static_cast<float>(x);
@@ -34,14 +31,10 @@ float round_up(double x) {
 
 } // namespace
 
-BvhBuilder::BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup, const RunControl* control)
-    : index_(index), soup_(soup), control_(control) {
-  index_.area_ = soup.area();
-  items_.resize(soup.triangles.size());
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    for (const Vec3 p : soup.triangle(i)) items_[i].box.add(p);
-    items_[i].id = static_cast<std::uint32_t>(i);
-  }
+BvhBuilder::BvhBuilder(BoxHierarchy& boxes, const std::vector<Box3>& items, const RunControl* control,
+                       std::size_t leaf_size)
+    : boxes_(boxes), control_(control), leaf_size_(leaf_size), items_(items.size()) {
+  for (std::size_t i = 0; i < items.size(); ++i) items_[i] = {items[i], static_cast<std::uint32_t>(i)};
 }
 
 Box3 BvhBuilder::box_of(std::size_t begin, std::size_t end) const {
@@ -107,18 +100,18 @@ std::size_t BvhBuilder::split(const Range& range, unsigned depth) {
 }
 
 void BvhBuilder::set_box(std::size_t node, unsigned k, const Box3& box) {
-  auto& n = index_.nodes_[node];
+  auto& n = boxes_.nodes[node];
   for (int a = 0; a < 3; ++a) {
     const auto axis = static_cast<std::size_t>(a);
-    const double lo = (box.lo[a] - index_.origin_[a]) * index_.inverse_scale_;
-    const double hi = (box.hi[a] - index_.origin_[a]) * index_.inverse_scale_;
+    const double lo = (box.lo[a] - boxes_.origin[a]) * boxes_.inverse_scale;
+    const double hi = (box.hi[a] - boxes_.origin[a]) * boxes_.inverse_scale;
     n.lo[axis][k] = round_down(lo);
     n.hi[axis][k] = round_up(hi);
   }
 }
 
 void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth) {
-  constexpr unsigned width = ClosestPointIndex::width;
+  constexpr unsigned width = BoxHierarchy::width;
   if (control_ != nullptr && range.size() >= worth_a_question) stopped_ = stopped_ || control_->cancelled();
   if (stopped_) return;
   std::vector<Range> parts;
@@ -126,7 +119,7 @@ void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth)
   while (parts.size() < width) {
     std::size_t widest = parts.size();
     for (std::size_t i = 0; i < parts.size(); ++i)
-      if (parts[i].size() > leaf_size &&
+      if (parts[i].size() > leaf_size_ &&
           (widest == parts.size() || half_area(parts[i].box) > half_area(parts[widest].box)))
         widest = i;
     if (widest == parts.size()) break;
@@ -137,64 +130,42 @@ void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth)
   }
   for (unsigned k = 0; k < width; ++k) {
     if (k >= parts.size()) {
-      index_.nodes_[node].count[k] = ClosestPointIndex::empty_child;
+      boxes_.nodes[node].count[k] = BoxHierarchy::empty_child;
       for (std::size_t a = 0; a < 3; ++a)
-        index_.nodes_[node].lo[a][k] = index_.nodes_[node].hi[a][k] = std::numeric_limits<float>::max();
+        boxes_.nodes[node].lo[a][k] = boxes_.nodes[node].hi[a][k] = std::numeric_limits<float>::max();
       continue;
     }
     set_box(node, k, parts[k].box);
-    if (parts[k].size() <= leaf_size) {
-      index_.nodes_[node].child[k] = static_cast<std::uint32_t>(parts[k].begin);
-      index_.nodes_[node].count[k] = static_cast<std::uint8_t>(parts[k].size());
+    if (parts[k].size() <= leaf_size_) {
+      boxes_.nodes[node].child[k] = static_cast<std::uint32_t>(parts[k].begin);
+      boxes_.nodes[node].count[k] = static_cast<std::uint8_t>(parts[k].size());
       continue;
     }
-    const std::size_t child = index_.nodes_.size();
-    index_.nodes_.emplace_back();
-    index_.nodes_[node].child[k] = static_cast<std::uint32_t>(child);
-    index_.nodes_[node].count[k] = 0;
+    const std::size_t child = boxes_.nodes.size();
+    boxes_.nodes.emplace_back();
+    boxes_.nodes[node].child[k] = static_cast<std::uint32_t>(child);
+    boxes_.nodes[node].count[k] = 0;
     fill_node(child, parts[k], depth + 1);
   }
 }
 
 bool BvhBuilder::build() {
   if (items_.empty()) { // a root without children, at which every search ends
-    index_.nodes_.emplace_back();
+    boxes_.nodes.emplace_back();
     fill_node(0, {0, 0, {}}, 0);
     return true;
   }
-  index_.bounds_ = box_of(0, items_.size());
-  index_.origin_ = index_.bounds_.center();
-  const double scale = index_.bounds_.longest_edge();
-  index_.inverse_scale_ = scale > 0 && std::isfinite(1 / scale) ? 1 / scale : 1;
-  index_.nodes_.assign(1, {});
-  fill_node(0, {0, items_.size(), index_.bounds_}, 0);
+  boxes_.bounds = box_of(0, items_.size());
+  boxes_.origin = boxes_.bounds.center();
+  const double scale = boxes_.bounds.longest_edge();
+  boxes_.inverse_scale = scale > 0 && std::isfinite(1 / scale) ? 1 / scale : 1;
+  boxes_.nodes.assign(1, {});
+  fill_node(0, {0, items_.size(), boxes_.bounds}, 0);
   if (stopped_) return false;
-  index_.nodes_.shrink_to_fit();
-  index_.ids_.resize(items_.size());
-  index_.slots_.resize(items_.size());
-  index_.triangles_.reserve(items_.size());
-  index_.planes_.reserve(items_.size());
-  for (std::size_t slot = 0; slot < items_.size(); ++slot) {
-    index_.ids_[slot] = items_[slot].id;
-    index_.slots_[items_[slot].id] = static_cast<std::uint32_t>(slot);
-    const Triangle3 t = soup_.triangle(items_[slot].id);
-    index_.triangles_.push_back(t);
-    const Vec3 u = t[1] - t[0], v = t[2] - t[0], area = cross(u, v);
-    const bool has_plane = squared_length(area) > least_squared_sine * squared_length(u) * squared_length(v);
-    const Vec3 normal = has_plane ? normalized(area) : Vec3{};
-    index_.planes_.push_back({normal, dot(normal, t[0])});
-  }
-  for (int a = 0; a < 3; ++a)
-    index_.largest_coordinate_ = std::max(
-        {index_.largest_coordinate_, std::abs(index_.bounds_.lo[a]), std::abs(index_.bounds_.hi[a])});
+  boxes_.nodes.shrink_to_fit();
+  boxes_.ids.resize(items_.size());
+  for (std::size_t slot = 0; slot < items_.size(); ++slot) boxes_.ids[slot] = items_[slot].id;
   return true;
-}
-
-std::shared_ptr<const ClosestPointIndex> build_index(const TriangleSoup& soup, const RunControl& control) {
-  const auto empty = [] { return std::make_shared<ClosestPointIndex>(TriangleSoup{}); };
-  const std::shared_ptr<ClosestPointIndex> index = empty();
-  if (soup.triangles.empty()) return index;
-  return BvhBuilder(*index, soup, &control).build() ? index : empty();
 }
 
 } // namespace isoscope

@@ -1,17 +1,23 @@
-// Builds the hierarchy of a ClosestPointIndex: binned surface-area splits, four children a node.
+// Builds a box hierarchy: binned surface-area splits, four children a node.
 #pragma once
 
 #include "base/run_control.h"
-#include "tolerance/closest_point.h"
+#include "tolerance/box_hierarchy.h"
+
+#include <cstddef>
+#include <vector>
 
 namespace isoscope {
 
-/// One-shot: fills nodes, slots and triangles of `index` from the soup.
+/// One-shot: fills a hierarchy from the boxes of its items.
 class BvhBuilder {
  public:
+  /// Leaves hold at most so many items where asking one takes long, as of triangles, or not.
+  static constexpr std::size_t small_leaf = 2, large_leaf = 4;
   /// `control`, where given, may stop it.
-  BvhBuilder(ClosestPointIndex& index, const TriangleSoup& soup, const RunControl* control = nullptr);
-  /// False when it was stopped: the index is of no use then.
+  BvhBuilder(BoxHierarchy& boxes, const std::vector<Box3>& items, const RunControl* control = nullptr,
+             std::size_t leaf_size = small_leaf);
+  /// False when it was stopped: the hierarchy is of no use then.
   bool build();
 
  private:
@@ -29,9 +35,9 @@ class BvhBuilder {
   void fill_node(std::size_t node, const Range& range, unsigned depth);
   void set_box(std::size_t node, unsigned k, const Box3& box);
 
-  ClosestPointIndex& index_;
-  const TriangleSoup& soup_;
+  BoxHierarchy& boxes_;
   const RunControl* control_;
+  std::size_t leaf_size_;
   bool stopped_ = false;
   std::vector<Item> items_;
 };

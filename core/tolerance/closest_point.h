@@ -3,7 +3,9 @@
 
 #include "base/geometry.h"
 #include "base/ids.h"
+#include "base/run_control.h"
 #include "input/triangle_soup.h"
+#include "tolerance/box_hierarchy.h"
 #include "tolerance/field.h"
 
 #include <cstddef>
@@ -27,6 +29,8 @@ class ClosestPointIndex final : public ToleranceField {
   /// Degenerate triangles are kept as the segments or points they are. A soup without triangles makes an
   /// index that finds nothing: every distance is infinite.
   explicit ClosestPointIndex(const TriangleSoup& soup);
+  /// The same; once the control is cancelled, an index that finds nothing.
+  ClosestPointIndex(const TriangleSoup& soup, const RunControl& control);
 
   /// The closest point within `radius` of p (ties: smallest triangle id of equal distance is not promised,
   /// but the result depends on p and the soup only).
@@ -65,7 +69,7 @@ class ClosestPointIndex final : public ToleranceField {
   const Triangle3& triangle(TriangleId id) const { return triangles_[slots_[id.index()]]; }
   FieldKind kind() const override { return FieldKind::triangles; }
   std::size_t size() const override { return triangles_.size(); }
-  const Box3& bounds() const override { return bounds_; }
+  const Box3& bounds() const override { return boxes_.bounds; }
   double area() const override { return area_; }
   std::size_t memory_bytes() const override;
   ClosestPoint at_site(Vec3 p, TriangleId site) const override {
@@ -79,17 +83,7 @@ class ClosestPointIndex final : public ToleranceField {
   const ClosestPointIndex* surface() const override { return this; }
 
  private:
-  friend class BvhBuilder;
-  static constexpr unsigned width = 4;
-  /// Boxes of four children in the frame (p - origin_) * inverse_scale_, rounded outward to float.
-  struct alignas(64) Node {
-    float lo[3][width];
-    float hi[3][width];
-    std::uint32_t child[width]; ///< inner: node; leaf: first slot
-    std::uint8_t count[width];  ///< leaf: number of slots; 0 for an inner child, empty_child for none
-  };
-  static constexpr std::uint8_t empty_child = 0xff;
-
+  void fill(const TriangleSoup& soup, const RunControl* control);
   ClosestPoint search(Vec3 p, ClosestPoint best, double squared_enough = 0) const;
   template <class MeetsBox, class AtSlot> void visit(const MeetsBox& meets_box, const AtSlot& at_slot) const;
 
@@ -100,13 +94,9 @@ class ClosestPointIndex final : public ToleranceField {
   };
   std::vector<Triangle3> triangles_; ///< in leaf order
   std::vector<Plane> planes_;        ///< by slot
-  std::vector<std::uint32_t> ids_;   ///< slot -> triangle id
   std::vector<std::uint32_t> slots_; ///< triangle id -> slot
-  std::vector<Node> nodes_;          ///< nodes_[0] is the root
-  Box3 bounds_;
+  BoxHierarchy boxes_;
   double area_ = 0;
-  Vec3 origin_;
-  double inverse_scale_ = 1;
   double largest_coordinate_ = 0;
 };
 

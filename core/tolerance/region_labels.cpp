@@ -20,8 +20,6 @@ constexpr int most_steps = 200; ///< of a climb
 /// region on both sides from which on the surface counts as open.
 constexpr std::size_t side_probes = 4000;
 constexpr double side_reach = 1.2, open_share = 0.05;
-/// A region of points this deep, in units of δ, is no gap between neighbours.
-constexpr double deep_enough = 1.3;
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -178,18 +176,6 @@ std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl&
     if (control.cancelled()) break;
     labels.push_back(r.unbounded ? +1 : volume.sides().label(r.deepest));
   }
-  return labels;
-}
-
-int label_by_depth(const ToleranceVolume& volume, RegionId region, const RunControl& control) {
-  static_cast<void>(control);
-  const Region& r = volume.regions()[region.index()];
-  return !r.unbounded && r.depth > deep_enough * volume.thresholds().delta ? -1 : +1;
-}
-
-Result<std::vector<int>> label_by_depth(const ToleranceVolume& volume, const RunControl& control) {
-  std::vector<int> labels;
-  for (const Region& r : volume.regions()) labels.push_back(label_by_depth(volume, r.id, control));
   return labels;
 }
 

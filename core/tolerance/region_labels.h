@@ -5,6 +5,7 @@
 #include "base/status.h"
 #include "tolerance/tolerance_volume.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace isoscope {
@@ -18,12 +19,16 @@ std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl&
 /// on open and non-manifold surfaces, with anything once the control is cancelled.
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, const RunControl& control);
 
-/// Labels for points, which nothing but Ω tells the sides of: - for bounded regions that are deep (beyond
-/// deep_enough δ) and for those that are joined to one sooner than to the outside as δ shrinks, + for the
-/// others. Of no use once the control is cancelled.
-Result<std::vector<int>> label_by_depth(const ToleranceVolume& volume, const RunControl& control);
-/// The same of one region.
-int label_by_depth(const ToleranceVolume& volume, RegionId region, const RunControl& control);
+/// Labels for points, which nothing but Ω tells the sides of. Deep regions, which reach beyond deep_enough δ,
+/// alternate across components of Ω'; shallow ones, pockets in it, go with the deep region to which the way
+/// over the largest φ leads first.
+struct DepthLabels {
+  std::vector<int> of_regions;
+  std::vector<bool> shallow;         ///< by region
+  std::vector<std::int8_t> of_cells; ///< by leaf of the octree as it was: where a pocket there would go
+};
+/// Of no use once the control is cancelled.
+DepthLabels label_by_depth(const ToleranceVolume& volume, const RunControl& control);
 
 /// A point midway between a wall of the input and the next one along the normal.
 struct ThicknessProbe {

@@ -204,9 +204,8 @@ void Regions::split(CellIndex i) {
 
 namespace {
 
-/// Walks from the root of an octree towards p; `at_leaf(i)` says whether to go on below a leaf it may have
-/// split.
-template <class AtLeaf> Regions::CellIndex descend(const Regions& r, Vec3 p, const AtLeaf& at_leaf) {
+/// Walks from the root of an octree towards p until ends_at(i), which may split a leaf.
+template <class EndsAt> Regions::CellIndex descend(const Regions& r, Vec3 p, const EndsAt& ends_at) {
   const Box3 domain = r.domain();
   for (int a = 0; a < 3; ++a)
     if (!(p[a] >= domain.lo[a] && p[a] < domain.hi[a])) return Regions::none;
@@ -218,7 +217,7 @@ template <class AtLeaf> Regions::CellIndex descend(const Regions& r, Vec3 p, con
   }
   Regions::CellIndex i = 0;
   for (;;) {
-    if (r.cell(i).child == Regions::none && !at_leaf(i)) return i;
+    if (ends_at(i)) return i;
     const unsigned shift = deepest_level - 1 - r.cell(i).level;
     i = r.cell(i).child + ((u[0] >> shift) & 1u) + 2 * ((u[1] >> shift) & 1u) + 4 * ((u[2] >> shift) & 1u);
   }
@@ -227,15 +226,36 @@ template <class AtLeaf> Regions::CellIndex descend(const Regions& r, Vec3 p, con
 } // namespace
 
 Regions::CellIndex Regions::locate(Vec3 p) const {
-  return descend(*this, p, [](CellIndex) { return false; });
+  return descend(*this, p, [&](CellIndex i) { return cells_[i].child == none; });
+}
+
+Regions::CellIndex Regions::locate_among(Vec3 p, std::size_t count) const {
+  return descend(*this, p, [&](CellIndex i) { return cells_[i].child >= count; });
 }
 
 Regions::CellIndex Regions::locate_refining(Vec3 p) {
   return descend(*this, p, [&](CellIndex i) {
-    if (cells_[i].kind != Kind::ambiguous || cells_[i].level >= max_level_) return false;
+    if (cells_[i].child != none) return false;
+    if (cells_[i].kind != Kind::ambiguous || cells_[i].level >= max_level_) return true;
     split(i);
-    return true;
+    return false;
   });
+}
+
+std::vector<CellLink> Regions::leaf_links(const RunControl& control) const {
+  std::vector<CellLink> links;
+  SparsePoll poll(control);
+  for (CellIndex i = 0; i < cells_.size() && !poll.cancelled(); ++i) {
+    const Cell& c = cells_[i];
+    if (c.child != none) continue;
+    for (int face = 0; face < 6; ++face) {
+      const CellIndex j = neighbor(c, face);
+      // Finer neighbours link themselves, and of two of the same level one does.
+      if (j == none || cells_[j].child != none || (cells_[j].level == c.level && face % 2 == 0)) continue;
+      links.push_back({i, j});
+    }
+  }
+  return links;
 }
 
 Regions::CellIndex Regions::root(CellIndex i) const {

@@ -4,6 +4,7 @@
 
 #include "base/run_control.h"
 #include "base/status.h"
+#include "tolerance/cell_links.h"
 #include "tolerance/field.h"
 
 #include <array>
@@ -63,6 +64,11 @@ class Regions {
   CellIndex locate(Vec3 p) const;
   /// The same, splitting ambiguous cells on the way.
   CellIndex locate_refining(Vec3 p);
+
+  /// The same among the first `count` cells.
+  CellIndex locate_among(Vec3 p, std::size_t count) const;
+  /// Each two leaves with a common face. Fewer once the control is cancelled.
+  std::vector<CellLink> leaf_links(const RunControl& control) const;
 
   /// Representative of the component that holds an OUT cell.
   CellIndex root(CellIndex i) const;

@@ -337,9 +337,17 @@ std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region
 }
 
 Status ToleranceVolume::label_regions(const RunControl& control) {
-  auto labels = sides_.rule() == SideRule::depth ? label_by_depth(*this, control)
-                : sides_.known()                 ? label_by_sides(*this, control)
-                                                 : label_by_two_colouring(*this, control);
+  if (sides_.rule() == SideRule::depth) {
+    DepthLabels labels = label_by_depth(*this, control);
+    if (control.cancelled()) return {};
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      regions_[i].label = labels.of_regions[i];
+      regions_[i].shallow = labels.shallow[i];
+    }
+    basins_ = std::move(labels.of_cells);
+    return {};
+  }
+  auto labels = sides_.known() ? label_by_sides(*this, control) : label_by_two_colouring(*this, control);
   if (control.cancelled()) return {};
   if (!labels.ok()) return labels.error();
   for (std::size_t i = 0; i < regions_.size(); ++i) regions_[i].label = (*labels)[i];
@@ -414,11 +422,16 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget, const RunControl
   const double side = octree_->side(c.level);
   const RegionId id = add_region(i, octree_->center(c), static_cast<double>(c.distance), side * side * side);
   Region& region = regions_.back();
-  region.label =
-      sides_.rule() == SideRule::depth ? label_by_depth(*this, id, control) : sides_.label(region.deepest);
+  region.shallow = sides_.rule() == SideRule::depth;
+  region.label = region.shallow ? basin_at(region.deepest) : sides_.label(region.deepest);
   if (winds()) region.winding_number = sides_.winding_number(region.deepest);
   if (region.depth > thresholds_.delta) witnesses_.push_back({region.deepest, region.label, region.depth});
   return id;
+}
+
+int ToleranceVolume::basin_at(Vec3 p) const {
+  const Regions::CellIndex leaf = octree_->locate_among(p, basins_.size());
+  return leaf != Regions::none && basins_[leaf] < 0 ? -1 : +1;
 }
 
 int ToleranceVolume::label_at(Vec3 p, const RunControl& control) {
@@ -448,7 +461,7 @@ bool ToleranceVolume::thickening() const {
   if (pockets() > 0) return false;
   std::vector<std::vector<long>> sides(volume_component_count_);
   for (const BoundaryComponent& c : boundary_components_)
-    sides[c.volume_component].push_back(c.euler_characteristic);
+    if (!regions_[c.region.index()].shallow) sides[c.volume_component].push_back(c.euler_characteristic);
   return std::all_of(sides.begin(), sides.end(), [](const auto& s) { return s.size() == 2 && s[0] == s[1]; });
 }
 
@@ -529,8 +542,9 @@ std::vector<std::string> ToleranceVolume::side_notes() const {
 }
 
 std::size_t ToleranceVolume::memory_bytes() const {
-  return octree_->memory_bytes() + volume_components_.capacity() * sizeof(std::uint32_t) +
-         regions_.capacity() * sizeof(Region) + boundary_components_.capacity() * sizeof(BoundaryComponent);
+  return octree_->memory_bytes() + basins_.capacity() +
+         volume_components_.capacity() * sizeof(std::uint32_t) + regions_.capacity() * sizeof(Region) +
+         boundary_components_.capacity() * sizeof(BoundaryComponent);
 }
 
 } // namespace isoscope

@@ -32,6 +32,8 @@ struct Region {
   Vec3 deepest;      ///< a point of the region far from the input: the witness of its side
   double depth = 0;  ///< φ(deepest), same units as δ
   double volume = 0; ///< lower bound from the octree; infinite for the unbounded region
+  /// Points: it is a pocket in Ω, and on the side of the deep region that it is joined to first.
+  bool shallow = false;
   /// How often the input winds around it, where that is what tells its side.
   int winding_number = 0;
 };
@@ -193,6 +195,8 @@ class ToleranceVolume {
   bool is_uncounted(const Region& r) const;
   /// Whether winding numbers mean something: the triangles cancel along every edge.
   bool winds() const { return sides_.rule() == SideRule::winding || input_.consistently_oriented; }
+  /// The side that a pocket at p goes with.
+  int basin_at(Vec3 p) const;
   std::string overlap_in_words() const;
   std::string cause_in_words(const RunControl& control) const;
   RegionId add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume);
@@ -207,6 +211,7 @@ class ToleranceVolume {
   std::vector<BoundaryComponent> boundary_components_; ///< ascending by region, then component of Ω'
   std::vector<std::uint32_t> volume_components_;       ///< by site
   std::size_t volume_component_count_ = 0;
+  std::vector<std::int8_t> basins_; ///< where sides go with depth, by leaf: the side of a pocket there
 };
 
 /// Connectivity of a soup after merging bitwise equal points, and what tells its sides; the self-intersection

@@ -26,7 +26,7 @@ bool accepts_mesh(std::string_view bytes, const char* extension) {
     require(error.line().find('\n') == std::string::npos, "an error has two lines");
     return false;
   }
-  require(!soup->triangles.empty(), "a soup without triangles");
+  require(!soup->triangles.empty() || soup->points.size() >= 4, "a soup without triangles or points");
   for (const Vec3 p : soup->points) require(is_finite(p), "a coordinate that is not finite");
   for (const auto& t : soup->triangles)
     for (const auto v : t) require(v < soup->points.size(), "a corner out of range");

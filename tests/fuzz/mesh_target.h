@@ -1,4 +1,4 @@
-// What the targets of the four mesh readers share.
+// What the targets of the mesh readers share.
 #pragma once
 
 #include <string>

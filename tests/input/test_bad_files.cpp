@@ -138,16 +138,3 @@ TEST_CASE("files without a surface") {
   check_bad(folder, "c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n", "degenerate");
   check_bad(folder, "d.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 0 1\n2 0 1\n", "degenerate");
 }
-
-TEST_CASE("point sets are recognised and put off") {
-  const TemporaryFolder folder;
-  for (const char* name : {"a.xyz", "a.pts", "a.pwn", "a.txt", "a"})
-    check_refused(folder.file(name, "# cloud\n0.5 1 2\n1 1 1\n"), ErrorCode::unsupported, "later version");
-  check_refused(folder.file("n.xyz", "0,5 1,0 2,0\n"), ErrorCode::unsupported, "later version");
-  check_refused(folder.file("a.off", "OFF\n2 0 0\n0 0 0\n1 1 1\n"), ErrorCode::unsupported, "2 points");
-  check_refused(folder.file("a.obj", "v 0 0 0\nv 1 1 1\n"), ErrorCode::unsupported, "2 points");
-  check_refused(folder.file("a.ply",
-                            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
-                            "y\nproperty float z\nend_header\n0 0 0\n"),
-                ErrorCode::unsupported, "1 points");
-}

@@ -58,6 +58,9 @@ TEST_CASE("other kinds of files are named, whatever their extension claims") {
       {std::string("Kaydara FBX Binary  \0", 21), "FBX", "export"},
       {"BLENDER-v300", "Blender", "export"},
       {"#VRML V2.0 utf8\n", "VRML", "export"},
+      {"# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n", "PCD", "Convert"},
+      {"LASF\x01\x02", "LAS", "Convert"},
+      {std::string("ASTM-E57\x01\0\0\0", 12), "E57", "Convert"},
       {"# vtk DataFile Version 3.0\n", "VTK", "export"},
       {"$MeshFormat\n2.2 0 8\n", "Gmsh", "export"},
   };

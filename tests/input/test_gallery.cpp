@@ -45,7 +45,7 @@ TEST_CASE("clean models are closed oriented manifolds of the stated Euler charac
           "themselves") {
   using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
   for (const GalleryEntry& entry : gallery()) {
-    if (entry.name == "soup") continue;
+    if (entry.name == "soup" || make(entry.name).is_point_set()) continue;
     CAPTURE(entry.name);
     const TriangleSoup model = make(entry.name);
     CHECK(model.triangles.size() >= 500);

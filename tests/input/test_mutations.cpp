@@ -82,7 +82,7 @@ TEST_CASE("thousands of damaged files") {
         continue;
       }
       ++read;
-      REQUIRE_FALSE(mesh->triangles.empty());
+      REQUIRE((!mesh->triangles.empty() || mesh->points.size() >= 4));
       for (const Vec3 p : mesh->points) REQUIRE(is_finite(p));
       for (const auto& t : mesh->triangles)
         for (const auto v : t) REQUIRE(v < mesh->points.size());

@@ -82,18 +82,41 @@ void control(Ui& ui, P& p, const Field<P, Tolerance>& f) {
   const float unit = ui.px(52);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit - ui.px(6));
   ImGui::PushFont(ui.fonts.mono);
-  typed(f, tolerance.value, "%.6g", [](double v) { return Tolerance{v, false}.check({}, {}).ok(); });
+  if (typed(f, tolerance.value, "%.6g", [](double v) { return Tolerance{v, false}.check({}, {}).ok(); }))
+    tolerance.automatic = false;
   ImGui::PopFont();
   widgets::tip(ui, f.title, f.tip);
   ImGui::SameLine(0, ui.px(6));
-  if (widgets::plain_button(ui, tolerance.percent ? "%##unit" : "abs##unit", true, unit,
-                            ImGui::GetFrameHeight())) {
+  const char* const spelt = tolerance.automatic ? "auto##unit" : tolerance.percent ? "%##unit" : "abs##unit";
+  if (widgets::plain_button(ui, spelt, true, unit, ImGui::GetFrameHeight())) {
+    // Percent, length, found by the run, and round again.
+    const bool was_length = !tolerance.percent && !tolerance.automatic;
+    tolerance.automatic = was_length;
+    if (was_length) return;
     const double edge = ui.window.run.scene ? ui.window.run.scene->longest_edge : 0;
     if (edge > 0)
       tolerance.value = tolerance.percent ? tolerance.absolute(edge) : 100 * tolerance.value / edge;
     tolerance.percent = !tolerance.percent;
   }
-  widgets::tip(ui, "Unit of δ", "Percent of the longest edge, or a length in the input's units.");
+  widgets::tip(ui, "Unit of δ",
+               "Percent of the longest edge, a length in the input's units, or found from the input.");
+}
+
+void control(Ui& ui, P& p, const Field<P, Robust>& f) {
+  constexpr int usual = 12;
+  int& neighbors = (p.*(f.member)).neighbors;
+  constexpr std::array<const char*, 3> kinds{"auto", "off", "k"};
+  int chosen = neighbors == Robust::automatic ? 0 : neighbors == Robust::off ? 1 : 2;
+  if (chosen == 2) {
+    double value = neighbors;
+    ImGui::SetNextItemWidth(ui.px(64));
+    if (typed(f, value, "%.0f", [&](double v) { return v >= 2 && check_range(f, {}, v).ok(); }))
+      neighbors = static_cast<int>(std::round(value));
+    widgets::tip(ui, f.title, f.tip);
+    ImGui::SameLine(0, ui.px(6));
+  }
+  if (widgets::segmented(ui, f.name.data(), kinds, chosen))
+    neighbors = chosen == 0 ? Robust::automatic : chosen == 1 ? Robust::off : usual;
 }
 
 void control(Ui& ui, P& p, const Field<P, std::optional<double>>& f) {

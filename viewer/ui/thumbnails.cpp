@@ -18,6 +18,9 @@ struct Raster {
   std::vector<float> shade; ///< 0 where empty
 };
 
+/// Half the width of a point, in fine pixels.
+constexpr double point_size = 2.5;
+
 void fill(Raster& r, const std::array<Vec3, 3>& p, float shade) {
   const auto [x0, x1] = std::minmax({p[0].x, p[1].x, p[2].x});
   const auto [y0, y1] = std::minmax({p[0].y, p[1].y, p[2].y});
@@ -54,6 +57,8 @@ Thumbnail draw_thumbnail(const TriangleSoup& soup, int width, int height, bool o
   Box3 box;
   for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     for (const Vec3& p : soup.triangle(i)) box.add(turned(p));
+  if (soup.is_point_set())
+    for (const Vec3& p : soup.points) box.add(turned(p));
   const Vec3 extent = box.extent(), middle = box.center();
   const double scale =
       0.84 * std::min(r.width / std::max(extent.x, 1e-12), r.height / std::max(extent.y, 1e-12));
@@ -72,6 +77,14 @@ Thumbnail draw_thumbnail(const TriangleSoup& soup, int width, int height, bool o
     const double diffuse = std::max(0.0, dot(normal, light));
     fill(r, p, static_cast<float>(0.28 + 0.12 * (0.5 + 0.5 * normal.y) + 0.62 * diffuse));
   }
+  if (soup.is_point_set())
+    for (const Vec3& p : soup.points) {
+      const Vec3 q = turned(p) - middle;
+      const double x = r.width / 2.0 + scale * q.x, y = r.height / 2.0 - scale * q.y;
+      const auto nearness = static_cast<float>(0.5 + q.z / std::max(extent.z, 1e-12));
+      fill(r, {Vec3{x - point_size, y, q.z}, Vec3{x + point_size, y, q.z}, Vec3{x, y + point_size, q.z}},
+           0.35f + 0.6f * nearness);
+    }
   Thumbnail out{
       width, height,
       std::vector<std::uint8_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4)};

@@ -1,0 +1,259 @@
+// Sites of points, and which of them are left out.
+#include "run/point_field.h"
+
+#include "base/numbers.h"
+#include "base/parallel.h"
+#include "base/place.h"
+#include "base/scramble.h"
+#include "tolerance/closest_point.h"
+#include "tolerance/witnessed_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+
+namespace isoscope {
+namespace {
+
+constexpr int place_digits = 6;
+/// A part of Ω' with so many of the sites is no blob of noise.
+constexpr double largest_blob = 0.05;
+/// Samples of triangles by δ², and at most; δ where none is known yet, relative to the longest edge.
+constexpr double samples_by_square = 8, reference_delta = 0.01;
+constexpr std::size_t most_samples = 2'000'000, fewest_samples = 1000;
+
+std::uint64_t digest_of(const TriangleSoup& soup) {
+  std::uint64_t digest = golden_step;
+  const auto add = [&](std::uint64_t value) { digest = scrambled(digest + golden_step) ^ value; };
+  for (const Vec3 p : soup.points)
+    for (int a = 0; a < 3; ++a) add(std::bit_cast<std::uint64_t>(p[a] + 0.0));
+  for (const auto& t : soup.triangles)
+    for (const std::uint32_t v : t) add(v);
+  return digest;
+}
+
+std::shared_ptr<const TriangleSoup> points_of(const std::shared_ptr<const TriangleSoup>& input,
+                                              std::optional<double> delta) {
+  if (input->is_point_set()) return input;
+  const double spacing = delta.value_or(reference_delta * input->bounds().longest_edge());
+  const double wanted = samples_by_square * input->area() / (spacing * spacing);
+  const auto n = static_cast<std::size_t>(
+      std::clamp(wanted, static_cast<double>(fewest_samples), static_cast<double>(most_samples)));
+  auto drawn = std::make_shared<TriangleSoup>();
+  drawn->name = input->name;
+  drawn->points = sample_area(*input, n, digest_of(*input));
+  return drawn;
+}
+
+/// Without the sites for which `drops` holds; `why` of those that are dropped comes with them.
+template <class Drops>
+MadePointField without_sites(const MadePointField& from, const Drops& drops, double dropped_area,
+                             const RunControl& control) {
+  const WeightedPointIndex& index = *from.index;
+  std::vector<WeightedPoint> sites;
+  MadePointField made{std::make_shared<PointField>(*from.points), nullptr};
+  made.points->point.clear();
+  for (std::uint32_t s = 0; s < index.size(); ++s) {
+    if (drops(s)) continue;
+    sites.push_back(index.site(TriangleId(s)));
+    made.points->point.push_back(from.points->point.empty() ? s : from.points->point[s]);
+  }
+  made.index = std::make_shared<const WeightedPointIndex>(sites, index.area() - dropped_area, control);
+  return made;
+}
+
+std::string percent(double part, double whole) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * part / whole);
+  return text;
+}
+
+PointDistances::Quantiles quantiles(std::vector<double> distances) {
+  std::sort(distances.begin(), distances.end());
+  const auto at = [&](double part) {
+    if (distances.empty()) return 0.0;
+    const auto rank = static_cast<std::size_t>(std::ceil(part * static_cast<double>(distances.size())));
+    return distances[std::clamp<std::size_t>(rank, 1, distances.size()) - 1];
+  };
+  return {at(0.5), at(0.9), at(0.99), at(1)};
+}
+
+Error nothing_inside(const DeltaStudy& study) {
+  std::string remedy = "Are these points of a closed surface?";
+  if (study.found()) {
+    remedy = "Ω encloses something for δ from " + general(study.least, 3) + " to " + general(study.most, 3) +
+             ": choose --tolerance auto, or a length between them.";
+  }
+  return {ErrorCode::open_surface, "At this tolerance the volume around the points encloses nothing.",
+          remedy};
+}
+
+} // namespace
+
+std::size_t PointField::dropped_points() const {
+  std::size_t n = 0;
+  for (const DroppedPoints& d : dropped) n += d.points;
+  return n;
+}
+
+std::vector<bool> PointField::kept() const {
+  std::vector<bool> kept(points->points.size(), point.empty());
+  for (const std::uint32_t p : point) kept[p] = true;
+  return kept;
+}
+
+std::vector<std::string> PointField::notes(double delta, double longest_edge) const {
+  std::vector<std::string> notes;
+  const auto n = static_cast<double>(points->points.size());
+  const auto length = [&](double l) {
+    return general(l, 3) + " (" + percent(l, longest_edge) + " of the longest edge)";
+  };
+  std::string made =
+      drawn ? "The triangles are taken as " + counted(points->points.size(), "sample") + " of their area: "
+            : counted(points->points.size(), "point") + " without triangles: ";
+  if (neighbors == 1)
+    made += "φ is the distance to the nearest.";
+  else
+    made += "φ is the witnessed k-distance with k = " + std::to_string(neighbors) +
+            (automatic ? ", as " + percent(outlying, 1) + " of the points stand far from all others." : ".");
+  notes.push_back(std::move(made));
+  if (study.found()) {
+    std::string interval = "Ω encloses what the points are on for δ from " + length(study.least) + " to " +
+                           length(study.most) + "; the first opening is near " +
+                           place(study.saddle(), place_digits) + ".";
+    if (delta < study.least)
+      interval += " The tolerance is below that: inside and outside may be joined there.";
+    else if (delta > study.most)
+      interval += " The tolerance is beyond that: what is narrower than " + general(delta, 3) +
+                  " is closed up, as the inside around " + place(study.closing(), place_digits) + ".";
+    notes.push_back(std::move(interval));
+  } else {
+    notes.emplace_back("No tolerance was found at which Ω encloses something.");
+  }
+  for (const DroppedPoints& d : dropped) {
+    const std::string which =
+        counted(d.points, "point") + " (" + percent(static_cast<double>(d.points), n) + ")";
+    notes.push_back(d.why == DroppedPoints::Why::outliers
+                        ? which +
+                              (d.points == 1 ? " is an outlier and left out" : " are outliers and left out") +
+                              ": φ at them exceeds δ; one is at " + place(d.place, place_digits) + "."
+                        : which + " around " + place(d.place, place_digits) + " of size " +
+                              general(d.size, 3) + " enclose nothing and are left out.");
+  }
+  return notes;
+}
+
+bool is_field_of_points(const TriangleSoup& input, const RunParameters& parameters) {
+  return input.is_point_set() || parameters.robust.neighbors > Robust::off;
+}
+
+MadePointField make_point_field(const std::shared_ptr<const TriangleSoup>& input,
+                                const RunParameters& parameters, std::optional<double> delta,
+                                const RunControl& control) {
+  MadePointField made{std::make_shared<PointField>(), nullptr};
+  PointField& field = *made.points;
+  field.points = points_of(input, delta);
+  field.drawn = field.points != input;
+  const auto neighbors = static_cast<std::size_t>(parameters.robust.neighbors);
+  const WitnessedDistance distance = witness_distance(field.points->points, neighbors, control);
+  if (control.cancelled()) return made;
+  field.neighbors = distance.neighbors;
+  field.automatic = distance.automatic;
+  field.outlying = distance.outlying;
+  made.index = std::make_shared<const WeightedPointIndex>(distance.sites, distance.area, control);
+  if (control.cancelled()) return made;
+  field.study = study_delta(*made.index, distance.finest(), control);
+  return made;
+}
+
+MadePointField without_outliers(const MadePointField& from, double delta, const RunControl& control) {
+  const auto drops = [&](std::uint32_t s) { return from.index->site(TriangleId(s)).weight >= delta * delta; };
+  DroppedPoints dropped;
+  Box3 box;
+  for (std::uint32_t s = 0; s < from.index->size(); ++s) {
+    if (!drops(s)) continue;
+    const Vec3 at = from.points->points->points[from.points->point.empty() ? s : from.points->point[s]];
+    if (dropped.points++ == 0) dropped.place = at;
+    box.add(at);
+  }
+  if (dropped.points == 0 || dropped.points == from.index->size()) return from;
+  dropped.size = box.longest_edge();
+  MadePointField made = without_sites(from, drops, 0, control);
+  made.points->dropped.push_back(dropped);
+  return made;
+}
+
+Result<MadePointField> without_blobs(const MadePointField& from, const ToleranceVolume& volume,
+                                     const RunControl& control) {
+  const auto regions = volume.regions();
+  if (std::none_of(regions.begin(), regions.end(), [](const Region& r) { return r.label < 0 && !r.shallow; }))
+    return nothing_inside(from.points->study);
+  const std::size_t components = volume.volume_component_count();
+  std::vector<std::array<bool, 2>> has(components); // an inside, an outside
+  for (const BoundaryComponent& c : volume.boundary_components())
+    has[c.volume_component][regions[c.region.index()].label < 0 ? 0 : 1] = true;
+  std::vector<DroppedPoints> blobs(components);
+  std::vector<Box3> boxes(components);
+  const std::size_t n = from.index->size();
+  for (std::uint32_t s = 0; s < n; ++s) {
+    const std::uint32_t c = volume.volume_component(TriangleId(s));
+    if (c == VolumeComponents::none || (has[c][0] && has[c][1])) continue;
+    const Vec3 at = from.index->site(TriangleId(s)).center;
+    if (blobs[c].points++ == 0) blobs[c] = {DroppedPoints::Why::blob, 1, at, 0};
+    boxes[c].add(at);
+  }
+  std::vector<DroppedPoints> dropped;
+  std::size_t all = 0;
+  for (std::size_t c = 0; c < components; ++c) {
+    if (blobs[c].points == 0) continue;
+    blobs[c].size = boxes[c].longest_edge();
+    all += blobs[c].points;
+    dropped.push_back(blobs[c]);
+    if (static_cast<double>(blobs[c].points) < largest_blob * static_cast<double>(n)) continue;
+    return Error{ErrorCode::open_surface,
+                 "A part of the points, " +
+                     percent(static_cast<double>(blobs[c].points), static_cast<double>(n)) +
+                     " of them around " + place(blobs[c].place, place_digits) +
+                     ", encloses nothing at this tolerance.",
+                 "A larger tolerance closes gaps; remove the part if it is none of the surface."};
+  }
+  if (dropped.empty()) return from;
+  std::stable_sort(dropped.begin(), dropped.end(),
+                   [](const auto& a, const auto& b) { return a.points > b.points; });
+  const auto drops = [&](std::uint32_t s) {
+    const std::uint32_t c = volume.volume_component(TriangleId(s));
+    return c != VolumeComponents::none && blobs[c].points > 0;
+  };
+  const double area = from.index->area() * static_cast<double>(all) / static_cast<double>(n);
+  MadePointField made = without_sites(from, drops, area, control);
+  std::vector<DroppedPoints>& list = made.points->dropped;
+  list.insert(list.end(), dropped.begin(), dropped.end());
+  return made;
+}
+
+Result<double> proposed_tolerance(const DeltaStudy& study) {
+  if (study.found()) return study.proposed;
+  return Error{ErrorCode::open_surface, "No tolerance was found at which the volume encloses something.",
+               "Are these points of a closed surface? Give --tolerance to see what Ω is at one."};
+}
+
+PointDistances measure_points(const PointField& points, const TriangleMesh& mesh, const RunControl& control) {
+  PointDistances distances;
+  if (mesh.triangles.empty()) return distances;
+  const ClosestPointIndex index({mesh.points, mesh.triangles, {}});
+  const std::vector<Vec3>& all = points.points->points;
+  std::vector<double> of_all(all.size());
+  if (!parallel_until(all.size(), 256, control, [&](std::size_t i) { of_all[i] = index.distance(all[i]); }))
+    return distances;
+  const std::vector<bool> kept = points.kept();
+  std::vector<double> of_kept;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (kept[i]) of_kept.push_back(of_all[i]);
+  distances.all = quantiles(std::move(of_all));
+  distances.kept = quantiles(std::move(of_kept));
+  return distances;
+}
+
+} // namespace isoscope

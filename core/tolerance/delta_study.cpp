@@ -1,0 +1,180 @@
+// Merge trees of φ over the leaves of an octree.
+#include "tolerance/delta_study.h"
+
+#include "tolerance/cell_links.h"
+#include "tolerance/field_octree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace isoscope {
+namespace {
+
+/// What lasts over less than this factor of δ is an effect of the cells.
+constexpr double least_factor = 1.06;
+/// A region lasts that is cut off at less than this part of its depth.
+constexpr double lasting_factor = 1.5;
+/// Insides open at about the same δ, where the points are too few; necks of the model close later.
+constexpr double same_opening = 1.3;
+/// How far inside of the interval δ is proposed, and how much farther fewer components are looked for.
+constexpr double above_least = 1.15, search_factor = 1.5;
+constexpr std::size_t curve_steps = 64;
+constexpr std::size_t most_regions = 1000;
+
+/// A component of {φ > δ} or of {φ < δ}, from the δ at which it appears to that at which it joins an older
+/// one.
+struct Pair {
+  double birth, death;
+  std::uint32_t at, saddle; ///< leaves
+};
+
+/// Joins the leaves of an octree in the order of their links. `Before(a, b)`: a level that comes before b.
+template <class Before> class MergeTree {
+ public:
+  explicit MergeTree(const std::vector<double>& values) : values_(values), parent_(values.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+
+  /// Joins two leaves at a level that neither comes before; the younger of their components ends there.
+  void join(std::uint32_t a, std::uint32_t b, std::uint32_t saddle, std::vector<Pair>& ended) {
+    const double level = values_[saddle];
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    const bool a_first = values_[a] != values_[b] ? Before()(values_[a], values_[b]) : a < b;
+    const std::uint32_t young = a_first ? b : a;
+    parent_[young] = a_first ? a : b;
+    const double birth = values_[young];
+    if (std::max(birth, level) >= least_factor * std::min(birth, level))
+      ended.push_back({birth, level, young, saddle});
+  }
+
+ private:
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  const std::vector<double>& values_;
+  std::vector<std::uint32_t> parent_; ///< roots are where components were born
+};
+
+/// What ended of the components of {φ > δ} as δ shrinks, and of {φ < δ} as it grows.
+struct Histories {
+  std::vector<Pair> regions, components;
+};
+
+Histories find_histories(const FieldOctree& octree, const RunControl& control) {
+  std::vector<double> values = octree.values();
+  const auto outside = static_cast<std::uint32_t>(values.size());
+  values.push_back(std::numeric_limits<double>::infinity());
+  std::vector<CellLink> links = octree.links();
+  for (const std::uint32_t leaf : octree.border()) links.push_back({leaf, outside});
+  Histories found;
+  SparsePoll poll(control);
+  for (CellLink& link : links) // the lower one first
+    if (values[link.b] < values[link.a]) std::swap(link.a, link.b);
+  sort_by_level(links, [&](const CellLink& link) { return values[link.a]; });
+  MergeTree<std::greater<>> regions(values);
+  for (std::size_t i = links.size(); i-- > 0 && !poll.cancelled();)
+    regions.join(links[i].a, links[i].b, links[i].a, found.regions);
+  sort_by_level(links, [&](const CellLink& link) { return values[link.b]; });
+  MergeTree<std::less<>> components(values);
+  for (std::size_t i = 0; i < links.size() && !poll.cancelled(); ++i)
+    components.join(links[i].a, links[i].b, links[i].b, found.components);
+  return found;
+}
+
+/// Those that one surface may enclose: they open at about the same δ as the one that lasts longest.
+std::vector<LastingRegion> find_insides(const std::vector<LastingRegion>& regions) {
+  const auto lasts = [](const LastingRegion& r) { return r.depth / r.separation; };
+  const auto main = std::max_element(regions.begin(), regions.end(),
+                                     [&](const auto& a, const auto& b) { return lasts(a) < lasts(b); });
+  std::vector<LastingRegion> insides;
+  if (main == regions.end()) return insides;
+  for (const LastingRegion& r : regions)
+    if (r.separation <= same_opening * main->separation &&
+        r.depth > deep_enough * above_least * same_opening * main->separation)
+      insides.push_back(r);
+  if (insides.empty()) insides.push_back(*main);
+  return insides;
+}
+
+std::vector<DeltaStudy::Step> make_curve(const Histories& histories, double from, double to) {
+  std::vector<DeltaStudy::Step> curve(curve_steps);
+  for (std::size_t i = 0; i < curve_steps; ++i) {
+    DeltaStudy::Step& step = curve[i];
+    const double t = static_cast<double>(i) / (curve_steps - 1);
+    step.delta = from * std::pow(to / from, t);
+    step.regions = 1;
+    step.components = 1; // the first of all ends nowhere
+    for (const Pair& p : histories.regions) {
+      if (!(p.death < step.delta && step.delta < p.birth)) continue;
+      ++step.regions;
+      if (p.birth > deep_enough * step.delta) ++step.deep;
+    }
+    for (const Pair& p : histories.components)
+      if (p.birth <= step.delta && step.delta < p.death) ++step.components;
+  }
+  return curve;
+}
+
+/// The least δ above the margin with as few components as there are at any δ a little larger.
+double propose(const DeltaStudy& study) {
+  const double from = above_least * study.least, to = std::min(study.most, search_factor * from);
+  if (from >= study.most) return study.most > study.least ? std::sqrt(study.least * study.most) : 0;
+  double best = from;
+  std::size_t fewest = ~std::size_t{0};
+  for (const DeltaStudy::Step& step : study.curve) {
+    if (step.delta * 1.001 < from || step.delta > to || step.components >= fewest) continue;
+    fewest = step.components;
+    best = std::max(from, step.delta);
+  }
+  return best;
+}
+
+} // namespace
+
+Vec3 DeltaStudy::saddle() const {
+  const auto last = std::max_element(insides.begin(), insides.end(), [](const auto& a, const auto& b) {
+    return a.separation < b.separation;
+  });
+  return last == insides.end() ? Vec3{} : last->saddle;
+}
+
+Vec3 DeltaStudy::closing() const {
+  const auto first = std::min_element(insides.begin(), insides.end(),
+                                      [](const auto& a, const auto& b) { return a.depth < b.depth; });
+  return first == insides.end() ? Vec3{} : first->deepest;
+}
+
+DeltaStudy study_delta(const ToleranceField& field, double finest, const RunControl& control) {
+  DeltaStudy study;
+  control.report("tolerances", -1);
+  const FieldOctree octree(field, finest, control);
+  if (control.cancelled() || octree.empty()) return study;
+  Histories histories = find_histories(octree, control);
+  if (control.cancelled()) return study;
+  for (const Pair& p : histories.regions)
+    if (p.birth > lasting_factor * p.death && p.death > 0)
+      study.regions.push_back({p.death, p.birth, octree.center(p.saddle), octree.center(p.at)});
+  std::stable_sort(study.regions.begin(), study.regions.end(),
+                   [](const auto& a, const auto& b) { return a.depth > b.depth; });
+  if (study.regions.size() > most_regions) study.regions.resize(most_regions);
+  study.insides = find_insides(study.regions);
+  double from = finest, to = 4 * finest;
+  if (!study.insides.empty()) {
+    study.most = std::numeric_limits<double>::infinity();
+    for (const LastingRegion& r : study.insides) {
+      study.least = std::max(study.least, r.separation);
+      study.most = std::min(study.most, r.depth / deep_enough);
+    }
+    from = std::min(0.6 * study.least, std::max(finest, 0.3 * study.least));
+    to = 1.05 * study.insides.front().depth;
+  }
+  study.curve = make_curve(histories, from, to);
+  if (!study.insides.empty()) study.proposed = propose(study);
+  return study;
+}
+
+} // namespace isoscope

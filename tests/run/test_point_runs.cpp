@@ -1,0 +1,185 @@
+// Whole runs on points: noise, outliers, blobs, gaps, two scans, and soups that are taken as points.
+#include "base/parallel.h"
+#include "input/gallery.h"
+#include "run/complete_run.h"
+#include "run/report.h"
+#include "run/statistics.h"
+#include "support/clouds.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+using namespace isoscope;
+using namespace isoscope::test;
+using namespace isoscope::testing;
+
+namespace {
+
+const Box3 around{{-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}};
+
+/// A run of these points as far as the refinement, with δ found.
+std::unique_ptr<CompleteRun> run_of(std::vector<Vec3> points, Tolerance tolerance = {.automatic = true}) {
+  RunParameters parameters;
+  parameters.tolerance = tolerance;
+  parameters.until = Stage::refinement;
+  auto run = std::make_unique<CompleteRun>(parameters);
+  auto soup = std::make_shared<TriangleSoup>();
+  soup->points = std::move(points);
+  run->soup = soup;
+  return run;
+}
+
+std::size_t deep_regions(const Scene& scene) {
+  return static_cast<std::size_t>(
+      std::count_if(scene.regions.begin(), scene.regions.end(), [](const Region& r) { return !r.shallow; }));
+}
+
+void check_sphere(CompleteRun& run) {
+  if (!run.run()) FAIL(run.error->line());
+  for (const std::string& failure : run.result->certificate.failures) MESSAGE(failure);
+  CHECK(run.result->certificate.holds());
+  CHECK(run.result->certificate.euler_characteristic == 2);
+  CHECK(run.result->certificate.components == 1);
+  CHECK(run.result->exit_status() == 0);
+  CHECK(deep_regions(*run.scene) == 2);
+  REQUIRE(run.result->points);
+  CHECK(run.result->points->kept.percentile_99 < 1.5 * run.scene->delta);
+}
+
+bool warned(const Scene& scene, const std::string& words) {
+  return std::any_of(scene.warnings.begin(), scene.warnings.end(),
+                     [&](const ParameterWarning& w) { return w.message.find(words) != std::string::npos; });
+}
+
+} // namespace
+
+TEST_CASE("a noisy sphere with outliers comes out as a sphere, and they are told") {
+  Random random(1);
+  std::vector<Vec3> points = sphere_points(random, 4000, 1, 0.02);
+  add_outliers(random, points, 210, around);
+  const auto run = run_of(std::move(points));
+  check_sphere(*run);
+  CHECK(run->scene->points->dropped_points() > 50);
+  CHECK(run->scene->points->dropped_points() < 250);
+  CHECK(warned(*run->scene, "are outliers and left out"));
+  CHECK(run->result->points->all.most > run->result->points->kept.most);
+  const auto report = nlohmann::json::parse(
+      report_json(run->parameters, *run->scene, *run->result, gather_statistics(*run->journal)));
+  CHECK(report["points"]["count"] == 4210);
+  CHECK(report["points"]["neighbors"] == run->scene->points->neighbors);
+  CHECK(report["tolerances"]["curve"].size() > 10);
+  CHECK(report["tolerances"]["proposed"] == run->scene->delta);
+  CHECK(report["parameters"]["tolerance_given"] == "auto");
+}
+
+TEST_CASE("a blob of 4 % of the points is dropped with its share and place, a larger part refused") {
+  Random random(2);
+  const auto with_blob = [&](std::size_t n) {
+    std::vector<Vec3> points = sphere_points(random, 3000, 1, 0.01);
+    for (std::size_t i = 0; i < n; ++i) points.push_back(Vec3{2, 0, 0} + noise(random, 0.05));
+    return points;
+  };
+  const auto run = run_of(with_blob(125));
+  check_sphere(*run);
+  REQUIRE(run->scene->points->dropped.size() >= 1);
+  const DroppedPoints& blob = run->scene->points->dropped.back();
+  CHECK(blob.why == DroppedPoints::Why::blob);
+  CHECK(blob.points > 100);
+  CHECK(distance(blob.place, {2, 0, 0}) < 0.3);
+  CHECK(warned(*run->scene, "enclose nothing and are left out"));
+
+  const auto refused = run_of(with_blob(400));
+  REQUIRE_FALSE(refused->prepare());
+  CHECK(refused->error->code == ErrorCode::open_surface);
+  CHECK(refused->error->message.find("encloses nothing") != std::string::npos);
+  CHECK(refused->error->message.find("12 %") != std::string::npos);
+}
+
+TEST_CASE("gaps are closed, double layers are one, and densities may differ twenty times") {
+  Random random(3);
+  SUBCASE("a gap of 3 % of the size") {
+    std::vector<Vec3> points = sphere_points(random, 4000, 1, 0.005);
+    std::erase_if(points, [](Vec3 p) { return std::abs(p.z) < 0.03; });
+    const auto run = run_of(std::move(points));
+    check_sphere(*run);
+  }
+  SUBCASE("two scans 1 % apart") {
+    std::vector<Vec3> points = sphere_points(random, 2500, 1, 0);
+    for (const Vec3 p : sphere_points(random, 2500, 1.02, 0)) points.push_back(p);
+    const auto run = run_of(std::move(points));
+    check_sphere(*run);
+  }
+  SUBCASE("one half has a twentieth of the points") {
+    std::vector<Vec3> points = sphere_points(random, 8000, 1, 0);
+    std::erase_if(points, [&](Vec3 p) { return p.x < 0 && random.unit() > 0.05; });
+    const auto run = run_of(std::move(points));
+    check_sphere(*run);
+  }
+}
+
+TEST_CASE("a torus of points has its hole, two spheres are two") {
+  Random random(4);
+  TriangleSoup torus;
+  add_torus(torus, {}, 1, 0.45, 40);
+  const auto ring = run_of(surface_points(random, torus, 5000, 0.01));
+  if (!ring->run()) FAIL(ring->error->line());
+  CHECK(ring->result->certificate.holds());
+  CHECK(ring->result->certificate.euler_characteristic == 0);
+
+  std::vector<Vec3> apart = sphere_points(random, 1500, 1, 0);
+  for (const Vec3 p : sphere_points(random, 1500, 1, 0)) apart.push_back(p + Vec3{3, 0, 0});
+  const auto two = run_of(std::move(apart));
+  if (!two->run()) FAIL(two->error->line());
+  CHECK(two->result->certificate.holds());
+  CHECK(two->result->certificate.euler_characteristic == 4);
+  CHECK(two->result->certificate.components == 2);
+}
+
+TEST_CASE("tolerances outside of the interval are told, by the end that is left") {
+  Random random(5);
+  const std::vector<Vec3> points = sphere_points(random, 1500, 1, 0.01);
+  const auto small = run_of(points, {2, true});
+  REQUIRE_FALSE(small->prepare());
+  CHECK(small->error->code == ErrorCode::open_surface);
+  CHECK(small->error->message.find("encloses nothing") != std::string::npos);
+  CHECK(small->error->remedy.find("--tolerance auto") != std::string::npos);
+  const auto large = run_of(points, {0.85, false});
+  const bool prepared = large->prepare();
+  CHECK((prepared ? warned(*large->scene, "closed up")
+                  : large->error->message.find("encloses nothing") != std::string::npos));
+  std::vector<Vec3> sheet;
+  for (int i = 0; i < 1000; ++i) sheet.push_back({random.unit(), random.unit(), 0});
+  const auto open = run_of(sheet);
+  REQUIRE_FALSE(open->prepare());
+  CHECK(open->error->code == ErrorCode::open_surface);
+}
+
+TEST_CASE("a torn soup is taken as points where that is asked for") {
+  RunParameters parameters = gallery_parameters("soup");
+  parameters.tolerance = {.automatic = true};
+  parameters.robust = {12};
+  CompleteRun run(parameters);
+  if (!run.run()) FAIL(run.error->line());
+  CHECK(run.result->certificate.holds());
+  CHECK(run.result->certificate.euler_characteristic == 0);
+  CHECK(run.scene->points->drawn);
+  CHECK(run.scene->points->neighbors == 12);
+}
+
+TEST_CASE("the journal of points is the same on any number of threads") {
+  Random random(6);
+  std::vector<Vec3> points = sphere_points(random, 1200, 1, 0.02);
+  add_outliers(random, points, 40, around);
+  std::set<std::uint64_t> digests;
+  for (const unsigned threads : {1u, 2u, 7u}) {
+    const ThreadLimit limit(threads);
+    const auto run = run_of(points);
+    run->parameters.until.reset();
+    if (!run->run()) FAIL(run->error->line());
+    CHECK(run->result->certificate.holds());
+    digests.insert(digest(*run->journal));
+  }
+  CHECK(digests.size() == 1);
+}
