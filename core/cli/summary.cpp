@@ -2,8 +2,8 @@
 #include "cli/summary.h"
 
 #include "base/place.h"
+#include "cli/exit_status.h"
 #include "cli/progress_line.h"
-#include "cli/words.h"
 
 #include <cstdio>
 #include <limits>

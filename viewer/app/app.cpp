@@ -2,17 +2,14 @@
 #include "app/app.h"
 
 #include "app/last_wait.h"
-#include "ask/inspector_panel.h"
+#include "ask/investigation.h"
 #include "input/gallery.h"
 #include "platform/endings.h"
 #include "platform/image_file.h"
 #include "recording/recording_reader.h"
-#include "steering/parameters_panel.h"
-#include "steering/status_bar.h"
-#include "steering/top_bar.h"
-#include "talk/presenter.h"
-#include "view/clip_panel.h"
-#include "view/layers_panel.h"
+#include "steering/steering.h"
+#include "talk/talk.h"
+#include "view/view.h"
 
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>

@@ -1,5 +1,5 @@
 // Parameters with a live preview of what would violate them now; applied to the run, or for a new one.
-#include "steering/parameters_panel.h"
+#include "steering/steering.h"
 
 #include "model/words.h"
 #include "ui/icons.h"
@@ -63,9 +63,8 @@ void control(Ui& ui, P& p, const Field<P, double>& f) {
   double& value = p.*(f.member);
   if (f.format.empty()) {
     ImGui::SetNextItemWidth(-1);
-    ImGui::PushFont(ui.fonts.mono);
+    const widgets::Font font(ui.fonts.mono);
     typed(f, value, "%.6g", [&](double v) { return check_range(f, {}, v).ok(); });
-    ImGui::PopFont();
   } else if (f.member == &P::sigma) {
     const double by_default = ui.window.run.scene ? ui.window.run.scene->default_sigma : 0.5;
     double sigma = p.sigma_ratio(by_default);
@@ -190,7 +189,7 @@ void skip_chip(const Ui& ui, Stage stage, bool& skipped, float width) {
                      skipped ? to_u32(ui.colors.panel) : to_u32(stage_color(ui.theme, stage), 0.25f),
                      ui.px(5));
   list.AddRect(at, {at.x + width, at.y + high}, to_u32(ui.colors.line), ui.px(5));
-  const std::string_view label = stage_title(stage);
+  const std::string_view label = words(stage).title;
   ImGui::PushFont(ui.fonts.small);
   const ImVec2 extent = widgets::text_size(label);
   ImGui::PopFont();
@@ -199,8 +198,8 @@ void skip_chip(const Ui& ui, Stage stage, bool& skipped, float width) {
   if (skipped)
     list.AddLine({text.x - ui.px(2), at.y + high / 2}, {text.x + extent.x + ui.px(2), at.y + high / 2},
                  to_u32(ui.colors.quiet), ui.px(1.2f));
-  widgets::tip(ui, "Stage: " + std::string(stage_title(stage)),
-               std::string(stage_help(stage)) + " Click to leave it out or to take it in; needs a restart.");
+  widgets::tip(ui, "Stage: " + std::string(words(stage).title),
+               std::string(words(stage).help) + " Click to leave it out or to take it in; needs a restart.");
 }
 
 void control(Ui& ui, P& p, const Field<P, std::array<bool, stage_count>>& f) {
@@ -213,7 +212,7 @@ void control(Ui& ui, P& p, const Field<P, std::array<bool, stage_count>>& f) {
   float room = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(optional.size() - 1);
   ImGui::PushFont(ui.fonts.small);
   for (std::size_t i = 0; i < optional.size(); ++i) {
-    widths[i] = widgets::text_size(stage_title(optional[i])).x;
+    widths[i] = widgets::text_size(words(optional[i]).title).x;
     room -= widths[i];
   }
   ImGui::PopFont();
@@ -294,13 +293,12 @@ void preview(Ui& ui, const Steering& steering) {
 void warnings(const Ui& ui) {
   if (!ui.window.run.scene) return;
   for (const ParameterWarning& warning : ui.window.run.scene->warnings) {
-    ImGui::PushFont(ui.fonts.small);
+    const widgets::Font font(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.warning_text));
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted((std::string(icon::warning) + "  " + warning.message).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
-    ImGui::PopFont();
   }
 }
 

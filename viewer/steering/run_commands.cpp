@@ -1,12 +1,12 @@
 // Commands on files, recordings and the run.
 #include "steering/steering.h"
 
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "input/mesh_io.h"
 #include "mesh/zero_set.h"
 #include "model/words.h"
 #include "ui/icons.h"
-#include "view/view_commands.h"
+#include "view/view.h"
 
 #include <GLFW/glfw3.h>
 

@@ -54,13 +54,7 @@ bool Steering::draft_differs() const {
 }
 
 void Steering::add_parameter_values(NamedValues& values) {
-  for (NamedField<RunParameters>& f : named_fields<RunParameters>())
-    values.add(
-        std::move(f.name), std::move(f.help),
-        [&draft = window.draft, get = std::move(f.get)] { return get(draft); },
-        [&draft = window.draft, set = std::move(f.set)](const std::string& text) {
-          return set(draft, text);
-        });
+  values.bind_fields(window.draft);
 }
 
 CriteriaParameters Steering::draft_criteria() const {

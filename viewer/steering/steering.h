@@ -10,7 +10,12 @@
 #include <optional>
 #include <string>
 
+struct ImVec2;
+
 namespace isoscope {
+
+struct Ui;
+struct HistoryMemory;
 
 class Steering {
  public:
@@ -53,5 +58,25 @@ class Steering {
   std::uint64_t draft_generation_ = 0; ///< the recording whose parameters the draft has taken
   std::string error_seen_, recording_error_seen_;
 };
+
+/// From step to step.
+void add_transport_commands(CommandTable& table, WindowState& window);
+/// To a step, and how fast.
+void add_pace_commands(CommandTable& table, WindowState& window);
+
+/// Of the run, the state and the selection.
+void add_run_values(NamedValues& values, const WindowState& window);
+
+namespace panels {
+
+/// Menus, the model and δ, stage chips, transport, LIVE.
+void top_bar(Ui& ui);
+/// The left pane's section of the parameters.
+void parameters(Ui& ui, const Steering& steering);
+/// The line at the bottom, and the messages over the view.
+void status_bar(Ui& ui, const HistoryMemory& memory);
+void messages(Ui& ui, ImVec2 low, float width);
+
+} // namespace panels
 
 } // namespace isoscope
