@@ -20,8 +20,9 @@ namespace {
 constexpr int place_digits = 6;
 /// A part of Ω' with so many of the sites is no blob of noise.
 constexpr double largest_blob = 0.05;
-/// Samples of triangles by δ², and at most; δ where none is known yet, relative to the longest edge.
-constexpr double samples_by_square = 8, reference_delta = 0.01;
+/// Samples of triangles by δ², and at most: δ is five times the distance between neighbours, and Ω has holes up to
+/// three. δ where none is known yet, relative to the longest edge.
+constexpr double samples_by_square = 24, reference_delta = 0.02;
 constexpr std::size_t most_samples = 2'000'000, fewest_samples = 1000;
 
 std::uint64_t digest_of(const TriangleSoup& soup) {

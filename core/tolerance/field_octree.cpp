@@ -9,13 +9,14 @@
 namespace isoscope {
 namespace {
 
-/// How many cells go into a length of φ. Fewer where there are so many sites that the cells would take long.
-constexpr double fine = 3, coarse = 2.5;
+/// How many cells go into a length of φ. Fewer, and not so small ones, where there are so many sites that the
+/// cells would take long.
+constexpr double fine = 3, coarse = 2.5, coarse_finest = 1.6;
 constexpr std::size_t many_sites = 200000;
 /// So much of the box lies around it.
 constexpr double margin = 0.1;
 /// Cells beyond which no level is added, and levels.
-constexpr std::size_t most_cells = 40'000'000;
+constexpr std::size_t most_cells = 16'000'000;
 constexpr unsigned most_levels = 20;
 constexpr double half_diagonal = 0.8660254038;
 constexpr std::size_t cells_by_task = 4096;
@@ -26,7 +27,9 @@ FieldOctree::FieldOctree(const ToleranceField& field, double finest, const RunCo
   if (field.empty() || !(finest > 0)) return;
   side_ = (1 + 2 * margin) * field.bounds().longest_edge() + 8 * finest;
   origin_ = field.bounds().center() - 0.5 * Vec3{side_, side_, side_};
-  const double factor = field.size() > many_sites ? coarse : fine;
+  const bool many = field.size() > many_sites;
+  const double factor = many ? coarse : fine;
+  if (many) finest *= coarse_finest;
   cells_.emplace_back();
   std::vector<std::uint32_t> parents;
   for (unsigned level = 0; level <= most_levels; ++level) {

@@ -458,7 +458,9 @@ double ToleranceVolume::uncounted_depth() const {
 }
 
 bool ToleranceVolume::thickening() const {
-  if (pockets() > 0) return false;
+  if (std::any_of(regions_.begin(), regions_.end(),
+                  [&](const Region& r) { return !r.shallow && is_uncounted(r); }))
+    return false;
   std::vector<std::vector<long>> sides(volume_component_count_);
   for (const BoundaryComponent& c : boundary_components_)
     if (!regions_[c.region.index()].shallow) sides[c.volume_component].push_back(c.euler_characteristic);

@@ -158,7 +158,6 @@ TEST_CASE("tolerances outside of the interval are told, by the end that is left"
 
 TEST_CASE("a torn soup is taken as points where that is asked for") {
   RunParameters parameters = gallery_parameters("soup");
-  parameters.tolerance = {.automatic = true};
   parameters.robust = {12};
   CompleteRun run(parameters);
   if (!run.run()) FAIL(run.error->line());

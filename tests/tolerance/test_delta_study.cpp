@@ -58,7 +58,7 @@ TEST_CASE("a gap is closed by the tolerance, and the place of the opening is tol
 TEST_CASE("nested spheres have two insides, and parts apart have one each") {
   Random random(3);
   std::vector<Vec3> points = sphere_points(random, 8000, 1, 0);
-  for (const Vec3 p : sphere_points(random, 3000, 0.5, 0)) points.push_back(p);
+  for (const Vec3 p : sphere_points(random, 2000, 0.5, 0)) points.push_back(p);
   const DeltaStudy nested = study(points);
   REQUIRE(nested.found());
   CHECK(nested.insides.size() == 2);
