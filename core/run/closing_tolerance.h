@@ -18,9 +18,10 @@ struct OpenInput {
   ToleranceVolume::Options options; ///< with the tolerance at which it is open
 };
 
-/// The refusal with a remedy that names the smallest tolerance up to half of the longest edge at which the run begins,
-/// or says that none closes the input. Found to 3 % by building Ω at larger tolerances, the coarsest first, with at
-/// most about three million cells in all; then refined there to be sure. Comes back as it is when cancelled.
+/// The refusal with a remedy that names the smallest tolerance up to half of the longest edge at which the
+/// run begins, or says that none closes the input. Found to 3 % by building Ω at larger tolerances, the
+/// coarsest first, with at most about three million cells in all; then refined there to be sure. Comes back
+/// as it is when cancelled.
 Error with_closing_tolerance(Error open, const OpenInput& input, const RunParameters& parameters,
                              const RunControl& control);
 

@@ -53,7 +53,8 @@ TEST_CASE("finding sides can be cancelled") {
   auto grid = make_distance_grid(*index, 0.05, 24, control);
   REQUIRE(grid);
   control.cancel();
-  const Status status = find_sides(*grid, *index, InputSides(index, SideRule::parity, nullptr), 0.05, {}, control);
+  const Status status =
+      find_sides(*grid, *index, InputSides(index, SideRule::parity, nullptr), 0.05, {}, control);
   REQUIRE_FALSE(status);
   CHECK(status.error().code == ErrorCode::cancelled);
 }
