@@ -46,7 +46,8 @@ RunParameters complete_parameters(const std::string& name) {
 
 Complex replayed(const Journal& journal) {
   Complex complex;
-  for (std::size_t k = 0; k < journal.operations().size(); ++k) complex.apply(journal.operations()[k].delta());
+  for (std::size_t k = 0; k < journal.operations().size(); ++k)
+    complex.apply(journal.operations()[k].delta());
   return complex;
 }
 
