@@ -62,6 +62,7 @@ struct FieldFacts {
   std::string_view absent = {}; ///< the word for an optional without a value
   bool zero_is_default = false; ///< 0, outside of the range, leaves the value to the run
   bool numbered = false;        ///< its words are whole numbers, also in files
+  int values = 1;               ///< words that make one text on the command line
   bool restart = true;          ///< a run that goes on cannot take a change
   JournalChange journal = JournalChange::any;
   // In the window's panel.

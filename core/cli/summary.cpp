@@ -29,12 +29,25 @@ std::string normal_words(const NormalDeviation& n) {
          " % beyond 90°" + (n.oriented ? "" : " (without a sign: the input is not oriented)");
 }
 
-std::string holds_words(const Certificate& c, double delta) {
+/// What was proven of the facets, in words of the kind of Ω.
+std::string inside_words(const Certificate& c, const Scene& scene) {
+  switch (scene.field->kind()) {
+  case FieldKind::surfaces:
+    return "between the two surfaces, which no facet meets";
+  case FieldKind::grid:
+    return "between the two levels on every facet";
+  case FieldKind::triangles:
+  case FieldKind::points:
+    break;
+  }
+  return "d <= " + number("%.4f", c.max_distance / scene.delta) + " δ everywhere";
+}
+
+std::string holds_words(const Certificate& c, const Scene& scene) {
   using Topology = Certificate::Topology;
   std::string words =
-      "holds: closed, oriented, free of intersections, d <= " + number("%.4f", c.max_distance / delta) +
-      " δ everywhere, sides separated";
-  if (c.cover_limit && c.cover_note.empty())
+      "holds: closed, oriented, free of intersections, " + inside_words(c, scene) + ", sides separated";
+  if (c.cover_limit && c.cover_note.empty() && !scene.input->gives_volume())
     words += ", the input covered within " + number("%.4g", *c.cover_limit) + " δ";
   if (c.topology == Topology::as_expected) words += ", topology as expected";
   return words;
@@ -58,9 +71,11 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                     const std::vector<StageStatistics>& stages, const std::string& stopped_at) {
   const Certificate& c = result.certificate;
   std::string text;
-  text += line("Input", parameters.input + ": " + grouped(scene.input->points.size()) + " vertices, " +
-                            grouped(scene.input->triangles.size()) + " faces; δ = " +
-                            number("%.6g", scene.delta) + " (" + parameters.tolerance.text() +
+  const std::string inner = parameters.inside.empty() ? "" : " and " + parameters.inside;
+  text += line("Input", parameters.input + inner + ": " + grouped(scene.input->points.size()) +
+                            " vertices, " + grouped(scene.input->triangles.size()) +
+                            " faces; δ = " + number("%.6g", scene.delta) + " (" +
+                            (scene.input->gives_volume() ? "given" : parameters.tolerance.text()) +
                             "), σ = " + number("%.3g", parameters.sigma_ratio(scene.default_sigma)) + " δ");
   text += line("Samples", grouped(scene.samples->size()) + " on " +
                               counted(scene.boundary_components.size(), "boundary component") + ", " +
@@ -72,7 +87,7 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                              ", χ = " + std::to_string(c.euler_characteristic) +
                              (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
   if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));
-  text += line("Certificate", c.holds() ? holds_words(c, scene.delta) : "does NOT hold");
+  text += line("Certificate", c.holds() ? holds_words(c, scene) : "does NOT hold");
   if (c.input_distance.upper < std::numeric_limits<double>::infinity()) {
     text += line("", "the input is at most " + number("%.4f", c.input_distance.upper / scene.delta) +
                          " δ away from it, somewhere " +

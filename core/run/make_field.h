@@ -8,6 +8,8 @@
 #include "tolerance/tolerance_volume.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace isoscope {
 
@@ -15,9 +17,15 @@ namespace isoscope {
 struct FieldInput {
   std::shared_ptr<const ToleranceField> field;
   InputTopology topology; ///< with what tells the sides
+  double delta = 0;       ///< δ, where the input gives Ω; else 0
+  /// The input with triangles that show it, where it has none of its own; else null.
+  std::shared_ptr<const TriangleSoup> shown = nullptr;
+  std::vector<std::string> notes = {}; ///< what the user should know, one sentence each
 };
 
-/// The field of what was read: the distance to triangles. Of no use once the control is cancelled.
+/// The field of what was read: the distance to triangles, or of a given volume what lies between its walls or
+/// its levels. Of no use once the control is cancelled. Fails with usage and bad_input where a volume is no
+/// such.
 Result<FieldInput> make_field(const std::shared_ptr<const TriangleSoup>& input,
                               const RunParameters& parameters, const RunControl& control);
 
