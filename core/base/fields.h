@@ -63,6 +63,7 @@ struct FieldFacts {
   bool zero_is_default = false; ///< 0, outside of the range, leaves the value to the run
   bool numbered = false;        ///< its words are whole numbers, also in files
   bool ordinal = false;         ///< files hold the number of the word instead
+  int values = 1;               ///< words that make one text on the command line
   bool restart = true;          ///< a run that goes on cannot take a change
   JournalChange journal = JournalChange::any;
   // In the window's panel.

@@ -65,6 +65,17 @@ void CommandLine::fields(const std::vector<FieldOption>& options, std::optional<
                   if (value) judge(take(*value));
                 },
                 option.help);
+          else if constexpr (std::is_same_v<T, std::string>)
+            // Several arguments may make one text.
+            app_->add_option_function<std::vector<std::string>>(
+                    option.name,
+                    [=](const std::vector<std::string>& words) {
+                      std::string text;
+                      for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+                      judge(take(text));
+                    },
+                    option.help)
+                ->expected(option.values);
           else
             app_->add_option_function<T>(
                 option.name, [=](const T& value) { judge(take(value)); }, option.help);

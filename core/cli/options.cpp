@@ -14,6 +14,7 @@ struct RunOptions::Raw {
   RunParameters parameters;
   std::optional<Error> wrong; ///< the first value that a field cannot have
   bool no_normals = false;
+  std::string outside;
   std::string record;
   std::vector<std::string> breakpoints;
 };
@@ -21,6 +22,7 @@ struct RunOptions::Raw {
 RunOptions::RunOptions(CommandLine& line) : line_(line), raw_(std::make_unique<Raw>()) {
   Raw& r = *raw_;
   line.fields(field_options(r.parameters), r.wrong);
+  line.option("--outside", r.outside, "the outer surface, a mesh file, where --inside gives the inner one");
   line.flag("--no-normals", r.no_normals, "the same as --no-condition 3");
   line.option("--record", r.record,
               "keep the run, event by event, in a file RUN.isorun; it can be opened while it grows");
@@ -40,8 +42,26 @@ Result<RunParameters> RunOptions::finish() const {
   if (Status whole = line_.check_values(); !whole) return whole.error();
   if (r.wrong) return *r.wrong;
   RunParameters p = r.parameters;
-  if (const GalleryEntry* entry = gallery_entry(p.input); entry != nullptr && !line_.given("--tolerance"))
-    p.tolerance = {entry->tolerance_percent, true};
+  const auto given = [&](const char* option) { return line_.given(option); };
+  if (given("--outside") != given("--inside"))
+    return Error{ErrorCode::usage,
+                 std::string(given("--outside") ? "--inside" : "--outside") +
+                     " is missing: a volume has two walls.",
+                 "Give --inside INNER --outside OUTER."};
+  if (given("--outside") && given("INPUT"))
+    return Error{ErrorCode::usage, "INPUT is given, and a volume by --inside and --outside.",
+                 "Give one of both."};
+  if (given("--outside")) p.input = r.outside;
+  if (given("--tolerance") && (given("--inside") || given("--levels") || given("--label")))
+    return Error{ErrorCode::usage, "--tolerance is given where the volume itself is: it tells δ.",
+                 "Leave --tolerance out."};
+  if (const GalleryEntry* entry = gallery_entry(p.input)) {
+    if (entry->gives_volume() && given("--tolerance"))
+      return Error{ErrorCode::usage, "--tolerance is given where the volume itself is: it tells δ.",
+                   "Leave --tolerance out."};
+    if (!entry->gives_volume() && !given("--tolerance")) p.tolerance = {entry->tolerance_percent, true};
+    if (!given("--levels")) p.levels = {entry->low, entry->high};
+  }
   if (!given("--tolerance") && is_named_as_points(p.input)) p.tolerance.automatic = true;
   // Half-spaces are learnt from facets that leave Ω, which sampled mode does not look at.
   if (p.containment == Containment::sampled && !line_.given("--target")) p.target = TargetStrategy::sampling;
@@ -67,8 +87,10 @@ std::string gallery_table() {
   std::string table;
   for (const GalleryEntry& e : gallery()) {
     char line[512];
-    std::snprintf(line, sizeof line, "%-23s δ %5.2f%%  χ %3ld  %s\n", gallery_input(e.name).c_str(),
-                  e.tolerance_percent, e.euler_characteristic, std::string(e.lesson).c_str());
+    char delta[16];
+    std::snprintf(delta, sizeof delta, "%5.2f%%", e.tolerance_percent);
+    std::snprintf(line, sizeof line, "%-23s δ %s  χ %3ld  %s\n", gallery_input(e.name).c_str(),
+                  e.gives_volume() ? " given" : delta, e.euler_characteristic, std::string(e.lesson).c_str());
     table += line;
   }
   return table;

@@ -97,7 +97,7 @@ Result<Found> find(const RecoverOptions& options) {
   if (!parameters) return nothing(options, "the run's parameters are damaged or missing");
   if (!salvage->header.input) {
     const std::string& name = parameters->input;
-    if (auto soup = load_input(name)) {
+    if (auto soup = load_input(*parameters)) {
       substitutes.input = std::make_shared<const TriangleSoup>(std::move(*soup));
       salvage = salvage_recording(options.file, substitutes);
       if (!salvage) return salvage.error();

@@ -83,6 +83,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"stb_", {"viewer/platform/", "tests/"}, false},
       {"CLI/", {"core/cli/command_line.cpp", "tests/"}, true},
       {"sqlite3", {"core/recording/", "tests/recording/"}, true},
+      {"zlib", {"core/input/", "core/recording/", "tests/"}, true},
       {"viewer/", {}, false},
       {"core/", {}, false},
   };

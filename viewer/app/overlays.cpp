@@ -58,7 +58,8 @@ void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size)
   const float pad = ui.px(12);
   widgets::draw_text(list, ui.fonts.bold, {at.x + pad, at.y + picture + ui.px(10)}, to_u32(ui.colors.text),
                      entry.title);
-  const std::string delta = "δ " + Tolerance{entry.tolerance_percent, true}.text();
+  const std::string delta =
+      entry.gives_volume() ? "Ω given" : "δ " + Tolerance{entry.tolerance_percent, true}.text();
   const float extent = widgets::width_of(ui.fonts.mono, delta);
   widgets::draw_text(list, ui.fonts.mono, {end.x - pad - extent, at.y + picture + ui.px(11)},
                      to_u32(ui.colors.quiet), delta);

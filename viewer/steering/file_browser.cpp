@@ -30,8 +30,8 @@ std::string lower(std::string text) {
 
 bool is_model(const std::string& name) {
   const std::string end = lower(fs::path(name).extension().string());
-  return end == ".off" || end == ".obj" || end == ".ply" || end == ".stl" || end == ".json" ||
-         end == ".isorun";
+  return end == ".off" || end == ".obj" || end == ".ply" || end == ".stl" || end == ".nrrd" ||
+         end == ".nhdr" || end == ".grid" || end == ".json" || end == ".isorun";
 }
 
 void store(std::array<char, 1024>& out, const std::string& text) {

@@ -118,6 +118,50 @@ void control(Ui& ui, P& p, const Field<P, Robust>& f) {
     neighbors = chosen == 0 ? Robust::automatic : chosen == 1 ? Robust::off : usual;
 }
 
+void control(Ui& ui, P& p, const Field<P, Levels>& f) {
+  Levels& levels = p.*(f.member);
+  const float each = (ImGui::GetContentRegionAvail().x - ui.px(6)) / 2;
+  ImGui::PushFont(ui.fonts.mono);
+  for (double* level : {&levels.low, &levels.high}) {
+    ImGui::PushID(level == &levels.low ? "low" : "high");
+    ImGui::SetNextItemWidth(each);
+    typed(f, *level, "%.6g", [](double v) { return std::isfinite(v); });
+    ImGui::PopID();
+    if (level == &levels.low) ImGui::SameLine(0, ui.px(6));
+  }
+  ImGui::PopFont();
+}
+
+void control(Ui& ui, P& p, const Field<P, std::optional<int>>& f) {
+  std::optional<int>& value = p.*(f.member);
+  constexpr std::array<const char*, 2> kinds{"is", "none"};
+  int chosen = value ? 0 : 1;
+  if (value) {
+    auto number = static_cast<double>(*value);
+    ImGui::SetNextItemWidth(ui.px(64));
+    if (typed(f, number, "%.0f", [&](double v) { return check_range(f, {}, v).ok(); }))
+      value = static_cast<int>(std::round(number));
+    ImGui::SameLine(0, ui.px(6));
+  }
+  if (!widgets::segmented(ui, f.name.data(), kinds, chosen)) return;
+  value = chosen == 0 ? std::optional(1) : std::nullopt;
+}
+
+/// Whether the draft's input is a grid, by what was read of it or by its name.
+bool is_grid_draft(const WindowState& m) {
+  if (m.draft.levels.given() || m.draft.label) return true;
+  if (m.run.scene && m.run.parameters.input == m.draft.input) return m.run.scene->input->grid != nullptr;
+  return m.draft.input.ends_with(".nrrd") || m.draft.input.ends_with(".nhdr") ||
+         m.draft.input.ends_with(".grid");
+}
+
+/// Rows that only some inputs have.
+template <class T> bool belongs(const WindowState& m, const Field<P, T>& f) {
+  static_cast<void>(f);
+  if constexpr (std::is_same_v<T, Levels> || std::is_same_v<T, std::optional<int>>) return is_grid_draft(m);
+  return true;
+}
+
 void control(Ui& ui, P& p, const Field<P, std::optional<double>>& f) {
   std::optional<double>& value = p.*(f.member);
   constexpr std::array<const char*, 2> kinds{"within", "off"};
@@ -246,7 +290,7 @@ void rows(Ui& ui, P& p, int first, int end, float units) {
   for (int place = first; place < end; ++place)
     for_each_field<P>([&]<class T>(const Field<P, T>& f) {
       if constexpr (!std::is_same_v<T, std::string> && !std::is_same_v<T, std::array<bool, 4>>) {
-        if (f.place != place) return;
+        if (f.place != place || !belongs(ui.window, f)) return;
         label(ui, f, units);
         control(ui, p, f);
       }

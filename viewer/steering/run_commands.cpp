@@ -52,8 +52,17 @@ Status open_model(Steering& m, const Arguments& a) {
     return {};
   }
   if (has_extension(a[0], ".json")) return open_view_file(m.window, a[0]);
-  if (a.size() > 1 && a[1] != "paused") return wrong_arguments("\"" + a[1] + "\" is not understood.");
-  m.open(a[0], a.size() > 1);
+  bool paused = false;
+  std::string inside;
+  for (std::size_t i = 1; i < a.size(); ++i) {
+    if (a[i] == "paused")
+      paused = true;
+    else if (a[i] == "inside" && i + 1 < a.size())
+      inside = a[++i];
+    else
+      return wrong_arguments("\"" + a[i] + "\" is not understood.");
+  }
+  m.open(a[0], paused, inside);
   return {};
 }
 
@@ -116,40 +125,43 @@ Status apply_parameters(Steering& m, const Arguments&) {
 } // namespace
 
 void Steering::add_file_commands(CommandTable& table) {
-  add_group(table, {.menu = "File"},
-            {{.name = "open",
-              .title = "Open…",
-              .usage = "[FILE | gallery:NAME] [paused]",
-              .help = "Opens a model and starts refining it; without a name it shows the files.",
-              .icon = icon::folder_open,
-              .keys = {{'O', true}},
-              .run = on(*this, open_model)},
-             {.name = "gallery",
-              .title = "Gallery",
-              .help = "Shows the bundled models and what each teaches.",
-              .icon = icon::gallery,
-              .keys = {{'G', true}},
-              .run = does([this] { window.toggle(Overlay::gallery); })},
-             {.name = "export",
-              .title = "Export Z…",
-              .usage = "[FILE]",
-              .help = "Writes the zero set shown as OFF, OBJ, PLY or STL.",
-              .icon = icon::disk,
-              .keys = {{'E', true}},
-              .run = on(window, export_mesh),
-              .enabled = [this] { return window.has_state(); }},
-             {.name = "screenshot",
-              .title = "Screenshot",
-              .usage = "[FILE] [view]",
-              .help = "Writes a picture of the window, or of the view alone, as PNG.",
-              .icon = icon::camera,
-              .keys = {{GLFW_KEY_F12}},
-              .run = on(window, screenshot)},
-             {.name = "quit",
-              .title = "Quit",
-              .help = "Ends the program.",
-              .keys = {{'Q', true}},
-              .run = does([this] { window.requests.close = true; })}});
+  add_group(
+      table, {.menu = "File"},
+      {{.name = "open",
+        .title = "Open…",
+        .usage = "[FILE | gallery:NAME] [paused] [inside FILE]",
+        .help =
+            "Opens a model and starts refining it, or the volume between it and a surface inside; without "
+            "a name it shows the files.",
+        .icon = icon::folder_open,
+        .keys = {{'O', true}},
+        .run = on(*this, open_model)},
+       {.name = "gallery",
+        .title = "Gallery",
+        .help = "Shows the bundled models and what each teaches.",
+        .icon = icon::gallery,
+        .keys = {{'G', true}},
+        .run = does([this] { window.toggle(Overlay::gallery); })},
+       {.name = "export",
+        .title = "Export Z…",
+        .usage = "[FILE]",
+        .help = "Writes the zero set shown as OFF, OBJ, PLY or STL.",
+        .icon = icon::disk,
+        .keys = {{'E', true}},
+        .run = on(window, export_mesh),
+        .enabled = [this] { return window.has_state(); }},
+       {.name = "screenshot",
+        .title = "Screenshot",
+        .usage = "[FILE] [view]",
+        .help = "Writes a picture of the window, or of the view alone, as PNG.",
+        .icon = icon::camera,
+        .keys = {{GLFW_KEY_F12}},
+        .run = on(window, screenshot)},
+       {.name = "quit",
+        .title = "Quit",
+        .help = "Ends the program.",
+        .keys = {{'Q', true}},
+        .run = does([this] { window.requests.close = true; })}});
 }
 
 void Steering::add_recording_commands(CommandTable& table) {

@@ -6,11 +6,16 @@
 
 namespace isoscope {
 
-void Steering::open(const std::string& input, bool paused) {
+void Steering::open(const std::string& input, bool paused, const std::string& inside) {
   window.draft.input = input;
+  window.draft.inside = inside;
+  window.draft.levels = {};
+  window.draft.label.reset();
   if (input.starts_with(gallery_prefix)) {
-    if (const GalleryEntry* entry = gallery_entry(input))
-      window.draft.tolerance = {entry->tolerance_percent, true};
+    if (const GalleryEntry* entry = gallery_entry(input)) {
+      if (!entry->gives_volume()) window.draft.tolerance = {entry->tolerance_percent, true};
+      window.draft.levels = {entry->low, entry->high};
+    }
   } else if (!window.scripted) {
     window.settings.add_recent(input);
   }

@@ -25,8 +25,8 @@ class Steering {
   Debugger& debug;
 
   /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ, a
-  /// recording (.isorun) all its parameters.
-  void open(const std::string& input, bool paused = false);
+  /// recording (.isorun) all its parameters. `inside`: the inner one of two surfaces between which Ω lies.
+  void open(const std::string& input, bool paused = false, const std::string& inside = {});
   /// Runs again from the beginning with the draft's parameters.
   void restart();
   /// Goes on with the draft's parameters.

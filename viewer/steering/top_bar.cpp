@@ -62,7 +62,10 @@ void model_name(Ui& ui, float room) {
   const WindowState& m = ui.window;
   std::string name = m.run.scene && m.run.scene->input ? m.run.scene->input->name : m.run.parameters.input;
   if (name.empty()) name = "no model";
-  const std::string delta = m.run.parameters.input.empty() ? "" : "δ " + m.run.parameters.tolerance.text();
+  const bool given = m.run.scene && m.run.scene->input->gives_volume();
+  const std::string delta = m.run.parameters.input.empty() ? ""
+                            : given                        ? "δ " + general(m.run.scene->delta, 4)
+                                                           : "δ " + m.run.parameters.tolerance.text();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushFont(ui.fonts.mono);
   const float delta_width = widgets::text_size(delta).x;
