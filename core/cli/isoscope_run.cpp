@@ -158,8 +158,8 @@ int run(int argc, char** argv) {
                  "Give a file for the report."},
                 2);
   }
-  if (Status writable = check_outputs(outputs, parameters->input); !writable)
-    return fail(writable.error(), 2);
+  for (const std::string& input : {parameters->input, parameters->inside})
+    if (Status writable = check_outputs(outputs, input); !writable) return fail(writable.error(), 2);
   Recording recording;
   if (Status made = recording.create(outputs.recording); !made) return fail(made.error(), 2);
 

@@ -177,6 +177,14 @@ struct Pipeline::Impl {
   }
   /// What is wrong with the input; when it is open, with the tolerance that would close it.
   Error refused(Error error, const Scene& at, const ToleranceVolume::Options& options) const {
+    if (at.input && at.input->gives_volume()) {
+      // There is no tolerance to choose.
+      if (error.remedy.starts_with("Choose a "))
+        error.remedy = at.input->grid
+                           ? "Take levels farther apart, or smooth the grid: its steepest slope decides."
+                           : "Move the surfaces apart where they are nearest: that decides.";
+      return error;
+    }
     if (error.code != ErrorCode::open_surface || at.field->surface() == nullptr) return error;
     control->report("tolerance that closes the input", -1);
     return with_closing_tolerance(std::move(error), {at.field, at.input_topology, kept_area, options},
@@ -390,7 +398,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   const CriteriaParameters criteria = parameters_.criteria(scene->delta, scene->default_sigma);
   auto samples = m.sample(criteria.sigma);
   if (m.control->cancelled()) return cancelled_error(*m.control);
-  if (!samples) return samples.error();
+  if (!samples) return m.refused(samples.error(), *scene, options);
   if (Status closed = m.volume->check_passages(); !closed) return m.refused(closed.error(), *scene, options);
   scene->samples = *samples;
   scene->sample_estimate = estimate_samples(*m.volume);

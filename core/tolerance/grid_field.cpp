@@ -21,7 +21,7 @@ constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
 constexpr std::size_t most_pieces = 4000;
 constexpr std::size_t most_cells_of_piece = 27;
 /// Regions that are told to the octree, the deepest first.
-constexpr std::size_t most_seeds = 4096;
+constexpr std::size_t most_seeds = 512;
 
 bool contains(const Box3& outer, const Box3& inner) {
   for (int a = 0; a < 3; ++a)
@@ -47,7 +47,8 @@ GridField::GridField(std::shared_ptr<const ScalarGrid> grid, double low, double 
 Result<std::shared_ptr<const GridField>> GridField::make(std::shared_ptr<const ScalarGrid> grid, double low,
                                                          double high, const RunControl& control) {
   if (!std::isfinite(low) || !std::isfinite(high) || !(low < high))
-    return Error{ErrorCode::usage, "The levels " + shortest(low) + " and " + shortest(high) + " hold nothing between them.",
+    return Error{ErrorCode::usage,
+                 "The levels " + shortest(low) + " and " + shortest(high) + " hold nothing between them.",
                  "Give the lower one first."};
   if (grid->values.size() >= no_site)
     return Error{ErrorCode::unsupported, "The grid has more than 4 billion voxels.", "Crop or resample it."};
@@ -76,14 +77,14 @@ Status GridField::check_values() const {
     return place(grid_->point(i % row, i / row % grid_->size[1], i / slice), place_digits);
   };
   if (!(static_cast<double>(*least) < low_))
-    return Error{ErrorCode::bad_input, "No value of the grid is below the level " + shortest(low_) +
-                                           ": the least is " + general(static_cast<double>(*least), 6) + ", at " +
-                                           at(least) + ".",
+    return Error{ErrorCode::bad_input,
+                 "No value of the grid is below the level " + shortest(low_) + ": the least is " +
+                     general(static_cast<double>(*least), 6) + ", at " + at(least) + ".",
                  "Give levels within the values."};
   if (!(static_cast<double>(*most) > high_))
-    return Error{ErrorCode::bad_input, "No value of the grid is above the level " + shortest(high_) +
-                                           ": the largest is " + general(static_cast<double>(*most), 6) + ", at " +
-                                           at(most) + ".",
+    return Error{ErrorCode::bad_input,
+                 "No value of the grid is above the level " + shortest(high_) + ": the largest is " +
+                     general(static_cast<double>(*most), 6) + ", at " + at(most) + ".",
                  "Give levels within the values."};
   return {};
 }
@@ -245,8 +246,8 @@ std::optional<ToleranceField::Range> GridField::range_in_cube(Vec3 center, doubl
   return found;
 }
 
-/// Contains g on a piece of few cells: it differs from the linear function between the corners by at most half
-/// of what its slopes along each axis vary by on the way.
+/// Contains g on a piece of few cells: it differs from the linear function between the corners by at most
+/// half of what its slopes along each axis vary by on the way.
 ValueRange GridField::range_on_piece(const Triangle3& piece, const Vec3& values) const {
   Box3 box;
   for (const Vec3 p : piece) box.add(p);
@@ -359,8 +360,10 @@ VolumeComponents GridField::components(double r, const RunControl& control) cons
   for (std::uint32_t s = 0; s < cell_of_site_.size(); ++s) {
     if (!holds[s]) continue;
     const std::uint32_t root = sets.find(s);
-    if (root == s) result.of_triangle[s] = static_cast<std::uint32_t>(result.count++);
-    else result.of_triangle[s] = result.of_triangle[root];
+    if (root == s)
+      result.of_triangle[s] = static_cast<std::uint32_t>(result.count++);
+    else
+      result.of_triangle[s] = result.of_triangle[root];
   }
   return result;
 }
