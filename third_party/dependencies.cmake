@@ -1,7 +1,7 @@
 # Finds everything we link against, from the system alone; the reasons are in third_party/README.md.
 #
 # Targets for the rest of the build: CGAL::CGAL, TBB::tbb, nlohmann_json::nlohmann_json, CLI11::CLI11,
-# nanoflann::nanoflann, SQLite::SQLite3;
+# nanoflann::nanoflann, SQLite::SQLite3, ZLIB::ZLIB;
 # with ISOSCOPE_VIEWER: glfw, X11::X11, imgui::imgui (with its GLFW, OpenGL 3 and FreeType parts), glm::glm, glad::glad, stb::stb;
 # with ISOSCOPE_TESTS: doctest::doctest.
 
@@ -29,6 +29,8 @@ find_package(nanoflann QUIET)
 isoscope_need("nanoflann ${nanoflann_VERSION}" "${nanoflann_FOUND}" "${nanoflann_DIR}" libnanoflann-dev)
 find_package(SQLite3 3.37 QUIET)
 isoscope_need("SQLite ${SQLite3_VERSION}" "${SQLite3_FOUND}" "${SQLite3_LIBRARIES}" libsqlite3-dev)
+find_package(ZLIB QUIET)
+isoscope_need("zlib ${ZLIB_VERSION_STRING}" "${ZLIB_FOUND}" "${ZLIB_LIBRARIES}" zlib1g-dev)
 
 if(ISOSCOPE_TESTS)
   find_package(doctest QUIET)

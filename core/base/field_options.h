@@ -13,6 +13,7 @@ namespace isoscope {
 struct FieldOption {
   template <class T> using Take = std::function<Status(const T&)>;
   std::string name, help;
+  int values = 1; ///< words that make one text
   /// A switch gets whether it was given.
   std::variant<Take<bool>, Take<double>, Take<int>, Take<unsigned>, Take<std::string>, Take<std::vector<int>>,
                Take<std::vector<std::string>>>
@@ -35,7 +36,7 @@ template <class S, class T> Status take_text(const Field<S, T>& f, S& into, cons
 }
 
 template <class S, class T> FieldOption option_of(const Field<S, T>& f, S& into) {
-  FieldOption option{f.option_name(), std::string(f.help), {}};
+  FieldOption option{f.option_name(), std::string(f.help), f.values, {}};
   if constexpr (std::is_same_v<T, bool>) {
     option.take = FieldOption::Take<bool>([&f, &into](bool given) -> Status {
       into.*(f.member) = given;

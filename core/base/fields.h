@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -48,11 +47,12 @@ struct FieldRange {
 enum class JournalChange : std::uint8_t { none, end, any };
 
 struct FieldFacts {
-  std::string_view name;        ///< in files; with hyphens in scripts and as the option
+  std::string_view name = {};   ///< in files; with hyphens in scripts and as the option
+  std::string_view script = {}; ///< in scripts, where it is not the name
   std::string_view option = {}; ///< where it is not --name; "INPUT": an argument without a name
   std::string_view symbol = {}; ///< the paper's, or a word; in comparisons
   std::string_view unit = {};   ///< with the blank before it
-  std::string_view help;        ///< on the command line
+  std::string_view help = {};   ///< on the command line
   std::string_view words = {};  ///< in scripts; empty: it has no name there
   std::string_view prefix = {}; ///< of the flags of a set in scripts
   std::span<const Choice> choices = {};
@@ -62,6 +62,8 @@ struct FieldFacts {
   std::string_view absent = {}; ///< the word for an optional without a value
   bool zero_is_default = false; ///< 0, outside of the range, leaves the value to the run
   bool numbered = false;        ///< its words are whole numbers, also in files
+  bool ordinal = false;         ///< files hold the number of the word instead
+  int values = 1;               ///< words that make one text on the command line
   bool restart = true;          ///< a run that goes on cannot take a change
   JournalChange journal = JournalChange::any;
   // In the window's panel.
@@ -75,6 +77,7 @@ struct FieldFacts {
   /// The option, and what errors call the field.
   std::string option_name() const { return option.empty() ? "--" + script_name() : std::string(option); }
   std::string script_name() const {
+    if (!script.empty()) return std::string(script);
     std::string spelt(name);
     std::replace(spelt.begin(), spelt.end(), '_', '-');
     return spelt;
@@ -140,10 +143,12 @@ template <class T> std::string field_text(const FieldFacts& f, const T& value) {
     for (std::size_t i = 0; i < value.size(); ++i)
       if (value[i]) all += (all.empty() ? "" : " ") + std::string(f.choices[i].name);
     return all.empty() ? "none" : all;
-  } else if constexpr (std::is_same_v<T, bool>) {
-    return value ? "on" : "off";
-  } else if constexpr (FieldNumber<T>) {
-    return shortest(static_cast<double>(value));
+  } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
+    return std::to_string(value);
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return shortest(value);
+  } else if (std::is_same_v<T, bool> && f.choices.empty()) {
+    return static_cast<bool>(value) ? "on" : "off";
   } else {
     const Choice& c = field_choice(f, value);
     return std::string(c.script.empty() ? c.name : c.script);
@@ -187,6 +192,9 @@ template <class T> Status check_field(const FieldFacts& f, const std::string& as
     return value ? check_field(f, asked, *value) : Status();
   } else if constexpr (FieldNumber<T>) {
     return f.zero_is_default && value == 0 ? Status() : check_range(f, asked, static_cast<double>(value));
+  } else if constexpr (std::is_enum_v<T>) {
+    if (static_cast<std::size_t>(value) < f.choices.size()) return {};
+    return Error{ErrorCode::usage, asked + " has no such value.", ""};
   } else {
     return {};
   }
@@ -243,17 +251,17 @@ Result<T> read_field(const FieldFacts& f, const std::string& asked, std::string_
     if (!value) return f.unreadable.empty() ? value.error() : unreadable_field(f, asked, text, "");
     return T(*value);
   } else if constexpr (std::is_same_v<T, bool>) {
-    if (text == "on" || text == "true" || text == "1") return true;
-    if (text == "off" || text == "false" || text == "0") return false;
-    return unreadable_field(f, asked, text, "not on or off");
+    if (const auto at = offered_at(f, text)) return *at == 1;
+    if (const auto on = read_switch(text)) return *on;
+    return unreadable_field(f, asked, text,
+                            f.choices.empty() ? "not on or off" : "not one of " + offered_words(f, true));
   } else if constexpr (FieldNumber<T>) {
-    T value = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc() || end != text.data() + text.size())
+    const std::optional<T> value = read_number<T>(text);
+    if (!value)
       return unreadable_field(f, asked, text,
                               std::is_integral_v<T> ? "not a whole number" : "not a finite number");
-    if (Status in = check_field(f, asked, value); !in) return in.error();
-    return value;
+    if (Status in = check_field(f, asked, *value); !in) return in.error();
+    return *value;
   } else {
     const auto at = offered_at(f, text);
     if (!at)
@@ -316,9 +324,9 @@ template <class S> std::vector<NamedField<S>> named_fields() {
         if (!flag.offered) continue;
         const std::string name = std::string(f.prefix) + std::string(flag.name);
         all.push_back({name, std::string(flag.words.empty() ? f.words : flag.words),
-                       [&f, i](const S& s) { return field_text(f, (s.*(f.member))[i]); },
+                       [&f, i](const S& s) { return field_text(FieldFacts(), (s.*(f.member))[i]); },
                        [&f, i, name](S& s, const std::string& text) -> Status {
-                         const auto on = read_field<bool>(f, name, text);
+                         const auto on = read_field<bool>(FieldFacts(), name, text);
                          if (!on) return on.error();
                          (s.*(f.member))[i] = *on;
                          return {};

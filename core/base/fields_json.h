@@ -15,7 +15,7 @@ template <class S, class T> bool begins_full(const Field<S, T>& f) {
 }
 
 /// An optional word that is absent is left out, an optional number is null.
-template <class S, class T> void write_field(FieldJson& json, const Field<S, T>& f, const T& value) {
+template <class Json, class S, class T> void write_field(Json& json, const Field<S, T>& f, const T& value) {
   const std::string name(f.name);
   if constexpr (FieldParts<T>) {
     for_each_field<T>([&](const auto& part) {
@@ -26,16 +26,18 @@ template <class S, class T> void write_field(FieldJson& json, const Field<S, T>&
       json[name] = value;
       return;
     }
-    json[name] = FieldJson::array();
+    json[name] = Json::array();
     for (std::size_t i = 0; i < value.size(); ++i)
       if (value[i]) json[name].push_back(f.choices[i].name);
   } else if constexpr (OptionalField<T>::value && std::is_enum_v<typename OptionalField<T>::type>) {
     if (value) json[name] = field_choice(f, *value).name;
   } else if constexpr (OptionalField<T>::value) {
-    json[name] = value ? FieldJson(*value) : FieldJson(nullptr);
+    json[name] = value ? Json(*value) : Json(nullptr);
   } else if constexpr (std::is_enum_v<T>) {
     const std::string_view word = field_choice(f, value).name;
-    if (f.numbered)
+    if (f.ordinal)
+      json[name] = static_cast<int>(value);
+    else if (f.numbered)
       json[name] = std::stoi(std::string(word));
     else
       json[name] = word;
@@ -51,18 +53,22 @@ template <class S> FieldJson fields_json(const S& s) {
 }
 
 /// A whole number; throws on any other, which get() would cast.
-inline std::int64_t whole_number(const FieldJson& json) {
-  return json.get_ref<const FieldJson::number_integer_t&>();
+template <class Json> std::int64_t whole_number(const Json& json) {
+  return json.template get_ref<const typename Json::number_integer_t&>();
 }
 
-/// Leaves the value where its word is not known.
-template <class E> void read_word(const FieldFacts& f, const FieldJson& json, E& value) {
-  const std::string word = f.numbered ? std::to_string(whole_number(json)) : json.get<std::string>();
+/// Leaves the value where its word is not known; of a number that is not, check_field() tells.
+template <class Json, class E> void read_word(const FieldFacts& f, const Json& json, E& value) {
+  if (f.ordinal) {
+    value = static_cast<E>(std::min(static_cast<std::size_t>(whole_number(json)), f.choices.size()));
+    return;
+  }
+  const std::string word = f.numbered ? std::to_string(whole_number(json)) : json.template get<std::string>();
   for (std::size_t i = 0; i < f.choices.size(); ++i)
     if (f.choices[i].name == word) value = static_cast<E>(i);
 }
 
-template <class S, class T> void read_member(const FieldJson& json, const Field<S, T>& f, T& value) {
+template <class Json, class S, class T> void read_member(const Json& json, const Field<S, T>& f, T& value) {
   const std::string name(f.name);
   if constexpr (FieldParts<T>) {
     for_each_field<T>([&](const auto& part) {
@@ -79,7 +85,7 @@ template <class S, class T> void read_member(const FieldJson& json, const Field<
       value = found->template get<T>();
       return;
     }
-    for (const FieldJson& word : *found)
+    for (const Json& word : *found)
       for (std::size_t i = 0; i < value.size(); ++i)
         if (f.choices[i].name == word.template get<std::string>()) value[i] = true;
   } else if constexpr (OptionalField<T>::value) {

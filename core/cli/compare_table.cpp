@@ -20,12 +20,6 @@ std::string row(const char* stage, const std::string& operations, const std::str
   return text;
 }
 
-std::string fixed(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
 std::string figures(const char* stage, const StageStatistics& s) {
   const std::string per_operation = s.operations > 0 ? fixed(1e3 * s.seconds_per_operation(), 3) : "-";
   return row(stage, grouped(s.operations), grouped(s.zero_set_vertices), fixed(s.seconds, 2), per_operation,

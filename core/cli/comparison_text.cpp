@@ -1,12 +1,10 @@
 // Columns of fixed width; what is the same in both runs is left out where that can be.
 #include "cli/comparison_text.h"
-#include "cli/words.h"
 
 #include "base/numbers.h"
 #include "journal/describe.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <initializer_list>
 #include <string_view>
 
@@ -37,12 +35,6 @@ std::string row(std::string_view label, std::initializer_list<std::string> value
   return text + "\n";
 }
 
-std::string seconds(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
-
 template <class Value> std::string of(const std::optional<StageStatistics>& stage, const Value& value) {
   return stage ? value(*stage) : "-";
 }
@@ -55,7 +47,7 @@ std::string stages_text(const RunComparison& found) {
     const auto operations = [](const StageStatistics& f) { return grouped(f.operations); };
     const auto vertices = [](const StageStatistics& f) { return grouped(f.zero_set_vertices); };
     const auto rejected = [](const StageStatistics& f) { return grouped(f.rejections()); };
-    const auto time = [](const StageStatistics& f) { return seconds(f.seconds); };
+    const auto time = [](const StageStatistics& f) { return fixed(f.seconds, 2); };
     text += row(name(s.stage),
                 {of(s.a, operations), of(s.b, operations), of(s.a, vertices), of(s.b, vertices),
                  of(s.a, rejected), of(s.b, rejected), of(s.a, time), of(s.b, time)},

@@ -1,13 +1,10 @@
 // Reads both recordings whole and compares their journals.
-#include "cli/diff.h"
-
+#include "cli/command_line.h"
 #include "cli/comparison_text.h"
 #include "cli/exit_status.h"
-#include "cli/options.h"
 #include "cli/recorded_file.h"
+#include "cli/verbs.h"
 #include "compare/compare_runs.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 
@@ -15,25 +12,21 @@ namespace isoscope {
 
 int diff(int argc, char** argv) {
   std::string file_a, file_b;
-  std::size_t rows = 10;
+  unsigned rows = 10;
   bool quiet = false;
-  CLI::App app{
+  CommandLine app{
       "Tells what differs between two recorded runs: parameters, the outcome of each stage, the first "
       "differing decision, and which decisions only one of them made.",
       "isoscope-run diff"};
-  app.add_option("A", file_a, "a recording, RUN.isorun")->required();
-  app.add_option("B", file_b, "the recording that it is compared with")->required();
-  app.add_option("--rows", rows, "how many decisions of one run alone are listed; default 10");
-  app.add_flag("--quiet", quiet, "print nothing but errors: the exit status tells");
+  app.option("A", file_a, "a recording, RUN.isorun", true);
+  app.option("B", file_b, "the recording that it is compared with", true);
+  app.option("--rows", rows, "how many decisions of one run alone are listed; default 10");
+  app.flag("--quiet", quiet, "print nothing but errors: the exit status tells");
   app.footer("Runs on the same input are compared event by event, without times; decisions after the first "
              "difference are matched by their places.\n\n"
              "Exit status: 0 the same, 1 different, 2 usage or a file that cannot be read.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return answer(app, e);
-  }
-  if (Status whole = check_values(app); !whole) return fail(whole.error(), 2);
+  if (const auto ended = app.parse(argc, argv)) return *ended;
+  if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
   const auto a = read_recorded_run(file_a);
   if (!a) return fail(a.error(), 2);
   const auto b = read_recorded_run(file_b);

@@ -1,12 +1,9 @@
 // One line an error.
 #include "cli/exit_status.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <sstream>
 
 namespace isoscope {
 
@@ -46,12 +43,11 @@ int answer(const std::string& text) {
   return fail(printed.error(), 1);
 }
 
-int answer(const CLI::App& app, const CLI::ParseError& said) {
-  std::ostringstream text, complaint;
-  const int status = app.exit(said, text, complaint);
-  if (status == 0) return answer(text.str());
-  std::fputs(complaint.str().c_str(), stderr);
-  return 2;
+std::string line(std::string_view label, const std::string& text) {
+  constexpr std::size_t column = 13;
+  std::string result(label);
+  result.resize(column, ' ');
+  return result + text + "\n";
 }
 
 } // namespace isoscope

@@ -1,14 +1,10 @@
-// The batch program's exit status and the line it complains with.
+// What the batch program prints and the status it ends with.
 #pragma once
 
 #include "base/status.h"
 
 #include <string>
-
-namespace CLI {
-class App;
-class ParseError;
-} // namespace CLI
+#include <string_view>
 
 namespace isoscope {
 
@@ -23,7 +19,7 @@ Status print(const std::string& text);
 /// Prints what alone was asked for (help, the version, a list); the exit status. A reader that has had
 /// enough, as `head` has, is no failure; a full disk is.
 int answer(const std::string& text);
-/// Prints what CLI11 has to say after parse(): help or the version with status 0, wrong usage with 2.
-int answer(const CLI::App& app, const CLI::ParseError& said);
+/// A line of a summary: the label, padded to a column, and the text.
+std::string line(std::string_view label, const std::string& text);
 
 } // namespace isoscope

@@ -1,23 +1,19 @@
 // The batch program: the whole run without a display, a mesh and a report at its end.
 #include "base/parallel.h"
 #include "cli/compare_table.h"
-#include "cli/diff.h"
 #include "cli/exit_status.h"
 #include "cli/interruptible.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
 #include "cli/progress_line.h"
-#include "cli/recover.h"
-#include "cli/replay.h"
 #include "cli/summary.h"
+#include "cli/verbs.h"
 #include "input/mesh_io.h"
 #include "journal/describe.h"
 #include "recording/recording_writer.h"
 #include "run/pipeline.h"
 #include "run/recorded_run.h"
 #include "run/report.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -117,23 +113,22 @@ void note(const std::string& text) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{
+  CommandLine app{
       "Isoscope's batch program: isotopic approximation within a tolerance volume, without a window.",
       "isoscope-run"};
-  RunOptions options(app, false);
+  RunOptions options(app);
   Outputs outputs;
   bool quiet = false, compare = false, list_gallery = false;
   double history_limit = 2048;
-  app.add_option("-o,--output", outputs.mesh, "the resulting mesh: .off, .obj, .ply or .stl");
-  app.add_option("--report", outputs.report, "the report as JSON; - for standard output");
-  app.add_flag("--compare", compare,
-               "print the stages side by side: operations, vertices, times, rejections by reason");
-  app.add_option("--history-limit", history_limit,
-                 "of the journal in memory, MiB; what is older goes to the disk; default 2048")
-      ->check(CLI::Range(1.0, 1048576.0));
-  app.add_flag("--quiet", quiet, "print nothing but warnings and errors");
-  app.add_flag("--list-gallery", list_gallery, "list the bundled models");
-  app.set_version_flag("--version", std::string("isoscope-run ") + std::string(version()));
+  app.option("-o,--output", outputs.mesh, "the resulting mesh: .off, .obj, .ply or .stl");
+  app.option("--report", outputs.report, "the report as JSON; - for standard output");
+  app.flag("--compare", compare,
+           "print the stages side by side: operations, vertices, times, rejections by reason");
+  app.option("--history-limit", history_limit,
+             "of the journal in memory, MiB; what is older goes to the disk; default 2048", 1, 1048576);
+  app.flag("--quiet", quiet, "print nothing but warnings and errors");
+  app.flag("--list-gallery", list_gallery, "list the bundled models");
+  app.version(std::string("isoscope-run ") + std::string(version()));
   app.footer("isoscope-run replay RUN.isorun reads a recording; replay --help tells more.\n"
              "isoscope-run diff A.isorun B.isorun tells what differs between two; diff --help tells more.\n"
              "isoscope-run recover BROKEN.isorun -o OUT.isorun saves what is sound in a damaged one; recover "
@@ -145,11 +140,7 @@ int run(int argc, char** argv) {
   if (verb == "replay") return replay(argc - 1, argv + 1);
   if (verb == "diff") return diff(argc - 1, argv + 1);
   if (verb == "recover") return recover(argc - 1, argv + 1);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return answer(app, e);
-  }
+  if (const auto ended = app.parse(argc, argv)) return *ended;
   if (list_gallery) return answer(gallery_table());
   BreakpointSet breakpoints;
   if (Status added = add_breakpoints(options.breakpoints(), breakpoints); !added)
@@ -167,8 +158,8 @@ int run(int argc, char** argv) {
                  "Give a file for the report."},
                 2);
   }
-  if (Status writable = check_outputs(outputs, parameters->input); !writable)
-    return fail(writable.error(), 2);
+  for (const std::string& input : {parameters->input, parameters->inside})
+    if (Status writable = check_outputs(outputs, input); !writable) return fail(writable.error(), 2);
   Recording recording;
   if (Status made = recording.create(outputs.recording); !made) return fail(made.error(), 2);
 

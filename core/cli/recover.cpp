@@ -1,21 +1,17 @@
 // Saves what the pages hold, proves what no checksum proves by running it again, and writes the rest of it.
-#include "cli/recover.h"
-
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/pending_file.h"
+#include "cli/command_line.h"
 #include "cli/exit_status.h"
 #include "cli/interruptible.h"
-#include "cli/options.h"
 #include "cli/progress_line.h"
-#include "cli/words.h"
+#include "cli/verbs.h"
 #include "recording/recording_writer.h"
 #include "recording/salvage.h"
 #include "run/parameters_json.h"
 #include "run/recorded_run.h"
 #include "run/replay_check.h"
-
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <string>
@@ -101,7 +97,7 @@ Result<Found> find(const RecoverOptions& options) {
   if (!parameters) return nothing(options, "the run's parameters are damaged or missing");
   if (!salvage->header.input) {
     const std::string& name = parameters->input;
-    if (auto soup = load_input(name)) {
+    if (auto soup = load_input(*parameters)) {
       substitutes.input = std::make_shared<const TriangleSoup>(std::move(*soup));
       salvage = salvage_recording(options.file, substitutes);
       if (!salvage) return salvage.error();
@@ -157,27 +153,22 @@ bool same_file(const std::string& a, const std::string& b) {
 
 int recover(int argc, char** argv) {
   RecoverOptions options;
-  CLI::App app{
+  CommandLine app{
       "Saves what is sound in a recording that is damaged or cut short, up to the first event that is "
       "missing or wrong, and writes a recording that opens and replays. The damaged file is left alone.",
       "isoscope-run recover"};
-  app.add_option("BROKEN", options.file, "a recording, with its -wal file beside it where there is one")
-      ->required();
-  app.add_option("-o,--output", options.output, "the new recording, OUT.isorun")->required();
-  app.add_flag("--quick", options.quick,
-               "keep only what checksums prove; without it what lies behind them is proven by running again, "
-               "which takes as long as the run did (Ctrl-C leaves it out)");
-  app.add_option("--threads", options.threads, "number of threads, 0 for all cores");
-  app.add_flag("--quiet", options.quiet, "print nothing but errors");
+  app.option("BROKEN", options.file, "a recording, with its -wal file beside it where there is one", true);
+  app.option("-o,--output", options.output, "the new recording, OUT.isorun", true);
+  app.flag("--quick", options.quick,
+           "keep only what checksums prove; without it what lies behind them is proven by running again, "
+           "which takes as long as the run did (Ctrl-C leaves it out)");
+  app.option("--threads", options.threads, "number of threads, 0 for all cores");
+  app.flag("--quiet", options.quiet, "print nothing but errors");
   app.footer(
       "Exit status: 0 the new recording is written, whatever had to be left out; 1 it cannot be written; 2 "
       "usage; 3 nothing can be saved; 4 stopped by the user before anything was.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return answer(app, e);
-  }
-  if (Status whole = check_values(app); !whole) return fail(whole.error(), 2);
+  if (const auto ended = app.parse(argc, argv)) return *ended;
+  if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
   if (same_file(options.file, options.output)) {
     return fail({ErrorCode::usage, "-o " + options.output + " is the damaged recording itself.",
                  "Give another file: the damaged one is left as it is."},

@@ -1,21 +1,18 @@
 // Reads the whole recording, prints a summary, and runs it again when asked to.
-#include "cli/replay.h"
-
+#include "base/numbers.h"
 #include "base/parallel.h"
+#include "cli/command_line.h"
 #include "cli/compare_table.h"
 #include "cli/exit_status.h"
-#include "cli/options.h"
 #include "cli/progress_line.h"
 #include "cli/recorded_file.h"
-#include "cli/words.h"
+#include "cli/verbs.h"
 #include "input/mesh_io.h"
 #include "journal/digest.h"
 #include "mesh/zero_set.h"
 #include "run/recorded_run.h"
 #include "run/replay_check.h"
 #include "run/statistics.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <string>
@@ -44,8 +41,7 @@ int recorded_status(const RecordedRun& r) {
 std::string summary(const ReplayOptions& options, const RecordedRun& r, const TriangleMesh& mesh) {
   const RecordingHeader& header = r.reader->header();
   const Journal& j = *r.journal;
-  char size[40];
-  std::snprintf(size, sizeof size, "%.1f MB", static_cast<double>(r.reader->file_bytes()) / 1e6);
+  const std::string size = fixed(static_cast<double>(r.reader->file_bytes()) / 1e6, 1) + " MB";
   std::string text;
   text += line("Recording", options.file + ": " + size + ", written by " + header.program);
   text += line("Input", r.parameters.input + ": " + counted(header.input->points.size(), "point") + ", " +
@@ -90,22 +86,18 @@ int check_it(const ReplayOptions& options, const RecordedRun& r) {
 
 int replay(int argc, char** argv) {
   ReplayOptions options;
-  CLI::App app{"Reads a recording: what it holds, its last Z, and whether it replays.",
-               "isoscope-run replay"};
-  app.add_option("RUN", options.file, "a recording, RUN.isorun, also of a killed run")->required();
-  app.add_flag("--check", options.check,
-               "run it again from the input it holds and compare every event, operation and state");
-  app.add_option("-o,--output", options.mesh, "write Z as it is after the last operation");
-  app.add_option("--threads", options.threads, "number of threads, 0 for all cores");
-  app.add_flag("--quiet", options.quiet, "print nothing but errors");
+  CommandLine app{"Reads a recording: what it holds, its last Z, and whether it replays.",
+                  "isoscope-run replay"};
+  app.option("RUN", options.file, "a recording, RUN.isorun, also of a killed run", true);
+  app.flag("--check", options.check,
+           "run it again from the input it holds and compare every event, operation and state");
+  app.option("-o,--output", options.mesh, "write Z as it is after the last operation");
+  app.option("--threads", options.threads, "number of threads, 0 for all cores");
+  app.flag("--quiet", options.quiet, "print nothing but errors");
   app.footer("Exit status: that of the recorded run, 4 when it ended without finishing; with --check 0 when "
              "it replays and 1 when it does not; 2 usage; 3 a file that cannot be read.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return answer(app, e);
-  }
-  if (Status whole = check_values(app); !whole) return fail(whole.error(), 2);
+  if (const auto ended = app.parse(argc, argv)) return *ended;
+  if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
   if (!options.mesh.empty())
     if (Status writable = check_writable_mesh(options.mesh); !writable) return fail(writable.error(), 2);
   const ThreadLimit threads(options.threads);

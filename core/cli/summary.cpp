@@ -2,8 +2,8 @@
 #include "cli/summary.h"
 
 #include "base/place.h"
+#include "cli/exit_status.h"
 #include "cli/progress_line.h"
-#include "cli/words.h"
 
 #include <cstdio>
 #include <limits>
@@ -29,12 +29,21 @@ std::string normal_words(const NormalDeviation& n) {
          " % beyond 90°" + (n.oriented ? "" : " (without a sign: the input is not oriented)");
 }
 
-/// "d <= 0.97 δ everywhere": what is proven of all of Z in the words of the field.
+/// What is proven of all of Z in the words of the field.
 std::string containment_words(const Certificate& c, const Scene& scene) {
   const std::string most = number("%.4f", c.max_distance / scene.delta) + " δ";
-  if (scene.field->kind() != FieldKind::points) return "d <= " + most + " everywhere";
-  return "φ <= " + most + " everywhere" +
-         (scene.points->neighbors > 1 ? ", so that the robust distance is at most δ" : "");
+  switch (scene.field->kind()) {
+  case FieldKind::surfaces:
+    return "between the two surfaces, which no facet meets";
+  case FieldKind::grid:
+    return "between the two levels on every facet";
+  case FieldKind::points:
+    return "φ <= " + most + " everywhere" +
+           (scene.points->neighbors > 1 ? ", so that the robust distance is at most δ" : "");
+  case FieldKind::triangles:
+    break;
+  }
+  return "d <= " + most + " everywhere";
 }
 
 /// Quantiles in δ.
@@ -48,7 +57,7 @@ std::string holds_words(const Certificate& c, const Scene& scene) {
   using Topology = Certificate::Topology;
   std::string words =
       "holds: closed, oriented, free of intersections, " + containment_words(c, scene) + ", sides separated";
-  if (c.cover_limit && c.cover_note.empty())
+  if (c.cover_limit && c.cover_note.empty() && scene.field->surface() != nullptr)
     words += ", the input covered within " + number("%.4g", *c.cover_limit) + " δ";
   if (c.topology == Topology::as_expected) words += ", topology as expected";
   return words;
@@ -72,12 +81,14 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                     const std::vector<StageStatistics>& stages, const std::string& stopped_at) {
   const Certificate& c = result.certificate;
   std::string text;
+  const std::string inner = parameters.inside.empty() ? "" : " and " + parameters.inside;
   text += line("Input",
-               parameters.input + ": " +
+               parameters.input + inner + ": " +
                    (scene.input->is_point_set() ? counted(scene.input->points.size(), "point")
                                                 : grouped(scene.input->points.size()) + " vertices, " +
                                                       grouped(scene.input->triangles.size()) + " faces") +
-                   "; δ = " + number("%.6g", scene.delta) + " (" + parameters.tolerance.text() +
+                   "; δ = " + number("%.6g", scene.delta) + " (" +
+                   (scene.input->gives_volume() ? "given" : parameters.tolerance.text()) +
                    "), σ = " + number("%.3g", parameters.sigma_ratio(scene.default_sigma)) + " δ");
   text += line("Samples", grouped(scene.samples->size()) + " on " +
                               counted(scene.boundary_components.size(), "boundary component") + ", " +

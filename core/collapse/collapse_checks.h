@@ -1,10 +1,10 @@
 // The checks of a collapse that depend on where the target lies: pure functions of a star and a point.
 #pragma once
 
+#include "collapse/target_search.h"
 #include "criteria/nearest_sample.h"
 #include "journal/journal.h"
 #include "mesh/edge_star.h"
-#include "collapse/target_search.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <span>

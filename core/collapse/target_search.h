@@ -2,13 +2,13 @@
 // §2.4.3, Figures 8, 9, 11, 12).
 #pragma once
 
+#include "collapse/collapse_attempt.h"
 #include "criteria/collapse_cost.h"
 #include "criteria/invalid_region.h"
 #include "criteria/kernel.h"
 #include "journal/event.h"
-#include "mesh/edge_star.h"
-#include "collapse/collapse_attempt.h"
 #include "journal/refusal.h"
+#include "mesh/edge_star.h"
 
 #include <functional>
 #include <optional>

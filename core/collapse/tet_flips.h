@@ -1,8 +1,8 @@
 // Flips of T that leave Z as it is: they make room for a collapse that T stands in the way of.
 #pragma once
 
-#include "journal/refusal.h"
 #include "collapse/tet_patch.h"
+#include "journal/refusal.h"
 
 namespace isoscope {
 

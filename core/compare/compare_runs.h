@@ -4,8 +4,8 @@
 
 #include "base/run_control.h"
 #include "compare/decision_table.h"
-#include "run/parameters.h"
 #include "compare/run_alignment.h"
+#include "run/parameters.h"
 #include "run/statistics.h"
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "collapse/live_complex.h"
-#include "journal/refusal.h"
 #include "collapse/tet_patch.h"
+#include "journal/refusal.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,9 +1,9 @@
 // The improver on a Z that has left T: its changes become operations of the journal (core/README.md, N6).
 #pragma once
 
-#include "mesh/complex.h"
 #include "collapse/collapse_checks.h"
 #include "journal/stage_log.h"
+#include "mesh/complex.h"
 
 namespace isoscope {
 

@@ -2,8 +2,8 @@
 // guarded by certificates, exact intersection tests, link conditions and witnesses (core/README.md, N6).
 #pragma once
 
-#include "journal/journal.h"
 #include "improve/surface_collapses.h"
+#include "journal/journal.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <functional>

@@ -1,8 +1,8 @@
 // What the improver tells: its committed changes of Z and its decisions with their reasons.
 #pragma once
 
-#include "mesh/complex.h"
 #include "journal/refusal.h"
+#include "mesh/complex.h"
 
 #include <array>
 #include <cstdint>

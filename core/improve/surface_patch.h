@@ -1,8 +1,8 @@
 // A part of Z as a value: the neighbourhood of an edge, to be changed and then committed or thrown away.
 #pragma once
 
-#include "improve/facet_complex.h"
 #include "collapse/tet_patch.h"
+#include "improve/facet_complex.h"
 
 #include <optional>
 #include <span>

@@ -2,6 +2,7 @@
 #include "input/gallery.h"
 
 #include "input/gallery_shapes.h"
+#include "input/gallery_volumes.h"
 
 #include <array>
 
@@ -9,7 +10,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<GalleryEntry, 11> entries{{
+constexpr std::array<GalleryEntry, 13> entries{{
     {"bracket", "Angle bracket",
      "Long thin triangles, sharp edges and drilled holes do not matter: only the volume around them does, "
      "and refinement "
@@ -50,6 +51,14 @@ constexpr std::array<GalleryEntry, 11> entries{{
      "A ring of points with a slit and outliers: the tolerance closes the slit, and a blob that encloses "
      "nothing is left out.",
      5.5, 0},
+    {"nested-tori", "Between two tori",
+     "The volume itself is given, by its two walls: wide on one side and narrow on the other, and the zero "
+     "set takes the room that there is.",
+     0, 0},
+    {"density", "A ring of beads",
+     "A grid of densities, as a scan is one: the zero set runs between two of its levels, and nothing else "
+     "was ever a surface.",
+     0, 0, density_low, density_high},
 }};
 
 TriangleSoup make_nested_spheres() {
@@ -127,6 +136,10 @@ Result<TriangleSoup> make_gallery_model(std::string_view name) {
     model = make_scan(make_sphere(3), 6000, 0.02, 180, {});
   else if (name == "scan")
     model = make_torn_scan();
+  else if (name == "nested-tori")
+    model = make_nested_tori();
+  else if (name == "density")
+    model = make_density();
   else {
     std::string names;
     for (const GalleryEntry& e : entries) names += (names.empty() ? "" : ", ") + std::string(e.name);

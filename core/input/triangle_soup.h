@@ -3,21 +3,28 @@
 #pragma once
 
 #include "base/geometry.h"
+#include "input/scalar_grid.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace isoscope {
 
 /// An indexed triangle soup with finite coordinates and indices in range; degenerate triangles may occur.
-/// Without triangles it is a set of points.
+/// Without triangles it is a set of points. It may give a tolerance volume instead of a surface: by its
+/// walls, or by a grid that its triangles only show.
 struct TriangleSoup {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::string name; ///< what to call it in the window and the report: a file's stem or a gallery name
 
+  std::size_t outer_triangles = 0; ///< of two walls: so many first ones are the outer one's; else 0
+  std::shared_ptr<const ScalarGrid> grid = nullptr; ///< as it was read; else null
+
+  bool gives_volume() const { return outer_triangles > 0 || grid != nullptr; }
   Triangle3 triangle(std::size_t i) const {
     const auto& t = triangles[i];
     return {points[t[0]], points[t[1]], points[t[2]]};

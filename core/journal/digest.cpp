@@ -11,9 +11,7 @@ void Digest::add(double value) {
 }
 
 void Digest::add(Vec3 v) {
-  add(v.x);
-  add(v.y);
-  add(v.z);
+  add(v.x, v.y, v.z);
 }
 
 void Digest::add(std::string_view text) {
@@ -22,100 +20,55 @@ void Digest::add(std::string_view text) {
 }
 
 void Digest::add(const Event& e) {
-  add(e.kind);
-  add(e.stage);
-  add(e.condition);
-  add(e.reason);
-  add(e.step);
-  add(e.operation);
-  add(e.tet);
-  add(e.sample);
-  add(e.vertex);
-  add(e.other);
-  add(e.point);
-  add(e.witness);
-  add(e.value);
-  add(e.limit);
-  if (e.facet[0].valid()) // recordings of format 1 have none
-    for (const VertexId v : e.facet) add(v);
-  add(e.count);
-  add(e.text);
-  add(e.detail);
+  add(e.kind, e.stage, e.condition, e.reason, e.step, e.operation, e.tet, e.sample, e.vertex, e.other,
+      e.point, e.witness, e.value, e.limit);
+  if (e.facet[0].valid()) each(e.facet); // recordings of format 1 have none
+  add(e.count, e.text, e.detail);
 }
 
 void Digest::add(const RepairSweep& s) {
-  add(s.largest_distance);
-  add(s.distance_left);
-  for (const Vec3& corner : s.worst_facet) add(corner);
-  add(s.energy);
-  add(s.moved);
-  add(s.flipped);
-  add(s.points_added);
+  add(s.largest_distance, s.distance_left);
+  each(s.worst_facet);
+  add(s.energy, s.moved, s.flipped, s.points_added);
 }
 
 void Digest::add(const Vertex& v) {
-  add(v.position);
-  add(v.value);
-  add(v.kind);
-  add(v.sample_set);
-  add(v.sample);
+  add(v.position, v.value, v.kind, v.sample_set, v.sample);
 }
 
 void Digest::add(const TetRecord& t) {
   add(t.id);
-  for (const VertexId v : t.v) add(v);
+  each(t.v);
   add(t.side);
 }
 
 void Digest::add(const FacetRecord& f) {
   add(f.id);
-  for (const VertexId v : f.v) add(v);
+  each(f.v);
 }
 
 void Digest::add(const Delta& d) {
-  for (const Vertex& v : d.added_vertices) add(v);
-  for (const VertexId v : d.killed_vertices) add(v);
-  for (const auto& c : d.values) {
-    add(c.vertex);
-    add(c.before);
-    add(c.after);
-  }
-  for (const auto& m : d.moves) {
-    add(m.vertex);
-    add(m.before);
-    add(m.after);
-  }
-  for (const TetRecord& t : d.removed) add(t);
-  for (const TetRecord& t : d.added) add(t);
-  for (const auto& s : d.sides) {
-    add(s.tet);
-    add(s.before);
-    add(s.after);
-  }
-  for (const FacetRecord& f : d.removed_facets) add(f);
-  for (const FacetRecord& f : d.added_facets) add(f);
-  if (d.sample_set) {
-    add(d.sample_set->before);
-    add(d.sample_set->after);
-  }
-  if (d.form) {
-    add(d.form->before);
-    add(d.form->after);
-  }
+  each(d.added_vertices);
+  each(d.killed_vertices);
+  for (const auto& c : d.values) add(c.vertex, c.before, c.after);
+  for (const auto& m : d.moves) add(m.vertex, m.before, m.after);
+  each(d.removed);
+  each(d.added);
+  for (const auto& s : d.sides) add(s.tet, s.before, s.after);
+  each(d.removed_facets);
+  each(d.added_facets);
+  if (d.sample_set) add(d.sample_set->before, d.sample_set->after);
+  if (d.form) add(d.form->before, d.form->after);
 }
 
 void Digest::add(const Complex& c) {
-  for (const Vertex& v : c.vertices) {
-    add(v);
-    add(v.alive);
-  }
+  for (const Vertex& v : c.vertices) add(v, v.alive);
   for (const Tet& t : c.tets) {
-    for (const VertexId v : t.v) add(v);
-    for (const TetId n : t.neighbor) add(n);
+    each(t.v);
+    each(t.neighbor);
     add(t.side);
   }
-  for (const ZeroFacet& f : c.facets)
-    for (const VertexId v : f.v) add(v);
+  for (const ZeroFacet& f : c.facets) each(f.v);
   add(c.form);
 }
 

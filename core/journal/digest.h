@@ -32,6 +32,16 @@ class Digest {
   void add(const FacetRecord& f);
   void add(const Delta& d);
   void add(const Complex& c);
+  template <class First, class Second, class... More>
+  void add(const First& first, const Second& second, const More&... more) {
+    add(first);
+    add(second);
+    (add(more), ...);
+  }
+  /// The elements of a list, without its length.
+  template <class List> void each(const List& list) {
+    for (const auto& element : list) add(element);
+  }
   std::uint64_t value() const { return hash_; }
 
  private:

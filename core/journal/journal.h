@@ -29,6 +29,7 @@ struct CriteriaParameters {
   bool condition_1 = true, condition_2 = true, condition_3 = true, condition_4 = true;
   double error_limit() const { return 1.0 - alpha; }          ///< ε(s) must not exceed it
   double height_limit() const { return 2.0 * sigma / alpha; } ///< heights must not fall below it
+  double unit() const { return delta > 0 ? delta : 1; }       ///< lengths are told in δ, where there is one
   friend bool operator==(const CriteriaParameters&, const CriteriaParameters&) = default;
 };
 

@@ -1,4 +1,5 @@
-// The state at any step, moved forwards and backwards by deltas, from keyframes when far (core/README.md, D4).
+// The state at any step, moved forwards and backwards by deltas, from keyframes when far (core/README.md,
+// D4).
 #pragma once
 
 #include "journal/journal.h"

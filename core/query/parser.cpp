@@ -92,8 +92,10 @@ class Parser {
   Operand negated();
   Operand comparison();
   Operand compare_names(const Operand& sort, const Operand& value, bool equal);
-  Operand sum();
-  Operand product();
+  Operand sum() { return chain(&Parser::product, "+", Op::add, "-", Op::subtract); }
+  Operand product() { return chain(&Parser::factor, "*", Op::multiply, "/", Op::divide); }
+  /// Numbers joined by one of two signs.
+  Operand chain(Operand (Parser::*next)(), std::string_view sign, Op op, std::string_view other, Op other_op);
   Operand factor();
   Operand primary();
 
@@ -102,6 +104,7 @@ class Parser {
   Operand sample_form(std::size_t place);
   Operand edge_near(std::size_t place);
   double signed_number();
+  Vec3 point(std::string_view form);
   std::uint32_t id();
   void expect(std::string_view sign, std::string_view after);
 
@@ -300,24 +303,14 @@ Operand Parser::comparison() {
   return left;
 }
 
-Operand Parser::sum() {
-  Operand left = product();
-  while (!error_ && (now().is("+") || now().is("-"))) {
-    const Op op = now().is("+") ? Op::add : Op::subtract;
+Operand Parser::chain(Operand (Parser::*next)(), std::string_view sign, Op op, std::string_view other,
+                      Op other_op) {
+  Operand left = (this->*next)();
+  while (!error_ && (now().is(sign) || now().is(other))) {
+    const Op which = now().is(sign) ? op : other_op;
     ++at_;
-    const std::uint32_t a = number(left), b = number(product());
-    left = of(Operand::Type::number, add(op, a, b), left.place);
-  }
-  return left;
-}
-
-Operand Parser::product() {
-  Operand left = factor();
-  while (!error_ && (now().is("*") || now().is("/"))) {
-    const Op op = now().is("*") ? Op::multiply : Op::divide;
-    ++at_;
-    const std::uint32_t a = number(left), b = number(factor());
-    left = of(Operand::Type::number, add(op, a, b), left.place);
+    const std::uint32_t a = number(left), b = number((this->*next)());
+    left = of(Operand::Type::number, add(which, a, b), left.place);
   }
   return left;
 }
@@ -380,6 +373,15 @@ double Parser::signed_number() {
   return negative ? -value : value;
 }
 
+Vec3 Parser::point(std::string_view form) {
+  Vec3 p;
+  for (int a = 0; a < 3; ++a) {
+    if (a > 0) expect(",", form);
+    p[a] = signed_number();
+  }
+  return p;
+}
+
 std::uint32_t Parser::id() {
   const std::size_t place = now().place;
   const double value = signed_number();
@@ -400,11 +402,7 @@ Operand Parser::edge_near(std::size_t place) {
   Node node;
   node.op = Op::edge_near;
   expect("(", form);
-  node.point.x = signed_number();
-  expect(",", form);
-  node.point.y = signed_number();
-  expect(",", form);
-  node.point.z = signed_number();
+  node.point = point(form);
   expect(")", form);
   node.number = signed_number();
   return of(Operand::Type::truth, add(std::move(node)), place);
@@ -470,11 +468,7 @@ Operand Parser::form() {
   } else if (word.spelling == "near") {
     constexpr std::string_view form = "near(x, y, z, r)";
     node.op = Op::near;
-    node.point.x = signed_number();
-    expect(",", form);
-    node.point.y = signed_number();
-    expect(",", form);
-    node.point.z = signed_number();
+    node.point = point(form);
     expect(",", form);
     node.number = signed_number();
     expect(")", form);

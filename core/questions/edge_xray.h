@@ -2,9 +2,9 @@
 // by the evaluator that the run itself asks (core/README.md, D2).
 #pragma once
 
+#include "collapse/collapse_evaluator.h"
 #include "criteria/nearest_sample.h"
 #include "questions/snapshot.h"
-#include "collapse/collapse_evaluator.h"
 
 #include <array>
 #include <optional>

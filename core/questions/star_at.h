@@ -1,8 +1,8 @@
 // What the stages know of an edge beside its star: its samples, and how they collapse edges of its kind.
 #pragma once
 
-#include "run/parameters.h"
 #include "collapse/collapse_evaluator.h"
+#include "run/parameters.h"
 #include "tolerance/boundary_sampler.h"
 
 namespace isoscope {

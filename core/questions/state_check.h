@@ -1,9 +1,9 @@
 // Everything that must hold at a step, judged from scratch, and the first step at which it did not.
 #pragma once
 
+#include "questions/snapshot.h"
 #include "run/certificate.h"
 #include "run/pipeline.h"
-#include "questions/snapshot.h"
 
 #include <array>
 #include <optional>

@@ -2,8 +2,8 @@
 // after.
 #pragma once
 
-#include "questions/edge_xray.h"
 #include "collapse/collapse_margins.h"
+#include "questions/edge_xray.h"
 
 namespace isoscope {
 

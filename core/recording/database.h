@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 struct sqlite3;
@@ -50,6 +51,16 @@ class Query {
   /// Text or blob; valid until the next row.
   std::string_view bytes(int column) const;
   bool null(int column) const;
+  /// Numbers and ids from a column on.
+  template <class... Values> void read(int column, Values&... values) const { (take(column++, values), ...); }
+  /// Calls take() for each row that is left, until it says false.
+  template <class Take> Status each(Take take) {
+    for (;;) {
+      const auto row = next();
+      if (!row) return row.error();
+      if (!*row || !take()) return {};
+    }
+  }
 
  private:
   friend class Database;
@@ -60,6 +71,16 @@ class Query {
   std::string file_;
   bool good_ = false;
 
+  template <class Value> void take(int column, Value& value) const {
+    if constexpr (std::is_same_v<Value, bool>)
+      value = integer(column) != 0;
+    else if constexpr (std::is_floating_point_v<Value>)
+      value = static_cast<Value>(real(column));
+    else if constexpr (std::is_integral_v<Value>)
+      value = static_cast<Value>(integer(column));
+    else // an id, -1 where it is none
+      value = Value(integer(column) < 0 ? Value::none : static_cast<std::uint32_t>(integer(column)));
+  }
   template <class... Values> bool bound(const Values&... values) {
     reset();
     [[maybe_unused]] int place = 0;

@@ -3,7 +3,11 @@
 
 #include "recording/bytes.h"
 
+#include <zlib.h>
+
 #include <cmath>
+#include <cstring>
+#include <new>
 
 namespace isoscope {
 
@@ -26,9 +30,92 @@ bool all_multiples(const BoundarySamples& samples) {
   return true;
 }
 
+constexpr std::uint64_t most_extent = 1 << 20;
+
+/// Floats by their bytes, all first ones first: neighbours are alike in most, which packs better.
+std::string planes_of(const std::vector<float>& values) {
+  std::string planes(4 * values.size(), '\0');
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    auto bits = std::bit_cast<std::uint32_t>(values[i]);
+    for (std::size_t b = 0; b < 4; ++b, bits >>= 8)
+      planes[b * values.size() + i] = static_cast<char>(bits & 0xff);
+  }
+  return planes;
+}
+
+void write_grid(ByteWriter& out, const ScalarGrid& grid) {
+  for (const std::size_t n : grid.size) out.number(n);
+  for (int a = 0; a < 3; ++a) out.real(grid.origin[a]);
+  for (int a = 0; a < 3; ++a) out.real(grid.spacing[a]);
+  const std::string planes = planes_of(grid.values);
+  uLongf size = compressBound(static_cast<uLong>(planes.size()));
+  std::string packed(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(planes.data()),
+                static_cast<uLong>(planes.size()), Z_BEST_SPEED) != Z_OK)
+    throw std::bad_alloc(); // the only way to fail with room enough
+  out.number(size);
+  for (std::size_t i = 0; i < size; ++i) out.byte(static_cast<std::uint8_t>(packed[i]));
+}
+
+std::shared_ptr<const ScalarGrid> read_stored_grid(ByteReader& in) {
+  constexpr std::uint64_t most_expansion = 1032; // of deflate
+  auto grid = std::make_shared<ScalarGrid>();
+  std::uint64_t count = 1;
+  for (std::size_t& n : grid->size) {
+    const std::uint64_t extent = in.number();
+    if (extent < 2 || extent > most_extent) return nullptr;
+    n = static_cast<std::size_t>(extent);
+    count *= extent;
+  }
+  for (int a = 0; a < 3; ++a) grid->origin[a] = in.real();
+  for (int a = 0; a < 3; ++a) grid->spacing[a] = in.real();
+  std::string packed(in.count(1), '\0');
+  for (char& c : packed) c = static_cast<char>(in.byte());
+  const bool sound = is_finite(grid->origin) && is_finite(grid->spacing) && grid->spacing.x > 0 &&
+                     grid->spacing.y > 0 && grid->spacing.z > 0;
+  if (in.failed() || !sound || 4 * count > most_expansion * (packed.size() + 1)) return nullptr;
+  std::string planes(4 * count, '\0');
+  uLongf size = static_cast<uLongf>(planes.size());
+  if (uncompress(reinterpret_cast<Bytef*>(planes.data()), &size,
+                 reinterpret_cast<const Bytef*>(packed.data()), static_cast<uLong>(packed.size())) != Z_OK ||
+      size != planes.size())
+    return nullptr;
+  grid->values.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint32_t bits = 0;
+    for (std::size_t b = 0; b < 4; ++b)
+      bits |= std::uint32_t{static_cast<std::uint8_t>(planes[b * count + i])} << (8 * b);
+    grid->values[i] = std::bit_cast<float>(bits);
+    if (!std::isfinite(grid->values[i])) return nullptr;
+  }
+  return grid;
+}
+
+/// What follows the triangles besides notes.
+enum class Addition : std::uint8_t { none, walls, grid };
+
+/// What is stored of a volume, if anything is.
+bool read_volume(ByteReader& in, TriangleSoup& soup) {
+  if (in.exhausted()) return true;
+  switch (static_cast<Addition>(in.byte())) {
+  case Addition::walls:
+    soup.outer_triangles = static_cast<std::size_t>(in.number());
+    return soup.outer_triangles > 0 && soup.outer_triangles < soup.triangles.size();
+  case Addition::grid:
+    soup.grid = read_stored_grid(in);
+    return soup.grid != nullptr;
+  case Addition::none:
+    break;
+  }
+  return false;
+}
+
 } // namespace
 
-std::string encode(const TriangleSoup& soup, const std::vector<InputNote>& notes) {
+std::string encode(const TriangleSoup& given, const std::vector<InputNote>& notes) {
+  // Triangles that only show a grid are made again from it.
+  const TriangleSoup nothing;
+  const TriangleSoup& soup = given.grid ? nothing : given;
   ByteWriter out;
   out.number(soup.points.size());
   for (const Vec3& p : soup.points)
@@ -40,12 +127,19 @@ std::string encode(const TriangleSoup& soup, const std::vector<InputNote>& notes
       out.signed_number(std::int64_t{v} - last);
       last = v;
     }
-  if (notes.empty()) return out.take();
+  if (notes.empty() && !given.gives_volume()) return out.take();
   out.number(notes.size());
   for (const InputNote& note : notes) {
     out.number(note.text.size());
     for (const char c : note.text) out.byte(static_cast<std::uint8_t>(c));
     out.real(note.deviation);
+  }
+  if (given.grid) {
+    out.byte(static_cast<std::uint8_t>(Addition::grid));
+    write_grid(out, *given.grid);
+  } else if (given.outer_triangles > 0) {
+    out.byte(static_cast<std::uint8_t>(Addition::walls));
+    out.number(given.outer_triangles);
   }
   return out.take();
 }
@@ -73,7 +167,7 @@ std::optional<TriangleSoup> decode_soup(std::string_view bytes, std::vector<Inpu
     for (char& c : note.text) c = static_cast<char>(in.byte());
     note.deviation = in.real();
   }
-  if (!in.exhausted()) return std::nullopt;
+  if (!read_volume(in, soup) || !in.exhausted()) return std::nullopt;
   if (notes != nullptr) *notes = std::move(stored);
   return soup;
 }

@@ -6,7 +6,7 @@ namespace isoscope {
 const char* const recording_schema = R"sql(
 -- What the run was asked: program, parameters (JSON).
 CREATE TABLE run(key TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;
--- The input itself: points and triangles as bytes.
+-- The input itself: points and triangles, or a grid, as bytes.
 CREATE TABLE input(id INTEGER PRIMARY KEY, name TEXT, points INTEGER, triangles INTEGER, digest TEXT, data BLOB);
 -- The names that the numbers of event_rows stand for.
 CREATE TABLE kinds(id INTEGER PRIMARY KEY, name TEXT);
@@ -69,6 +69,14 @@ void add_to(Digest& digest, const StepFigures& figures) {
 
 std::uint64_t digest(const TriangleSoup& soup) {
   Digest d;
+  if (soup.grid) {
+    for (const std::size_t n : soup.grid->size) d.add(n);
+    d.add(soup.grid->origin);
+    d.add(soup.grid->spacing);
+    for (const float v : soup.grid->values) d.add(static_cast<double>(v));
+    return d.value();
+  }
+  if (soup.outer_triangles > 0) d.add(soup.outer_triangles);
   for (const Vec3& p : soup.points) d.add(p);
   for (const auto& t : soup.triangles)
     for (const std::uint32_t v : t) d.add(v);

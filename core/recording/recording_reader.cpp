@@ -64,22 +64,14 @@ Status check_version(Database& database, const fs::path& file) {
     return not_a_recording(file, "it is a database of another program");
   const auto version = database.number("PRAGMA user_version");
   if (!version) return version.error();
-  if (*version > recording_version)
-    return Error{ErrorCode::unsupported,
-                 file.string() + " was written by a newer version (format " + std::to_string(*version) +
-                     "; this one reads format " + std::to_string(recording_version) + ").",
-                 "Open it with a newer Isoscope."};
+  if (*version == recording_version) return {};
   if (*version < 1) return damaged(file, "it has no version");
-  if (*version < recording_version)
-    return Error{ErrorCode::unsupported,
-                 file.string() + " was written by an older version (format " + std::to_string(*version) +
-                     "; this one reads format " + std::to_string(recording_version) + ").",
-                 "Record the run again."};
-  return {};
-}
-
-std::uint32_t id_of(std::int64_t number) {
-  return number < 0 ? 0xffffffffu : static_cast<std::uint32_t>(number);
+  const bool newer = *version > recording_version;
+  return Error{ErrorCode::unsupported,
+               file.string() + " was written by " + (newer ? "a newer" : "an older") + " version (format " +
+                   std::to_string(*version) + "; this one reads format " + std::to_string(recording_version) +
+                   ").",
+               newer ? "Open it with a newer Isoscope." : "Record the run again."};
 }
 
 template <class Enum> bool read_enum(std::int64_t number, int count, Enum& value) {
@@ -142,13 +134,12 @@ struct RecordingReader::Impl {
     auto run = database.prepare("SELECT key,value FROM run");
     if (!run) return run.error();
     run->start();
-    for (;;) {
-      const auto row = run->next();
-      if (!row) return row.error();
-      if (!*row) break;
+    const Status told = run->each([&] {
       if (run->text(0) == "program") header.program = run->text(1);
       if (run->text(0) == "parameters") header.parameters = run->text(1);
-    }
+      return true;
+    });
+    if (!told) return told;
     auto input = database.prepare("SELECT name,digest,data FROM input");
     if (!input) return input.error();
     input->start();
@@ -171,13 +162,14 @@ struct RecordingReader::Impl {
   Status rows(Query& query, std::size_t from, std::size_t to, const char* what, Take take) {
     query.start(from, to);
     std::size_t count = 0;
-    for (;;) {
-      const auto row = query.next();
-      if (!row) return row.error();
-      if (!*row) break;
-      if (!take()) return damaged(file, std::string("a row of its ") + what + " makes no sense");
-      ++count;
-    }
+    bool sensible = true;
+    const Status told = query.each([&] {
+      sensible = take();
+      count += sensible;
+      return sensible;
+    });
+    if (!told) return told;
+    if (!sensible) return damaged(file, std::string("a row of its ") + what + " makes no sense");
     if (count != to - from) return damaged(file, std::string("rows of its ") + what + " are missing");
     return {};
   }
@@ -189,35 +181,17 @@ struct RecordingReader::Impl {
         !read_enum(events.integer(2), condition_count, e.condition) ||
         !read_enum(events.integer(3), reason_count, e.reason))
       return false;
-    e.operation = events.integer(4) != 0;
-    e.tet = TetId(id_of(events.integer(5)));
-    e.sample = SampleId(id_of(events.integer(6)));
-    e.vertex = VertexId(id_of(events.integer(7)));
-    e.other = VertexId(id_of(events.integer(8)));
-    for (int a = 0; a < 3; ++a) {
-      e.point[a] = events.real(9 + a);
-      e.witness[a] = events.real(12 + a);
-    }
-    e.value = events.real(15);
-    e.limit = events.real(16);
-    e.count = static_cast<std::uint32_t>(events.integer(17));
-    e.text = static_cast<std::uint32_t>(events.integer(18));
-    e.detail = static_cast<std::uint32_t>(events.integer(19));
-    e.step = static_cast<Step>(events.integer(20));
-    for (int k = 0; k < 3; ++k)
-      e.facet[static_cast<std::size_t>(k)] = VertexId(id_of(events.integer(21 + k)));
+    events.read(4, e.operation, e.tet, e.sample, e.vertex, e.other, e.point.x, e.point.y, e.point.z,
+                e.witness.x, e.witness.y, e.witness.z, e.value, e.limit, e.count, e.text, e.detail, e.step,
+                e.facet[0], e.facet[1], e.facet[2]);
     batch.events.push_back(e);
     return true;
   }
 
   bool take_operation(Batch& batch) {
     StepFigures f;
-    f.bad_samples = static_cast<std::uint32_t>(operations.integer(0));
-    f.zero_set_vertices = static_cast<std::uint32_t>(operations.integer(1));
-    f.tets = static_cast<std::uint32_t>(operations.integer(2));
-    f.largest_error = static_cast<float>(operations.real(3));
-    f.smallest_height = static_cast<float>(operations.real(4));
-    f.seconds = static_cast<float>(operations.real(5));
+    operations.read(0, f.bad_samples, f.zero_set_vertices, f.tets, f.largest_error, f.smallest_height,
+                    f.seconds);
     batch.figures.push_back(f);
     batch.deltas.emplace_back(operations.bytes(6));
     return true;
@@ -225,18 +199,17 @@ struct RecordingReader::Impl {
 
   bool take_criteria(Batch& batch) {
     Journal::ParameterRecord r;
-    r.step = static_cast<Step>(criteria.integer(0));
-    r.criteria.delta = criteria.real(1);
-    r.criteria.sigma = criteria.real(2);
-    r.criteria.alpha = criteria.real(3);
-    r.criteria.shrink = criteria.real(4);
-    r.criteria.certified = criteria.integer(5) != 0;
-    r.criteria.condition_1 = criteria.integer(6) != 0;
-    r.criteria.condition_2 = criteria.integer(7) != 0;
-    r.criteria.condition_3 = criteria.integer(8) != 0;
-    r.criteria.condition_4 = criteria.integer(9) != 0;
+    CriteriaParameters& c = r.criteria;
+    criteria.read(0, r.step, c.delta, c.sigma, c.alpha, c.shrink, c.certified, c.condition_1, c.condition_2,
+                  c.condition_3, c.condition_4);
     batch.criteria.push_back(r);
     return true;
+  }
+
+  void take_mark(Batch& batch) {
+    Journal::StageMark mark;
+    marks.read(0, mark.event, mark.seconds);
+    batch.marks.push_back(mark);
   }
 
   Status read_repairs(Batch& batch, std::size_t to) {
@@ -251,57 +224,40 @@ struct RecordingReader::Impl {
     for (std::size_t i = 0; i < counts.size(); ++i) {
       RepairDetail& detail = batch.repairs.emplace_back();
       sweeps.start(read.repairs + i);
-      for (;;) {
-        const auto row = sweeps.next();
-        if (!row) return row.error();
-        if (!*row) break;
+      std::optional<Triangle3> facet(std::in_place);
+      const Status told = sweeps.each([&] {
         RepairSweep w;
-        w.largest_distance = sweeps.real(0);
-        w.energy = sweeps.real(1);
-        w.moved = static_cast<std::uint32_t>(sweeps.integer(2));
-        w.flipped = static_cast<std::uint32_t>(sweeps.integer(3));
-        w.points_added = static_cast<std::uint32_t>(sweeps.integer(4));
-        w.distance_left = sweeps.real(5);
-        const auto facet = decode_triangle(sweeps.bytes(6));
-        if (!facet) return damaged(file, "a facet of its repairs is cut off");
+        sweeps.read(0, w.largest_distance, w.energy, w.moved, w.flipped, w.points_added, w.distance_left);
+        facet = decode_triangle(sweeps.bytes(6));
+        if (!facet) return false;
         w.worst_facet = *facet;
         detail.push_back(w);
-      }
+        return true;
+      });
+      if (!told) return told;
+      if (!facet) return damaged(file, "a facet of its repairs is cut off");
       if (detail.size() != counts[i]) return damaged(file, "sweeps of its repairs are missing");
     }
     return {};
   }
 
   Status read_rows(const RecordingCounts& to, Batch& batch) {
-    if (Status s = rows(sample_sets, read.sample_sets, to.sample_sets, "sample sets",
-                        [&] {
-                          batch.sample_sets.emplace_back(sample_sets.bytes(0));
-                          return true;
-                        });
-        !s)
-      return s;
-    if (Status s =
-            rows(criteria, read.criteria, to.criteria, "parameters", [&] { return take_criteria(batch); });
-        !s)
-      return s;
-    if (Status s = rows(texts, read.texts, to.texts, "texts",
-                        [&] {
-                          batch.texts.push_back(texts.text(0));
-                          return true;
-                        });
-        !s)
-      return s;
-    if (Status s = read_repairs(batch, to.repairs); !s) return s;
-    if (Status s =
-            rows(marks, read.marks, to.marks, "stages",
-                 [&] {
-                   batch.marks.push_back({static_cast<std::uint32_t>(marks.integer(0)), marks.real(1)});
-                   return true;
-                 });
-        !s)
-      return s;
-    if (Status s = rows(events, read.events, to.events, "events", [&] { return take_event(batch); }); !s)
-      return s;
+    const auto all = [](auto take) {
+      return [take] {
+        take();
+        return true;
+      };
+    };
+    Status told = rows(sample_sets, read.sample_sets, to.sample_sets, "sample sets",
+                       all([&] { batch.sample_sets.emplace_back(sample_sets.bytes(0)); }));
+    if (told)
+      told = rows(criteria, read.criteria, to.criteria, "parameters", [&] { return take_criteria(batch); });
+    if (told)
+      told = rows(texts, read.texts, to.texts, "texts", all([&] { batch.texts.push_back(texts.text(0)); }));
+    if (told) told = read_repairs(batch, to.repairs);
+    if (told) told = rows(marks, read.marks, to.marks, "stages", all([&] { take_mark(batch); }));
+    if (told) told = rows(events, read.events, to.events, "events", [&] { return take_event(batch); });
+    if (!told) return told;
     return rows(operations, read.operations, to.operations, "operations",
                 [&] { return take_operation(batch); });
   }
@@ -408,8 +364,7 @@ struct RecordingReader::Impl {
     }
     for (std::size_t i = read.criteria; has_row(criteria, i); ++i) take_criteria(rest);
     waiting.insert(waiting.end(), rest.criteria.begin(), rest.criteria.end());
-    for (std::size_t i = read.marks; has_row(marks, i); ++i)
-      rest.marks.push_back({static_cast<std::uint32_t>(marks.integer(0)), marks.real(1)});
+    for (std::size_t i = read.marks; has_row(marks, i); ++i) take_mark(rest);
     for (;; ++read.repairs) {
       rest.repairs.clear();
       if (!read_repairs(rest, read.repairs + 1)) break;

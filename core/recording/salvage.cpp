@@ -55,12 +55,12 @@ Result<std::map<std::string, std::uint32_t, std::less<>>> roots_of(Database& fre
   if (!query) return query.error();
   std::map<std::string, std::uint32_t, std::less<>> roots;
   query->start();
-  for (;;) {
-    const auto row = query->next();
-    if (!row) return row.error();
-    if (!*row) return roots;
-    roots[query->text(0)] = static_cast<std::uint32_t>(query->integer(1));
-  }
+  const Status told = query->each([&] {
+    query->read(1, roots[query->text(0)]);
+    return true;
+  });
+  if (!told) return told.error();
+  return roots;
 }
 
 /// A new recording in a nameless file that goes with it.

@@ -18,6 +18,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace isoscope {
 
@@ -140,6 +141,26 @@ bool check_intersections(const TriangleMesh& mesh, Certificate& c, const Stop& s
   return true;
 }
 
+/// Facets that cross no wall keep a component of the mesh on one side of all: one vertex of each tells, where
+/// the field can be asked exactly.
+void check_sides_exactly(const TriangleMesh& mesh, const ToleranceField& field, Certificate& c) {
+  DisjointSets pieces(mesh.points.size());
+  for (const auto& t : mesh.triangles) {
+    pieces.unite(t[0], t[1]);
+    pieces.unite(t[0], t[2]);
+  }
+  std::vector<char> asked(mesh.points.size(), 0);
+  for (const auto& t : mesh.triangles) {
+    const std::uint32_t piece = pieces.find(t[0]);
+    if (std::exchange(asked[piece], 1) != 0) continue;
+    const Vec3 p = mesh.points[t[0]];
+    if (field.holds_exactly(p).value_or(true)) continue;
+    c.within_tolerance = false;
+    c.failures.push_back("The component of the mesh at " + place(p, place_digits) +
+                         " lies outside of the tolerance volume.");
+  }
+}
+
 bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
                        const Stop& stop) {
   const double delta = volume.thresholds().delta;
@@ -184,6 +205,7 @@ bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
   if (undecided > 0) {
     c.failures.push_back(std::to_string(undecided) + " facets could be proven neither inside nor outside.");
   }
+  check_sides_exactly(mesh, volume.field(), c);
   return true;
 }
 

@@ -1,8 +1,9 @@
 // Cuts triangles until nothing crosses a piece, and asks for the sides beside it.
 #include "run/exposed_input.h"
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
-#include "tolerance/volume_components.h"
+#include "tolerance/welded_mesh.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -40,6 +41,19 @@ bool is_crossed(const ClosestPointIndex& index, TriangleId own, const Triangle3&
   return false;
 }
 
+/// The parts of the input by triangle, joined across edges: those that only touch or cross are two, and Ω
+/// closes the wedges between them.
+std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index) {
+  const std::vector<EdgeUse> uses = sorted_edge_uses(weld(index).triangles);
+  DisjointSets sets(index.size());
+  for (std::size_t i = 1; i < uses.size(); ++i)
+    if (uses[i].low == uses[i - 1].low && uses[i].high == uses[i - 1].high)
+      sets.unite(uses[i].triangle, uses[i - 1].triangle);
+  std::vector<std::uint32_t> parts(index.size());
+  for (std::uint32_t t = 0; t < parts.size(); ++t) parts[t] = sets.find(t);
+  return parts;
+}
+
 /// A wall that is met from a point.
 struct Sight {
   int side = +1; ///< of the place midway to it; outside where there is none
@@ -63,10 +77,10 @@ enum class Wall : std::uint8_t { outer, inner, of_closed_gap };
 /// Judges the walls of one input.
 class Walls {
  public:
-  Walls(const ToleranceVolume& volume, double finest, const RunControl& control)
+  Walls(const ToleranceVolume& volume, double finest)
       : volume_(volume), finest_(finest), gap_(2 * volume.thresholds().boundary),
         may_cross_(volume.has_inner_walls() || !volume.input().embedded()) {
-    if (volume.input().components > 1) part_ = find_volume_components(volume.index(), 0, control).of_triangle;
+    if (volume.input().components > 1) part_ = parts_of(volume.index());
   }
 
   struct Pieces {
@@ -149,7 +163,7 @@ bool may_have_inner_walls(const ToleranceVolume& volume) {
 ExposedInput exposed_input(const ToleranceVolume& volume, double finest, const RunControl& control) {
   const ClosestPointIndex& index = volume.index();
   if (!may_have_inner_walls(volume)) return {volume.shared_index(), {}};
-  const Walls walls(volume, finest, control);
+  const Walls walls(volume, finest);
   std::vector<Walls::Pieces> pieces(index.size());
   parallel_for(index.size(), 16, [&](std::size_t i) {
     if (!control.out_of_grace()) pieces[i] = walls.exposed(TriangleId(i));

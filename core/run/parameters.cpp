@@ -87,8 +87,36 @@ Status Robust::check(const FieldFacts& field, const std::string& asked) const {
   return check_range(field, asked, neighbors);
 }
 
+std::string Levels::text() const {
+  return given() ? shortest(low) + " " + shortest(high) : "none";
+}
+
+std::optional<Levels> Levels::read(std::string_view text) {
+  if (text == "none") return Levels{};
+  Levels levels;
+  const char *at = text.data(), *const end = text.data() + text.size();
+  for (double* level : {&levels.low, &levels.high}) {
+    while (at != end && *at == ' ') ++at;
+    const auto [next, failure] = std::from_chars(at, end, *level);
+    if (failure != std::errc() || !std::isfinite(*level)) return std::nullopt;
+    at = next;
+  }
+  if (at != end || !(levels.low < levels.high)) return std::nullopt;
+  return levels;
+}
+
+Status Levels::check(const FieldFacts& field, const std::string& asked) const {
+  if (std::isfinite(low) && std::isfinite(high) && low <= high) return {};
+  return unreadable_field(field, asked, text(), "");
+}
+
 Status check(const RunParameters& p) {
-  return check_fields(p);
+  if (Status each = check_fields(p); !each) return each;
+  if (!p.inside.empty() && (p.levels.given() || p.label))
+    return Error{ErrorCode::usage,
+                 "--levels and --label are for a grid, --inside and --outside for two surfaces.",
+                 "Give one kind of volume."};
+  return {};
 }
 
 } // namespace isoscope

@@ -56,9 +56,28 @@ constexpr auto fields_of(const Robust*) {
   return std::tuple{field(&Robust::neighbors, {.name = "", .help = ""})};
 }
 
+/// The values of a grid between which Ω lies; both 0: not given.
+struct Levels {
+  double low = 0, high = 0;
+  bool given() const { return low != high; }
+  std::string text() const; ///< "0.8 1.2", or "none"
+  /// Reads that; nothing where the text is no two finite numbers, the smaller first.
+  static std::optional<Levels> read(std::string_view text);
+  Status check(const FieldFacts& field, const std::string& asked) const;
+  friend bool operator==(const Levels&, const Levels&) = default;
+};
+
+constexpr auto fields_of(const Levels*) {
+  return std::tuple{field(&Levels::low, {.name = "low", .help = ""}),
+                    field(&Levels::high, {.name = "high", .help = ""})};
+}
+
 struct RunParameters {
-  std::string input;   ///< a file, or gallery:NAME
-  Tolerance tolerance; ///< δ > 0
+  std::string input;  ///< a file, or gallery:NAME
+  std::string inside; ///< the inner one of two surfaces between which Ω lies, the input being the outer one
+  Levels levels;      ///< of an input that is a grid
+  std::optional<int> label; ///< of an input that is a segmentation
+  Tolerance tolerance;      ///< δ > 0
   double sigma = 0;    ///< σ/δ in (0, 1]; 0: 1/8 in sampled mode, default_sigma_ratio() in certified mode
   double alpha = 0.2;  ///< α in (0, 1)
   double shrink = 0.7; ///< in (0, 1]
@@ -153,11 +172,48 @@ constexpr auto fields_of(const RunParameters*) {
   using JournalChange::none, JournalChange::end;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return std::tuple{
-      field(&P::input, {.name = "input",
-                        .option = "INPUT",
-                        .symbol = "input",
-                        .help = "a file of triangles or of points (OFF, OBJ, PLY, STL, XYZ), or "
-                                "gallery:NAME for a bundled model"}),
+      field(&P::input,
+            {.name = "input",
+             .option = "INPUT",
+             .symbol = "input",
+             .help = "a file of triangles or of points (OFF, OBJ, PLY, STL, XYZ), a grid (NRRD), or "
+                     "gallery:NAME for a bundled model"}),
+      field(
+          &P::inside,
+          {.name = "inside",
+           .symbol = "inner surface",
+           .help =
+               "a mesh file: Ω is what lies between it and the outer surface of --outside, and δ is half of "
+               "what the two are apart",
+           .words = "the inner one of two surfaces between which Ω lies"}),
+      field(&P::levels,
+            {.name = "levels",
+             .symbol = "levels",
+             .help =
+                 "LO HI: of an input that is a grid (NRRD, or raw with a header), Ω is where its values lie "
+                 "between these; with --label in voxels, from the label's boundary outwards",
+             .words = "the values of a grid between which Ω lies: LO HI, or none",
+             .unreadable = "no two numbers, the smaller first",
+             .unreadable_remedy = "Give the lower and the upper level, as --levels 0.8 1.2.",
+             .values = 2,
+             .place = 6,
+             .title = "Levels of a grid",
+             .tip = "Ω is where the values of the grid lie between these two. Needs a restart."}),
+      field(
+          &P::label,
+          {.name = "label",
+           .symbol = "label",
+           .help =
+               "of an input that is a segmentation: Ω is the layer between the voxels of this label and all "
+               "others",
+           .words = "the label of a segmentation around which Ω lies, or none",
+           .range = {.low = -16777216, .high = 16777216, .remedy = "Labels are whole numbers."},
+           .unreadable = "no whole number",
+           .unreadable_remedy = "Labels are whole numbers.",
+           .absent = "none",
+           .place = 7,
+           .title = "Label of a segmentation",
+           .tip = "Ω is the layer between the voxels of this label and all others. Needs a restart."}),
       field(&P::tolerance,
             {.name = "tolerance",
              .symbol = "δ",

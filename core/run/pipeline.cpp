@@ -4,6 +4,8 @@
 #include "base/numbers.h"
 #include "base/stopwatch.h"
 #include "input/gallery.h"
+#include "input/gallery_shapes.h"
+#include "input/grid_readers.h"
 #include "input/input_mesh.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
@@ -37,11 +39,47 @@ Error cancelled_error(const RunControl& control) {
           ""};
 }
 
-Result<InputMesh> load(const std::string& input, const RunControl& control) {
-  if (!input.starts_with(gallery_prefix)) return read_input_mesh(input, control);
-  auto soup = make_gallery_model(input.substr(gallery_prefix.size()));
-  if (!soup) return soup.error();
-  return InputMesh{std::move(*soup), {}};
+/// Reads the walls of a volume: the outer one first.
+Result<InputMesh> load_walls(const std::string& outer, const std::string& inner, const RunControl& control) {
+  auto walls = read_input_mesh(outer, control);
+  if (!walls) return walls.error();
+  auto inside = read_input_mesh(inner, control);
+  if (!inside) return inside.error();
+  TriangleSoup& soup = walls->soup;
+  soup.outer_triangles = soup.triangles.size();
+  append(soup, inside->soup);
+  soup.name += " and " + inside->soup.name;
+  walls->notes.insert(walls->notes.end(), inside->notes.begin(), inside->notes.end());
+  return walls;
+}
+
+Result<InputMesh> load(const RunParameters& parameters, const RunControl& control) {
+  const std::string& input = parameters.input;
+  if (input.starts_with(gallery_prefix)) {
+    auto soup = make_gallery_model(input.substr(gallery_prefix.size()));
+    if (!soup) return soup.error();
+    return InputMesh{std::move(*soup), {}};
+  }
+  if (!parameters.inside.empty()) return load_walls(input, parameters.inside, control);
+  if (!is_grid_file(input)) return read_input_mesh(input, control);
+  auto grid = read_grid(input, control);
+  if (!grid) return grid.error();
+  InputMesh mesh;
+  mesh.soup.name = grid->name;
+  mesh.soup.grid = std::make_shared<const ScalarGrid>(std::move(*grid));
+  return mesh;
+}
+
+/// Whether what is asked of a volume that the input gives fits the input.
+Status check_volume(const TriangleSoup& soup, const RunParameters& p) {
+  if (!soup.grid && (p.levels.given() || p.label))
+    return Error{ErrorCode::usage,
+                 std::string(p.label ? "--label" : "--levels") + " is given, and the input is no grid.",
+                 "Give a NRRD file, or raw data with a header."};
+  if (soup.gives_volume() && (p.drop_small > 0 || p.drop_thin))
+    return Error{ErrorCode::usage, "Nothing can be left out of an input that gives the volume itself.",
+                 std::string("Leave ") + (p.drop_thin ? "--drop-thin" : "--drop-small") + " out."};
+  return {};
 }
 
 /// Lets the refinement end when σ changed, so that S can be replaced before it goes on.
@@ -76,6 +114,10 @@ std::optional<double> expected_genus(const Scene& scene) {
   return static_cast<double>(*e.components) - static_cast<double>(*e.euler_characteristic) / 2;
 }
 
+std::string tolerance_text(const RunParameters& parameters, const Scene& scene) {
+  return scene.input->gives_volume() ? shortest(scene.delta) : parameters.tolerance.text();
+}
+
 int RunResult::exit_status() const {
   if (end != End::finished) return 4;
   return certificate.holds() ? 0 : 1;
@@ -104,8 +146,8 @@ Status check_memory(const SampleEstimate& estimate, double sigma, double delta, 
   return Error{ErrorCode::unsupported, message, remedy};
 }
 
-Result<TriangleSoup> load_input(const std::string& input) {
-  auto mesh = load(input, RunControl{});
+Result<TriangleSoup> load_input(const RunParameters& parameters) {
+  auto mesh = load(parameters, RunControl{});
   if (!mesh) return mesh.error();
   return std::move(mesh->soup);
 }
@@ -135,6 +177,14 @@ struct Pipeline::Impl {
   }
   /// What is wrong with the input; when it is open, with the tolerance that would close it.
   Error refused(Error error, const Scene& at, const ToleranceVolume::Options& options) const {
+    if (at.input && at.input->gives_volume()) {
+      // There is no tolerance to choose.
+      if (error.remedy.starts_with("Choose a "))
+        error.remedy = at.input->grid
+                           ? "Take levels farther apart, or smooth the grid: its steepest slope decides."
+                           : "Move the surfaces apart where they are nearest: that decides.";
+      return error;
+    }
     if (error.code != ErrorCode::open_surface || at.field->surface() == nullptr) return error;
     control->report("tolerance that closes the input", -1);
     return with_closing_tolerance(std::move(error), {at.field, at.input_topology, kept_area, options},
@@ -195,6 +245,10 @@ struct Pipeline::Impl {
     made.input_topology = std::move(input->topology);
     points = std::move(input->points);
     if (points.points) made.study = {points.points, &points.points->study};
+    for (std::string& note : input->notes) made.warnings.push_back({std::move(note), 0});
+    if (!kept->gives_volume()) return {};
+    made.delta = input->delta;
+    made.input = input->shown ? std::move(input->shown) : kept;
     return {};
   }
 
@@ -293,18 +347,25 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
 
   m.control->report("input", -1);
   if (!soup) {
-    auto loaded = load(parameters_.input, *m.control);
+    auto loaded = load(parameters_, *m.control);
     if (!loaded) return m.control->cancelled() ? cancelled_error(*m.control) : loaded.error();
     soup = std::make_shared<const TriangleSoup>(std::move(loaded->soup));
     notes = std::move(loaded->notes);
+  }
+  if (Status fits = check_volume(*soup, parameters_); !fits) return fits.error();
+  if (soup->gives_volume()) {
+    if (Status read = m.make_field(*scene, soup, {}); !read) return read.error();
+    soup = scene->input;
   }
   if (soup->points.empty())
     return Error{ErrorCode::bad_input, "The input has neither triangles nor points.", "Give a surface."};
   scene->input = soup;
   scene->longest_edge = soup->bounds().longest_edge();
-  const auto delta = m.find_delta(*scene, soup);
-  if (!delta) return delta.error();
-  scene->delta = *delta;
+  if (!soup->gives_volume()) {
+    const auto delta = m.find_delta(*scene, soup);
+    if (!delta) return delta.error();
+    scene->delta = *delta;
+  }
   if (!(scene->delta > 1e-9 * scene->longest_edge) || !(scene->delta < 100 * scene->longest_edge)) {
     return Error{ErrorCode::usage,
                  "--tolerance " + parameters_.tolerance.text() + " does not fit the size of the input.",
@@ -313,8 +374,8 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (Status fine = check_coordinates(*soup, scene->delta); !fine) return fine.error();
   scene->notes = std::move(notes);
   for (const InputNote& note : scene->notes) scene->warnings.push_back({told(note, scene->delta), 0});
-  auto rest =
-      without_crumbs(soup, soup->is_point_set() ? 0 : parameters_.drop_small, scene->delta, *m.control);
+  auto rest = without_crumbs(soup, soup->is_point_set() || soup->gives_volume() ? 0 : parameters_.drop_small,
+                             scene->delta, *m.control);
   if (m.control->cancelled()) return cancelled_error(*m.control);
   if (!rest) return rest.error();
   if (!rest->note.empty()) scene->warnings.push_back({rest->note, 0});
@@ -337,7 +398,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   const CriteriaParameters criteria = parameters_.criteria(scene->delta, scene->default_sigma);
   auto samples = m.sample(criteria.sigma);
   if (m.control->cancelled()) return cancelled_error(*m.control);
-  if (!samples) return samples.error();
+  if (!samples) return m.refused(samples.error(), *scene, options);
   if (Status closed = m.volume->check_passages(); !closed) return m.refused(closed.error(), *scene, options);
   scene->samples = *samples;
   scene->sample_estimate = estimate_samples(*m.volume);

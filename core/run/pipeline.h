@@ -52,6 +52,9 @@ struct Scene {
 /// The genus that Z should have, where χ and the number of components are both asked for.
 std::optional<double> expected_genus(const Scene& scene);
 
+/// δ as it was asked for: "0.6%"; of an input that gives Ω the length itself.
+std::string tolerance_text(const RunParameters& parameters, const Scene& scene);
+
 /// How a run ended.
 struct RunResult {
   enum class End { finished, stopped, limit };
@@ -103,7 +106,7 @@ class Pipeline {
 /// `sigma` and `delta` are absolute.
 Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes);
 
-/// Resolves gallery:NAME or reads the file.
-Result<TriangleSoup> load_input(const std::string& input);
+/// Resolves gallery:NAME or reads the file; two files where the parameters name the walls of a volume.
+Result<TriangleSoup> load_input(const RunParameters& parameters);
 
 } // namespace isoscope

@@ -58,7 +58,8 @@ using Breakpoint = std::function<std::string(const Journal&, const Event&)>;
 class Session {
  public:
   Session();
-  /// Abandons the run and waits for its end. Where that takes long, the recording is completed and closed first.
+  /// Abandons the run and waits for its end. Where that takes long, the recording is completed and closed
+  /// first.
   ~Session();
   /// Tells the run that nobody wants it any more, and waits for nothing. Only its end may follow.
   void abandon();

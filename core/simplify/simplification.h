@@ -3,9 +3,9 @@
 
 #include "base/run_control.h"
 #include "base/status.h"
+#include "collapse/target_search.h"
 #include "journal/recorder.h"
 #include "mesh/incidence.h"
-#include "collapse/target_search.h"
 #include "tolerance/boundary_sampler.h"
 #include "tolerance/tolerance_volume.h"
 

@@ -21,6 +21,8 @@ Vec3 closest_point_on_triangle(Vec3 p, const Triangle3& t);
 
 /// Whether the distance between two triangles is at most r.
 bool triangles_within(const Triangle3& a, const Triangle3& b, double r);
+/// The distance of two triangles that do not meet.
+double disjoint_triangle_distance(const Triangle3& a, const Triangle3& b);
 
 /// A bounding volume hierarchy over the triangles of a soup. Immutable after construction; all queries are
 /// thread-safe.

@@ -7,6 +7,8 @@
 #include "tolerance/welded_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 
 #include <algorithm>
@@ -16,12 +18,15 @@ namespace isoscope {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
+/// What two triangles have in common is made of points that are rounded once: from points rounded on the way
+/// CGAL makes segments that it cannot order.
+using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+using Point = Exact::Point_3;
 
 constexpr std::size_t parallel_grain = 64;
 
 Vec3 vec(const Point& p) {
-  return {p.x(), p.y(), p.z()};
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
 /// The triangles by their corners, as numbers of points; without collapsed ones and copies.
@@ -89,20 +94,21 @@ void add_shared(const Corners& corners, std::vector<Contact>& contacts) {
   }
 }
 
-Kernel::Triangle_3 triangle(const ClosestPointIndex& index, std::uint32_t t) {
-  const Triangle3& c = index.triangle(TriangleId(t));
-  return {Point(c[0].x, c[0].y, c[0].z), Point(c[1].x, c[1].y, c[1].z), Point(c[2].x, c[2].y, c[2].z)};
+template <class K> typename K::Triangle_3 triangle(const Triangle3& t) {
+  using P = typename K::Point_3;
+  return {P(t[0].x, t[0].y, t[0].z), P(t[1].x, t[1].y, t[1].z), P(t[2].x, t[2].y, t[2].z)};
 }
 
-void add_intersection(const Kernel::Triangle_3& a, const Kernel::Triangle_3& b, std::vector<Contact>& found) {
-  if (a.is_degenerate() || b.is_degenerate() || !CGAL::do_intersect(a, b)) return;
-  const auto common = CGAL::intersection(a, b);
+void add_intersection(const Triangle3& own, const Triangle3& other, std::vector<Contact>& found) {
+  const auto quick = triangle<Kernel>(own), quick_other = triangle<Kernel>(other);
+  if (quick.is_degenerate() || quick_other.is_degenerate() || !CGAL::do_intersect(quick, quick_other)) return;
+  const auto common = CGAL::intersection(triangle<Exact>(own), triangle<Exact>(other));
   if (!common) return;
   if (const auto* point = boost::get<Point>(&*common)) {
     found.push_back({vec(*point), vec(*point)});
-  } else if (const auto* segment = boost::get<Kernel::Segment_3>(&*common)) {
+  } else if (const auto* segment = boost::get<Exact::Segment_3>(&*common)) {
     found.push_back({vec(segment->source()), vec(segment->target())});
-  } else if (const auto* part = boost::get<Kernel::Triangle_3>(&*common)) {
+  } else if (const auto* part = boost::get<Exact::Triangle_3>(&*common)) {
     for (int k = 0; k < 3; ++k) found.push_back({vec(part->vertex(k)), vec(part->vertex(k + 1))});
   } else if (const auto* polygon = boost::get<std::vector<Point>>(&*common)) {
     for (std::size_t k = 0; k < polygon->size(); ++k)
@@ -122,7 +128,6 @@ std::vector<Contact> find_contacts(const ClosestPointIndex& index, const RunCont
     const std::uint32_t s = counting[i];
     Box3 box;
     for (const Vec3 p : index.triangle(TriangleId(s))) box.add(p);
-    const auto own = triangle(index, s);
     for (const TriangleId other : index.triangles_in(box)) {
       if (other.value <= s || !std::binary_search(counting.begin(), counting.end(), other.value)) continue;
       const auto& u = corners.of(s);
@@ -131,7 +136,7 @@ std::vector<Contact> find_contacts(const ClosestPointIndex& index, const RunCont
           u.begin(), u.end(), [&](std::uint32_t x) { return std::find(v.begin(), v.end(), x) != v.end(); });
       if (shared > 1) continue;
       std::vector<Contact> here;
-      add_intersection(own, triangle(index, other.value), here);
+      add_intersection(index.triangle(TriangleId(s)), index.triangle(other), here);
       // The common corner alone is what neighbours have.
       if (shared == 1) std::erase_if(here, [](const Contact& c) { return c[0] == c[1]; });
       found[i].insert(found[i].end(), here.begin(), here.end());

@@ -149,6 +149,11 @@ class ToleranceField {
     static_cast<void>(facet);
     return std::nullopt;
   }
+  /// Whether a point lies in Ω, by exact arithmetic; nothing where the field has none.
+  virtual std::optional<bool> holds_exactly(Vec3 p) const {
+    static_cast<void>(p);
+    return std::nullopt;
+  }
   /// The side of a point with φ > 0.9 δ, where the field knows it: -1 inside, +1 outside, else 0.
   virtual int side(Vec3 p) const {
     static_cast<void>(p);

@@ -15,22 +15,6 @@ namespace {
 
 constexpr int place_digits = 6;
 
-/// Whether the triangles around every vertex form one fan: joining them across the edges at the vertex leaves
-/// one set.
-bool one_fan_each(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses) {
-  // Corner 3t + i stands for triangle t at its i-th vertex.
-  DisjointSets corners(3 * mesh.triangles.size());
-  const auto corner = [&](std::uint32_t t, std::uint32_t v) {
-    const auto& tri = mesh.triangles[t];
-    return 3 * t + (tri[0] == v ? 0u : (tri[1] == v ? 1u : 2u));
-  };
-  std::size_t sets = 3 * mesh.triangles.size();
-  for (std::size_t i = 0; i + 1 < uses.size(); i += 2)
-    for (const auto v : {uses[i].low, uses[i].high})
-      if (corners.unite(corner(uses[i].triangle, v), corner(uses[i + 1].triangle, v))) --sets;
-  return sets == mesh.points.size();
-}
-
 std::size_t count_components(const WeldedMesh& mesh) {
   DisjointSets sets(mesh.points.size());
   std::size_t count = mesh.points.size();
@@ -137,7 +121,7 @@ InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode, const RunC
   }
   if (control.cancelled()) return topology;
   const bool collapsed = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), is_collapsed);
-  if (!collapsed && !topology.border && one_fan_each(mesh, uses)) {
+  if (!collapsed && !topology.border && !vertex_of_two_fans(mesh, uses)) {
     topology.closed_manifold = true;
     topology.consistently_oriented = consistently_oriented(uses);
     topology.euler_characteristic = static_cast<long>(mesh.points.size()) - static_cast<long>(edges) +

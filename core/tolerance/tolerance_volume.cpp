@@ -486,6 +486,7 @@ std::string ToleranceVolume::thickening_note(const RunControl& control) const {
 }
 
 std::string ToleranceVolume::cause_in_words(const RunControl& control) const {
+  if (sides_.rule() == SideRule::given) return "it was given so";
   if (has_inner_walls()) return overlap_in_words();
   if (input_.sides_known() && (input_.components > 1 || !input_.embedded())) {
     std::vector<Contact> contacts;

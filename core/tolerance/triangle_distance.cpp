@@ -83,4 +83,16 @@ bool triangles_within(const Triangle3& a, const Triangle3& b, double r) {
   return false;
 }
 
+double disjoint_triangle_distance(const Triangle3& a, const Triangle3& b) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    best = std::min(best, squared_length(closest_point_on_triangle(a[i], b) - a[i]));
+    best = std::min(best, squared_length(closest_point_on_triangle(b[i], a) - b[i]));
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      best = std::min(best, squared_segment_distance(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]));
+  return std::sqrt(best);
+}
+
 } // namespace isoscope

@@ -1,6 +1,8 @@
 // Merges points by sorting them, lists edges by sorting their sides.
 #include "tolerance/welded_mesh.h"
 
+#include "base/disjoint_sets.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -60,6 +62,26 @@ std::vector<EdgeUse> sorted_edge_uses(const std::vector<IndexTriangle>& triangle
     return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
   });
   return uses;
+}
+
+std::optional<std::uint32_t> vertex_of_two_fans(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses) {
+  // Corner 3t + i stands for triangle t at its i-th vertex.
+  DisjointSets corners(3 * mesh.triangles.size());
+  const auto corner = [&](std::uint32_t t, std::uint32_t v) {
+    const auto& tri = mesh.triangles[t];
+    return 3 * t + (tri[0] == v ? 0u : (tri[1] == v ? 1u : 2u));
+  };
+  for (std::size_t i = 0; i + 1 < uses.size(); i += 2)
+    for (const auto v : {uses[i].low, uses[i].high})
+      corners.unite(corner(uses[i].triangle, v), corner(uses[i + 1].triangle, v));
+  std::vector<char> has_fan(mesh.points.size(), 0);
+  for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c) {
+    if (corners.find(c) != c) continue;
+    char& met = has_fan[mesh.triangles[c / 3][c % 3]];
+    if (met) return mesh.triangles[c / 3][c % 3];
+    met = 1;
+  }
+  return std::nullopt;
 }
 
 } // namespace isoscope

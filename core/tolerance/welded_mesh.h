@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -30,6 +31,9 @@ struct EdgeUse {
 /// The sides of all edges of all triangles, ascending by edge, then triangle: those of an edge are
 /// neighbours.
 std::vector<EdgeUse> sorted_edge_uses(const std::vector<IndexTriangle>& triangles);
+
+/// A vertex whose triangles are joined across edges into more than one fan, where every edge has two.
+std::optional<std::uint32_t> vertex_of_two_fans(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses);
 
 /// Whether a triangle has a vertex twice.
 inline bool is_collapsed(const IndexTriangle& t) {

@@ -210,7 +210,7 @@ stage all
 expect state_step == begin.all
 quit
 )",
-                   "gallery:bracket") == 0);
+                   "gallery:bracket --effort 1") == 0);
 }
 
 TEST_CASE("stages are left out and ended early as asked") {

@@ -134,5 +134,5 @@ wait settled
 expect branched == off and compare.active == a
 quit
 )",
-                   "gallery:bracket --size 1440x900") == 0);
+                   "gallery:bracket --size 1440x900 --effort 0") == 0);
 }

@@ -38,7 +38,7 @@ key F9
 expect breakpoints == 2
 quit
 )",
-                   "gallery:bracket --size 1440x900") == 0);
+                   "gallery:bracket --size 1440x900 --effort 0") == 0);
 }
 
 TEST_CASE("a chosen range limits events, work, heat map, stall and history, and its chip clears it") {
@@ -69,7 +69,7 @@ click 640 663
 expect range.begin == none
 quit
 )",
-                   "gallery:bracket --size 1440x900") == 0);
+                   "gallery:bracket --size 1440x900 --effort 0") == 0);
 }
 
 TEST_CASE("sweeps of a repair can be entered; a rollback names and draws the facet that stayed above") {

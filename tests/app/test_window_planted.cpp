@@ -12,8 +12,8 @@ using namespace isoscope::test;
 
 namespace {
 
-/// A recording of the first `steps` operations of a refinement; operation `at` also throws the vertex that was
-/// made last through its star.
+/// A recording of the first `steps` operations of a refinement; operation `at` also throws the vertex that
+/// was made last through its star.
 std::filesystem::path planted(Step at, Step steps) {
   CompleteRun run(gallery_parameters("torus"));
   REQUIRE(run.run());

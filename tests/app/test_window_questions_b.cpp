@@ -55,7 +55,7 @@ clear
 expect history.rows == none
 quit
 )",
-                   "gallery:bracket") == 0);
+                   "gallery:bracket --effort 0") == 0);
 }
 
 TEST_CASE("work is mapped, timed and explained, topology and validity are judged") {
@@ -84,7 +84,7 @@ expect check.broken == 0 and check.contained == holds and check.search == all-va
 expect check.tetrahedra == absent and check.topology == holds
 quit
 )",
-                   "gallery:bracket") == 0);
+                   "gallery:bracket --effort 0") == 0);
 }
 
 TEST_CASE("an edge that stays for its normals is told which shrink would help") {

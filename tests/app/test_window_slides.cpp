@@ -163,5 +163,5 @@ next-event link-condition
 expect caption == "simplifying Z: an edge stays: collapsing it would pinch the triangulation"
 quit
 )",
-                   "gallery:bracket") == 0);
+                   "gallery:bracket --effort 0") == 0);
 }

@@ -2,9 +2,8 @@
 // scripts.
 #include "base/field_options.h"
 #include "base/fields_json.h"
-#include "cli/options.h"
+#include "cli/command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
 
 #include <string>
@@ -118,10 +117,12 @@ Lamp odd() {
 Result<Lamp> parsed(std::vector<std::string> arguments) {
   Lamp lamp;
   std::optional<Error> wrong;
-  CLI::App app;
-  add_field_options(app, field_options(lamp), wrong);
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(std::move(arguments));
+  CommandLine line("Lights a desk.", "lamp");
+  line.fields(field_options(lamp), wrong);
+  std::vector<const char*> words{"lamp"};
+  for (const std::string& argument : arguments) words.push_back(argument.c_str());
+  const auto asked = line.read(static_cast<int>(words.size()), words.data());
+  if (!asked) return asked.error();
   if (wrong) return *wrong;
   return lamp;
 }

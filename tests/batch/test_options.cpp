@@ -23,8 +23,8 @@ TEST_CASE("Questions are answered on standard output with status 0") {
         "--threads",      "--containment", "--topology", "--time-limit",   "-o",
         "--report",       "--quiet",       "--compare",  "--no-condition", "--no-normals",
         "--list-gallery", "--skip",        "--target",   "--cost-ring",    "--effort",
-        "--improver",     "--drop-small",  "--cover",    "--drop-thin",
-        "--sides"}) {
+        "--improver",     "--drop-small",  "--cover",    "--drop-thin",    "--sides",
+        "--inside",       "--outside",     "--levels",   "--label",        "--robust"}) {
     CAPTURE(option);
     CHECK(help.out.find(option) != std::string::npos);
   }

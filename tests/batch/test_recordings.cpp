@@ -92,8 +92,9 @@ TEST_CASE("A file that cannot grow further does not stop the run, and holds what
   const std::string run = (folder / "run.isorun").string(), mesh = (folder / "mesh.off").string();
   const std::string program = ISOSCOPE_RUN_PROGRAM;
   const std::string error = (folder / "error").string();
-  const std::string command = "ulimit -f 512; exec " + program + " gallery:torus --quiet --record " + run +
-                              " -o " + mesh + " 2> " + error;
+  const std::string command = "ulimit -f 512; exec " + program +
+                              " gallery:torus --effort 0 --quiet --record " + run + " -o " + mesh + " 2> " +
+                              error;
   const int status = std::system(command.c_str());
   CHECK(WEXITSTATUS(status) == 1);
   CHECK(bytes_of(error).find("run.isorun") != std::string::npos);
@@ -110,7 +111,7 @@ TEST_CASE("A recording that cannot be written further is told once, and the run 
   getrlimit(RLIMIT_FSIZE, &limit);
   const rlimit small{120000, limit.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
-  const Ended ended = run_batch({"gallery:torus", "--record", run, "-o", mesh});
+  const Ended ended = run_batch({"gallery:torus", "--effort", "0", "--record", run, "-o", mesh});
   setrlimit(RLIMIT_FSIZE, &limit);
   CHECK(ended.status == 1);
   const std::size_t told = ended.error.find("run.isorun");
@@ -124,8 +125,9 @@ TEST_CASE("A run whose history goes to the disk ends and replays as one without"
   const TemporaryFolder folder;
   const std::string run = (folder / "run.isorun").string();
   const std::string mesh = (folder / "a.off").string(), spilled = (folder / "b.off").string();
-  REQUIRE(run_batch({"gallery:torus", "--quiet", "-o", mesh}).status == 0);
-  REQUIRE(run_batch({"gallery:torus", "--quiet", "--history-limit", "1", "--record", run, "-o", spilled})
+  REQUIRE(run_batch({"gallery:torus", "--effort", "0", "--quiet", "-o", mesh}).status == 0);
+  REQUIRE(run_batch({"gallery:torus", "--effort", "0", "--quiet", "--history-limit", "1", "--record", run,
+                     "-o", spilled})
               .status == 0);
   CHECK(bytes_of(mesh) == bytes_of(spilled));
   CHECK(run_batch({"replay", run, "--check"}).status == 0);

@@ -45,7 +45,9 @@ std::size_t rounded_down(double x) {
 }
 
 Case file_case(const std::string& name, const std::string& file, const Tolerance& tolerance) {
-  return {name, tolerance, [file] { return load_input(file); }, {}, {}, {}};
+  RunParameters parameters;
+  parameters.input = file;
+  return {name, tolerance, [parameters] { return load_input(parameters); }, {}, {}, {}};
 }
 
 } // namespace

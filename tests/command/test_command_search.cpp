@@ -1,7 +1,7 @@
 // The palette finds commands by a few letters, and the manual's page is the table's.
 #include "app/app_model.h"
-#include "command/command_reference.h"
 #include "command/command_search.h"
+#include "command/commands.h"
 
 #include <doctest/doctest.h>
 

@@ -45,7 +45,7 @@ TEST_CASE("clean models are closed oriented manifolds of the stated Euler charac
           "themselves") {
   using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
   for (const GalleryEntry& entry : gallery()) {
-    if (entry.name == "soup" || make(entry.name).is_point_set()) continue;
+    if (entry.name == "soup" || entry.gives_volume() || make(entry.name).is_point_set()) continue;
     CAPTURE(entry.name);
     const TriangleSoup model = make(entry.name);
     CHECK(model.triangles.size() >= 500);
@@ -127,7 +127,7 @@ TEST_CASE("every entry has its card, and unknown names are answered with the lis
     CHECK(names.insert(entry.name).second);
     CHECK_FALSE(entry.title.empty());
     CHECK(entry.lesson.ends_with('.'));
-    CHECK(entry.tolerance_percent > 0);
+    CHECK(entry.tolerance_percent >= 0);
     CHECK(entry.tolerance_percent < 10);
   }
   const auto unknown = make_gallery_model("teapot");

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <set>
-#include <string_view>
+#include <string>
 #include <type_traits>
 
 using namespace isoscope;
@@ -16,16 +16,17 @@ using namespace isoscope;
 namespace {
 
 /// Every field another value than it begins with.
-template <class Fields, class S> void change_all(const Fields& fields, S& s) {
-  for_each_view_field(fields, [&]<class T>(const ViewField<S, T>& f) {
-    if (f.key.empty()) return;
+template <class S> void change_all(S& s) {
+  for_each_field<S>([&]<class T>(const Field<S, T>& f) {
+    if (f.name.empty()) return;
     T& place = s.*(f.member);
     if constexpr (std::is_enum_v<T>)
-      place = static_cast<T>((static_cast<std::size_t>(place) + 1) % f.words.size());
+      place = static_cast<T>((static_cast<std::size_t>(place) + 1) % f.choices.size());
     else if constexpr (std::is_same_v<T, bool>)
       place = !place;
     else
-      place = static_cast<T>(place == static_cast<T>(f.high) ? f.low : std::min(f.high, f.low + 7.0));
+      place = static_cast<T>(place == static_cast<T>(f.range.high) ? f.range.low
+                                                                   : std::min(f.range.high, f.range.low + 7));
   });
 }
 
@@ -33,9 +34,9 @@ template <class Fields, class S> void change_all(const Fields& fields, S& s) {
 
 TEST_CASE("a view survives the journey, all of it") {
   ViewState s;
-  change_all(view_fields, s.view);
-  change_all(tet_fields, s.view.tets);
-  change_all(clip_fields, s.view.clip);
+  change_all(s.view);
+  change_all(s.view.tets);
+  change_all(s.view.clip);
   s.camera.target = {1.25, -2.5, 1e-7};
   s.camera.distance = 0.123456789012345;
   s.camera.orientation = {0.5, -0.5, 0.5, 0.5};
@@ -56,18 +57,21 @@ TEST_CASE("a view survives the journey, all of it") {
 }
 
 TEST_CASE("fields have one key and one name each") {
-  std::set<std::string_view> keys, scripts;
-  std::size_t fields = 0;
+  std::set<std::string> keys, scripts;
+  std::size_t fields = 0, in_files = 0;
   const auto note = [&](const auto& f) {
-    scripts.insert(f.script);
+    scripts.insert(f.script_name());
     ++fields;
   };
-  for_each_view_field(view_fields, note);
-  for_each_view_field(tet_fields, note);
-  for_each_view_field(clip_fields, note);
+  for_each_field<ViewSettings>(note);
+  for_each_field<TetFilter>(note);
+  for_each_field<ClipSettings>(note);
   CHECK(scripts.size() == fields);
-  for_each_view_field(view_fields, [&](const auto& f) { keys.insert(f.key); });
-  CHECK(keys.size() == std::tuple_size_v<decltype(view_fields)>);
+  for_each_field<ViewSettings>([&](const auto& f) {
+    keys.insert(std::string(f.name));
+    ++in_files;
+  });
+  CHECK(keys.size() == in_files);
 }
 
 TEST_CASE("parts that are absent stay as they were") {

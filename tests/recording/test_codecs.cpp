@@ -5,6 +5,7 @@
 #include "recording/bytes.h"
 #include "recording/delta_codec.h"
 #include "recording/geometry_codec.h"
+#include "recording/layout.h"
 #include "recording/recorded.h"
 
 #include <doctest/doctest.h>
@@ -24,6 +25,32 @@ std::uint64_t digest_of(const Delta& delta) {
 }
 
 } // namespace
+
+TEST_CASE("Volumes come back, and damaged ones are refused") {
+  for (const std::string_view name : {"nested-tori", "density"}) {
+    const auto model = make_gallery_model(name);
+    REQUIRE(model.ok());
+    const std::string bytes = encode(*model, {{"a note", 0.5}});
+    std::vector<InputNote> notes;
+    const auto back = decode_soup(bytes, &notes);
+    REQUIRE(back.has_value());
+    CHECK(notes.size() == 1);
+    CHECK(back->outer_triangles == model->outer_triangles);
+    CHECK(digest(*back) == digest(*model));
+    REQUIRE((back->grid != nullptr) == (model->grid != nullptr));
+    if (back->grid) {
+      CHECK(back->grid->size == model->grid->size);
+      CHECK(back->grid->values == model->grid->values);
+      CHECK(back->grid->origin == model->grid->origin);
+      CHECK(back->grid->spacing == model->grid->spacing);
+      CHECK(bytes.size() < 4 * model->grid->values.size());
+    } else {
+      CHECK(back->triangles == model->triangles);
+    }
+    CHECK_FALSE(decode_soup(bytes.substr(0, bytes.size() - 1)).has_value());
+    CHECK_FALSE(decode_soup(bytes + "x").has_value());
+  }
+}
 
 TEST_CASE("Numbers of every length come back") {
   ByteWriter out;

@@ -140,6 +140,8 @@ TEST_CASE("Parameters come back from JSON") {
   p.cost_ring = CostRing::two;
   p.effort = 3;
   p.improver = ImproverPlace::embedded;
+  p.levels = {-0.5, 1.25};
+  p.label = 3;
   p.drop_small = 3.5;
   p.threads = 2;
   p.drop_thin = true;
@@ -155,6 +157,11 @@ TEST_CASE("Parameters come back from JSON") {
   CHECK(back->skipped == p.skipped);
   CHECK(back->target == p.target);
   CHECK(back->improver == p.improver);
+  CHECK(back->levels.text() == "-0.5 1.25");
+  CHECK(back->label == 3);
+  p.label.reset();
+  CHECK(!parse_parameters(parameters_json(p))->label);
+  CHECK(!parse_parameters(R"({"levels_low": 1, "levels_high": 0})").ok());
   CHECK(back->drop_small == p.drop_small);
   CHECK(back->drop_thin);
   CHECK(back->cover == 1.5);

@@ -32,7 +32,9 @@ RunParameters gallery_parameters(const std::string& name) {
   RunParameters parameters;
   parameters.input = "gallery:" + name;
   for (const GalleryEntry& entry : gallery()) {
-    if (entry.name == name) parameters.tolerance = {entry.tolerance_percent, true};
+    if (entry.name != name) continue;
+    if (!entry.gives_volume()) parameters.tolerance = {entry.tolerance_percent, true};
+    parameters.levels = {entry.low, entry.high};
   }
   parameters.until = Stage::refinement;
   return parameters;
@@ -46,7 +48,8 @@ RunParameters complete_parameters(const std::string& name) {
 
 Complex replayed(const Journal& journal) {
   Complex complex;
-  for (std::size_t k = 0; k < journal.operations().size(); ++k) complex.apply(journal.operations()[k].delta());
+  for (std::size_t k = 0; k < journal.operations().size(); ++k)
+    complex.apply(journal.operations()[k].delta());
   return complex;
 }
 

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -45,6 +47,21 @@ TriangleSoup overlapping_boxes() {
 void turn_inside_out(TriangleSoup& soup, std::size_t first_triangle) {
   for (std::size_t t = first_triangle; t < soup.triangles.size(); ++t)
     std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+}
+
+/// A cone of 32 sides that stands on its tip.
+void add_cone_on_tip(TriangleSoup& soup, Vec3 tip, double radius, double height) {
+  constexpr std::uint32_t n = 32;
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.push_back(tip);
+  soup.points.push_back(tip + Vec3{0, 0, height});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    soup.points.push_back(tip + Vec3{radius * std::cos(angle), radius * std::sin(angle), height});
+    const std::uint32_t a = first + 2 + i, b = first + 2 + (i + 1) % n;
+    soup.triangles.push_back({first, b, a});
+    soup.triangles.push_back({first + 1, a, b});
+  }
 }
 
 /// A random set of voxels.
@@ -125,6 +142,22 @@ TEST_CASE("three boxes that overlap each other, and a table of five, are one bod
   for (const double x : {0.05, 0.75})
     for (const double y : {0.05, 0.55}) add_box(table, {x, y, 0}, {x + 0.2, y + 0.2, 0.9});
   check_run(*run_soup(table, 0.05), 1, 2);
+}
+
+TEST_CASE("bodies that touch in one point are joined there, and the wedge between them need not be covered") {
+  TriangleSoup cone;
+  add_cone_on_tip(cone, {0, 0, 0.3}, 0.6, 1);
+  add_box(cone, {-1, -1, 0}, {1, 1, 0.3});
+  const auto on_tip = run_soup(cone, 0.04);
+  check_run(*on_tip, 1, 2);
+  CHECK(on_tip->scene->thickening_note.find("touch, near (0, 0, 0.3)") != std::string::npos);
+
+  TriangleSoup ball;
+  testing::add_sphere(ball, {0, 0, 1.5}, 1, 24);
+  add_box(ball, {-1, -1, -0.5}, {1, 1, 0.5});
+  const auto tangent = run_soup(ball, 0.06);
+  check_run(*tangent, 1, 2);
+  CHECK(!tangent->result->certificate.gap_note.empty());
 }
 
 TEST_CASE("the same body twice is one body") {

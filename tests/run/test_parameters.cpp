@@ -47,6 +47,23 @@ TEST_CASE("What is no positive finite number is refused as a tolerance, by name"
   }
 }
 
+TEST_CASE("Levels are two numbers, the smaller first, or none") {
+  const auto read = [](const char* text) {
+    return read_field<Levels>(field_of(&RunParameters::levels), "--levels", text);
+  };
+  const auto levels = read("-0.5 1e3");
+  REQUIRE(levels.ok());
+  CHECK(*levels == Levels{-0.5, 1000});
+  CHECK(levels->text() == "-0.5 1000");
+  REQUIRE(read("none").ok());
+  CHECK_FALSE(read("none")->given());
+  for (const char* text : {"", "1", "1 1", "2 1", "1 2 3", "a b", "nan 1", "0 inf", "1,2"}) {
+    CAPTURE(text);
+    REQUIRE_FALSE(read(text).ok());
+    CHECK(contains(read(text).error().line(), "--levels"));
+  }
+}
+
 TEST_CASE("Each number outside its range is refused with option, value and range") {
   RunParameters good;
   good.input = "gallery:sphere";

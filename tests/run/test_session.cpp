@@ -322,7 +322,7 @@ TEST_CASE("What fails says why") {
 }
 
 TEST_CASE("A soup of one's own is run in place of the input") {
-  auto soup = load_input("gallery:sphere");
+  auto soup = load_input(gallery_parameters("sphere"));
   REQUIRE(soup.ok());
   soup->name = "mine";
   RunParameters p = gallery_parameters("torus");

@@ -1,10 +1,10 @@
 // Embedded and free Z: picked, cut and told apart before and after an operation.
 #include "scene/zero_forms.h"
 
+#include "journal/vocabulary.h"
 #include "scene/overlay.h"
 #include "scene/pick_geometry.h"
 #include "scene/picking.h"
-#include "scene/reason_style.h"
 #include "scene/section_geometry.h"
 #include "scene/tet_visibility.h"
 #include "scene/zero_facets.h"
@@ -162,12 +162,12 @@ TEST_CASE("an edge that was collapsed lies where it was") {
 TEST_CASE("every reason for a rejection has a look of its own") {
   std::set<std::string> looks, titles;
   for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
-    const ReasonStyle& style = reason_style(static_cast<Reason>(r));
+    const ReasonWords& style = words(static_cast<Reason>(r));
     CHECK(!style.help.empty());
     CHECK(titles.insert(std::string(style.title)).second);
     CHECK(looks.insert(std::to_string(style.color) + "/" + std::to_string(static_cast<int>(style.shape)))
               .second);
   }
-  CHECK(reason_style(Reason::none).title == "taken");
-  CHECK(reason_style(Reason::kernel_sampling).title == "sampled kernel");
+  CHECK(words(Reason::none).title == "taken");
+  CHECK(words(Reason::kernel_sampling).title == "sampled kernel");
 }

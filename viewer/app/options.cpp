@@ -5,8 +5,6 @@
 #include "export/exports.h"
 #include "run/report.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 
 namespace isoscope {
@@ -50,31 +48,26 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   ParsedOptions parsed;
   ProgramOptions& o = parsed.options;
   std::string size, theme;
+  double ui_scale = 0;
   bool show_version = false;
-  CLI::App app{"Isoscope: watch and debug isotopic approximation within a tolerance volume.", "isoscope"};
-  const RunOptions run_options(app, false);
-  app.add_flag("--paused", o.paused, "hold the run before its first operation");
-  app.add_option("--script", o.script, "run the commands of a file, one a line, then quit");
-  app.add_option("--screenshot", o.screenshot, "run to the end, write a picture, quit");
-  app.add_flag("--plain", o.plain, "the screenshot shows the view without panels, at any --size");
-  app.add_flag("--transparent", o.alpha, "the same without ground");
-  app.add_option("--step", o.step, "the screenshot shows this step: a number or end");
-  app.add_option("--view", o.view, "the screenshot shows this view: a JSON file");
-  app.add_option("--history-limit", o.history_limit, "of journal and keyframes together, MiB")
-      ->check(CLI::Range(1.0, 1048576.0));
-  app.add_option("--ui-scale", o.ui_scale, "size of text and controls, 0.5 to 4")
-      ->check(CLI::Range(0.5, 4.0));
-  app.add_option("--size", size, "of the window, or of a plain screenshot: WIDTHxHEIGHT");
-  app.add_option("--theme", theme)->check(CLI::IsMember({"dark", "light", "paper"}));
-  app.add_flag("--version", show_version, "say the version");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    parsed.print = app.help();
-    return parsed;
-  } catch (const CLI::ParseError& error) {
-    return bad(std::string(error.what()) + (std::string(error.what()).ends_with('.') ? "" : "."));
-  }
+  CommandLine app{"Isoscope: watch and debug isotopic approximation within a tolerance volume.", "isoscope"};
+  const RunOptions run_options(app);
+  app.flag("--paused", o.paused, "hold the run before its first operation");
+  app.option("--script", o.script, "run the commands of a file, one a line, then quit");
+  app.option("--screenshot", o.screenshot, "run to the end, write a picture, quit");
+  app.flag("--plain", o.plain, "the screenshot shows the view without panels, at any --size");
+  app.flag("--transparent", o.alpha, "the same without ground");
+  app.option("--step", o.step, "the screenshot shows this step: a number or end");
+  app.option("--view", o.view, "the screenshot shows this view: a JSON file");
+  app.option("--history-limit", o.history_limit, "of journal and keyframes together, MiB", 1, 1048576);
+  app.option("--ui-scale", ui_scale, "size of text and controls, 0.5 to 4", 0.5, 4);
+  app.option("--size", size, "of the window, or of a plain screenshot: WIDTHxHEIGHT");
+  app.choice("--theme", theme, {"dark", "light", "paper"});
+  app.flag("--version", show_version, "say the version");
+  const auto asked = app.read(argc, argv);
+  if (!asked) return bad(asked.error().message + (asked.error().message.ends_with('.') ? "" : "."));
+  parsed.print = *asked;
+  if (parsed.print) return parsed;
   if (show_version) {
     parsed.print = "isoscope " + std::string(version()) + "\n";
     return parsed;
@@ -83,7 +76,8 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   if (!run) return run.error();
   o.run = *run;
   o.recording = run_options.recording();
-  o.tolerance_given = app.get_option("--tolerance")->count() > 0;
+  o.tolerance_given = app.given("--tolerance");
+  o.ui_scale = static_cast<float>(ui_scale);
   o.plain = o.plain || o.alpha;
   if (o.screenshot.empty() && (o.plain || !o.step.empty() || !o.view.empty()))
     return bad("--plain, --transparent, --step and --view say how --screenshot looks, which is missing.");

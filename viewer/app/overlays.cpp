@@ -3,8 +3,8 @@
 
 #include "command/command_search.h"
 #include "input/gallery.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -58,7 +58,8 @@ void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size)
   const float pad = ui.px(12);
   widgets::draw_text(list, ui.fonts.bold, {at.x + pad, at.y + picture + ui.px(10)}, to_u32(ui.colors.text),
                      entry.title);
-  const std::string delta = "δ " + Tolerance{entry.tolerance_percent, true}.text();
+  const std::string delta =
+      entry.gives_volume() ? "Ω given" : "δ " + Tolerance{entry.tolerance_percent, true}.text();
   const float extent = widgets::width_of(ui.fonts.mono, delta);
   widgets::draw_text(list, ui.fonts.mono, {end.x - pad - extent, at.y + picture + ui.px(11)},
                      to_u32(ui.colors.quiet), delta);
@@ -151,7 +152,7 @@ void Overlays::help(Ui& ui) {
       row(command.name + (command.usage.empty() ? "" : " " + command.usage), keys, command.help);
     }
     for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
-      const ReasonStyle& style = reason_style(static_cast<Reason>(r));
+      const ReasonWords& style = words(static_cast<Reason>(r));
       const std::string word(name(static_cast<Reason>(r)));
       if (!contains_folded(word + " " + std::string(style.title) + " " + std::string(style.help),
                            query_.data()))
@@ -184,34 +185,29 @@ void Overlays::palette(Ui& ui) {
   for (int i = 0; i < count; ++i) {
     const Command& command = *found[static_cast<std::size_t>(i)];
     const bool enabled = command.is_enabled();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, high = ui.px(44);
-    ImGui::PushID(i);
-    const bool pressed = ImGui::InvisibleButton("row", {std::max(width, 1.0f), high});
-    ImGui::PopID();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (i == chosen_ || ImGui::IsItemHovered())
-      list.AddRectFilled(
-          at, {at.x + width, at.y + high},
-          to_u32(i == chosen_ ? ui.colors.accent : ui.colors.hover, i == chosen_ ? 0.18f : 1.0f), ui.px(6));
+    widgets::Row row(ui, 44);
+    const bool pressed = row.button(static_cast<std::size_t>(i)), lit = i == chosen_;
+    if (lit || row.hovered()) row.ground(lit ? ui.colors.accent : ui.colors.hover, lit ? 0.18f : 1.0f);
     const float strength = enabled ? 1.0f : 0.5f;
+    const ImVec2 at = row.at;
+    ImDrawList& list = row.list;
     if (command.icon)
       widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(12), at.y + ui.px(14)},
                          to_u32(ui.colors.quiet, strength), command.icon);
     widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)},
                        to_u32(ui.colors.text, strength),
                        command.title + (command.usage.empty() ? "" : "  " + command.usage));
-    ImGui::PushFont(ui.fonts.small);
+    const widgets::Font font(ui.fonts.small);
     widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(40), at.y + ui.px(23)},
-                       to_u32(ui.colors.quiet, strength), widgets::fitted(command.help, width - ui.px(170)));
-    ImGui::PopFont();
+                       to_u32(ui.colors.quiet, strength),
+                       widgets::fitted(command.help, row.width - ui.px(170)));
     if (!command.keys.empty() || !enabled) {
       // Not by paleness alone: what cannot be done now says so where its key stands.
       const std::string key =
           enabled ? text(command.keys.front())
                   : (command.keys.empty() ? "" : text(command.keys.front()) + "  ") + "not now";
       const float extent = widgets::width_of(ui.fonts.mono, key);
-      widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(12), at.y + ui.px(14)},
+      widgets::draw_text(list, ui.fonts.mono, {at.x + row.width - extent - ui.px(12), at.y + ui.px(14)},
                          to_u32(ui.colors.accent_text, strength), key);
     }
     if (enabled && (pressed || (entered && i == chosen_))) {

@@ -25,7 +25,7 @@ Result<std::vector<ScriptLine>> parse_script(const CommandTable& table, std::str
 
 Result<std::vector<ScriptLine>> read_script(const CommandTable& table, const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in) return Error{ErrorCode::usage, "The script " + file.string() + " cannot be read.", ""};
+  if (!in) return usage("The script " + file.string() + " cannot be read.");
   auto lines = parse_script(table, std::string{std::istreambuf_iterator<char>(in), {}});
   if (lines && lines->empty())
     return Error{ErrorCode::usage, "The script " + file.string() + " has no command.",

@@ -1,5 +1,5 @@
 // Values, expectations, waiting, mouse and keys, times.
-#include "app/script_commands.h"
+#include "app/app_model.h"
 
 #include <cstdio>
 
@@ -11,8 +11,8 @@ Result<std::vector<float>> numbers(const Arguments& a, std::size_t count) {
   if (a.size() < count) return wrong_arguments("Numbers are missing.");
   std::vector<float> out;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto n = parse_number(a[i]);
-    if (!n) return n.error();
+    const auto n = read_number(a[i]);
+    if (!n) return wrong_arguments("\"" + a[i] + "\" is not a finite number.");
     out.push_back(static_cast<float>(*n));
   }
   return out;
@@ -46,8 +46,8 @@ Status wait_for(AppModel& m, const Arguments& a) {
     m.wait_for = AppModel::Wait::answers;
     return {};
   }
-  const auto seconds = parse_number(a[0]);
-  if (!seconds || *seconds < 0) return wrong_arguments("\"" + a[0] + "\" is no time.");
+  const auto seconds = number_argument(a, 0, 0, 1e9);
+  if (!seconds) return wrong_arguments("\"" + a[0] + "\" is no time.");
   m.wait_until = m.clock + *seconds;
   return {};
 }
@@ -204,11 +204,10 @@ void add_time_values(AppModel& m) {
   NamedValues& t = m.values;
   const auto add = [&](const std::string& name, const std::string& what,
                        const Quantiles& (WindowTimes::*times)() const) {
-    t.add(name + ".count", what + ", since times reset",
-          [times, &m] { return std::to_string((m.times.*times)().size()); });
+    t.add(name + ".count", what + ", since times reset", [times, &m] { return (m.times.*times)().size(); });
     for (const auto& [part, word] : {std::pair{0.5, ".median"}, {0.95, ".95"}, {1.0, ".largest"}})
       t.add(name + word, "milliseconds of real time",
-            [times, part = part, &m] { return text_of(1e3 * (m.times.*times)().at(part)); });
+            [times, part = part, &m] { return 1e3 * (m.times.*times)().at(part); });
   };
   add("frame", "frames made", &WindowTimes::frames);
   add("picture", "steps whose picture appeared", &WindowTimes::pictures);

@@ -1,7 +1,7 @@
 // What the commands on the window do, and their table.
-#include "app/window_commands.h"
+#include "app/app_model.h"
 
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "ui/bottom_tabs.h"
 
 #include <GLFW/glfw3.h>

@@ -1,5 +1,5 @@
 // What the inspector adds under an element: remedies and parameters that would help.
-#include "ask/element_questions.h"
+#include "ask/investigation.h"
 
 #include "model/words.h"
 #include "ui/icons.h"
@@ -21,8 +21,8 @@ const char* parameter_title(ParameterAdvice::Parameter parameter) {
 
 void advice_row(const Ui& ui, const ParameterAdvice& a, double delta) {
   const double unit = a.parameter == ParameterAdvice::Parameter::sigma ? delta : 1;
-  const std::string label = std::string(parameter_title(a.parameter)) + " for condition " +
-                            std::string(condition_title(a.condition));
+  const std::string label =
+      std::string(parameter_title(a.parameter)) + " for condition " + std::string(words(a.condition).title);
   std::string value;
   if (a.holds)
     value = "holds with " + short_number(a.now / unit);

@@ -1,5 +1,5 @@
 // The history of the selected element: one line an entry, a click goes there.
-#include "ask/history_panel.h"
+#include "ask/investigation.h"
 
 #include "journal/describe.h"
 #include "model/words.h"
@@ -9,6 +9,8 @@
 
 namespace isoscope::panels {
 namespace {
+
+constexpr float row_units = 22;
 
 struct RowStyle {
   Rgb color;
@@ -43,37 +45,27 @@ std::string summary(const ElementHistory& h) {
   const std::string id = grouped(h.element.id);
   switch (h.element.kind) {
   case ElementRef::Kind::vertex: {
-    std::string text = "Vertex " + id + ": " + grouped(h.absorbed) +
-                       (h.absorbed == 1 ? " vertex" : " vertices") + " ended in it";
+    std::string text = "Vertex " + id + ": " + counted(h.absorbed, "vertex", "vertices") + " ended in it";
     if (h.heir.valid() && h.heir.value != h.element.id)
       text += "; vertex " + grouped(h.heir.value) + " stands for it";
     return text;
   }
   case ElementRef::Kind::edge:
-    return "Edge " + id + " – " + grouped(h.element.other) + ": " + grouped(h.attempts) +
-           (h.attempts == 1 ? " attempt, " : " attempts, ") + grouped(h.rejections) + " failed";
+    return "Edge " + id + " – " + grouped(h.element.other) + ": " + counted(h.attempts, "attempt") + ", " +
+           grouped(h.rejections) + " failed";
   case ElementRef::Kind::tet:
-    return "Tetrahedron slot " + id + ": " + grouped(h.changes()) +
-           (h.changes() == 1 ? " change" : " changes");
+    return "Tetrahedron slot " + id + ": " + counted(h.changes(), "change");
   case ElementRef::Kind::sample:
-    return "Sample " + id + ": " + grouped(h.changes()) +
-           (h.changes() == 1 ? " change of class" : " changes of class");
+    return "Sample " + id + ": " + counted(h.changes(), "change") + " of class";
   }
   return {};
 }
 
-void draw_row(Ui& ui, const ElementHistory& h, std::size_t index, float high) {
+void draw_row(Ui& ui, const ElementHistory& h, std::size_t index) {
   const HistoryRow& row = h.rows[index];
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::PushID(static_cast<int>(index));
-  const bool pressed = ImGui::InvisibleButton("row", {width, high});
-  ImGui::PopID();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool here = row.step == ui.window.transport.step();
-  if (ImGui::IsItemHovered() || here)
-    list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover, here ? 0.7f : 1.0f),
-                       ui.px(4));
+  widgets::Row line(ui, row_units);
+  const bool pressed = line.button(index), here = row.step == ui.window.transport.step();
+  if (line.hovered() || here) line.ground(ui.colors.hover, here ? 0.7f : 1.0f);
   const Journal& journal = *ui.window.run.journal;
   if (pressed) {
     if (h.element.kind == ElementRef::Kind::edge && !row.changes())
@@ -81,17 +73,13 @@ void draw_row(Ui& ui, const ElementHistory& h, std::size_t index, float high) {
     else
       ui.commands.post("seek", {std::to_string(row.step)});
   }
-  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
-  const std::string step = grouped(row.step);
-  const float extent = widgets::width_of(ui.fonts.mono, step);
-  widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet), step);
+  line.step(row.step);
   const RowStyle style = style_of(ui, row);
-  widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y}, to_u32(ui.colors.text),
-                     widgets::fitted(history_words(row, h.element.kind), ui.px(300)));
-  if (row.event < journal.events().size() && width > ui.px(480))
-    widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(400), y}, to_u32(ui.colors.quiet),
-                       widgets::fitted(describe(journal, journal.events()[row.event]), width - ui.px(410)));
+  line.glyph(80, style.color, style.shape);
+  line.fitted(ui.fonts.small, 94, ui.colors.text, history_words(row, h.element.kind), ui.px(300));
+  if (row.event < journal.events().size() && line.width > ui.px(480))
+    line.fitted(ui.fonts.small, 400, ui.colors.quiet, describe(journal, journal.events()[row.event]),
+                line.width - ui.px(410));
 }
 
 } // namespace
@@ -102,7 +90,7 @@ void history_tab(Ui& ui, const Investigation& asked) {
                                true);
   const auto h = asked.history();
   if (!h || !ui.window.run.journal) return widgets::quiet_text(ui, "The journal is being read …");
-  ImGui::PushFont(ui.fonts.small);
+  const widgets::Font font(ui.fonts.small);
   std::string words = summary(*h);
   if (h->steps < ui.window.live_step()) words += "; up to step " + grouped(h->steps);
   ImGui::TextUnformatted(words.c_str());
@@ -115,18 +103,10 @@ void history_tab(Ui& ui, const Investigation& asked) {
   else if (shown.size() < h->rows.size())
     widgets::quiet_text(ui,
                         grouped(shown.size()) + " of " + grouped(h->rows.size()) + " rows are in the range.");
-  if (ImGui::BeginChild("history", {0, 0})) {
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    const float high = ui.px(22);
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(shown.size()), high);
-    while (clipper.Step())
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        draw_row(ui, *h, shown[static_cast<std::size_t>(i)], high);
-    ImGui::PopStyleVar();
-  }
+  if (ImGui::BeginChild("history", {0, 0}))
+    widgets::rows_in_sight(shown.size(), ui.px(row_units),
+                           [&](std::size_t i) { draw_row(ui, *h, shown[i]); });
   ImGui::EndChild();
-  ImGui::PopFont();
 }
 
 } // namespace isoscope::panels

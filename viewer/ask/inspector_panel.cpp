@@ -1,11 +1,9 @@
 // The inspector: everything about the picked element, its numbers beside their limits, every row a link.
-#include "ask/inspector_panel.h"
+#include "ask/investigation.h"
 
-#include "ask/element_questions.h"
-#include "ask/state_questions.h"
 #include "criteria/height.h"
 #include "criteria/orientation.h"
-#include "debug/break_rows.h"
+#include "debug/debugger.h"
 #include "edge/edge_inspector.h"
 #include "journal/describe.h"
 #include "model/words.h"
@@ -55,7 +53,9 @@ Sphere circumsphere(const std::array<Vec3, 4>& p) {
   return {p[0] + offset, length(offset)};
 }
 
-void vertex_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
+void vertex_details(Ui& ui, Investigation& asked, const std::shared_ptr<const StateSnapshot>& state,
+                    std::uint32_t id) {
+  const StateSnapshot& s = *state;
   if (id >= s.complex.vertices.size())
     return widgets::quiet_text(ui, "This vertex is not there at this step.", true);
   const Vertex& v = s.complex.vertices[id];
@@ -74,17 +74,10 @@ void vertex_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
     if (widgets::link_row(ui, "born", "born at step", grouped(*born + 1), describe(journal, event)))
       ui.commands.post("seek", {std::to_string(*born + 1)});
   }
-  std::size_t degree = 0;
-  std::uint32_t first = TetId::none;
-  for (std::size_t t = 0; t < s.complex.tets.size(); ++t)
-    for (const VertexId w : s.complex.tets[t].v)
-      if (w.value == id) {
-        ++degree;
-        if (first == TetId::none) first = static_cast<std::uint32_t>(t);
-      }
-  if (first != TetId::none &&
-      widgets::link_row(ui, "star", "tetrahedra around it", grouped(degree), "Selects one of them."))
-    pick(ui, "tet", first);
+  const auto& star = asked.star_of(state, VertexId(id));
+  if (star.first &&
+      widgets::link_row(ui, "star", "tetrahedra around it", grouped(star.degree), "Selects one of them."))
+    pick(ui, "tet", star.first->value);
 }
 
 void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
@@ -151,7 +144,7 @@ void height_details(Ui& ui, const StateSnapshot& s, const std::array<Vec3, 4>& p
                     const std::array<double, 4>& f, const Tet& tet) {
   const Height height = tetrahedron_height(p, f);
   if (height.split == Height::Split::none) return;
-  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  const double delta = s.criteria.unit();
   const double limit = s.criteria.height_limit() / delta;
   widgets::limit_bar(ui, "height (condition 2)", height.value / delta, limit, height.value / delta >= limit,
                      "δ", false);
@@ -178,14 +171,12 @@ void tet_details(Ui& ui, Investigation& asked, const StateSnapshot& s, std::uint
                    : (flags & tet_box) != 0 ? "at the bounding box"
                                             : "one label: no Z in it");
   for (std::size_t i = 0; i < 4; ++i) {
-    ImGui::PushID(static_cast<int>(i));
     if (widgets::link_row(ui, "vertex", "vertex " + grouped(tet.v[i].value), "F " + short_number(f[i]),
-                          "Selects the vertex."))
+                          "Selects the vertex.", i))
       pick(ui, "vertex", tet.v[i].value);
-    ImGui::PopID();
   }
   const AffineFunction function = interpolate(p, f);
-  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  const double delta = s.criteria.unit();
   widgets::value_row(ui, "gradient |grad f| · δ", short_number(length(function.gradient) * delta));
   widgets::value_row(ui, "grad f, direction", position_text(normalized(function.gradient)));
   const Sphere sphere = circumsphere(p);
@@ -223,20 +214,16 @@ void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   Triangle3 p;
   for (std::size_t i = 0; i < 3; ++i) {
     p[i] = s.complex.position(v[i]);
-    ImGui::PushID(static_cast<int>(i));
-    if (widgets::link_row(ui, "vertex", "vertex", grouped(v[i].value), "Selects the vertex."))
+    if (widgets::link_row(ui, "vertex", "vertex", grouped(v[i].value), "Selects the vertex.", i))
       pick(ui, "vertex", v[i].value);
-    ImGui::PopID();
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    ImGui::PushID(static_cast<int>(3 + i));
     const VertexId a = v[i], b = v[(i + 1) % 3];
     if (widgets::link_row(ui, "edge", "edge", std::to_string(a.value) + " – " + std::to_string(b.value),
-                          "Selects the edge."))
+                          "Selects the edge.", i))
       ui.commands.post("pick", {"edge", std::to_string(a.value), std::to_string(b.value)});
-    ImGui::PopID();
   }
-  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  const double delta = s.criteria.unit();
   const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
   widgets::value_row(ui, "area", short_number(0.5 * length(normal) / (delta * delta)) + " δ²");
   widgets::value_row(ui, "normal", position_text(normalized(normal)));
@@ -332,15 +319,14 @@ void uncovered_places(Ui& ui, const Certificate& c, double delta) {
   if (c.uncovered.empty()) return;
   widgets::quiet_text(ui, "Left behind, farthest first");
   for (std::size_t i = 0; i < c.uncovered.size(); ++i) {
-    ImGui::PushID(static_cast<int>(i));
     const UncoveredPlace& p = c.uncovered[i];
     if (widgets::link_row(
             ui, "uncovered", std::to_string(i + 1) + "  " + short_number(p.distance / delta) + " δ away",
             short_number(p.size / delta) + " δ long",
             "A part of the input that is farther from the mesh than the limit. The camera goes to "
-            "its farthest point and marks it."))
+            "its farthest point and marks it.",
+            i))
       ui.commands.post("look-at-place", {"uncovered", std::to_string(i)});
-    ImGui::PopID();
   }
   if (c.uncovered_count > c.uncovered.size())
     widgets::quiet_text(ui, "and " + grouped(c.uncovered_count - c.uncovered.size()) + " nearer");
@@ -406,7 +392,7 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
   }
   switch (picked.kind) {
   case Pick::Kind::vertex:
-    vertex_details(ui, *state, picked.id);
+    vertex_details(ui, asked, state, picked.id);
     break;
   case Pick::Kind::edge:
     edge_details(ui, probe, *state);

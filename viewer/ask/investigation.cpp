@@ -2,8 +2,8 @@
 #include "ask/investigation.h"
 
 #include "journal/sample_history.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 
 #include <algorithm>
 
@@ -139,9 +139,9 @@ std::string history_words(const HistoryRow& row, ElementRef::Kind kind) {
   case HistoryRow::Kind::gone:
     return "is gone";
   case HistoryRow::Kind::rejected:
-    return "stays: " + std::string(reason_style(row.reason).title);
+    return "stays: " + std::string(words(row.reason).title);
   case HistoryRow::Kind::collapsed:
-    return "collapsed: " + std::string(reason_style(row.reason).title);
+    return "collapsed: " + std::string(words(row.reason).title);
   case HistoryRow::Kind::asked:
     return "named: " + std::string(name(row.reason));
   case HistoryRow::Kind::became_bad:
@@ -261,6 +261,19 @@ void Investigation::ask_check(bool search) {
 std::shared_ptr<const CheckAnswer> Investigation::check() const {
   const auto answered = check_.answered();
   return answered && answered->question.journal == check_journal_ ? answered->answer : nullptr;
+}
+
+const Investigation::VertexStar& Investigation::star_of(const std::shared_ptr<const StateSnapshot>& state,
+                                                        VertexId vertex) {
+  if (star_.state == state && star_.vertex == vertex) return star_;
+  star_ = {state, vertex, 0, {}};
+  const std::vector<Tet>& tets = state->complex.tets;
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    if (std::find(tets[t].v.begin(), tets[t].v.end(), vertex) == tets[t].v.end()) continue;
+    ++star_.degree;
+    if (!star_.first) star_.first = TetId(t);
+  }
+  return star_;
 }
 
 bool Investigation::idle() const {

@@ -24,6 +24,10 @@
 
 namespace isoscope {
 
+struct Ui;
+class Debugger;
+class EdgeProbe;
+
 /// Which list "next violation" walks through.
 enum class ViolationKind : std::uint8_t { misoriented, flat };
 
@@ -109,6 +113,15 @@ class Investigation {
   double check_fraction() const { return check_.fraction(); }
   std::shared_ptr<const Annotation> annotation() const { return annotation_; }
 
+  /// The tetrahedra around a vertex: how many, and the first of them. Counted once for a state.
+  struct VertexStar {
+    std::shared_ptr<const StateSnapshot> state;
+    VertexId vertex;
+    std::size_t degree = 0;
+    std::optional<TetId> first;
+  };
+  const VertexStar& star_of(const std::shared_ptr<const StateSnapshot>& state, VertexId vertex);
+
   void add_commands(CommandTable& table);
   void add_values(NamedValues& values);
 
@@ -133,6 +146,7 @@ class Investigation {
   std::optional<TopologyQuestion> topology_asked_;
   std::optional<AdviceQuestion> advice_asked_;
   std::shared_ptr<const Journal> check_journal_;
+  VertexStar star_;
   std::shared_ptr<const ElementHistory> history_;
   std::shared_ptr<const WorkAnswer> work_;
   std::shared_ptr<const TopologyReport> topology_;
@@ -152,5 +166,26 @@ std::optional<RefusedFacet> shown_refusal(const WindowState& window);
 std::vector<TetId> violating_tets(const StateSnapshot& state, ViolationKind kind);
 /// A row of a history in words: "absorbed vertex 12".
 std::string history_words(const HistoryRow& row, ElementRef::Kind kind);
+
+namespace panels {
+
+/// The bottom tab with the history of the selected element.
+void history_tab(Ui& ui, const Investigation& asked);
+/// The bottom tab that tells where the work goes.
+void work_tab(Ui& ui, Investigation& asked);
+/// Everything about the picked element.
+void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation& asked);
+/// Violations, topology, validity.
+void state_questions(Ui& ui, Investigation& asked, const StateSnapshot& state);
+/// Under a tetrahedron: next and previous violation, the factor of the copy that is drawn, what goes in.
+void tet_questions(Ui& ui, Investigation& asked, const StateSnapshot& state, std::uint32_t id);
+/// Under a sample: who mends it.
+void sample_questions(Ui& ui, const StateSnapshot& state, std::uint32_t id);
+/// Under tetrahedra, samples and edges: which parameters would change the verdict.
+void advice(Ui& ui, const Investigation& asked);
+/// Buttons for the history and the last change of the selection.
+void history_buttons(Ui& ui);
+
+} // namespace panels
 
 } // namespace isoscope

@@ -1,7 +1,7 @@
 // Commands that ask about the selected element, the work done, the topology and the validity of a step.
 #include "ask/investigation.h"
 
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "ui/icons.h"
 
 #include <algorithm>
@@ -80,13 +80,8 @@ Status look_at_uncovered(M& m, std::size_t index) {
 }
 
 Status look_at(M& m, const A& a) {
-  std::size_t index = 0;
   const bool stall = !a.empty() && a[0] == "stall";
-  if (!a.empty()) {
-    const std::string& last = a.back();
-    if (last.find_first_not_of("0123456789") == std::string::npos && last.size() < 9)
-      index = static_cast<std::size_t>(std::stoul(last));
-  }
+  const std::size_t index = a.empty() ? 0 : whole_argument(a, a.size() - 1, 0, 99999999).value_or(0);
   if (!a.empty() && a[0] == "uncovered") return look_at_uncovered(m, index);
   const auto work = m.work();
   if (!work) return usage("The places are listed under Work.");

@@ -5,29 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace isoscope {
 namespace {
 
-const std::string none = "none";
-
-/// A reading of an answer that may not be there.
-template <class Find, class Value>
-void of(NamedValues& t, std::string name, std::string help, Find find, Value value) {
-  t.add(std::move(name), std::move(help), [find, value] {
-    const auto answer = find();
-    return answer ? std::string(value(*answer)) : none;
-  });
-}
-
-std::string count(std::size_t n) {
-  return std::to_string(n);
-}
-
 double delta_of(const Investigation& m) {
   const auto state = m.window.state();
-  return state && state->criteria.delta > 0 ? state->criteria.delta : 1;
+  return state && state->criteria.unit();
 }
 
 std::optional<TetInspection> tet_shown(const Investigation& m) {
@@ -44,245 +30,214 @@ std::optional<SampleInspection> sample_shown(const Investigation& m) {
   return inspect_sample(*state, SampleId(m.window.selection.picked.id));
 }
 
+/// Lengths in δ.
+auto in_delta(const Investigation& m) {
+  return [&m](double length) { return length / delta_of(m); };
+}
+
 void add_tet_questions(NamedValues& t, Investigation& m) {
-  const auto tet = [&m] { return tet_shown(m); };
-  const auto sample = [&m] { return sample_shown(m); };
+  const auto tet = t.readings("tet.", [&m] { return tet_shown(m); });
+  const auto sample = t.readings("sample.", [&m] { return sample_shown(m); });
+  const auto violations = t.readings("violations.", [&m] { return m.window.state(); });
+  const auto length = in_delta(m);
+  using Tet = TetInspection;
+  using Sample = SampleInspection;
   t.add(
       "inspect.shrink", "factor of the shrunk copy that is drawn, 0 for condition 3's own",
-      [&m] { return text_of(m.shrink.value_or(0)); },
+      [&m] { return m.shrink.value_or(0); },
       [&m](const std::string& text) -> Status {
-        const auto n = parse_number(text);
-        if (!n || *n < 0 || *n > 1) return Error{ErrorCode::usage, "0 to 1 is needed.", ""};
+        const auto n = read_field<double>({.range = {.low = 0, .high = 1}}, "inspect.shrink", text);
+        if (!n) return n.error();
         m.shrink = *n > 0 ? std::optional<double>(*n) : std::nullopt;
         return {};
       });
-  t.add("violations.misoriented", "tetrahedra that violate condition 3",
-        [&m] { return m.window.state() ? count(misoriented_tets(*m.window.state()).size()) : none; });
-  t.add("violations.flat", "tetrahedra that carry Z below 2σ/α", [&m] {
-    return m.window.state() ? count(violating_tets(*m.window.state(), ViolationKind::flat).size()) : none;
-  });
-  of(t, "tet.misoriented", "the selected tetrahedron violates condition 3 at inspect.shrink", tet,
-     [](const TetInspection& x) {
-       return !x.orientation ? "none" : x.orientation->misoriented ? "on" : "off";
-     });
-  of(t, "tet.tests", "its samples of condition 3 that are asked", tet, [](const TetInspection& x) {
-    return !x.orientation ? none
-                          : count(static_cast<std::size_t>(
-                                std::count_if(x.orientation->tests.begin(), x.orientation->tests.end(),
-                                              [](const auto& test) { return test.asked(); })));
-  });
-  of(t, "tet.failed_tests", "of these, the ones that fail", tet, [](const TetInspection& x) {
-    return !x.orientation ? none
-                          : count(static_cast<std::size_t>(
-                                std::count_if(x.orientation->tests.begin(), x.orientation->tests.end(),
-                                              [](const auto& test) { return !test.good(); })));
-  });
-  t.add("tet.height", "its height in δ", [&m] {
-    const auto x = tet_shown(m);
-    return x ? text_of(x->height.value / delta_of(m)) : none;
-  });
-  t.add("tet.gap", "distance of the ends of its height, in δ", [&m] {
-    const auto x = tet_shown(m);
-    return x ? text_of(distance(x->gap[0], x->gap[1]) / delta_of(m)) : none;
-  });
-  t.add("tet.height_limit", "2σ/α in δ", [&m] {
-    return m.window.state() ? text_of(m.window.state()->criteria.height_limit() / delta_of(m)) : none;
-  });
-  of(t, "sample.error", "ε of the selected sample", sample,
-     [](const SampleInspection& x) { return text_of(x.error); });
-  of(t, "sample.f", "f at it", sample, [](const SampleInspection& x) { return text_of(x.f); });
-  of(t, "sample.class", "good or bad", sample,
-     [](const SampleInspection& x) { return x.bad ? "bad" : "good"; });
-  of(t, "sample.remedy", "how it will be mended", sample, [](const SampleInspection& x) {
+  violations("misoriented", "tetrahedra that violate condition 3",
+             [](const StateSnapshot& s) { return misoriented_tets(s).size(); });
+  violations("flat", "tetrahedra that carry Z below 2σ/α",
+             [](const StateSnapshot& s) { return violating_tets(s, ViolationKind::flat).size(); });
+  const auto tests = [&tet](const char* name, const char* help, auto counts) {
+    tet(name, help, [counts](const Tet& x) -> std::optional<std::ptrdiff_t> {
+      if (!x.orientation) return std::nullopt;
+      return std::count_if(x.orientation->tests.begin(), x.orientation->tests.end(), counts);
+    });
+  };
+  tet("misoriented", "the selected tetrahedron violates condition 3 at inspect.shrink",
+      [](const Tet& x) { return x.orientation ? std::optional(x.orientation->misoriented) : std::nullopt; });
+  tests("tests", "its samples of condition 3 that are asked", [](const auto& test) { return test.asked(); });
+  tests("failed_tests", "of these, the ones that fail", [](const auto& test) { return !test.good(); });
+  tet("height", "its height in δ", [length](const Tet& x) { return length(x.height.value); });
+  tet("gap", "distance of the ends of its height, in δ",
+      [length](const Tet& x) { return length(distance(x.gap[0], x.gap[1])); });
+  t.readings("tet.", [&m] { return m.window.state(); })(
+      "height_limit", "2σ/α in δ",
+      [length](const StateSnapshot& s) { return length(s.criteria.height_limit()); });
+  sample("error", "ε of the selected sample", &Sample::error);
+  sample("f", "f at it", &Sample::f);
+  sample("class", "good or bad", [](const Sample& x) { return x.bad ? "bad" : "good"; });
+  sample("remedy", "how it will be mended", [](const Sample& x) {
     constexpr std::array<std::string_view, 6> words{"none-needed",  "not-asked",    "itself-next",
                                                     "itself-later", "worse-in-tet", "vertex-already"};
     return words.at(static_cast<std::size_t>(x.remedy));
   });
-  of(t, "sample.fixer", "the sample that is inserted for it", sample,
-     [](const SampleInspection& x) { return x.fixer.valid() ? count(x.fixer.value) : none; });
-  of(t, "sample.tet", "the tetrahedron that holds it", sample,
-     [](const SampleInspection& x) { return x.tet.valid() ? count(x.tet.value) : none; });
-  of(t, "sample.tets_before", "tetrahedra that get a point first", sample,
-     [](const SampleInspection& x) { return count(x.tets_before); });
+  sample("fixer", "the sample that is inserted for it", &Sample::fixer);
+  sample("tet", "the tetrahedron that holds it", &Sample::tet);
+  sample("tets_before", "tetrahedra that get a point first", &Sample::tets_before);
 }
 
 void add_history_questions(NamedValues& t, Investigation& m) {
-  const auto history = [&m] { return m.history(); };
+  const auto history = t.readings("history.", [&m] { return m.history(); });
   using H = ElementHistory;
-  of(t, "history.rows", "lines of the selected element's history", history,
-     [](const H& h) { return count(h.rows.size()); });
-  t.add("history.shown", "those within the chosen range", [&m] {
-    const auto h = m.history();
-    if (!h) return std::string("nan");
+  history("rows", "lines of the selected element's history", [](const H& h) { return h.rows.size(); });
+  t.readings(
+      "history.", [&m] { return m.history(); },
+      "nan")("shown", "those within the chosen range", [&m](const H& h) {
     const auto& range = m.window.range;
     const auto in = [&](const HistoryRow& row) { return !range || range->holds(row.step); };
-    return std::to_string(std::count_if(h->rows.begin(), h->rows.end(), in));
+    return std::count_if(h.rows.begin(), h.rows.end(), in);
   });
-  of(t, "history.changes", "those that changed it", history, [](const H& h) { return count(h.changes()); });
-  of(t, "history.attempts", "attempts to collapse the edge", history,
-     [](const H& h) { return count(h.attempts); });
-  of(t, "history.rejections", "those that failed", history, [](const H& h) { return count(h.rejections); });
-  of(t, "history.absorbed", "vertices that ended in the vertex", history,
-     [](const H& h) { return count(h.absorbed); });
-  of(t, "history.heir", "who stands for the vertex at the end", history,
-     [](const H& h) { return h.heir.valid() ? count(h.heir.value) : none; });
-  of(t, "history.places", "places of the vertex' way", history,
-     [](const H& h) { return count(h.path.size()); });
-  of(t, "history.first_step", "the step of the first line", history,
-     [](const H& h) { return h.rows.empty() ? none : count(h.rows.front().step); });
-  of(t, "history.last_step", "the step of the last line", history,
-     [](const H& h) { return h.rows.empty() ? none : count(h.rows.back().step); });
-  of(t, "history.first_kind", "the kind of the first line", history,
-     [](const H& h) { return h.rows.empty() ? none : std::string(name(h.rows.front().kind)); });
-  of(t, "history.last_kind", "the kind of the last line", history,
-     [](const H& h) { return h.rows.empty() ? none : std::string(name(h.rows.back().kind)); });
+  history("changes", "those that changed it", &H::changes);
+  history("attempts", "attempts to collapse the edge", &H::attempts);
+  history("rejections", "those that failed", &H::rejections);
+  history("absorbed", "vertices that ended in the vertex", &H::absorbed);
+  history("heir", "who stands for the vertex at the end", &H::heir);
+  history("places", "places of the vertex' way", [](const H& h) { return h.path.size(); });
+  const auto row = [&m](bool first) {
+    return [&m, first]() -> std::optional<HistoryRow> {
+      const auto h = m.history();
+      if (!h || h->rows.empty()) return std::nullopt;
+      return first ? h->rows.front() : h->rows.back();
+    };
+  };
+  const auto first = t.readings("history.first_", row(true)), last = t.readings("history.last_", row(false));
+  first("step", "the step of the first line", &HistoryRow::step);
+  last("step", "the step of the last line", &HistoryRow::step);
+  first("kind", "the kind of the first line", &HistoryRow::kind);
+  last("kind", "the kind of the last line", &HistoryRow::kind);
 }
 
 void add_work_questions(NamedValues& t, Investigation& m) {
-  static constexpr std::array<std::string_view, 3> kinds{"insertions", "attempts", "rejections"};
-  t.add(
-      "work.kind", "what the heat map counts: insertions, attempts or rejections",
-      [&m] { return std::string(kinds.at(static_cast<std::size_t>(m.work_kind))); },
-      [&m](const std::string& text) -> Status {
-        const auto found = std::find(kinds.begin(), kinds.end(), text);
-        if (found == kinds.end())
-          return Error{ErrorCode::usage, "insertions, attempts or rejections is needed.", ""};
-        m.work_kind = static_cast<WorkKind>(found - kinds.begin());
-        return {};
-      });
-  t.add(
-      "stall.last", "how many attempts back the stall panel looks", [&m] { return count(m.stall_attempts); },
-      [&m](const std::string& text) -> Status {
-        const auto n = parse_number(text);
-        if (!n || *n < 1 || *n > 1e6) return Error{ErrorCode::usage, "1 to 1000000 is needed.", ""};
-        m.stall_attempts = static_cast<std::size_t>(*n);
-        return {};
-      });
-  const auto work = [&m] { return m.work(); };
+  static constexpr std::array<Choice, 3> kinds{{{"insertions"}, {"attempts"}, {"rejections"}}};
+  t.bind("work.kind", "what the heat map counts: insertions, attempts or rejections", {.choices = kinds},
+         m.work_kind);
+  t.bind("stall.last", "how many attempts back the stall panel looks",
+         {.range = {.low = 1, .high = 1e6, .wrong = "not from 1 to 1000000"}}, m.stall_attempts);
   using W = WorkAnswer;
-  of(t, "work.total", "events on the heat map", work, [](const W& w) { return count(w.map.total); });
-  of(t, "work.cells", "its cells", work, [](const W& w) { return count(w.map.cells.size()); });
-  of(t, "work.hottest", "events in the busiest cell", work,
-     [](const W& w) { return w.map.cells.empty() ? "0" : count(w.map.cells[0].count); });
-  of(t, "work.seconds", "time of all that was decided in the range", work, [](const W& w) {
-    double seconds = 0;
-    for (const WorkTime& time : w.times) seconds += time.seconds;
-    return text_of(seconds);
-  });
-  of(t, "work.decisions", "decisions in the range", work, [](const W& w) {
-    std::size_t n = 0;
-    for (const WorkTime& time : w.times) n += time.count;
-    return count(n);
-  });
-  of(t, "stall.attempts", "attempts looked at", work, [](const W& w) { return count(w.stall.attempts); });
-  of(t, "stall.accepted", "of these, accepted", work, [](const W& w) { return count(w.stall.accepted); });
-  of(t, "stall.since_accepted", "attempts since the last accepted one", work,
-     [](const W& w) { return count(w.stall.since_accepted); });
-  of(t, "stall.reason", "the reason that rejected most", work, [](const W& w) {
+  const auto work = t.readings("work.", [&m] { return m.work(); });
+  const auto stall = t.readings("stall.", [&m] { return m.work(); });
+  work("total", "events on the heat map", [](const W& w) { return w.map.total; });
+  work("cells", "its cells", [](const W& w) { return w.map.cells.size(); });
+  work("hottest", "events in the busiest cell",
+       [](const W& w) { return w.map.cells.empty() ? 0 : w.map.cells[0].count; });
+  const auto sum = [](auto member) {
+    return [member](const W& w) {
+      auto all = WorkTime().*member;
+      for (const WorkTime& time : w.times) all += time.*member;
+      return all;
+    };
+  };
+  work("seconds", "time of all that was decided in the range", sum(&WorkTime::seconds));
+  work("decisions", "decisions in the range", sum(&WorkTime::count));
+  stall("attempts", "attempts looked at", [](const W& w) { return w.stall.attempts; });
+  stall("accepted", "of these, accepted", [](const W& w) { return w.stall.accepted; });
+  stall("since_accepted", "attempts since the last accepted one",
+        [](const W& w) { return w.stall.since_accepted; });
+  stall("reason", "the reason that rejected most", [](const W& w) {
     const auto& n = w.stall.by_reason;
     const auto most = std::max_element(n.begin() + 1, n.end());
-    return *most == 0 ? none : std::string(name(static_cast<Reason>(most - n.begin())));
+    return *most == 0 ? std::string_view("none") : name(static_cast<Reason>(most - n.begin()));
   });
-  of(t, "stall.places", "cells with rejections among them", work,
-     [](const W& w) { return count(w.stall.places.cells.size()); });
+  stall("places", "cells with rejections among them", [](const W& w) { return w.stall.places.cells.size(); });
 }
 
-void add_state_questions(NamedValues& t, Investigation& m) {
-  t.add("refused.distance", "the largest d on the facet that a collapse of the improver left above δ, in δ",
-        [&m] {
-          const auto facet = shown_refusal(m.window);
-          return facet ? text_of(facet->distance / m.window.run.scene->delta) : std::string("nan");
-        });
+void add_topology_questions(NamedValues& t, Investigation& m) {
+  t.readings(
+      "refused.", [&m] { return shown_refusal(m.window); },
+      "nan")("distance", "the largest d on the facet that a collapse of the improver left above δ, in δ",
+             [&m](const RefusedFacet& facet) { return facet.distance / m.window.run.scene->delta; });
 
-  const auto topology = [&m] { return m.topology(); };
   using T = TopologyReport;
-  of(t, "topology.verdict", "whether Z has the expected topology", topology,
-     [](const T& r) { return r.verdict.as_expected ? "on" : "off"; });
-  of(t, "topology.components", "components of Z", topology,
-     [](const T& r) { return count(r.components.size()); });
-  of(t, "topology.genus", "the genus of all components", topology, [](const T& r) {
+  const auto topology = t.readings("topology.", [&m] { return m.topology(); });
+  topology("verdict", "whether Z has the expected topology",
+           [](const T& r) { return r.verdict.as_expected; });
+  topology("components", "components of Z", [](const T& r) { return r.components.size(); });
+  topology("genus", "the genus of all components", [](const T& r) {
     long genus = 0;
     for (const auto& c : r.components) genus += c.counts.genus();
-    return std::to_string(genus);
+    return genus;
   });
-  of(t, "topology.expected_genus", "what the boundaries say of the first component", topology,
-     [](const T& r) {
-       return r.components.empty() || !r.components[0].expected_genus
-                  ? none
-                  : std::to_string(*r.components[0].expected_genus);
-     });
-  of(t, "topology.boundaries", "boundary components beside the first component", topology,
-     [](const T& r) { return r.components.empty() ? "0" : count(r.components[0].sides.size()); });
-  of(t, "topology.wrong", "components whose genus is not that of the boundaries beside", topology,
-     [](const T& r) { return count(r.wrong_components); });
-  of(t, "topology.thickening", "whether the boundaries of Ω agree", topology,
-     [](const T& r) { return r.thickening ? "on" : "off"; });
-  t.add("topology.loop", "length of the shortest handle loop in δ", [&m] {
-    const auto r = m.topology();
-    double shortest = std::numeric_limits<double>::infinity();
-    if (r)
-      for (const auto& c : r->components)
-        if (c.loop) shortest = std::min(shortest, c.loop->length);
-    return shortest < std::numeric_limits<double>::infinity() ? text_of(shortest / delta_of(m)) : none;
+  topology("expected_genus", "what the boundaries say of the first component", [](const T& r) {
+    return r.components.empty() ? decltype(r.components[0].expected_genus)() : r.components[0].expected_genus;
   });
+  topology("boundaries", "boundary components beside the first component",
+           [](const T& r) { return r.components.empty() ? 0 : r.components[0].sides.size(); });
+  topology("wrong", "components whose genus is not that of the boundaries beside", &T::wrong_components);
+  topology("thickening", "whether the boundaries of Ω agree", &T::thickening);
+  topology("loop", "length of the shortest handle loop in δ",
+           [length = in_delta(m)](const T& r) -> std::optional<double> {
+             double shortest = std::numeric_limits<double>::infinity();
+             for (const auto& c : r.components)
+               if (c.loop) shortest = std::min(shortest, c.loop->length);
+             if (std::isinf(shortest)) return std::nullopt;
+             return length(shortest);
+           });
+}
 
+void add_result_questions(NamedValues& t, Investigation& m) {
   const auto result = [&m] { return m.window.run.result; };
-  of(t, "covers", "whether the finished mesh is near enough to every point of the input", result,
-     [](const RunResult& r) { return r.certificate.covers ? "on" : "off"; });
-  of(t, "uncovered.places", "places of the input that it leaves behind", result,
-     [](const RunResult& r) { return count(r.certificate.uncovered_count); });
-  t.add("uncovered.distance", "of the farthest of them, in δ", [&m] {
-    if (!m.window.run.result || m.window.run.result->certificate.uncovered.empty()) return none;
-    return text_of(m.window.run.result->certificate.uncovered[0].distance / delta_of(m));
-  });
-  t.add("uncovered.marked", "the one that is marked", [&m] {
-    if (!m.window.run.result || !m.window.selection.mark) return none;
-    const auto& places = m.window.run.result->certificate.uncovered;
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (places[i].point == *m.window.selection.mark) return count(i);
-    return none;
+  using R = RunResult;
+  t.readings("", result)("covers", "whether the finished mesh is near enough to every point of the input",
+                         [](const R& r) { return r.certificate.covers; });
+  const auto uncovered = t.readings("uncovered.", result);
+  uncovered("places", "places of the input that it leaves behind",
+            [](const R& r) { return r.certificate.uncovered_count; });
+  uncovered("distance", "of the farthest of them, in δ",
+            [length = in_delta(m)](const R& r) -> std::optional<double> {
+              if (r.certificate.uncovered.empty()) return std::nullopt;
+              return length(r.certificate.uncovered[0].distance);
+            });
+  uncovered("marked", "the one that is marked", [&m](const R& r) -> std::optional<std::size_t> {
+    const auto& places = r.certificate.uncovered;
+    for (std::size_t i = 0; m.window.selection.mark && i < places.size(); ++i)
+      if (places[i].point == *m.window.selection.mark) return i;
+    return std::nullopt;
   });
 
-  const auto checked = [&m] { return m.check(); };
+  const auto checked = t.readings("check.", [&m] { return m.check(); });
   using C = CheckAnswer;
-  of(t, "check.step", "the step that was checked last", checked,
-     [](const C& c) { return count(c.report.step); });
-  of(t, "check.broken", "what is broken there", checked, [](const C& c) { return count(c.report.broken()); });
+  checked("step", "the step that was checked last", [](const C& c) { return c.report.step; });
+  checked("broken", "what is broken there", [](const C& c) { return c.report.broken(); });
   for (std::size_t i = 0; i < invariant_count; ++i) {
     const auto invariant = static_cast<Invariant>(i);
-    of(t, "check." + std::string(name(invariant)), "holds, broken, not-due or absent", checked,
-       [invariant](const C& c) {
-         constexpr std::array<std::string_view, 4> words{"holds", "broken", "not-due", "absent"};
-         return words.at(static_cast<std::size_t>(c.report[invariant].state));
-       });
+    checked(std::string(name(invariant)), "holds, broken, not-due or absent", [invariant](const C& c) {
+      constexpr std::array<std::string_view, 4> words{"holds", "broken", "not-due", "absent"};
+      return words.at(static_cast<std::size_t>(c.report[invariant].state));
+    });
   }
-  of(t, "check.search", "how the search for the first invalid step ended", checked, [](const C& c) {
+  checked("search", "how the search for the first invalid step ended", [](const C& c) {
     constexpr std::array<std::string_view, 3> words{"found", "all-valid", "cancelled"};
     return c.first ? words.at(static_cast<std::size_t>(c.first->end)) : std::string_view("none");
   });
-  of(t, "check.first_step", "the step that it found", checked, [](const C& c) {
-    return c.first && c.first->end == FirstInvalid::End::found ? count(c.first->report.step) : none;
+  checked("first_step", "the step that it found", [](const C& c) {
+    return c.first && c.first->end == FirstInvalid::End::found ? std::optional(c.first->report.step)
+                                                               : std::nullopt;
   });
+}
 
-  struct Name {
-    const char* name;
-    ParameterAdvice::Parameter parameter;
-  };
-  for (const Name& n :
-       {Name{"alpha", ParameterAdvice::Parameter::alpha}, Name{"sigma", ParameterAdvice::Parameter::sigma},
-        Name{"shrink", ParameterAdvice::Parameter::shrink}})
-    t.add(std::string("advice.") + n.name,
-          "where the verdict on the selection changes: a value, holds, or none", [n, &m] {
-            const auto advice = m.advice();
-            std::string found = none;
-            for (std::size_t i = 0; advice && i < advice->size(); ++i) {
-              const ParameterAdvice& a = (*advice)[i];
-              if (a.parameter != n.parameter) continue;
-              if (a.works) return text_of(*a.works);
-              if (a.holds) found = "holds";
-            }
-            return found;
-          });
+void add_advice(NamedValues& t, Investigation& m) {
+  using P = ParameterAdvice::Parameter;
+  for (const auto& [word, parameter] :
+       {std::pair{"alpha", P::alpha}, {"sigma", P::sigma}, {"shrink", P::shrink}})
+    t.readings("advice.", [&m] { return m.advice(); })(
+        word, "where the verdict on the selection changes: a value, holds, or none",
+        [parameter = parameter](const std::vector<ParameterAdvice>& advice) {
+          std::string found = "none";
+          for (const ParameterAdvice& a : advice) {
+            if (a.parameter != parameter) continue;
+            if (a.works) return text_of(*a.works);
+            if (a.holds) found = "holds";
+          }
+          return found;
+        });
 }
 
 } // namespace
@@ -291,7 +246,9 @@ void Investigation::add_values(NamedValues& values) {
   add_tet_questions(values, *this);
   add_history_questions(values, *this);
   add_work_questions(values, *this);
-  add_state_questions(values, *this);
+  add_topology_questions(values, *this);
+  add_result_questions(values, *this);
+  add_advice(values, *this);
 }
 
 } // namespace isoscope

@@ -1,5 +1,5 @@
 // Questions about the whole state: what violates conditions, the topology of Z, whether everything holds.
-#include "ask/state_questions.h"
+#include "ask/investigation.h"
 
 #include "model/words.h"
 #include "ui/icons.h"
@@ -34,7 +34,7 @@ void violations(Ui& ui, const Investigation& asked, const StateSnapshot& s) {
   // The flattest, by height.
   constexpr std::size_t most = 6;
   const auto tets = flat_tets(s, s.criteria.height_limit());
-  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  const double delta = s.criteria.unit();
   for (std::size_t i = 0; i < std::min(most, tets.size()); ++i) {
     ImGui::PushID(static_cast<int>(i));
     if (widgets::link_row(ui, "tet", "   tetrahedron " + grouped(tets[i].tet.value),
@@ -83,7 +83,7 @@ void topology(Ui& ui, Investigation& asked, const StateSnapshot& s) {
   if (!report) return widgets::quiet_text(ui, "being judged …");
   if (std::exchange(asked.reveal_topology, false)) ImGui::SetScrollHereY(0.1f);
   widgets::quiet_text(ui, report->words, true);
-  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  const double delta = s.criteria.unit();
   constexpr std::size_t most = 8;
   for (std::size_t c = 0; c < std::min(most, report->components.size()); ++c)
     component(ui, report->components[c], c, delta);

@@ -1,9 +1,9 @@
 // Where the work goes, in three columns: the busiest places, time by reason, the last attempts.
-#include "ask/work_panel.h"
+#include "ask/investigation.h"
 
+#include "journal/vocabulary.h"
 #include "model/words.h"
 #include "scene/annotation.h"
-#include "scene/reason_style.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -15,18 +15,17 @@ namespace {
 constexpr std::size_t most_places = 10;
 
 std::string reason_text(Reason reason) {
-  return std::string(rejects(reason) ? reason_style(reason).title : name(reason));
+  return std::string(rejects(reason) ? words(reason).title : name(reason));
 }
 
 void places(Ui& ui, const WorkMap& map, const char* which) {
   for (std::size_t i = 0; i < std::min(most_places, map.cells.size()); ++i) {
-    ImGui::PushID(static_cast<int>(i));
     const WorkCell& c = map.cells[i];
     if (widgets::link_row(ui, "place", std::to_string(i + 1) + "  " + reason_text(c.reason), grouped(c.count),
                           "A cube of one δ; its most frequent reason and how often it was worked in. The "
-                          "camera goes there."))
+                          "camera goes there.",
+                          i))
       ui.commands.post("look-at-place", {which, std::to_string(i)});
-    ImGui::PopID();
   }
 }
 
@@ -70,7 +69,7 @@ void time_column(Ui& ui, const WorkAnswer& w) {
       stage = t.stage;
       double sum = 0;
       for (const WorkTime& other : w.times) sum += other.stage == t.stage ? other.seconds : 0;
-      widgets::value_row(ui, stage_title(t.stage), short_number(sum) + " s", ui.colors.accent_text);
+      widgets::value_row(ui, words(t.stage).title, short_number(sum) + " s", ui.colors.accent_text);
     }
     widgets::value_row(ui, "   " + std::string(name(t.kind)) + ", " + reason_text(t.reason),
                        grouped(t.count) + " ×   " + short_number(t.seconds) + " s");
@@ -94,7 +93,7 @@ void band(const Ui& ui, const StallReport& s) {
       if (n == 0) continue;
       const float part = high * static_cast<float>(n) / static_cast<float>(all);
       const float x = at.x + static_cast<float>(k) * column;
-      const Rgb color = r == 0 ? ui.colors.good : reason_style(static_cast<Reason>(r)).color;
+      const Rgb color = r == 0 ? ui.colors.good : words(static_cast<Reason>(r)).color;
       list.AddRectFilled({x, y - part}, {x + column - 1, y}, to_u32(color, 0.9f));
       y -= part;
     }
@@ -115,7 +114,7 @@ void stall_column(Ui& ui, const WorkAnswer& w) {
                    [&](std::size_t a, std::size_t b) { return s.by_reason[a] > s.by_reason[b]; });
   for (const std::size_t r : order) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ReasonStyle& style = reason_style(static_cast<Reason>(r));
+    const ReasonWords& style = words(static_cast<Reason>(r));
     widgets::glyph(ui, {at.x + ui.px(7), at.y + ui.px(10)}, 4.5f, r == 0 ? ui.colors.good : style.color,
                    r == 0 ? MarkerShape::disc : style.shape);
     ImGui::SetCursorScreenPos({at.x + ui.px(20), at.y});

@@ -1,5 +1,5 @@
 // Writing the page: one table a menu, in the order of the table of commands.
-#include "command/command_reference.h"
+#include "command/commands.h"
 
 #include <algorithm>
 #include <vector>

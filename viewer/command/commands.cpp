@@ -1,10 +1,13 @@
 // Looking commands up, reading and running them.
 #include "command/commands.h"
 
+#include "base/numbers.h"
+
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace isoscope {
 namespace {
@@ -85,6 +88,25 @@ std::string joined(const Arguments& arguments, std::size_t from) {
 
 Error wrong_arguments(std::string what) {
   return {ErrorCode::usage, std::move(what), std::string(form_follows)};
+}
+
+std::optional<double> number_argument(const Arguments& a, std::size_t at, double low, double high) {
+  const auto number = at < a.size() ? read_number(a[at]) : std::nullopt;
+  return number && *number >= low && *number <= high ? number : std::nullopt;
+}
+
+std::optional<std::size_t> whole_argument(const Arguments& a, std::size_t at, std::size_t low,
+                                          std::size_t high) {
+  const auto number = number_argument(a, at, static_cast<double>(low), static_cast<double>(high));
+  if (!number || *number != std::floor(*number)) return std::nullopt;
+  return static_cast<std::size_t>(*number);
+}
+
+Result<long> count_argument(const Arguments& a, const std::string& things) {
+  if (a.empty()) return 1L;
+  const auto n = whole_argument(a, 0, 1, 1000000000);
+  if (!n) return wrong_arguments("\"" + a[0] + "\" is not a count of " + things + ".");
+  return static_cast<long>(*n);
 }
 
 void CommandTable::add(std::initializer_list<Command> commands) {

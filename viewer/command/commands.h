@@ -78,6 +78,13 @@ inline Error usage(std::string what) {
   return {ErrorCode::usage, std::move(what), ""};
 }
 
+/// The argument at a place as a number in [low, high], where it is one.
+std::optional<double> number_argument(const Arguments& a, std::size_t at, double low, double high);
+std::optional<std::size_t> whole_argument(const Arguments& a, std::size_t at, std::size_t low,
+                                          std::size_t high = 4000000000);
+/// The first argument as a count of `things`, 1 without it.
+Result<long> count_argument(const Arguments& a, const std::string& things);
+
 class CommandTable {
  public:
   void add(std::initializer_list<Command> commands);
@@ -108,5 +115,17 @@ class CommandSink {
  private:
   std::vector<CommandCall> calls_;
 };
+
+/// Adds them; what one leaves out of menu and `enabled` it takes from `common`.
+inline void add_group(CommandTable& table, const Command& common, std::initializer_list<Command> commands) {
+  for (Command command : commands) {
+    if (command.menu.empty()) command.menu = common.menu;
+    if (!command.enabled) command.enabled = common.enabled;
+    table.add({std::move(command)});
+  }
+}
+
+/// All commands by menu, with names, arguments, keys and what they do, as Markdown.
+std::string command_reference(const CommandTable& table);
 
 } // namespace isoscope

@@ -2,26 +2,43 @@
 // theirs, bound to where they are kept.
 #pragma once
 
-#include "base/status.h"
+#include "base/fields.h"
 
-#include <algorithm>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace isoscope {
 
-/// Reads a finite number; fails with usage.
-Result<double> parse_number(const std::string& text);
-/// Reads on/off, true/false, 1/0; fails with usage.
-Result<bool> parse_switch(const std::string& text);
-/// A number with all digits that tell it apart.
-std::string text_of(double value);
+/// A number with all digits that tell it apart, but for the last two, which sums lose.
+inline std::string text_of(double value) {
+  return general(value, std::numeric_limits<double>::max_digits10 - 2);
+}
 inline std::string on_off(bool on) {
   return on ? "on" : "off";
 }
+/// What scripts read of a value: a number, a word, on or off; `absent` where there is nothing.
+template <class T> std::string value_text(const T& value, const std::string& absent = "none") {
+  if constexpr (std::is_same_v<T, bool>)
+    return on_off(value);
+  else if constexpr (std::is_integral_v<T>)
+    return std::to_string(value);
+  else if constexpr (std::is_floating_point_v<T>)
+    return text_of(static_cast<double>(value));
+  else if constexpr (std::is_enum_v<T>)
+    return std::string(name(value));
+  else if constexpr (std::is_constructible_v<std::string, T>)
+    return std::string(value);
+  else if constexpr (requires { value.valid(); })
+    return value.valid() ? std::to_string(value.value) : absent;
+  else
+    return value ? value_text(*value, absent) : absent;
+}
+
 /// "\"red\" is not one of dark, light, paper."
 Error wrong_value(const std::string& text, const std::string& wanted);
 
@@ -36,14 +53,26 @@ struct NamedValue {
 /// By group and then by name. What it is bound to must outlive it.
 class NamedValues {
  public:
-  void add(std::string name, std::string help, std::function<std::string()> get,
-           std::function<Status(const std::string&)> set = nullptr);
-  template <class Number>
-  void add_number(std::string name, std::string help, Number& place, double low, double high);
-  void add_switch(std::string name, std::string help, bool& place);
-  /// `words` in the order of the enumeration.
-  template <class Choice>
-  void add_choice(std::string name, std::string help, std::vector<std::string> words, Choice& place);
+  /// `get` gives anything that value_text() takes.
+  template <class Get>
+  void add(std::string name, std::string help, Get get,
+           std::function<Status(const std::string&)> set = nullptr) {
+    values_.push_back({std::move(name), std::move(help), [get = std::move(get)] { return value_text(get()); },
+                       std::move(set)});
+  }
+  /// Adds readings, by a member or a function, of what `find` points to; `absent` is read where it is empty.
+  template <class Find> auto readings(std::string prefix, Find find, std::string absent = "none") {
+    return [this, prefix, find, absent](const std::string& name, std::string help, auto get) {
+      add(prefix + name, std::move(help), [find, get, absent] {
+        const auto found = find();
+        return found ? value_text(std::invoke(get, *found), absent) : absent;
+      });
+    };
+  }
+  /// Bound to a place, whose range and words the facts give.
+  template <class T> void bind(std::string name, std::string help, const FieldFacts& facts, T& place);
+  /// The fields of a struct that have words.
+  template <class S> void bind_fields(S& settings);
 
   const std::vector<NamedValue>& all() const { return values_; }
   const NamedValue* find(std::string_view name) const;
@@ -57,35 +86,23 @@ class NamedValues {
   std::vector<NamedValue> values_;
 };
 
-template <class Number>
-void NamedValues::add_number(std::string name, std::string help, Number& place, double low, double high) {
+template <class T>
+void NamedValues::bind(std::string name, std::string help, const FieldFacts& facts, T& place) {
   add(
-      std::move(name), std::move(help), [&place] { return text_of(static_cast<double>(place)); },
-      [&place, low, high](const std::string& text) -> Status {
-        const auto number = parse_number(text);
-        if (!number) return number.error();
-        if (*number < low || *number > high)
-          return wrong_value(text, "between " + text_of(low) + " and " + text_of(high));
-        place = static_cast<Number>(*number);
+      name, std::move(help), [facts, &place] { return field_text(facts, place); },
+      [facts, name, &place](const std::string& text) -> Status {
+        auto value = read_field<T>(facts, name, text);
+        if (!value) return value.error();
+        place = std::move(*value);
         return {};
       });
 }
 
-template <class Choice>
-void NamedValues::add_choice(std::string name, std::string help, std::vector<std::string> words,
-                             Choice& place) {
-  add(
-      std::move(name), std::move(help), [&place, words] { return words.at(static_cast<std::size_t>(place)); },
-      [&place, words](const std::string& text) -> Status {
-        const auto found = std::find(words.begin(), words.end(), text);
-        if (found != words.end()) {
-          place = static_cast<Choice>(found - words.begin());
-          return {};
-        }
-        std::string all;
-        for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-        return wrong_value(text, "one of " + all);
-      });
+template <class S> void NamedValues::bind_fields(S& settings) {
+  for (NamedField<S>& f : named_fields<S>())
+    add(
+        std::move(f.name), std::move(f.help), [&settings, get = std::move(f.get)] { return get(settings); },
+        [&settings, set = std::move(f.set)](const std::string& text) { return set(settings, text); });
 }
 
 } // namespace isoscope

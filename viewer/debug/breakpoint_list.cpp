@@ -1,7 +1,7 @@
 // A field for another one, and a line each.
-#include "debug/breakpoint_list.h"
+#include "debug/event_list.h"
 
-#include "debug/suggested_breaks.h"
+#include "debug/debugger.h"
 #include "model/words.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -38,7 +38,7 @@ void query_error(Ui& ui, const QueryError& error, const std::string& text, float
 }
 
 void BreakpointList::draw(Ui& ui, const Debugger& debugger) {
-  ImGui::PushFont(ui.fonts.small);
+  const widgets::Font font(ui.fonts.small);
   const float left = ImGui::GetCursorScreenPos().x;
   ImGui::SetNextItemWidth(ui.px(300));
   const bool entered =
@@ -78,20 +78,15 @@ void BreakpointList::draw(Ui& ui, const Debugger& debugger) {
       bool on = b.enabled;
       if (widgets::toggle(ui, "on", on)) ui.commands.post("breakpoint", {id, on ? "on" : "off"});
       ImGui::SameLine(0, ui.px(10));
-      const ImVec2 at = ImGui::GetCursorScreenPos();
-      const float high = ui.px(22), width = ImGui::GetContentRegionAvail().x;
-      ImDrawList& draw = *ImGui::GetWindowDrawList();
-      const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
-      widgets::draw_text(draw, ui.fonts.mono, {at.x, y}, to_u32(ui.colors.quiet), id);
-      widgets::draw_text(draw, ui.fonts.mono, {at.x + ui.px(28), y},
-                         to_u32(b.enabled ? ui.colors.text : ui.colors.quiet),
-                         widgets::fitted(b.text, width - ui.px(280)));
-      std::string count = b.hits == 1 ? "1 hit" : grouped(b.hits) + " hits";
+      const widgets::Row row(ui, 22);
+      row.text(ui.fonts.mono, 0, ui.colors.quiet, id);
+      row.fitted(ui.fonts.mono, 28, b.enabled ? ui.colors.text : ui.colors.quiet, b.text,
+                 row.width - ui.px(280));
+      std::string count = counted(b.hits, "hit");
       if (b.ignore > 0) count += ", first " + grouped(b.ignore) + " ignored";
       if (b.last_event) count += ", last at event " + grouped(*b.last_event);
-      widgets::draw_text(draw, ui.fonts.small, {at.x + width - ui.px(230), y}, to_u32(ui.colors.quiet),
-                         count);
-      ImGui::Dummy({std::max(width - ui.px(34), 1.0f), high});
+      row.text(ui.fonts.small, row.width / ui.scale - 230, ui.colors.quiet, count);
+      ImGui::Dummy({std::max(row.width - ui.px(34), 1.0f), row.high});
       ImGui::SameLine(0, ui.px(4));
       if (widgets::icon_button(ui, "remove", icon::close)) ui.commands.post("breakpoint", {id, "remove"});
       ImGui::PopID();
@@ -100,7 +95,6 @@ void BreakpointList::draw(Ui& ui, const Debugger& debugger) {
   } else {
     ImGui::EndChild();
   }
-  ImGui::PopFont();
 }
 
 } // namespace isoscope

@@ -1,13 +1,11 @@
 // Commands on breakpoints, saved filters, ranges and steps on three levels.
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "debug/debugger.h"
-#include "debug/suggested_breaks.h"
 #include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace isoscope {
 namespace {
@@ -42,8 +40,8 @@ Status toggle_break_here(Debugger& d, const Arguments& a) {
 }
 
 Status change_breakpoint(Debugger& d, const Arguments& a) {
-  const auto id = a.size() >= 2 ? parse_number(a[0]) : Result<double>(-1.0);
-  if (!id || *id < 1 || *id != std::floor(*id)) return wrong_arguments("Which breakpoint?");
+  const auto id = whole_argument(a, 0, 1);
+  if (!id || a.size() < 2) return wrong_arguments("Which breakpoint?");
   const auto number = static_cast<unsigned>(*id);
   bool found = false;
   if (a[1] == "remove" && a.size() == 2) {
@@ -51,9 +49,9 @@ Status change_breakpoint(Debugger& d, const Arguments& a) {
   } else if ((a[1] == "on" || a[1] == "off") && a.size() == 2) {
     found = d.breakpoints->enable(number, a[1] == "on");
   } else if (a[1] == "ignore" && a.size() == 3) {
-    const auto hits = parse_number(a[2]);
-    if (!hits || *hits < 0 || *hits > 1e9) return wrong_arguments("How many hits?");
-    found = d.breakpoints->ignore(number, static_cast<std::size_t>(*hits));
+    const auto hits = whole_argument(a, 2, 0, 1000000000);
+    if (!hits) return wrong_arguments("How many hits?");
+    found = d.breakpoints->ignore(number, *hits);
   } else {
     return wrong_arguments("Nothing of a breakpoint is called \"" + a[1] + "\".");
   }
@@ -84,10 +82,9 @@ Status save_filter(Debugger& d, const Arguments& a) {
 }
 
 Status forget_filter(Debugger& d, const Arguments& a) {
-  const auto number = a.size() == 1 ? parse_number(a[0]) : Result<double>(-1.0);
   auto& filters = d.window.settings.filters;
-  if (!number || *number < 1 || *number > static_cast<double>(filters.size()))
-    return wrong_arguments("There is no such saved filter.");
+  const auto number = whole_argument(a, 0, 1, filters.size());
+  if (!number || a.size() != 1) return wrong_arguments("There is no such saved filter.");
   const auto at = static_cast<std::ptrdiff_t>(*number) - 1;
   filters.erase(filters.begin() + at);
   if (static_cast<std::size_t>(at) < d.lanes.size()) d.lanes.erase(d.lanes.begin() + at);
@@ -99,12 +96,12 @@ Status choose_range(Debugger& d, const Arguments& a) {
     d.window.range.reset();
     return {};
   }
-  const auto begin = parse_number(a[0]);
-  const auto end = a.size() == 2 ? parse_number(a[1]) : Result<double>(-1.0);
-  if (!begin || !end || *begin < 0 || *end < *begin || *begin > static_cast<double>(d.window.live_step()))
+  const Step live = d.window.live_step();
+  const auto begin = number_argument(a, 0, 0, live), end = number_argument(a, 1, 0, 1e300);
+  if (!begin || !end || *end < *begin || a.size() != 2)
     return wrong_arguments("A range has a first and a last step.");
-  d.window.range = StepSpan{static_cast<Step>(*begin),
-                            static_cast<Step>(std::min(*end, static_cast<double>(d.window.live_step())))};
+  d.window.range =
+      StepSpan{static_cast<Step>(*begin), static_cast<Step>(std::min(*end, static_cast<double>(live)))};
   return {};
 }
 

@@ -16,6 +16,8 @@
 
 namespace isoscope {
 
+struct Ui;
+
 /// A gate of the event shown: a check of its edge, or a sweep of its repair.
 struct GateView {
   std::string title, state, numbers; ///< "link condition in T", "failed", "0.2 against 1"
@@ -103,5 +105,23 @@ class Debugger {
   std::uint64_t held_generation_ = 0;
   std::size_t held_events_ = 0; ///< events there were at the pause that was told last
 };
+
+/// A condition worth stopping at, made from what is selected and where one stands.
+struct SuggestedBreak {
+  std::string condition; ///< in the language of breakpoints
+  std::string words;     ///< "this edge, for this reason"
+};
+
+/// The first is what F9 breaks on; empty where nothing is selected and no event led here.
+std::vector<SuggestedBreak> suggested_breaks(const Debugger& debugger);
+/// Whether there is a breakpoint with just this condition.
+bool breaks_on(const Debugger& debugger, const std::string& condition);
+
+namespace panels {
+
+/// Breakpoints that the inspector offers: on the selection, the gate or the event shown.
+void break_rows(Ui& ui, const Debugger& debugger);
+
+} // namespace panels
 
 } // namespace isoscope

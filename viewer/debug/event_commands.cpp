@@ -21,7 +21,7 @@ Result<std::shared_ptr<const Expression>> condition_of(const Arguments& a) {
 
 Status pick_operation(Debugger& d, const Arguments&) {
   const auto state = d.window.state();
-  if (!state || state->step == 0) return Error{ErrorCode::usage, "No operation led to this step.", ""};
+  if (!state || state->step == 0) return usage("No operation led to this step.");
   const std::uint32_t index = d.window.run.journal->operations()[state->step - 1].event;
   const bool frame = d.window.requests.frame_selection;
   d.show_event(index);
@@ -30,8 +30,8 @@ Status pick_operation(Debugger& d, const Arguments&) {
 }
 
 Status go_to_event(Debugger& d, const Arguments& a) {
-  const auto number = a.size() == 1 ? parse_number(a[0]) : Result<double>(-1.0);
-  if (!number || *number < 0 || *number >= static_cast<double>(d.window.run.journal->events().size()))
+  const auto number = whole_argument(a, 0, 0);
+  if (!number || a.size() != 1 || *number >= d.window.run.journal->events().size())
     return wrong_arguments("There is no such event.");
   d.show_event(static_cast<std::uint32_t>(*number));
   return {};
@@ -83,7 +83,7 @@ Status go_to_stage(Debugger& d, const Arguments& a) {
     d.window.transport.follow();
     return {};
   }
-  return Error{ErrorCode::usage, "This stage has not begun.", ""};
+  return usage("This stage has not begun.");
 }
 
 Status filter_events(Debugger& d, const Arguments& a) {

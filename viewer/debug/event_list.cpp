@@ -1,10 +1,9 @@
 // The field, the menus of what may pass, the rows.
 #include "debug/event_list.h"
 
-#include "debug/breakpoint_list.h"
 #include "journal/describe.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -12,6 +11,8 @@
 
 namespace isoscope {
 namespace {
+
+constexpr float row_units = 22;
 
 /// How an event is marked: reasons of rejections by their own glyphs, the rest by kind.
 struct EventStyle {
@@ -22,7 +23,7 @@ EventStyle style_of(const Ui& ui, const Event& e) {
   const KindWords& kind = words(e.kind);
   switch (kind.role) {
   case ColorRole::reason:
-    return {reason_style(e.reason).color, reason_style(e.reason).shape};
+    return {words(e.reason).color, words(e.reason).shape};
   case ColorRole::good:
     return {ui.colors.good, kind.shape};
   case ColorRole::warning:
@@ -107,58 +108,45 @@ void EventList::filter_field(Ui& ui) {
   f.expression = applied_.empty() ? nullptr : std::get<std::shared_ptr<const Expression>>(parsed);
 }
 
-void EventList::row(Ui& ui, std::uint32_t index, float high) {
+void EventList::row(Ui& ui, std::uint32_t index) {
   WindowState& m = ui.window;
   const Journal& journal = *m.run.journal;
   const Event& event = journal.events()[index];
   const Step target = step_showing(event);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  ImGui::PushID(static_cast<int>(index));
-  if (ImGui::InvisibleButton("event", {std::max(width, 1.0f), high}))
-    ui.commands.post("event", {std::to_string(index)});
-  ImGui::PopID();
+  widgets::Row row(ui, row_units);
+  if (row.button(index)) ui.commands.post("event", {std::to_string(index)});
   const bool chosen = m.selection.event == index;
   const bool here = chosen || (target == m.transport.step() && event.operation);
-  if (here || ImGui::IsItemHovered())
-    list.AddRectFilled(at, {at.x + width, at.y + high},
-                       to_u32(here ? ui.colors.accent : ui.colors.hover, chosen ? 0.3f
-                                                                         : here ? 0.16f
-                                                                                : 1.0f),
-                       ui.px(4));
-  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
-  const std::string number = grouped(target);
-  const float extent = widgets::width_of(ui.fonts.mono, number);
-  widgets::draw_text(list, ui.fonts.mono, {at.x + ui.px(64) - extent, y}, to_u32(ui.colors.quiet), number);
+  if (here || row.hovered())
+    row.ground(here ? ui.colors.accent : ui.colors.hover, chosen ? 0.3f : here ? 0.16f : 1.0f);
+  row.step(target);
   const EventStyle style = style_of(ui, event);
-  widgets::glyph(ui, {at.x + ui.px(80), at.y + high / 2}, 4.5f, style.color, style.shape);
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(94), y},
-                     to_u32(ui.colors.text, event.kind == EventKind::rejection ? 0.8f : 1.0f),
-                     widgets::fitted(describe_event(journal, event), width - ui.px(100)));
+  row.glyph(80, style.color, style.shape);
+  row.fitted(ui.fonts.small, 94, ui.colors.text, describe_event(journal, event), row.width - ui.px(100),
+             event.kind == EventKind::rejection ? 0.8f : 1.0f);
 }
 
 void EventList::draw(Ui& ui, const Debugger& debugger) {
   WindowState& m = ui.window;
-  ImGui::PushFont(ui.fonts.small);
+  const widgets::Font font(ui.fonts.small);
   const float left = ImGui::GetCursorScreenPos().x;
   filter_field(ui);
   EventFilter& f = m.filter.chosen;
   ImGui::SameLine(0, ui.px(10));
   filter_menu(ui, "stage", f.stages, std::bitset<stage_count>().set(),
-              [](std::size_t i) { return stage_title(static_cast<Stage>(i)); });
+              [](std::size_t i) { return words(static_cast<Stage>(i)).title; });
   ImGui::SameLine(0, ui.px(5));
   filter_menu(ui, "kind", f.kinds, std::bitset<event_kind_count>().set(),
               [](std::size_t i) { return words(static_cast<EventKind>(i)).title; });
   ImGui::SameLine(0, ui.px(5));
   filter_menu(ui, "condition", f.conditions, std::bitset<condition_count>().set(),
-              [](std::size_t i) { return i == 0 ? "none" : condition_title(static_cast<Condition>(i)); });
+              [](std::size_t i) { return i == 0 ? "none" : words(static_cast<Condition>(i)).title; });
   ImGui::SameLine(0, ui.px(5));
   std::bitset<reason_count> rejections;
   for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r)
     rejections.set(static_cast<std::size_t>(r));
   filter_menu(ui, "reason", f.reasons, rejections,
-              [](std::size_t i) { return reason_style(static_cast<Reason>(i)).title; });
+              [](std::size_t i) { return words(static_cast<Reason>(i)).title; });
   ImGui::SameLine(0, ui.px(10));
   if (!m.filter.condition.empty() || !f.everything()) {
     if (widgets::plain_button(ui, "show all", true, 0, ui.px(24))) ui.commands.post("filter");
@@ -168,13 +156,12 @@ void EventList::draw(Ui& ui, const Debugger& debugger) {
     ui.commands.post("save-filter");
   ImGui::SameLine(0, ui.px(14));
   const std::vector<std::uint32_t>& rows = debugger.listed.rows();
-  const std::string found = grouped(rows.size()) + (rows.size() == 1 ? " event" : " events");
-  widgets::quiet_text(ui, found);
+  widgets::quiet_text(ui, counted(rows.size(), "event"));
   if (error_) query_error(ui, *error_, text_.data(), left);
   const Journal* journal = m.run.journal.get();
 
   if (ImGui::BeginChild("rows", {0, 0}) && journal != nullptr && debugger.listed.journal() == m.run.journal) {
-    const float high = ui.px(22);
+    const float high = ui.px(row_units);
     // The row of the play head or of the chosen event comes into sight when it moved.
     const Step step = m.transport.step();
     const auto current = m.selection.event
@@ -190,16 +177,9 @@ void EventList::draw(Ui& ui, const Debugger& debugger) {
       const float scroll = ImGui::GetScrollY(), visible = ImGui::GetWindowHeight();
       if (y < scroll || y + high > scroll + visible) ImGui::SetScrollY(std::max(0.0f, y - visible / 2));
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()), high);
-    while (clipper.Step())
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        row(ui, rows[static_cast<std::size_t>(i)], high);
-    ImGui::PopStyleVar();
+    widgets::rows_in_sight(rows.size(), high, [&](std::size_t i) { row(ui, rows[i]); });
   }
   ImGui::EndChild();
-  ImGui::PopFont();
 }
 
 } // namespace isoscope

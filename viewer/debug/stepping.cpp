@@ -65,13 +65,13 @@ std::vector<GateView> checks_of(const EdgeXray& x) {
     const auto check = static_cast<CollapseCheck>(i);
     const CheckVerdict& v = x.attempt.check(check);
     GateView gate;
-    gate.title = check_title(check);
+    gate.title = words(check).title;
     gate.failed = v.state == CheckVerdict::State::failed;
     gate.state = v.state == CheckVerdict::State::passed ? "passed" : gate.failed ? "failed" : "not asked";
     if (v.state != CheckVerdict::State::skipped && (v.value != 0 || v.limit != 0)) {
       // Lengths are told in δ.
       const bool length = check == CollapseCheck::kernel || check == CollapseCheck::containment;
-      const double unit = length && x.criteria.delta > 0 ? x.criteria.delta : 1;
+      const double unit = length && x.criteria.unit();
       gate.numbers = number_beside(v.value / unit, v.limit / unit) + (length ? " δ against " : " against ") +
                      short_number(v.limit / unit) + (length ? " δ" : "");
     }
@@ -90,14 +90,6 @@ std::vector<GateView> checks_of(const EdgeXray& x) {
   return gates;
 }
 
-Result<long> count_of(const Arguments& a) {
-  if (a.empty()) return 1L;
-  const auto n = parse_number(a[0]);
-  if (!n || *n < 1 || *n > 1e9 || *n != std::floor(*n))
-    return Error{ErrorCode::usage, "\"" + a[0] + "\" is not a count of steps.", ""};
-  return static_cast<long>(*n);
-}
-
 } // namespace
 
 std::optional<std::uint32_t> Debugger::event_here() const {
@@ -114,8 +106,7 @@ bool Debugger::has_gates() const {
 
 // Lets a held run go on to the n-th such event.
 Status Debugger::run_to(long n, bool (*wanted)(const Event&)) {
-  if (window.run.phase != SessionPhase::paused)
-    return Error{ErrorCode::usage, "There is no such step in that direction.", ""};
+  if (window.run.phase != SessionPhase::paused) return usage("There is no such step in that direction.");
   auto left = std::make_shared<long>(n);
   window.session.run_until([left, wanted](const Journal&, const Event& event) {
     return wanted(event) && --*left == 0 ? std::string(stepping_note) : std::string();
@@ -132,7 +123,7 @@ Status Debugger::advance(long n, int direction, bool (*wanted)(const Event&)) {
     return {};
   }
   if (direction > 0) return run_to(left, wanted);
-  return Error{ErrorCode::usage, "There is no such step in that direction.", ""};
+  return usage("There is no such step in that direction.");
 }
 
 std::vector<GateView> Debugger::gates() const {
@@ -149,7 +140,7 @@ std::string Debugger::breadcrumb() const {
   const auto here = event_here();
   if (!here) return "setup";
   const Event& e = window.run.journal->events()[*here];
-  std::string text(stage_title(e.stage));
+  std::string text(words(e.stage).title);
   if (window.place.level == DebugLevel::stage) return text;
   text += between + std::string(name(e.kind)) + " " + grouped(*here);
   if (window.place.level == DebugLevel::operation) return text;
@@ -161,7 +152,7 @@ std::string Debugger::breadcrumb() const {
 }
 
 Status Debugger::step_over(const Arguments& a, Direction direction) {
-  const auto n = count_of(a);
+  const auto n = count_argument(a, "steps");
   if (!n) return n.error();
   const int sign = direction == Direction::forward ? 1 : -1;
   switch (window.place.level) {

@@ -1,10 +1,9 @@
 // From the narrowest condition to the widest.
-#include "debug/suggested_breaks.h"
 
 #include "base/numbers.h"
 #include "debug/debugger.h"
+#include "journal/vocabulary.h"
 #include "scene/pick_geometry.h"
-#include "scene/reason_style.h"
 
 #include <algorithm>
 
@@ -17,7 +16,7 @@ std::string place_of(Vec3 p) {
 
 SuggestedBreak rejected(Reason reason) {
   return {"rejection && reason == " + std::string(name(reason)),
-          "any edge that stays: " + std::string(reason_style(reason).title)};
+          "any edge that stays: " + std::string(words(reason).title)};
 }
 
 class Suggestions {

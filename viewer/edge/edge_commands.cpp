@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace isoscope {
@@ -55,8 +54,8 @@ Status try_target(M& m, const A& a) {
   if (a.size() == 3) {
     Vec3 target;
     for (int i = 0; i < 3; ++i) {
-      const auto number = parse_number(a[static_cast<std::size_t>(i)]);
-      if (!number) return number.error();
+      const auto number = read_number(a[static_cast<std::size_t>(i)]);
+      if (!number) return wrong_arguments("Three numbers are needed.");
       target[i] = *number;
     }
     m.window.selection.try_target(target);
@@ -79,7 +78,7 @@ Status try_target(M& m, const A& a) {
 Status nudge(M& m, Vec3 direction) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
-  const double length = nudge_length * (xray->criteria.delta > 0 ? xray->criteria.delta : 1);
+  const double length = nudge_length * xray->criteria.unit();
   const Vec3 from = m.window.selection.what_if.value_or(first_target(*xray));
   m.window.selection.try_target(from + length * m.window.camera.to_world(direction));
   return {};
@@ -89,7 +88,7 @@ Status next_candidate(M& m, int direction) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
   const auto n = static_cast<int>(xray->attempt.candidates.size());
-  if (n == 0) return Error{ErrorCode::usage, "No candidate was judged.", ""};
+  if (n == 0) return usage("No candidate was judged.");
   const int from = m.window.selection.candidate ? static_cast<int>(*m.window.selection.candidate)
                    : direction > 0              ? -1
                                                 : n;
@@ -101,8 +100,8 @@ Status next_candidate(M& m, int direction) {
 Status go_to_candidate(M& m, const A& a) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
-  const auto number = a.size() == 1 ? parse_number(a[0]) : Result<double>(-1.0);
-  if (!number || *number < 0 || *number >= static_cast<double>(xray->attempt.candidates.size()))
+  const auto number = whole_argument(a, 0, 0);
+  if (!number || a.size() != 1 || *number >= xray->attempt.candidates.size())
     return Error{ErrorCode::usage, "There is no such candidate.", "It is used so: candidate NUMBER"};
   const auto i = static_cast<std::uint32_t>(*number);
   m.window.selection.try_target(xray->attempt.candidates[i].point, i);
@@ -115,14 +114,14 @@ Status drag_target(M& m, const A& a) {
   if (!xray) return no_xray();
   std::array<float, 2> by{};
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto number = a.size() == 2 ? parse_number(a[i]) : Result<double>(Error{});
+    const auto number = a.size() == 2 ? read_number(a[i]) : std::nullopt;
     if (!number) return Error{ErrorCode::usage, "By how many pixels?", "It is used so: drag-target DX DY"};
     by.at(i) = static_cast<float>(*number);
   }
   const auto [x, y, width, height] = m.window.scene_area;
   const ScreenPoint at = project(m.window.camera, m.window.selection.what_if.value_or(first_target(*xray)),
                                  static_cast<double>(width), static_cast<double>(height));
-  if (!at.visible) return Error{ErrorCode::usage, "The target is not in sight.", ""};
+  if (!at.visible) return usage("The target is not in sight.");
   const float from_x = x + static_cast<float>(at.x), from_y = y + static_cast<float>(at.y);
   constexpr int moves = 8;
   for (int i = -2; i <= moves + 1; ++i) {

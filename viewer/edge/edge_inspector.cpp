@@ -1,12 +1,9 @@
 // The verdict, and every check with its number beside its limit.
 #include "edge/edge_inspector.h"
 
-#include "edge/edge_journal.h"
-#include "edge/edge_numbers.h"
-#include "edge/edge_what_if.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
 #include "scene/pick_geometry.h"
-#include "scene/reason_style.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -31,18 +28,11 @@ std::string_view kind_text(EdgeKind kind) {
 
 /// A glyph and a sentence in one line.
 void headline(const Ui& ui, Rgb color, MarkerShape shape, std::string_view text) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float high = ui.px(26), width = ImGui::GetContentRegionAvail().x;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(color, 0.18f), ui.px(5));
-  widgets::glyph(ui, {at.x + ui.px(14), at.y + high / 2}, 5.5f, color, shape);
-  ImGui::PushFont(ui.fonts.bold);
-  const std::string shown = widgets::fitted(text, width - ui.px(34));
-  const float extent = widgets::text_size(shown).y;
-  ImGui::PopFont();
-  widgets::draw_text(list, ui.fonts.bold, {at.x + ui.px(27), at.y + (high - extent) / 2},
-                     to_u32(ui.colors.text), shown);
-  ImGui::Dummy({width, high});
+  const widgets::Row row(ui, 26);
+  row.ground(color, 0.18f);
+  row.glyph(14, color, shape, 5.5f);
+  row.fitted(ui.fonts.bold, 27, ui.colors.text, text, row.width - ui.px(34));
+  row.item();
 }
 
 void verdict(Ui& ui, const EdgeXray& x) {
@@ -52,17 +42,14 @@ void verdict(Ui& ui, const EdgeXray& x) {
     headline(ui, ui.colors.quiet, MarkerShape::circle, "is never collapsed");
   else if (attempt.possible())
     headline(ui, ui.colors.good, MarkerShape::disc,
-             "can collapse: " + std::string(reason_style(attempt.found_by).title));
+             "can collapse: " + std::string(words(attempt.found_by).title));
   else
-    headline(ui, reason_style(attempt.rejected).color, reason_style(attempt.rejected).shape,
-             "stays: " + std::string(reason_style(attempt.rejected).title));
+    headline(ui, words(attempt.rejected).color, words(attempt.rejected).shape,
+             "stays: " + std::string(words(attempt.rejected).title));
   if (x.agrees) {
-    ImGui::PushFont(ui.fonts.small);
-    widgets::verdict_glyph(ui, *x.agrees);
-    ImGui::SameLine();
-    ImGui::TextUnformatted(*x.agrees ? "the journal says the same, numbers and all"
-                                     : "the journal says otherwise");
-    ImGui::PopFont();
+    widgets::verdict_text(ui, *x.agrees,
+                          *x.agrees ? "the journal says the same, numbers and all"
+                                    : "the journal says otherwise");
     widgets::tip(ui, "Judged again",
                  "The evaluator that the run used, asked again about the state of that moment.");
   }
@@ -83,52 +70,35 @@ std::string time_text(double seconds) {
 /// One rung of the ladder; a click shows the witness.
 void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
   const CheckVerdict& v = x.attempt.check(check);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), high = ui.px(22);
-  ImGui::PushID(static_cast<int>(check));
-  const bool asked = v.state != CheckState::skipped;
-  const bool pressed = ImGui::InvisibleButton("check", {width, high});
-  ImGui::PopID();
+  const auto number = static_cast<std::size_t>(check);
+  widgets::Row row(ui, 22);
+  const bool asked = v.state != CheckState::skipped, failed = v.state == CheckState::failed;
+  const bool pressed = row.button(number);
   const bool has_witness = witness_of(x, x.attempt, check).has_value();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (at_gate(ui, static_cast<std::size_t>(check))) gate_ground(ui, at, {width, high});
-  if (ImGui::IsItemHovered() && has_witness) {
-    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + high},
-                       to_u32(ui.colors.hover), ui.px(4));
-    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  }
+  if (at_gate(ui, number)) gate_ground(ui, row.at, {row.width, row.high});
+  if (has_witness) row.link();
   if (pressed && has_witness) ui.commands.post("witness", {std::string(name(check))});
-  widgets::tip(ui, check_title(check),
-               std::string(check_help(check)) + (has_witness ? " Click for the witness." : "") +
+  widgets::tip(ui, words(check).title,
+               std::string(words(check).help) + (has_witness ? " Click for the witness." : "") +
                    (v.seconds > 0 ? " It took " + time_text(v.seconds) + "." : ""));
-  const ImVec2 mark{at.x + ui.px(8), at.y + high / 2};
-  if (v.state == CheckState::passed)
-    widgets::glyph(ui, mark, 4.5f, ui.colors.good, MarkerShape::disc);
-  else if (v.state == CheckState::failed)
-    widgets::glyph(ui, mark, 4.5f, ui.colors.bad_text, MarkerShape::cross);
+  if (asked)
+    row.verdict(8, !failed);
   else
-    widgets::glyph(ui, mark, 3.5f, ui.colors.quiet, MarkerShape::circle);
-  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), y},
-                     to_u32(asked ? ui.colors.text : ui.colors.quiet), check_title(check));
-  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
+    row.glyph(8, ui.colors.quiet, MarkerShape::circle, 3.5f);
+  row.text(ui.fonts.small, 20, asked ? ui.colors.text : ui.colors.quiet, words(check).title);
+  const double delta = x.criteria.unit();
   const std::string value = asked ? check_text(check, v, x.attempt, delta) : "not asked";
-  const float extent = widgets::width_of(ui.fonts.mono, value);
-  widgets::draw_text(list, ui.fonts.mono,
-                     {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
-                     to_u32(!asked                          ? ui.colors.quiet
-                            : v.state == CheckState::failed ? ui.colors.bad_text
-                                                            : ui.colors.text,
-                            asked ? 1.0f : 0.7f),
-                     value);
+  const float extent = row.value(!asked   ? ui.colors.quiet
+                                 : failed ? ui.colors.bad_text
+                                          : ui.colors.text,
+                                 value, asked ? 1.0f : 0.7f);
   if (v.seconds > 0) {
     const std::string time = time_text(v.seconds);
     const float room = std::max(extent, ui.px(104)) + ui.px(10);
     const float taken = widgets::width_of(ui.fonts.small, time);
-    widgets::draw_text(list, ui.fonts.small, {at.x + width - room - taken, y}, to_u32(ui.colors.quiet, 0.8f),
-                       time);
+    row.text(ui.fonts.small, (row.width - room - taken) / ui.scale, ui.colors.quiet, time, 0.8f);
   }
-  ImGui::SetCursorScreenPos({at.x, at.y + high});
+  row.below();
 }
 
 void ladder(Ui& ui, const EdgeXray& x) {
@@ -149,7 +119,7 @@ void offenders(Ui& ui, const LinkVerdict& link) {
   if (lists[0]->empty() && lists[1]->empty()) return;
   widgets::subtitle(ui, "In both links, not in that of the edge");
   constexpr std::size_t most = 6;
-  int id = 0;
+  std::size_t id = 0;
   std::size_t left_out = 0;
   for (std::size_t k = 0; k < lists.size(); ++k)
     for (std::size_t i = 0; i < lists.at(k)->size(); ++i) {
@@ -161,11 +131,10 @@ void offenders(Ui& ui, const LinkVerdict& link) {
       std::string numbers;
       for (const VertexId v : simplex) numbers += (numbers.empty() ? "" : " ") + std::to_string(v.value);
       const char* what = simplex.size() == 1 ? "vertex" : simplex.size() == 2 ? "edge" : "triangle";
-      ImGui::PushID(id++);
       if (widgets::link_row(ui, "offender", std::string(what) + (k == 0 ? " of T" : " of Z"), numbers,
-                            "A collapse would pinch here; drawn in magenta. Click selects its first vertex."))
+                            "A collapse would pinch here; drawn in magenta. Click selects its first vertex.",
+                            id++))
         ui.commands.post("pick", {"vertex", std::to_string(simplex[0].value)});
-      ImGui::PopID();
     }
   if (left_out > 0) widgets::quiet_text(ui, "and " + grouped(left_out) + " more");
 }
@@ -177,18 +146,16 @@ void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
   const Pick& picked = m.selection.picked;
   const auto xray = probe.xray();
   const auto ends = edge_positions(s, picked);
-  const double delta = s.criteria.delta > 0 ? s.criteria.delta : 1;
+  const double delta = s.criteria.unit();
   std::string note = xray ? std::string(kind_text(xray->attempt.kind)) : std::string("an edge of Z");
   if (ends) note += ", " + short_number(distance((*ends)[0], (*ends)[1]) / delta) + " δ long";
   if (xray && xray->before) note += ", before the operation";
   widgets::heading(ui, icon::bolt, "Edge " + edge_text(picked.id, picked.other), note);
   for (const std::uint32_t end : {picked.id, picked.other}) {
-    ImGui::PushID(static_cast<int>(end));
     const bool alive = end < s.complex.vertices.size() && s.complex.vertices[end].alive;
     if (widgets::link_row(ui, "vertex", alive ? "vertex" : "vertex, gone", grouped(end),
-                          "Selects the vertex."))
+                          "Selects the vertex.", end))
       ui.commands.post("pick", {"vertex", std::to_string(end)});
-    ImGui::PopID();
   }
   const auto event = m.selected_event();
   if (xray) verdict(ui, *xray);

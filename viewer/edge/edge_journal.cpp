@@ -1,9 +1,9 @@
 // The edge's event with the number that decided, the sweeps of a repair, its history.
-#include "edge/edge_journal.h"
+#include "edge/edge_inspector.h"
 
 #include "journal/describe.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -64,20 +64,16 @@ void distance_curve(const Ui& ui, const RepairDetail& sweeps, double delta) {
 
 /// How the transaction ended, in one line.
 void repair_end(const Ui& ui, const Event& e, const RepairDetail& sweeps, double delta) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, high = ui.px(22);
-  if (at_gate(ui, sweeps.size())) gate_ground(ui, at, {width, high});
+  const widgets::Row row(ui, 22);
+  if (at_gate(ui, sweeps.size())) gate_ground(ui, row.at, {row.width, row.high});
   const bool good = e.kind != EventKind::rejection;
-  widgets::glyph(ui, {at.x + ui.px(8), at.y + high / 2}, 4.5f, good ? ui.colors.good : ui.colors.bad_text,
-                 good ? MarkerShape::disc : MarkerShape::cross);
+  row.verdict(8, good);
   std::string text =
-      good ? "committed: every facet below δ" : "rolled back: " + std::string(reason_style(e.reason).title);
+      good ? "committed: every facet below δ" : "rolled back: " + std::string(words(e.reason).title);
   if (!good && e.value > e.limit && e.limit > 0)
     text += " by " + short_number((e.value - e.limit) / delta) + " δ";
-  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
-                     {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.text),
-                     text);
-  ImGui::Dummy({width, high});
+  row.text(ui.fonts.small, 20, ui.colors.text, text);
+  row.item();
 }
 
 /// The inner level of a transaction.
@@ -166,7 +162,7 @@ void event_details(Ui& ui, const Journal& journal, std::uint32_t index) {
       e.kind == EventKind::repair || e.kind == EventKind::relaxation || e.kind == EventKind::shake;
   const Reason reason = repaired ? Reason::stays_above : e.reason;
   if (e.kind == EventKind::rejection || repaired)
-    measured_row(ui, repaired ? "largest d" : reason_style(reason).title,
+    measured_row(ui, repaired ? "largest d" : words(reason).title,
                  measured(reason, e.value, e.limit, delta > 0 ? delta : 1));
   const bool witnessed = e.kind == EventKind::rejection && squared_length(e.witness) > 0;
   if (witnessed && widgets::link_row(ui, "witness", "witness",
@@ -193,14 +189,11 @@ void edge_history(Ui& ui, const Journal& journal, VertexId a, VertexId b) {
   widgets::subtitle(ui, "In the journal");
   for (const std::uint32_t index : found) {
     const Event& e = journal.events()[index];
-    ImGui::PushID(static_cast<int>(index));
-    const std::string what = e.kind == EventKind::rejection
-                                 ? "stayed: " + std::string(reason_style(e.reason).title)
-                             : e.kind == EventKind::repair ? std::string("collapsed with repair")
-                                                           : std::string("collapsed");
-    if (widgets::link_row(ui, "event", what, "step " + grouped(step_showing(e)), describe(journal, e)))
+    const std::string what = e.kind == EventKind::rejection ? "stayed: " + std::string(words(e.reason).title)
+                             : e.kind == EventKind::repair  ? std::string("collapsed with repair")
+                                                            : std::string("collapsed");
+    if (widgets::link_row(ui, "event", what, "step " + grouped(step_showing(e)), describe(journal, e), index))
       ui.commands.post("event", {std::to_string(index)});
-    ImGui::PopID();
   }
 }
 

@@ -1,9 +1,8 @@
 // Rows and bars of the numbers.
-#include "edge/edge_numbers.h"
+#include "edge/edge_inspector.h"
 
-#include "edge/edge_journal.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
+#include "scene/search_regions.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -13,42 +12,28 @@
 namespace isoscope::panels {
 namespace {
 
+constexpr float row_units = 20;
+
 /// Of δ: half-spaces that miss by less share boundary points, and nothing inside.
 constexpr double touching = 1e-9;
-
-double delta_of(const EdgeXray& x) {
-  return x.criteria.delta > 0 ? x.criteria.delta : 1;
-}
 
 /// One candidate: glyph, number, reason; hovering shows its ghost, a click keeps it.
 void candidate_row(Ui& ui, const EdgeXray& x, std::uint32_t i) {
   const CandidateRecord& c = x.attempt.candidates[i];
-  const ReasonStyle& style = reason_style(c.rejected);
+  const ReasonWords& style = words(c.rejected);
   Selection& selection = ui.window.selection;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), high = ui.px(20);
-  ImGui::PushID(static_cast<int>(i));
-  if (ImGui::InvisibleButton("candidate", {width, high})) ui.commands.post("candidate", {std::to_string(i)});
-  ImGui::PopID();
-  const bool hovered = ImGui::IsItemHovered();
-  if (hovered) selection.hovered_candidate = i;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  widgets::Row row(ui, row_units);
+  if (row.button(i)) ui.commands.post("candidate", {std::to_string(i)});
+  if (row.hovered()) selection.hovered_candidate = i;
   const bool lit = selection.candidate == i;
-  if (hovered || lit || selection.hovered_candidate == i)
-    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + high},
-                       to_u32(lit ? ui.colors.accent : ui.colors.hover, lit ? 0.25f : 1.0f), ui.px(4));
-  widgets::glyph(ui, {at.x + ui.px(8), at.y + high / 2}, 4.0f, style.color, style.shape);
-  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), y}, to_u32(ui.colors.quiet), std::to_string(i));
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(44), y}, to_u32(ui.colors.text), style.title);
-  const Measured m = measured(c.rejected, c.value, c.limit, delta_of(x));
-  const std::string value =
-      m.number ? number_beside(m.value, m.limit) + (*m.unit ? " " : "") + m.unit : std::string();
-  const float extent = widgets::width_of(ui.fonts.mono, value);
-  widgets::draw_text(list, ui.fonts.mono,
-                     {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
-                     to_u32(ui.colors.text), value);
-  ImGui::SetCursorScreenPos({at.x, at.y + high});
+  if (lit || selection.hovered_candidate == i)
+    row.ground(lit ? ui.colors.accent : ui.colors.hover, lit ? 0.25f : 1.0f, 4);
+  row.glyph(8, style.color, style.shape, 4.0f);
+  row.text(ui.fonts.small, 20, ui.colors.quiet, std::to_string(i));
+  row.text(ui.fonts.small, 44, ui.colors.text, style.title);
+  const Measured m = measured(c.rejected, c.value, c.limit, x.criteria.unit());
+  if (m.number) row.value(ui.colors.text, number_beside(m.value, m.limit) + (*m.unit ? " " : "") + m.unit);
+  row.below();
 }
 
 /// A bold title with a switch at its right.
@@ -64,13 +49,24 @@ void switched_title(const Ui& ui, const char* title, std::string_view help, bool
   ImGui::PopID();
 }
 
+/// Completes a row by what it stands for, a number and a tooltip.
+void told_row(const Ui& ui, const widgets::Row& row, std::string_view title, std::string_view help,
+              std::string_view value) {
+  row.text(ui.fonts.small, 20, ui.colors.text, title);
+  row.value(ui.colors.text, value);
+  ImGui::PushID(title.data(), title.data() + title.size());
+  ImGui::InvisibleButton("legend", {row.width, row.high - ImGui::GetStyle().ItemSpacing.y});
+  ImGui::PopID();
+  widgets::tip(ui, title, help);
+}
+
 /// A colour, what it stands for, a number.
 void legend_row(const Ui& ui, Rgb color, std::string_view title, std::string_view help,
                 std::string_view value, bool filled) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), high = ui.px(20), r = ui.px(4.5f);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 low{at.x + ui.px(8) - r, at.y + high / 2 - r}, end{low.x + 2 * r, low.y + 2 * r};
+  const widgets::Row row(ui, row_units);
+  const float r = ui.px(4.5f);
+  const ImVec2 low{row.at.x + ui.px(8) - r, row.at.y + row.high / 2 - r}, end{low.x + 2 * r, low.y + 2 * r};
+  ImDrawList& list = row.list;
   if (filled) {
     list.AddRectFilled(low, end, to_u32(color, 0.25f));
     for (const float t : {0.7f, 1.3f})
@@ -78,16 +74,7 @@ void legend_row(const Ui& ui, Rgb color, std::string_view title, std::string_vie
                    {low.x + 2 * r * (t > 1 ? 1.0f : 0.65f), low.y + r * (t - 0.7f)}, to_u32(color));
   }
   list.AddRect(low, end, to_u32(color), 0, 0, ui.px(1.2f));
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2},
-                     to_u32(ui.colors.text), title);
-  const float extent = widgets::width_of(ui.fonts.mono, value);
-  widgets::draw_text(list, ui.fonts.mono,
-                     {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
-                     to_u32(ui.colors.text), value);
-  ImGui::PushID(title.data(), title.data() + title.size());
-  ImGui::InvisibleButton("legend", {width, high - ImGui::GetStyle().ItemSpacing.y});
-  ImGui::PopID();
-  widgets::tip(ui, title, help);
+  told_row(ui, row, title, help, value);
 }
 
 } // namespace
@@ -124,42 +111,25 @@ void candidates(Ui& ui, const EdgeXray& x) {
   const std::size_t all = x.attempt.candidates.size();
   if (all == 0) return;
   widgets::subtitle(ui, "Candidates");
-  ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < x.candidates.size(); ++i) {
     const std::uint32_t n = x.candidates[i];
     if (n == 0) continue;
-    const ReasonStyle& style = reason_style(static_cast<Reason>(i));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, high = ui.px(20);
-    const float bar = width * static_cast<float>(n) / static_cast<float>(all);
-    list.AddRectFilled({at.x, at.y + ui.px(2)}, {at.x + std::max(bar, ui.px(2)), at.y + high - ui.px(2)},
-                       to_u32(style.color, 0.22f), ui.px(3));
-    widgets::glyph(ui, {at.x + ui.px(8), at.y + high / 2}, 4.5f, style.color, style.shape);
-    widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), at.y + (high - ui.fonts.small->FontSize) / 2},
-                       to_u32(ui.colors.text), style.title);
-    const std::string count = grouped(n);
-    const float extent = widgets::width_of(ui.fonts.mono, count);
-    widgets::draw_text(list, ui.fonts.mono,
-                       {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
-                       to_u32(ui.colors.text), count);
-    ImGui::PushID(static_cast<int>(i));
-    ImGui::InvisibleButton("bar", {std::max(width, 1.0f), high - ImGui::GetStyle().ItemSpacing.y});
-    ImGui::PopID();
-    widgets::tip(ui, std::string(style.title), style.help);
+    const ReasonWords& style = words(static_cast<Reason>(i));
+    const widgets::Row row(ui, row_units);
+    const float bar = row.width * static_cast<float>(n) / static_cast<float>(all);
+    row.list.AddRectFilled({row.at.x, row.at.y + ui.px(2)},
+                           {row.at.x + std::max(bar, ui.px(2)), row.at.y + row.high - ui.px(2)},
+                           to_u32(style.color, 0.22f), ui.px(3));
+    row.glyph(8, style.color, style.shape);
+    told_row(ui, row, style.title, style.help, grouped(n));
   }
   widgets::quiet_text(ui, "One by one, keys I and Shift+I; hover for the ghost.");
   constexpr std::size_t rows = 7;
-  const float high = ui.px(20) * static_cast<float>(std::min(all, rows)) + ui.px(4);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
-  if (ImGui::BeginChild("candidate-list", {0, high}, false)) {
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(all), ui.px(20));
-    while (clipper.Step())
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-        candidate_row(ui, x, static_cast<std::uint32_t>(i));
-  }
+  const float high = ui.px(row_units) * static_cast<float>(std::min(all, rows)) + ui.px(4);
+  if (ImGui::BeginChild("candidate-list", {0, high}, false))
+    widgets::rows_in_sight(all, ui.px(row_units),
+                           [&](std::size_t i) { candidate_row(ui, x, static_cast<std::uint32_t>(i)); });
   ImGui::EndChild();
-  ImGui::PopStyleVar();
 }
 
 void search_regions(Ui& ui, const EdgeXray& x) {
@@ -174,15 +144,11 @@ void search_regions(Ui& ui, const EdgeXray& x) {
                grouped(x.invalid.size()) + " of " + grouped(attempt.invalid_regions.size()), true);
   }
   if (const std::uint32_t judged = x.pruning.cells_judged + x.pruning.regions_judged; judged > 0) {
-    widgets::verdict_glyph(ui, x.pruning.wrong.empty());
-    ImGui::SameLine();
-    ImGui::PushFont(ui.fonts.small);
     const std::string checked =
         x.pruning.wrong.empty() ? judged == 1 ? std::string("right: the point in it that was judged fails")
                                               : "right: " + grouped(judged) + " points in it judged, all fail"
                                 : grouped(x.pruning.wrong.size()) + " of " + grouped(judged) + " would pass";
-    ImGui::TextUnformatted(checked.c_str());
-    ImGui::PopFont();
+    widgets::verdict_text(ui, x.pruning.wrong.empty(), checked);
     widgets::tip(ui, "Was it right to leave them out?",
                  "Middles of Ψ and centres of the cells inside it, judged as if nothing were known.");
   }
@@ -202,7 +168,7 @@ void search_regions(Ui& ui, const EdgeXray& x) {
 
 void kernel(Ui& ui, const EdgeXray& x) {
   if (!x.attempt.kernel) return;
-  const double delta = delta_of(x);
+  const double delta = x.criteria.unit();
   const Kernel& k = *x.attempt.kernel;
   widgets::subtitle(ui, "Kernel");
   if (k.empty) {
@@ -235,7 +201,7 @@ void kernel(Ui& ui, const EdgeXray& x) {
 void cost(Ui& ui, const EdgeXray& x, const TargetStudy* study) {
   const CollapseAttempt& attempt = x.attempt;
   if (!attempt.kernel || attempt.kernel->empty) return;
-  const double delta = delta_of(x), square = delta * delta;
+  const double delta = x.criteria.unit(), square = delta * delta;
   const ImVec2 top = ImGui::GetCursorScreenPos();
   if (at_gate(ui, collapse_check_count))
     gate_ground(ui, {top.x, top.y + ui.px(6)}, {ImGui::GetContentRegionAvail().x, ui.px(26)});

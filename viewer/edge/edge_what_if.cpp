@@ -1,9 +1,8 @@
 // Every check live, before and after; the neighbours that were tried.
-#include "edge/edge_what_if.h"
+#include "edge/edge_inspector.h"
 
-#include "edge/edge_numbers.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 #include "ui/widgets.h"
 
 #include <array>
@@ -17,35 +16,24 @@ using State = CheckVerdict::State;
 void change_row(Ui& ui, const EdgeXray& x, const TargetStudy& study, CollapseCheck check) {
   const CheckVerdict& v = study.attempt.check(check);
   if (v.state == State::skipped) return;
-  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), high = ui.px(21);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  ImGui::PushID(static_cast<int>(check));
-  const bool pressed = ImGui::InvisibleButton("gate", {width, high});
-  ImGui::PopID();
-  if (ImGui::IsItemHovered())
-    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + high},
-                       to_u32(ui.colors.hover), ui.px(4));
+  const double delta = x.criteria.unit();
+  widgets::Row row(ui, 21);
+  const bool pressed = row.button(static_cast<std::size_t>(check));
+  if (row.hovered()) row.ground(ui.colors.hover, 1, 4);
   if (pressed && witness_of(x, study.attempt, check)) ui.commands.post("witness", {std::string(name(check))});
   const bool good = v.state == State::passed;
-  widgets::glyph(ui, {at.x + ui.px(8), at.y + high / 2}, 4.5f, good ? ui.colors.good : ui.colors.bad_text,
-                 good ? MarkerShape::disc : MarkerShape::cross);
-  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
-  const std::string_view title = check == CollapseCheck::candidates ? "in the kernel" : check_title(check);
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(20), y}, to_u32(ui.colors.text), title);
+  row.verdict(8, good);
+  const std::string_view title = check == CollapseCheck::candidates ? "in the kernel" : words(check).title;
+  row.text(ui.fonts.small, 20, ui.colors.text, title);
   std::string value = check_text(check, v, study.attempt, delta);
   for (const TargetStudy::Change& change : study.changes) {
     if (change.check != check || !change.before) continue;
     const bool length = check == CollapseCheck::containment;
     value = short_number(change.before->value / (length ? delta : 1)) + " → " + value;
   }
-  const float extent = widgets::width_of(ui.fonts.mono, value);
-  widgets::draw_text(list, ui.fonts.mono,
-                     {at.x + width - extent, at.y + (high - ui.fonts.mono->FontSize) / 2},
-                     to_u32(good ? ui.colors.text : ui.colors.bad_text), value);
-  widgets::tip(ui, title, std::string(check_help(check)) + " Before the collapse → after it.");
-  ImGui::SetCursorScreenPos({at.x, at.y + high});
+  row.value(good ? ui.colors.text : ui.colors.bad_text, value);
+  widgets::tip(ui, title, std::string(words(check).help) + " Before the collapse → after it.");
+  row.below();
 }
 
 void coordinates(Ui& ui, Vec3 target, double delta) {
@@ -73,7 +61,7 @@ void snap_buttons(Ui& ui) {
        {"centre", "center", "Of the largest ball in the kernel."},
        {"end", "kept", "The end of the edge that stays."}}};
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ui.px(4)) / 3;
-  ImGui::PushFont(ui.fonts.small);
+  const widgets::Font font(ui.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(4), ui.px(4)});
   for (std::size_t i = 0; i < snaps.size(); ++i) {
     if (i % 3 != 0) ImGui::SameLine();
@@ -82,7 +70,6 @@ void snap_buttons(Ui& ui) {
     widgets::tip(ui, snaps.at(i).help);
   }
   ImGui::PopStyleVar();
-  ImGui::PopFont();
 }
 
 } // namespace
@@ -96,21 +83,16 @@ void what_if(Ui& ui, const EdgeProbe& probe, const EdgeXray& x) {
     widgets::tip(ui, "Try a target", "Or take the target in the view and drag it. Key M.");
     return;
   }
-  const double delta = x.criteria.delta > 0 ? x.criteria.delta : 1;
+  const double delta = x.criteria.unit();
   const auto study = probe.study();
   if (!study) {
     widgets::quiet_text(ui, "The target is being judged.");
     return;
   }
   const bool possible = study->attempt.possible();
-  ImGui::PushFont(ui.fonts.small);
-  widgets::verdict_glyph(ui, possible);
-  ImGui::SameLine();
-  const std::string verdict =
-      possible ? "could collapse to here"
-               : "not to here: " + std::string(reason_style(study->attempt.rejected).title);
-  ImGui::TextUnformatted(verdict.c_str());
-  ImGui::PopFont();
+  widgets::verdict_text(ui, possible,
+                        possible ? "could collapse to here"
+                                 : "not to here: " + std::string(words(study->attempt.rejected).title));
   coordinates(ui, study->target, delta);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
   for (std::size_t i = 0; i < collapse_check_count; ++i)
@@ -159,12 +141,10 @@ void unlock(Ui& ui, EdgeProbe& probe) {
   for (std::size_t i = 0; i < search->trials.size() && i < most; ++i) {
     const UnlockTrial& t = search->trials[i];
     if (!t.unlocks()) break;
-    ImGui::PushID(static_cast<int>(i));
     if (widgets::link_row(ui, "trial", "first collapse",
                           std::to_string(t.a.value) + " – " + std::to_string(t.b.value),
-                          "Selects that edge: try its target and branch the run there."))
+                          "Selects that edge: try its target and branch the run there.", i))
       ui.commands.post("pick", {"edge", std::to_string(t.a.value), std::to_string(t.b.value)});
-    ImGui::PopID();
   }
 }
 

@@ -30,14 +30,14 @@ std::string_view error_word(ErrorCode code) {
 
 void Exports::add_values(NamedValues& t) {
   const auto count = [&](const char* name, const char* help, const std::size_t& number) {
-    t.add(name, help, [&number] { return std::to_string(number); });
+    t.add(name, help, [&number] { return number; });
   };
   count("export.pictures", "pictures written", pictures);
   count("export.figures", "sections written as SVG", figures);
   count("export.frames", "frames of sequences written", frames);
   count("export.films", "films made", films);
   t.add("export.error", "of the last export: none or what kind of error",
-        [this] { return std::string(error ? error_word(error->code) : "none"); });
+        [this] { return error ? error_word(error->code) : "none"; });
 }
 
 } // namespace isoscope

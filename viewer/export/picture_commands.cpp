@@ -1,7 +1,7 @@
 // Commands that write pictures, figures and films.
 #include "export/exports.h"
 
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "model/words.h"
 #include "ui/icons.h"
 
@@ -97,13 +97,13 @@ Status write_svg(M& m, const A& a) {
   return {};
 }
 
-constexpr double most_frames = 100000;
+constexpr std::size_t most_frames = 100000;
 
-Result<std::size_t> frame_count(const std::string& text, double least) {
-  const auto n = parse_number(text);
-  if (!n || *n < least || *n > most_frames || *n != static_cast<double>(static_cast<std::size_t>(*n)))
-    return wrong_arguments("\"" + text + "\" is not a count from " + short_number(least) + " to 100,000.");
-  return static_cast<std::size_t>(*n);
+Result<std::size_t> frame_count(const std::string& text, std::size_t least) {
+  const auto n = read_number<std::size_t>(text);
+  if (!n || *n < least || *n > most_frames)
+    return wrong_arguments("\"" + text + "\" is not a count from " + std::to_string(least) + " to 100,000.");
+  return *n;
 }
 
 Result<SequenceRequest> sequence(const Words& words) {
@@ -136,15 +136,14 @@ Status write_step_frames(M& m, const A& a) {
   if (!request) return request.error();
   request->kind = SequenceRequest::Kind::steps;
   if (words->rest.size() < 3) return wrong_arguments("The first and the last step are missing.");
-  std::array<double, 3> n{0, 0, 1};
+  std::array<std::size_t, 3> n{0, 0, 1};
   for (std::size_t i = 0; i < 3 && i + 1 < words->rest.size(); ++i) {
     if (i == 1 && words->rest[2] == "end") {
       n[1] = m.window.live_step();
       continue;
     }
-    const auto value = parse_number(words->rest[i + 1]);
-    if (!value || *value < (i == 2 ? 1 : 0) || *value > 4e9 || *value != std::floor(*value))
-      return wrong_arguments("\"" + words->rest[i + 1] + "\" is no step.");
+    const auto value = whole_argument(words->rest, i + 1, i == 2 ? 1 : 0);
+    if (!value) return wrong_arguments("\"" + words->rest[i + 1] + "\" is no step.");
     n[i] = *value;
   }
   if (n[0] > n[1] || n[1] > m.window.live_step())
@@ -152,8 +151,7 @@ Status write_step_frames(M& m, const A& a) {
   request->from = static_cast<Step>(n[0]);
   request->to = static_cast<Step>(n[1]);
   request->every = static_cast<Step>(n[2]);
-  if (static_cast<double>(request->count()) > most_frames)
-    return wrong_arguments("These are more than 100,000 frames.");
+  if (request->count() > most_frames) return wrong_arguments("These are more than 100,000 frames.");
   m.wanted.emplace_back(std::move(*request));
   return {};
 }

@@ -54,21 +54,6 @@ std::string_view pick_word(Pick::Kind kind) {
 std::span<const LayerName> layer_names() {
   return layers;
 }
-std::string_view stage_title(Stage stage) {
-  return words(stage).title;
-}
-std::string_view stage_help(Stage stage) {
-  return words(stage).help;
-}
-std::string_view check_title(CollapseCheck check) {
-  return words(check).title;
-}
-std::string_view check_help(CollapseCheck check) {
-  return words(check).help;
-}
-std::string_view condition_title(Condition condition) {
-  return words(condition).title;
-}
 
 std::string short_number(double value) {
   if (std::isnan(value)) return "–";
@@ -76,17 +61,10 @@ std::string short_number(double value) {
   const double size = std::abs(value);
   if (size >= 10000 && size < 1e12)
     return (value < 0 ? "−" : "") + grouped(static_cast<std::size_t>(std::llround(size)));
+  if (size == 0 || (size >= 1e-4 && size < 1e12))
+    return fixed(value, size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 4);
   std::array<char, 40> text{};
-  if (size != 0 && (size < 1e-4 || size >= 1e12))
-    std::snprintf(text.data(), text.size(), "%.2e", value);
-  else
-    std::snprintf(text.data(), text.size(), "%.*f",
-                  size >= 1000  ? 0
-                  : size >= 100 ? 1
-                  : size >= 10  ? 2
-                  : size >= 1   ? 3
-                                : 4,
-                  value);
+  std::snprintf(text.data(), text.size(), "%.2e", value);
   return text.data();
 }
 
@@ -94,12 +72,8 @@ std::string number_beside(double value, double limit) {
   if (value == limit || !std::isfinite(value) || !std::isfinite(limit) ||
       short_number(value) != short_number(limit))
     return short_number(value);
-  for (int digits = 4; digits < 16; ++digits) {
-    std::array<char, 40> text{}, other{};
-    std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-    std::snprintf(other.data(), other.size(), "%.*f", digits, limit);
-    if (std::string(text.data()) != other.data()) return text.data();
-  }
+  for (int digits = 4; digits < 16; ++digits)
+    if (fixed(value, digits) != fixed(limit, digits)) return fixed(value, digits);
   return short_number(value);
 }
 
@@ -111,9 +85,7 @@ std::string bytes_text(std::size_t bytes) {
     value /= 1000;
     ++unit;
   }
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), value < 10 && unit > 0 ? "%.1f %s" : "%.0f %s", value, units[unit]);
-  return text.data();
+  return fixed(value, value < 10 && unit > 0 ? 1 : 0) + " " + units[unit];
 }
 
 } // namespace isoscope

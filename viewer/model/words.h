@@ -2,8 +2,7 @@
 #pragma once
 
 #include "base/numbers.h"
-#include "collapse/collapse_attempt.h"
-#include "journal/event.h"
+#include "journal/vocabulary.h"
 #include "model/transport.h"
 #include "run/session.h"
 #include "scene/view_settings.h"
@@ -24,17 +23,6 @@ struct LayerName {
   LayerSettings ViewSettings::*member;
 };
 std::span<const LayerName> layer_names();
-
-/// The chip and menu title of a stage: "refine", "∂Γ", "tessellate", "Z", "all", "improve".
-std::string_view stage_title(Stage stage);
-/// What a stage does, in one sentence.
-std::string_view stage_help(Stage stage);
-/// A check of a collapse in a few words: "link condition in T".
-std::string_view check_title(CollapseCheck check);
-/// How a check is judged, for tooltips.
-std::string_view check_help(CollapseCheck check);
-/// A condition in a few words: "1 classification".
-std::string_view condition_title(Condition condition);
 
 /// Three significant digits, without needless exponents: "0.0123", "1.83", "12,300".
 std::string short_number(double value);

@@ -1,5 +1,5 @@
 // Lines, marks, faces and heat cells of an annotation.
-#include "scene/layer_annotation.h"
+#include "scene/layers.h"
 
 #include <glad/gl.h>
 

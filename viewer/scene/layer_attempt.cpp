@@ -1,8 +1,8 @@
 // The edge under the X-ray.
-#include "scene/layer_attempt.h"
+#include "scene/layers.h"
 
+#include "journal/vocabulary.h"
 #include "scene/attempt_builder.h"
-#include "scene/reason_style.h"
 #include "scene/search_regions.h"
 
 #include <glad/gl.h>
@@ -57,7 +57,7 @@ struct Builder : AttemptBuilder {
 
   void candidates(const CollapseAttempt& attempt) {
     for (const CandidateRecord& c : attempt.candidates) {
-      const ReasonStyle& style = reason_style(c.rejected);
+      const ReasonWords& style = words(c.rejected);
       if (c.rejected != Reason::none) mark(c.point, rgb(style.color), style.shape, 9, 0.95f);
     }
   }

@@ -1,5 +1,5 @@
 // The edges of ∂Γ.
-#include "scene/layer_gamma.h"
+#include "scene/layers.h"
 
 #include <algorithm>
 #include <utility>

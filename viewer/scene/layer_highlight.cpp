@@ -1,5 +1,5 @@
 // What the current operation touched, and what is selected.
-#include "scene/layer_highlight.h"
+#include "scene/layers.h"
 
 #include "scene/pick_geometry.h"
 

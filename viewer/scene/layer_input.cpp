@@ -1,5 +1,5 @@
 // The input triangles.
-#include "scene/layer_input.h"
+#include "scene/layers.h"
 
 namespace isoscope {
 

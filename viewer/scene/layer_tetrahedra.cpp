@@ -1,5 +1,5 @@
 // Tetrahedra as shrunk copies: violating ones solid in their condition's colour, the others faint.
-#include "scene/layer_tetrahedra.h"
+#include "scene/layers.h"
 
 namespace isoscope {
 

@@ -1,5 +1,5 @@
 // Z: shaded polygons with their edges.
-#include "scene/layer_zero_set.h"
+#include "scene/layers.h"
 
 #include "scene/zero_facets.h"
 

@@ -6,15 +6,9 @@
 #include "gl/shader_source.h"
 #include "scene/clip.h"
 #include "scene/frame_targets.h"
-#include "scene/layer_annotation.h"
-#include "scene/layer_attempt.h"
-#include "scene/layer_gamma.h"
-#include "scene/layer_highlight.h"
-#include "scene/layer_input.h"
 #include "scene/layer_samples.h"
-#include "scene/layer_tetrahedra.h"
 #include "scene/layer_tolerance.h"
-#include "scene/layer_zero_set.h"
+#include "scene/layers.h"
 #include "scene/overlay.h"
 #include "scene/picking.h"
 #include "scene/programs.h"
@@ -194,57 +188,41 @@ void Renderer::Impl::upload_frame(const Camera& camera, const ClipSettings& clip
 void Renderer::Impl::update_layers(const ViewFrame& frame) {
   const ViewSettings& view = frame.view;
   const Clip clip(view.clip);
-  const auto stale = [](Built& built, const Built& wanted) {
-    if (built == wanted) return false;
+  const auto refresh = [](const LayerSettings& shown, Built& built, const Built& wanted, auto& layer,
+                          auto update) {
+    if (!shown.shown() || built == wanted) return;
     built = wanted;
-    return true;
+    if (wanted.source != nullptr)
+      update();
+    else
+      layer.clear();
   };
   Built wanted;
   wanted.clip = clip_of_cells(view.clip);
   wanted.theme = view.theme;
   wanted.source = scene ? scene->input.get() : nullptr;
-  if (view.input.shown() && stale(input_built, wanted)) {
-    if (wanted.source)
-      input.update(*scene->input, clip, frame.colors, space);
-    else
-      input.clear();
-  }
+  refresh(view.input, input_built, wanted, input,
+          [&] { input.update(*scene->input, clip, frame.colors, space); });
   wanted.source = state.get();
   Built zero_wanted = wanted;
   zero_wanted.moment = view.moment;
-  if (view.zero_set.shown() && stale(zero_built, zero_wanted)) {
-    if (state)
-      zero_set.update(*state, view.moment, clip, frame.colors, space);
-    else
-      zero_set.clear();
-  }
+  refresh(view.zero_set, zero_built, zero_wanted, zero_set,
+          [&] { zero_set.update(*state, view.moment, clip, frame.colors, space); });
   Built gamma_wanted = wanted;
   gamma_wanted.tets.box = view.tets.box;
-  if (view.gamma.shown() && stale(gamma_built, gamma_wanted)) {
-    if (state)
-      gamma.update(*state, view.tets.box, clip, frame.colors, space);
-    else
-      gamma.clear();
-  }
+  refresh(view.gamma, gamma_built, gamma_wanted, gamma,
+          [&] { gamma.update(*state, view.tets.box, clip, frame.colors, space); });
   Built sample_wanted = wanted;
   sample_wanted.good = view.good_samples.shown();
   sample_wanted.bad = view.bad_samples.shown();
-  if (view.samples.shown() && stale(samples_built, sample_wanted)) {
-    if (state)
-      samples.update(*state, view, clip, space);
-    else
-      samples.clear();
-  }
+  refresh(view.samples, samples_built, sample_wanted, samples,
+          [&] { samples.update(*state, view, clip, space); });
   // Cut tetrahedra depend on the clip too: only those that it touches or keeps are uploaded.
   wanted.clip = view.clip;
   wanted.tets = view.tets;
   wanted.good = view.side_tint;
-  if (view.tetrahedra.shown() && stale(tets_built, wanted)) {
-    if (state)
-      tetrahedra.update(*state, view.tets, view.side_tint, clip, frame.colors, space);
-    else
-      tetrahedra.clear();
-  }
+  refresh(view.tetrahedra, tets_built, wanted, tetrahedra,
+          [&] { tetrahedra.update(*state, view.tets, view.side_tint, clip, frame.colors, space); });
   highlight.update(state.get(), frame);
   attempt.update(view.xray.shown() ? xray.get() : nullptr, study.get(), frame);
   annotations.update(annotation.get(), frame);

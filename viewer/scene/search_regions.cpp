@@ -1,8 +1,6 @@
 // Hatching is cut from the faces by evenly spaced planes, so that it runs on from face to face.
 #include "scene/search_regions.h"
 
-#include "scene/reason_style.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,6 +54,16 @@ void outline(const KernelPolyhedron& shape, std::size_t ball_from, const SceneSp
 }
 
 } // namespace
+
+const FateStyle& fate_style(OctreeCell::Fate fate) {
+  static constexpr std::array<FateStyle, fate_count> styles{
+      {{0x7F8896, "split", "Its eight parts were looked at; not drawn itself."},
+       {0x8E97A6, "outside the kernel", "Pruned: no point of it sees the whole one-ring."},
+       {invalid_color, "inside Ψ", "Pruned: every point of it is known to fail. Figures 9 and 12"},
+       {0xE69F00, "costlier", "Pruned: no point of it has less error than a target already found."},
+       {0x56B4E9, "last level", "Too deep to be split; its centre was the last candidate there."}}};
+  return styles.at(static_cast<std::size_t>(fate));
+}
 
 void add_invalid_regions(const EdgeXray& xray, const SceneSpace& space, LineBuilder& lines,
                          MeshBuilder& faces) {

@@ -30,8 +30,8 @@ std::string lower(std::string text) {
 
 bool is_model(const std::string& name) {
   const std::string end = lower(fs::path(name).extension().string());
-  return end == ".off" || end == ".obj" || end == ".ply" || end == ".stl" || end == ".json" ||
-         end == ".isorun";
+  return end == ".off" || end == ".obj" || end == ".ply" || end == ".stl" || end == ".nrrd" ||
+         end == ".nhdr" || end == ".grid" || end == ".json" || end == ".isorun";
 }
 
 void store(std::array<char, 1024>& out, const std::string& text) {
@@ -96,40 +96,22 @@ void FileBrowser::listing(Ui& ui) {
   std::vector<const Entry*> shown;
   for (const Entry& entry : entries_)
     if (lower(entry.name).find(part) != std::string::npos) shown.push_back(&entry);
-  const float high = ui.px(26);
-  ImGuiListClipper clipper;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  clipper.Begin(static_cast<int>(shown.size()), high);
-  while (clipper.Step())
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const Entry& entry = *shown[static_cast<std::size_t>(i)];
-      const ImVec2 at = ImGui::GetCursorScreenPos();
-      const float width = ImGui::GetContentRegionAvail().x;
-      ImGui::PushID(i);
-      const bool pressed = ImGui::InvisibleButton("entry", {std::max(width, 1.0f), high});
-      ImGui::PopID();
-      ImDrawList& list = *ImGui::GetWindowDrawList();
-      if (ImGui::IsItemHovered())
-        list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover), ui.px(5));
-      const float y = at.y + (high - ui.fonts.ui->FontSize) / 2;
-      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(10), y},
-                         to_u32(entry.folder ? ui.colors.accent_text : ui.colors.quiet),
-                         entry.folder ? icon::folder : icon::cube);
-      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(36), y}, to_u32(ui.colors.text),
-                         widgets::fitted(entry.name, width - ui.px(140)));
-      if (!entry.folder) {
-        const std::string size = bytes_text(entry.bytes);
-        const float extent = widgets::width_of(ui.fonts.mono, size);
-        widgets::draw_text(list, ui.fonts.mono, {at.x + width - extent - ui.px(10), y},
-                           to_u32(ui.colors.quiet), size);
-      }
-      if (!pressed) continue;
-      if (entry.folder)
-        next = folder_ / entry.name;
-      else
-        ui.commands.post(open_command(ui), {(folder_ / entry.name).string()});
+  constexpr float high = 26;
+  widgets::rows_in_sight(shown.size(), ui.px(high), [&](std::size_t i) {
+    const Entry& entry = *shown[i];
+    widgets::Row row(ui, high);
+    const bool pressed = row.button(i);
+    if (row.hovered()) row.ground(ui.colors.hover);
+    row.text(ui.fonts.ui, 10, entry.folder ? ui.colors.accent_text : ui.colors.quiet,
+             entry.folder ? icon::folder : icon::cube);
+    row.fitted(ui.fonts.ui, 36, ui.colors.text, entry.name, row.width - ui.px(140));
+    if (!entry.folder) {
+      row.width -= ui.px(10);
+      row.value(ui.colors.quiet, bytes_text(entry.bytes));
     }
-  ImGui::PopStyleVar();
+    if (pressed && entry.folder) next = folder_ / entry.name;
+    if (pressed && !entry.folder) ui.commands.post(open_command(ui), {(folder_ / entry.name).string()});
+  });
   if (shown.empty()) widgets::quiet_text(ui, "No models here: OFF, OBJ, PLY, STL, or a view as JSON.");
   ImGui::EndChild();
   if (!next.empty()) go(next);

@@ -1,5 +1,5 @@
 // Parameters with a live preview of what would violate them now; applied to the run, or for a new one.
-#include "steering/parameters_panel.h"
+#include "steering/steering.h"
 
 #include "model/words.h"
 #include "ui/icons.h"
@@ -63,9 +63,8 @@ void control(Ui& ui, P& p, const Field<P, double>& f) {
   double& value = p.*(f.member);
   if (f.format.empty()) {
     ImGui::SetNextItemWidth(-1);
-    ImGui::PushFont(ui.fonts.mono);
+    const widgets::Font font(ui.fonts.mono);
     typed(f, value, "%.6g", [&](double v) { return check_range(f, {}, v).ok(); });
-    ImGui::PopFont();
   } else if (f.member == &P::sigma) {
     const double by_default = ui.window.run.scene ? ui.window.run.scene->default_sigma : 0.5;
     double sigma = p.sigma_ratio(by_default);
@@ -117,6 +116,50 @@ void control(Ui& ui, P& p, const Field<P, Robust>& f) {
   }
   if (widgets::segmented(ui, f.name.data(), kinds, chosen))
     neighbors = chosen == 0 ? Robust::automatic : chosen == 1 ? Robust::off : usual;
+}
+
+void control(Ui& ui, P& p, const Field<P, Levels>& f) {
+  Levels& levels = p.*(f.member);
+  const float each = (ImGui::GetContentRegionAvail().x - ui.px(6)) / 2;
+  ImGui::PushFont(ui.fonts.mono);
+  for (double* level : {&levels.low, &levels.high}) {
+    ImGui::PushID(level == &levels.low ? "low" : "high");
+    ImGui::SetNextItemWidth(each);
+    typed(f, *level, "%.6g", [](double v) { return std::isfinite(v); });
+    ImGui::PopID();
+    if (level == &levels.low) ImGui::SameLine(0, ui.px(6));
+  }
+  ImGui::PopFont();
+}
+
+void control(Ui& ui, P& p, const Field<P, std::optional<int>>& f) {
+  std::optional<int>& value = p.*(f.member);
+  constexpr std::array<const char*, 2> kinds{"is", "none"};
+  int chosen = value ? 0 : 1;
+  if (value) {
+    auto number = static_cast<double>(*value);
+    ImGui::SetNextItemWidth(ui.px(64));
+    if (typed(f, number, "%.0f", [&](double v) { return check_range(f, {}, v).ok(); }))
+      value = static_cast<int>(std::round(number));
+    ImGui::SameLine(0, ui.px(6));
+  }
+  if (!widgets::segmented(ui, f.name.data(), kinds, chosen)) return;
+  value = chosen == 0 ? std::optional(1) : std::nullopt;
+}
+
+/// Whether the draft's input is a grid, by what was read of it or by its name.
+bool is_grid_draft(const WindowState& m) {
+  if (m.draft.levels.given() || m.draft.label) return true;
+  if (m.run.scene && m.run.parameters.input == m.draft.input) return m.run.scene->input->grid != nullptr;
+  return m.draft.input.ends_with(".nrrd") || m.draft.input.ends_with(".nhdr") ||
+         m.draft.input.ends_with(".grid");
+}
+
+/// Rows that only some inputs have.
+template <class T> bool belongs(const WindowState& m, const Field<P, T>& f) {
+  static_cast<void>(f);
+  if constexpr (std::is_same_v<T, Levels> || std::is_same_v<T, std::optional<int>>) return is_grid_draft(m);
+  return true;
 }
 
 void control(Ui& ui, P& p, const Field<P, std::optional<double>>& f) {
@@ -190,7 +233,7 @@ void skip_chip(const Ui& ui, Stage stage, bool& skipped, float width) {
                      skipped ? to_u32(ui.colors.panel) : to_u32(stage_color(ui.theme, stage), 0.25f),
                      ui.px(5));
   list.AddRect(at, {at.x + width, at.y + high}, to_u32(ui.colors.line), ui.px(5));
-  const std::string_view label = stage_title(stage);
+  const std::string_view label = words(stage).title;
   ImGui::PushFont(ui.fonts.small);
   const ImVec2 extent = widgets::text_size(label);
   ImGui::PopFont();
@@ -199,8 +242,8 @@ void skip_chip(const Ui& ui, Stage stage, bool& skipped, float width) {
   if (skipped)
     list.AddLine({text.x - ui.px(2), at.y + high / 2}, {text.x + extent.x + ui.px(2), at.y + high / 2},
                  to_u32(ui.colors.quiet), ui.px(1.2f));
-  widgets::tip(ui, "Stage: " + std::string(stage_title(stage)),
-               std::string(stage_help(stage)) + " Click to leave it out or to take it in; needs a restart.");
+  widgets::tip(ui, "Stage: " + std::string(words(stage).title),
+               std::string(words(stage).help) + " Click to leave it out or to take it in; needs a restart.");
 }
 
 void control(Ui& ui, P& p, const Field<P, std::array<bool, stage_count>>& f) {
@@ -213,7 +256,7 @@ void control(Ui& ui, P& p, const Field<P, std::array<bool, stage_count>>& f) {
   float room = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(optional.size() - 1);
   ImGui::PushFont(ui.fonts.small);
   for (std::size_t i = 0; i < optional.size(); ++i) {
-    widths[i] = widgets::text_size(stage_title(optional[i])).x;
+    widths[i] = widgets::text_size(words(optional[i]).title).x;
     room -= widths[i];
   }
   ImGui::PopFont();
@@ -247,7 +290,7 @@ void rows(Ui& ui, P& p, int first, int end, float units) {
   for (int place = first; place < end; ++place)
     for_each_field<P>([&]<class T>(const Field<P, T>& f) {
       if constexpr (!std::is_same_v<T, std::string> && !std::is_same_v<T, std::array<bool, 4>>) {
-        if (f.place != place) return;
+        if (f.place != place || !belongs(ui.window, f)) return;
         label(ui, f, units);
         control(ui, p, f);
       }
@@ -294,13 +337,12 @@ void preview(Ui& ui, const Steering& steering) {
 void warnings(const Ui& ui) {
   if (!ui.window.run.scene) return;
   for (const ParameterWarning& warning : ui.window.run.scene->warnings) {
-    ImGui::PushFont(ui.fonts.small);
+    const widgets::Font font(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.warning_text));
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted((std::string(icon::warning) + "  " + warning.message).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
-    ImGui::PopFont();
   }
 }
 

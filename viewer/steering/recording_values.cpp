@@ -19,12 +19,10 @@ std::string state_word(const WindowState& m) {
 void Steering::add_recording_values(NamedValues& t) {
   t.add("recording", "none, writing, opened, following, cut-short or failed",
         [this] { return state_word(window); });
-  t.add("recording.events", "events written to it, or read from it", [this] {
-    return window.run.recording ? std::to_string(window.run.recording->events) : std::string("nan");
-  });
-  t.add("recording.bytes", "its size on the disk", [this] {
-    return window.run.recording ? std::to_string(window.run.recording->bytes) : std::string("nan");
-  });
+  const auto of = t.readings(
+      "recording.", [this] { return window.run.recording; }, "nan");
+  of("events", "events written to it, or read from it", &RecordingState::events);
+  of("bytes", "its size on the disk", &RecordingState::bytes);
 }
 
 } // namespace isoscope

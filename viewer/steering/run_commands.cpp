@@ -1,12 +1,12 @@
 // Commands on files, recordings and the run.
 #include "steering/steering.h"
 
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "input/mesh_io.h"
 #include "mesh/zero_set.h"
 #include "model/words.h"
 #include "ui/icons.h"
-#include "view/view_commands.h"
+#include "view/view.h"
 
 #include <GLFW/glfw3.h>
 
@@ -52,8 +52,17 @@ Status open_model(Steering& m, const Arguments& a) {
     return {};
   }
   if (has_extension(a[0], ".json")) return open_view_file(m.window, a[0]);
-  if (a.size() > 1 && a[1] != "paused") return wrong_arguments("\"" + a[1] + "\" is not understood.");
-  m.open(a[0], a.size() > 1);
+  bool paused = false;
+  std::string inside;
+  for (std::size_t i = 1; i < a.size(); ++i) {
+    if (a[i] == "paused")
+      paused = true;
+    else if (a[i] == "inside" && i + 1 < a.size())
+      inside = a[++i];
+    else
+      return wrong_arguments("\"" + a[i] + "\" is not understood.");
+  }
+  m.open(a[0], paused, inside);
   return {};
 }
 
@@ -119,8 +128,9 @@ void Steering::add_file_commands(CommandTable& table) {
   add_group(table, {.menu = "File"},
             {{.name = "open",
               .title = "Open…",
-              .usage = "[FILE | gallery:NAME] [paused]",
-              .help = "Opens a model and starts refining it; without a name it shows the files.",
+              .usage = "[FILE | gallery:NAME] [paused] [inside FILE]",
+              .help = "Opens a model and starts refining it, or what lies between it and a surface inside; "
+                      "without a name it shows the files.",
               .icon = icon::folder_open,
               .keys = {{'O', true}},
               .run = on(*this, open_model)},

@@ -1,87 +1,72 @@
 // Readings, by what they speak of.
-#include "steering/run_values.h"
+#include "steering/steering.h"
 
 #include "model/words.h"
 
 namespace isoscope {
 namespace {
 
-std::string form_word(ZeroForm form) {
+std::string_view form_word(ZeroForm form) {
   return form == ZeroForm::interpolated ? "interpolated" : form == ZeroForm::embedded ? "embedded" : "free";
 }
 
 void add_run_readings(NamedValues& t, const WindowState& m) {
   t.add("stage", "the stage of the operation shown", [&m] {
     const auto state = m.state();
-    return std::string(name(state && state->event ? state->event->stage : Stage::setup));
+    return state && state->event ? state->event->stage : Stage::setup;
   });
-  t.add("form", "how the state holds Z: interpolated, embedded or free", [&m] {
-    const auto state = m.state();
-    return state ? form_word(state->complex.form) : std::string("none");
-  });
+  t.readings("",
+             [&m] { return m.state(); })("form", "how the state holds Z: interpolated, embedded or free",
+                                         [](const StateSnapshot& s) { return form_word(s.complex.form); });
   for (int i = static_cast<int>(Stage::refinement); i < stage_count; ++i) {
     const auto stage = static_cast<Stage>(i);
-    t.add("begin." + std::string(name(stage)), "the step at which the stage begins", [stage, &m] {
-      const auto begin = m.index.begin_of(stage);
-      return begin ? std::to_string(*begin) : std::string("nan");
-    });
+    t.add("begin." + std::string(name(stage)), "the step at which the stage begins",
+          [stage, &m] { return value_text(m.index.begin_of(stage), "nan"); });
   }
   for (const EventKind kind : {EventKind::insertion, EventKind::collapse, EventKind::repair,
                                EventKind::relaxation, EventKind::shake})
     t.add("count." + std::string(name(kind)), "operations of that kind so far",
-          [kind, &m] { return std::to_string(m.index.count(kind, 0, m.index.steps())); });
+          [kind, &m] { return m.index.count(kind, 0, m.index.steps()); });
   for (int i = static_cast<int>(first_rejection); i <= static_cast<int>(last_rejection); ++i) {
     const auto reason = static_cast<Reason>(i);
     t.add("rejected." + std::string(name(reason)), "edges rejected for that reason so far",
-          [reason, &m] { return std::to_string(m.index.rejections(reason, 0, m.index.steps() + 1)); });
+          [reason, &m] { return m.index.rejections(reason, 0, m.index.steps() + 1); });
   }
   t.add("facets_added", "facets of Z that the operation put there",
-        [&m] { return std::to_string(m.state() ? m.state()->added_facets.size() : 0); });
+        [&m] { return m.state() ? m.state()->added_facets.size() : 0; });
   t.add("facets_removed", "facets of Z that it took away",
-        [&m] { return std::to_string(m.state() ? m.state()->removed_facets.size() : 0); });
-  t.add("vertices_moved", "vertices that it moved",
-        [&m] { return std::to_string(m.state() ? m.state()->moves.size() : 0); });
+        [&m] { return m.state() ? m.state()->removed_facets.size() : 0; });
+  t.add("vertices_moved", "vertices that it moved", [&m] { return m.state() ? m.state()->moves.size() : 0; });
 }
 
 void add_event_readings(NamedValues& t, const WindowState& m) {
-  const auto of_event = [&](const char* name, const char* help, auto get) {
-    t.add(name, help, [get, &m] {
-      const auto index = m.selected_event();
-      return index ? std::string(get(m.run.journal->events()[*index])) : std::string("none");
-    });
-  };
-  of_event("event.kind", "the selected event's kind", [](const Event& e) { return name(e.kind); });
-  of_event("event.reason", "its reason", [](const Event& e) { return name(e.reason); });
-  of_event("event.step", "its step", [](const Event& e) { return std::to_string(e.step); });
-  of_event("event.value", "what it measured", [](const Event& e) { return text_of(e.value); });
-  of_event("event.limit", "the limit of that", [](const Event& e) { return text_of(e.limit); });
+  const auto of_event = t.readings("event.", [&m]() -> std::optional<Event> {
+    const auto index = m.selected_event();
+    return index ? std::optional(m.run.journal->events()[*index]) : std::nullopt;
+  });
+  of_event("kind", "the selected event's kind", &Event::kind);
+  of_event("reason", "its reason", &Event::reason);
+  of_event("step", "its step", &Event::step);
+  of_event("value", "what it measured", &Event::value);
+  of_event("limit", "the limit of that", &Event::limit);
 }
 
 } // namespace
 
 void add_run_values(NamedValues& t, const WindowState& m) {
-  const auto of_state = [&](const char* name, const char* help, auto get) {
-    t.add(name, help, [get, &m] {
-      const auto state = m.state();
-      return state ? text_of(static_cast<double>(get(*state))) : std::string("nan");
-    });
-  };
-  t.add("step", "the step shown", [&m] { return std::to_string(m.transport.step()); });
-  of_state("state_step", "the step of the state that is drawn",
-           [](const StateSnapshot& s) { return s.step; });
-  t.add("steps", "operations so far", [&m] { return std::to_string(m.live_step()); });
-  t.add("events", "events so far",
-        [&m] { return std::to_string(m.run.journal ? m.run.journal->events().size() : 0); });
-  t.add("phase", "what the run is doing", [&m] { return std::string(phase_word(m.run.phase)); });
-  t.add("transport", "what the play head is doing",
-        [&m] { return std::string(transport_word(m.transport.mode())); });
-  of_state("bad_samples", "samples with ε ≥ 1", [](const StateSnapshot& s) { return s.bad_samples; });
-  of_state("beyond_margin", "samples with ε > 1 − α", [](const StateSnapshot& s) { return s.beyond_margin; });
-  of_state("violating_2", "tetrahedra that violate condition 2",
-           [](const StateSnapshot& s) { return s.violating_2; });
-  of_state("violating_3", "tetrahedra that violate condition 3",
-           [](const StateSnapshot& s) { return s.violating_3; });
-  of_state("largest_error", "the largest ε", [](const StateSnapshot& s) { return s.largest_error; });
+  const auto of_state = t.readings(
+      "", [&m] { return m.state(); }, "nan");
+  t.add("step", "the step shown", [&m] { return m.transport.step(); });
+  of_state("state_step", "the step of the state that is drawn", &StateSnapshot::step);
+  t.add("steps", "operations so far", [&m] { return m.live_step(); });
+  t.add("events", "events so far", [&m] { return m.run.journal ? m.run.journal->events().size() : 0; });
+  t.add("phase", "what the run is doing", [&m] { return phase_word(m.run.phase); });
+  t.add("transport", "what the play head is doing", [&m] { return transport_word(m.transport.mode()); });
+  of_state("bad_samples", "samples with ε ≥ 1", &StateSnapshot::bad_samples);
+  of_state("beyond_margin", "samples with ε > 1 − α", &StateSnapshot::beyond_margin);
+  of_state("violating_2", "tetrahedra that violate condition 2", &StateSnapshot::violating_2);
+  of_state("violating_3", "tetrahedra that violate condition 3", &StateSnapshot::violating_3);
+  of_state("largest_error", "the largest ε", &StateSnapshot::largest_error);
   of_state("samples", "samples in S",
            [](const StateSnapshot& s) { return s.samples ? s.samples->size() : 0; });
   of_state("tets", "tetrahedra of T", [](const StateSnapshot& s) { return s.complex.alive_tets(); });
@@ -93,7 +78,7 @@ void add_run_values(NamedValues& t, const WindowState& m) {
   of_state("euler", "Euler characteristic of Z",
            [](const StateSnapshot& s) { return s.zero_set.euler_characteristic(); });
   t.add("selection", "what is selected: none, vertex, edge, tet, sample or facet",
-        [&m] { return std::string(pick_word(m.selection.picked.kind)); });
+        [&m] { return pick_word(m.selection.picked.kind); });
   t.add("selected_id", "its number", [&m] {
     return m.selection.picked.kind == Pick::Kind::none ? std::string("nan")
                                                        : std::to_string(m.selection.picked.id);
@@ -103,13 +88,13 @@ void add_run_values(NamedValues& t, const WindowState& m) {
                                                        : std::to_string(m.selection.picked.other);
   });
   t.add("certified", "whether the finished run's mesh is proven",
-        [&m] { return std::string(m.run.result && m.run.result->certificate.holds() ? "on" : "off"); });
+        [&m] { return m.run.result && m.run.result->certificate.holds(); });
   t.add("model", "what is open", [&m] { return m.run.parameters.input; });
-  t.add("messages", "messages shown", [&m] { return std::to_string(m.messages.size()); });
-  t.add("distance", "of the camera from its target", [&m] { return text_of(m.camera.pose().distance); });
+  t.add("messages", "messages shown", [&m] { return m.messages.size(); });
+  t.add("distance", "of the camera from its target", [&m] { return m.camera.pose().distance; });
   t.add("heading", "x of the camera's backward axis", [&m] {
     const auto& q = m.camera.pose().orientation;
-    return text_of(2 * (q[0] * q[2] + q[3] * q[1]));
+    return 2 * (q[0] * q[2] + q[3] * q[1]);
   });
   add_run_readings(t, m);
   add_event_readings(t, m);

@@ -1,8 +1,8 @@
 // What the run and the step shown say of themselves.
-#include "steering/status_bar.h"
+#include "steering/steering.h"
 
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -38,9 +38,9 @@ std::string phase_text(const WindowState& m) {
 std::string operation_words(const Event& e) {
   switch (e.kind) {
   case EventKind::insertion:
-    return "insertion for " + std::string(condition_title(e.condition));
+    return "insertion for " + std::string(words(e.condition).title);
   case EventKind::collapse:
-    return "collapse: " + std::string(reason_style(e.reason).title);
+    return "collapse: " + std::string(words(e.reason).title);
   default:
     return std::string(words(e.kind).one);
   }
@@ -92,7 +92,7 @@ void status_bar(Ui& ui, const HistoryMemory& h) {
       (m.run.phase == SessionPhase::finished && m.run.result && !m.run.result->certificate.holds());
   const auto shown = m.state();
   if (shown && shown->event) {
-    put(std::string(stage_title(shown->event->stage)), stage_color(ui.theme, shown->event->stage));
+    put(std::string(words(shown->event->stage).title), stage_color(ui.theme, shown->event->stage));
     put(operation_words(*shown->event), ui.colors.text);
   }
   put(phase_text(m), failed ? ui.colors.warning_text : ui.colors.quiet);

@@ -6,11 +6,16 @@
 
 namespace isoscope {
 
-void Steering::open(const std::string& input, bool paused) {
+void Steering::open(const std::string& input, bool paused, const std::string& inside) {
   window.draft.input = input;
+  window.draft.inside = inside;
+  window.draft.levels = {};
+  window.draft.label.reset();
   if (input.starts_with(gallery_prefix)) {
-    if (const GalleryEntry* entry = gallery_entry(input))
-      window.draft.tolerance = {entry->tolerance_percent, true};
+    if (const GalleryEntry* entry = gallery_entry(input)) {
+      if (!entry->gives_volume()) window.draft.tolerance = {entry->tolerance_percent, true};
+      window.draft.levels = {entry->low, entry->high};
+    }
   } else if (!window.scripted) {
     window.settings.add_recent(input);
   }
@@ -54,13 +59,7 @@ bool Steering::draft_differs() const {
 }
 
 void Steering::add_parameter_values(NamedValues& values) {
-  for (NamedField<RunParameters>& f : named_fields<RunParameters>())
-    values.add(
-        std::move(f.name), std::move(f.help),
-        [&draft = window.draft, get = std::move(f.get)] { return get(draft); },
-        [&draft = window.draft, set = std::move(f.set)](const std::string& text) {
-          return set(draft, text);
-        });
+  values.bind_fields(window.draft);
 }
 
 CriteriaParameters Steering::draft_criteria() const {

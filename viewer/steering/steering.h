@@ -10,7 +10,12 @@
 #include <optional>
 #include <string>
 
+struct ImVec2;
+
 namespace isoscope {
+
+struct Ui;
+struct HistoryMemory;
 
 class Steering {
  public:
@@ -20,8 +25,8 @@ class Steering {
   Debugger& debug;
 
   /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ, a
-  /// recording (.isorun) all its parameters.
-  void open(const std::string& input, bool paused = false);
+  /// recording (.isorun) all its parameters. `inside`: the inner one of two surfaces between which Ω lies.
+  void open(const std::string& input, bool paused = false, const std::string& inside = {});
   /// Runs again from the beginning with the draft's parameters.
   void restart();
   /// Goes on with the draft's parameters.
@@ -53,5 +58,25 @@ class Steering {
   std::uint64_t draft_generation_ = 0; ///< the recording whose parameters the draft has taken
   std::string error_seen_, recording_error_seen_;
 };
+
+/// From step to step.
+void add_transport_commands(CommandTable& table, WindowState& window);
+/// To a step, and how fast.
+void add_pace_commands(CommandTable& table, WindowState& window);
+
+/// Of the run, the state and the selection.
+void add_run_values(NamedValues& values, const WindowState& window);
+
+namespace panels {
+
+/// Menus, the model and δ, stage chips, transport, LIVE.
+void top_bar(Ui& ui);
+/// The left pane's section of the parameters.
+void parameters(Ui& ui, const Steering& steering);
+/// The line at the bottom, and the messages over the view.
+void status_bar(Ui& ui, const HistoryMemory& memory);
+void messages(Ui& ui, ImVec2 low, float width);
+
+} // namespace panels
 
 } // namespace isoscope

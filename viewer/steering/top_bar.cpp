@@ -1,5 +1,5 @@
 // Its parts from left to right.
-#include "steering/top_bar.h"
+#include "steering/steering.h"
 
 #include "model/words.h"
 #include "ui/icons.h"
@@ -62,7 +62,10 @@ void model_name(Ui& ui, float room) {
   const WindowState& m = ui.window;
   std::string name = m.run.scene && m.run.scene->input ? m.run.scene->input->name : m.run.parameters.input;
   if (name.empty()) name = "no model";
-  const std::string delta = m.run.parameters.input.empty() ? "" : "δ " + m.run.parameters.tolerance.text();
+  const bool given = m.run.scene && m.run.scene->input->gives_volume();
+  const std::string delta = m.run.parameters.input.empty() ? ""
+                            : given                        ? "δ " + general(m.run.scene->delta, 4)
+                                                           : "δ " + m.run.parameters.tolerance.text();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushFont(ui.fonts.mono);
   const float delta_width = widgets::text_size(delta).x;
@@ -105,10 +108,10 @@ void stage_chips(Ui& ui, float room) {
   float used = 0;
   const auto state_shown = ui.window.state();
   const Stage shown = state_shown && state_shown->event ? state_shown->event->stage : Stage::setup;
-  ImGui::PushFont(ui.fonts.small);
+  const widgets::Font font(ui.fonts.small);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const ChipState state = chip_state(ui.window, stages[i]);
-    std::string label(stage_title(stages[i]));
+    std::string label(words(stages[i]).title);
     if (state == ChipState::done) label = std::string(icon::check) + " " + label;
     const ImVec2 extent = widgets::text_size(label), at = ImGui::GetCursorScreenPos();
     const float width = extent.x + 2 * pad + (i > 0 ? ui.px(12) : 0);
@@ -139,15 +142,14 @@ void stage_chips(Ui& ui, float room) {
                                                   : ui.colors.quiet;
     widgets::draw_text(list, ui.fonts.small, {x + pad, at.y + (high - extent.y) / 2},
                        to_u32(color, state == ChipState::left_out ? 0.5f : 1.0f), label);
-    widgets::tip(ui, "Stage: " + std::string(stage_title(stages[i])),
-                 std::string(stage_help(stages[i])) +
+    widgets::tip(ui, "Stage: " + std::string(words(stages[i]).title),
+                 std::string(words(stages[i]).help) +
                      (state == ChipState::running ? " Under way; click for its beginning."
                       : state == ChipState::done  ? " Done; click for its beginning."
                       : state == ChipState::next  ? " Not begun; a click lets a held run go on until it does."
                                                   : " Left out of this run."));
     ImGui::SameLine(0, 0);
   }
-  ImGui::PopFont();
 }
 
 void speed_menu(Ui& ui) {

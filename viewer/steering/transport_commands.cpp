@@ -1,7 +1,7 @@
 // What the commands on the play head do, and their table.
-#include "steering/transport_commands.h"
+#include "steering/steering.h"
 
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "command/named_values.h"
 #include "ui/icons.h"
 
@@ -12,15 +12,6 @@
 
 namespace isoscope {
 namespace {
-
-/// The first argument as a count >= 1, or 1.
-Result<long> count_of(const Arguments& a) {
-  if (a.empty()) return 1L;
-  const auto n = parse_number(a[0]);
-  if (!n || *n < 1 || *n > 1e9 || *n != std::floor(*n))
-    return wrong_arguments("\"" + a[0] + "\" is not a count of operations.");
-  return static_cast<long>(*n);
-}
 
 /// A breakpoint that speaks when another condition or stage than at the beginning asks for an operation.
 Breakpoint at_change() {
@@ -56,7 +47,7 @@ Status play_or_pause(WindowState& m, const Arguments&) {
 }
 
 Status step_forward(WindowState& m, const Arguments& a) {
-  const auto n = count_of(a);
+  const auto n = count_argument(a, "operations");
   if (!n) return n.error();
   const Step live = m.live_step();
   const long ahead = static_cast<long>(live) - static_cast<long>(m.transport.step());
@@ -70,7 +61,7 @@ Status step_forward(WindowState& m, const Arguments& a) {
 }
 
 Status step_back(WindowState& m, const Arguments& a) {
-  const auto n = count_of(a);
+  const auto n = count_argument(a, "operations");
   if (!n) return n.error();
   m.transport.step_by(-*n, m.live_step());
   return {};
@@ -99,8 +90,8 @@ Status previous_change(WindowState& m, const Arguments&) {
 
 Status seek(WindowState& m, const Arguments& a) {
   if (a.size() != 1) return wrong_arguments("A step is missing.");
-  const auto step = parse_number(a[0]);
-  if (!step || *step < 0 || *step > 4e9) return wrong_arguments("\"" + a[0] + "\" is not a step.");
+  const auto step = number_argument(a, 0, 0, 4e9);
+  if (!step) return wrong_arguments("\"" + a[0] + "\" is not a step.");
   m.transport.jump(std::min(static_cast<Step>(*step), m.live_step()));
   return {};
 }
@@ -112,7 +103,7 @@ Status set_speed(WindowState& m, const Arguments& a) {
   } else if (a[0] == "unlimited") {
     m.transport.set_speed(Transport::unlimited);
   } else {
-    const auto speed = parse_number(a[0]);
+    const auto speed = read_number(a[0]);
     if (!speed || *speed <= 0) return wrong_arguments("\"" + a[0] + "\" is not a speed.");
     m.transport.set_speed(*speed);
   }

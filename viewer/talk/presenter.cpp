@@ -1,8 +1,8 @@
 // The sentence below the scene, where one is in the run, and the slide's note.
-#include "talk/presenter.h"
+#include "talk/talk.h"
 
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -59,12 +59,12 @@ void presenter_bar(Ui& ui, const Talk& talk) {
   const Event* event = talk.caption_event();
   const bool rejected = event != nullptr && event->kind == EventKind::rejection;
   const Rgb color = event == nullptr ? ui.colors.quiet
-                    : rejected       ? reason_style(event->reason).color
+                    : rejected       ? words(event->reason).color
                     : event->condition != Condition::none
                         ? condition_color(ui.theme, static_cast<int>(event->condition))
                         : stage_color(ui.theme, event->stage);
   widgets::glyph(ui, {low.x + ui.px(20), middle}, 6, color,
-                 rejected ? reason_style(event->reason).shape : MarkerShape::disc);
+                 rejected ? words(event->reason).shape : MarkerShape::disc);
   const float text_x = low.x + ui.px(36);
   ImGui::PushFont(ui.fonts.ui);
   const std::string text = widgets::fitted(talk.caption(), place_x - ui.px(34) - text_x);

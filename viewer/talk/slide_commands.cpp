@@ -1,14 +1,13 @@
 // Commands for talks: bookmarks as slides, the presenter mode.
 #include "talk/talk.h"
 
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "model/words.h"
 #include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace isoscope {
 namespace {
@@ -16,16 +15,16 @@ namespace {
 /// An argument as an index from 0 into the list; scripts and people count from 1.
 Result<std::size_t> index_of(const Talk& talk, const Arguments& a, std::size_t argument) {
   if (a.size() <= argument) return wrong_arguments("The number of a bookmark is missing.");
-  const auto n = parse_number(a[argument]);
-  if (!n || *n < 1 || *n != std::floor(*n) || *n > static_cast<double>(talk.bookmarks.size()))
+  const auto n = whole_argument(a, argument, 1, talk.bookmarks.size());
+  if (!n)
     return Error{ErrorCode::usage, "There is no bookmark " + a[argument] + ".",
                  talk.bookmarks.size() == 0 ? "Ctrl+B makes one." : "Ctrl+Shift+B lists them."};
-  return static_cast<std::size_t>(*n) - 1;
+  return *n - 1;
 }
 
 Status show(Talk& talk, std::size_t at) {
   const Bookmark* b = talk.bookmarks.go(at);
-  if (b == nullptr) return Error{ErrorCode::usage, "There is no such bookmark.", ""};
+  if (b == nullptr) return usage("There is no such bookmark.");
   if (b->step > talk.window.live_step())
     return Error{ErrorCode::usage,
                  "Step " + grouped(b->step) + " of bookmark " + std::to_string(at + 1) +

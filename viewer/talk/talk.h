@@ -11,7 +11,11 @@
 #include <filesystem>
 #include <string>
 
+struct ImVec2;
+
 namespace isoscope {
+
+struct Ui;
 
 class Talk {
  public:
@@ -44,5 +48,14 @@ class Talk {
   std::filesystem::path recording_; ///< that they belong to, if any
   bool told_ = false;               ///< that they cannot lie beside it
 };
+
+namespace panels {
+
+/// The sentence of the step shown, and where in the run it is.
+void presenter_bar(Ui& ui, const Talk& talk);
+/// Number and note of the bookmark that is shown, over the view; `low` is the view's corner.
+void slide_title(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, float width);
+
+} // namespace panels
 
 } // namespace isoscope

@@ -1,7 +1,7 @@
 // The plots: vertices of Z with stage marks (Figure 21), tetrahedra, rejections by reason, figures of the
 // refinement; over steps or seconds.
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 #include "timeline/timeline_panel.h"
 #include "ui/widgets.h"
 
@@ -89,7 +89,7 @@ void TimelinePane::stage_marks(const Ui& ui, ImVec2 low, ImVec2 size, bool named
     if (x < low.x || x > low.x + size.x) continue;
     const Rgb color = stage_color(ui.theme, span.stage);
     list.AddLine({x, low.y}, {x, low.y + size.y}, to_u32(color, 0.75f), ui.px(1));
-    const std::string_view title = stage_title(span.stage);
+    const std::string_view title = words(span.stage).title;
     const float extent = widgets::width_of(ui.fonts.small, title);
     if (!named || span.end <= span.begin + 1 || x + ui.px(3) < free_from ||
         x + extent + ui.px(4) > low.x + size.x)
@@ -170,11 +170,11 @@ void TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const 
       line.push_back({low.x + static_cast<float>(part) * size.x, axis.y(n, top, bottom)});
     }
     if (line.size() > 1)
-      list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(reason_style(reason).color), 0,
+      list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(words(reason).color), 0,
                        ui.px(1.5f));
     if (!line.empty())
       widgets::glyph(ui, {std::min(line.back().x, low.x + size.x - ui.px(6)), line.back().y}, 4,
-                     reason_style(reason).color, reason_style(reason).shape);
+                     words(reason).color, words(reason).shape);
   }
   const std::string value = grouped(all);
   const float extent = widgets::width_of(ui.fonts.mono, value);

@@ -1,9 +1,9 @@
 // Which lanes there are.
 #include "timeline/timeline_lanes.h"
 
-#include "debug/breakpoint_list.h"
+#include "debug/event_list.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 
 #include <algorithm>
 #include <iterator>
@@ -33,7 +33,7 @@ std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind the
   std::vector<TimelineLane> lanes;
   const auto conditions = index.counts(std::min(begin, index.steps()), operations_end);
   for (std::size_t c = 1; c < conditions.size(); ++c)
-    lanes.push_back({std::string(condition_title(static_cast<Condition>(c))),
+    lanes.push_back({std::string(words(static_cast<Condition>(c)).title),
                      "Points inserted for this condition. §2.3",
                      condition_color(theme, static_cast<int>(c)),
                      MarkerShape::square,
@@ -54,7 +54,7 @@ std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind the
   }
   for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
     const auto reason = static_cast<Reason>(r);
-    const ReasonStyle& style = reason_style(reason);
+    const ReasonWords& style = words(reason);
     lanes.push_back({std::string(style.title),
                      style.help,
                      style.color,

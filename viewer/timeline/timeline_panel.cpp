@@ -1,13 +1,12 @@
 // Stage lanes, density per condition, kind and reason, play head.
 #include "timeline/timeline_panel.h"
 
-#include "ask/history_panel.h"
-#include "ask/work_panel.h"
+#include "ask/investigation.h"
 #include "journal/describe.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 #include "timeline/timeline_lanes.h"
-#include "two_runs/compare_panel.h"
+#include "two_runs/comparison.h"
 #include "ui/bottom_tabs.h"
 #include "ui/widgets.h"
 
@@ -80,7 +79,7 @@ void TimelinePane::tabs(Ui& ui) {
   for (int c = condition_count - 1; c > 0; --c) {
     const auto n = counts[static_cast<std::size_t>(c)];
     if (n == 0) continue;
-    const std::string label = std::string(condition_title(static_cast<Condition>(c))) + "  " + grouped(n);
+    const std::string label = std::string(words(static_cast<Condition>(c)).title) + "  " + grouped(n);
     const float width = widgets::width_of(ui.fonts.small, label);
     x -= width;
     if (x - ui.px(14) < left) break;
@@ -136,7 +135,7 @@ void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
     list.AddRectFilled({x0, low.y}, {x1 - 1, low.y + size.y},
                        to_u32(stage_color(ui.theme, span.stage), span.open ? 0.55f : 0.34f), ui.px(4));
     const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2;
-    const std::string_view title = stage_title(span.stage);
+    const std::string_view title = words(span.stage).title;
     const float extent = widgets::width_of(ui.fonts.small, title);
     const float from = std::max(x0, low.x) + ui.px(6);
     if (x1 - from > extent + ui.px(4))
@@ -286,7 +285,7 @@ void TimelinePane::timeline(Ui& ui) {
     const auto n = index.rejections(static_cast<Reason>(r), step, step + reach);
     if (n > 0)
       stayed += (stayed.empty() ? "\nEdges that stayed here: " : ", ") + grouped(n) + " " +
-                std::string(reason_style(static_cast<Reason>(r)).title);
+                std::string(words(static_cast<Reason>(r)).title);
   }
   widgets::tip(ui, "Step " + grouped(step + 1), text + stayed);
 }

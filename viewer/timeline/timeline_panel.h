@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ask/investigation.h"
-#include "debug/breakpoint_list.h"
 #include "debug/event_list.h"
 #include "talk/talk.h"
 #include "two_runs/comparison.h"

@@ -1,9 +1,9 @@
 // Three columns: parameters and links, the stages side by side, the decisions.
-#include "two_runs/compare_panel.h"
+#include "two_runs/comparison.h"
 
 #include "journal/describe.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
-#include "scene/reason_style.h"
 #include "two_runs/run_views.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -15,49 +15,38 @@
 namespace isoscope::panels {
 namespace {
 
-constexpr float row_units = 20;
+constexpr float decision_units = 22;
 
 /// A line of a table: a quiet label, cells flush right in columns of equal width.
 template <std::size_t N>
 void table_row(const Ui& ui, std::string_view label, const std::array<std::string, N>& cells,
                float label_width, Rgb color = 0, Rgb label_color = 0) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, high = ui.px(row_units);
-  const float each = (width - label_width) / static_cast<float>(N);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  ImGui::PushFont(ui.fonts.small);
-  widgets::draw_text(list, ui.fonts.small, {at.x, at.y + (high - ui.fonts.small->FontSize) / 2},
-                     to_u32(label_color != 0 ? label_color : ui.colors.quiet),
-                     widgets::fitted(label, label_width - ui.px(6)));
-  ImGui::PopFont();
-  ImGui::PushFont(ui.fonts.mono);
+  const widgets::Row row(ui, 20);
+  const float each = (row.width - label_width) / static_cast<float>(N);
+  row.fitted(ui.fonts.small, 0, label_color != 0 ? label_color : ui.colors.quiet, label,
+             label_width - ui.px(6));
+  const widgets::Font mono(ui.fonts.mono);
   for (std::size_t i = 0; i < N; ++i) {
     const std::string text = widgets::fitted(cells[i], each - ui.px(4));
-    const float right = at.x + label_width + each * static_cast<float>(i + 1);
-    widgets::draw_text(
-        list, ui.fonts.mono,
-        {right - widgets::width_of(ui.fonts.mono, text), at.y + (high - ui.fonts.mono->FontSize) / 2},
-        to_u32(color != 0 ? color : ui.colors.text), text);
+    const float right = row.at.x + label_width + each * static_cast<float>(i + 1);
+    widgets::draw_text(row.list, ui.fonts.mono,
+                       {right - widgets::width_of(ui.fonts.mono, text), row.y(ui.fonts.mono)},
+                       to_u32(color != 0 ? color : ui.colors.text), text);
   }
-  ImGui::PopFont();
-  ImGui::Dummy({width, high - ImGui::GetStyle().ItemSpacing.y});
+  ImGui::Dummy({row.width, row.high - ImGui::GetStyle().ItemSpacing.y});
 }
 
 void run_line(Ui& ui, const Comparison& m, const ShownRun& run, bool b) {
   const bool active = b == m.active_is_b();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float badge = run_badge(ui, at, b, active), width = ImGui::GetContentRegionAvail().x;
+  const widgets::Row row(ui, 19);
+  const float badge = run_badge(ui, row.at, b, active) + ui.px(8);
   std::string text(phase_word(run.run.phase));
   if (run.run.result) text += run.run.result->certificate.holds() ? ", certified" : ", not certified";
   text += "  ·  " + grouped(run.live_step()) + " steps";
   if (run.shows_recording()) text = run.run.recording->file.filename().string() + "  ·  " + text;
-  ImGui::PushFont(ui.fonts.small);
-  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
-                     {at.x + badge + ui.px(8), at.y + (ui.px(19) - ui.fonts.small->FontSize) / 2},
-                     to_u32(active ? ui.colors.text : ui.colors.quiet),
-                     widgets::fitted(text, width - badge - ui.px(8)));
-  ImGui::PopFont();
-  ImGui::Dummy({width, ui.px(21) - ImGui::GetStyle().ItemSpacing.y});
+  row.fitted(ui.fonts.small, badge / ui.scale, active ? ui.colors.text : ui.colors.quiet, text,
+             row.width - badge);
+  ImGui::Dummy({row.width, ui.px(21) - ImGui::GetStyle().ItemSpacing.y});
 }
 
 /// A switch with a label that posts its command.
@@ -67,9 +56,8 @@ void linked(Ui& ui, const char* label, bool on, const char* command) {
   widgets::command_tip(ui, command);
   ImGui::SameLine(0, ui.px(8));
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(2));
-  ImGui::PushFont(ui.fonts.small);
+  const widgets::Font font(ui.fonts.small);
   ImGui::TextUnformatted(label);
-  ImGui::PopFont();
 }
 
 void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) {
@@ -101,12 +89,6 @@ void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) 
   button("Close", "close-other");
 }
 
-std::string seconds(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
-
 void stages_column(Ui& ui, const RunComparison* found) {
   const float label_width = ui.px(74);
   table_row<4>(ui, "", {"operations", "vertices of Z", "refused", "seconds"}, label_width, ui.colors.quiet);
@@ -120,8 +102,8 @@ void stages_column(Ui& ui, const RunComparison* found) {
     const auto operations = [](const StageStatistics& f) { return grouped(f.operations); };
     const auto vertices = [](const StageStatistics& f) { return grouped(f.zero_set_vertices); };
     const auto refused = [](const StageStatistics& f) { return grouped(f.rejections()); };
-    const auto time = [](const StageStatistics& f) { return seconds(f.seconds); };
-    table_row<8>(ui, stage_title(s.stage),
+    const auto time = [](const StageStatistics& f) { return fixed(f.seconds, 1); };
+    table_row<8>(ui, words(s.stage).title,
                  {of(s.a, operations), of(s.b, operations), of(s.a, vertices), of(s.b, vertices),
                   of(s.a, refused), of(s.b, refused), of(s.a, time), of(s.b, time)},
                  label_width, 0, stage_color(ui.theme, s.stage));
@@ -135,7 +117,7 @@ void stages_column(Ui& ui, const RunComparison* found) {
   for (std::size_t r = 0; r < refused_a.size(); ++r) {
     if (refused_a[r] == refused_b[r]) continue;
     const auto reason = static_cast<Reason>(r);
-    table_row<2>(ui, rejects(reason) ? reason_style(reason).title : name(reason),
+    table_row<2>(ui, rejects(reason) ? words(reason).title : name(reason),
                  {grouped(refused_a[r]), grouped(refused_b[r])}, ui.px(220));
   }
 }
@@ -181,38 +163,28 @@ void difference(Ui& ui, const Comparison& m, const RunComparison& found) {
   side(ui, m, describe(*d, *m.run(true)->run.journal, d->in_b), true);
 }
 
-void decision_row(Ui& ui, const Comparison& m, const DecisionTable& table, std::size_t index, float high) {
+void decision_row(Ui& ui, const Comparison& m, const DecisionTable& table, std::size_t index) {
   const DecisionDifference& d = table.rows[index];
   const Journal &maker = *m.run(!d.made_by_a)->run.journal, &other = *m.run(d.made_by_a)->run.journal;
   const Event& e = maker.events()[d.event];
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
-  ImGui::PushID(static_cast<int>(index));
-  if (ImGui::InvisibleButton("row", {width, high})) ui.commands.post("difference", {std::to_string(index)});
-  ImGui::PopID();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool here = m.row == index, hovered = ImGui::IsItemHovered();
-  if (hovered || here)
-    list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover, here ? 0.7f : 1.0f),
-                       ui.px(4));
-  const float y = at.y + (high - ui.fonts.small->FontSize) / 2;
-  widgets::draw_text(list, ui.fonts.bold, {at.x + ui.px(4), at.y + (high - ui.fonts.bold->FontSize) / 2},
-                     to_u32(ui.colors.text), d.made_by_a ? "A" : "B");
-  list.AddRectFilled({at.x + ui.px(20), at.y + ui.px(5)}, {at.x + ui.px(26), at.y + high - ui.px(5)},
-                     to_u32(stage_color(ui.theme, d.stage)), ui.px(2));
+  widgets::Row row(ui, decision_units);
+  if (row.button(index)) ui.commands.post("difference", {std::to_string(index)});
+  const bool here = m.row == index;
+  if (row.hovered() || here) row.ground(ui.colors.hover, here ? 0.7f : 1.0f);
+  row.text(ui.fonts.bold, 4, ui.colors.text, d.made_by_a ? "A" : "B");
+  row.list.AddRectFilled({row.at.x + ui.px(20), row.at.y + ui.px(5)},
+                         {row.at.x + ui.px(26), row.at.y + row.high - ui.px(5)},
+                         to_u32(stage_color(ui.theme, d.stage)), ui.px(2));
   std::string text = describe(maker, e);
   const std::string refusal = d.refusal ? describe(other, other.events()[*d.refusal]) : "";
   if (d.refusal)
     text = std::string(d.made_by_a ? "B" : "A") + " refused it, " +
-           std::string(reason_style(other.events()[*d.refusal].reason).title) + ":  " + text;
-  ImGui::PushFont(ui.fonts.small);
-  text = widgets::fitted(text, width - ui.px(38));
-  ImGui::PopFont();
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(34), y}, to_u32(ui.colors.text), text);
-  if (!hovered) return;
+           std::string(words(other.events()[*d.refusal].reason).title) + ":  " + text;
+  row.fitted(ui.fonts.small, 34, ui.colors.text, text, row.width - ui.px(38));
+  if (!row.hovered()) return;
   const std::string in_other = std::string("\nIn ") + (d.made_by_a ? "B: " : "A: ") +
                                (refusal.empty() ? "never asked for at this place." : refusal);
-  widgets::tip(ui, std::string(d.made_by_a ? "A" : "B") + " alone, " + std::string(stage_title(d.stage)),
+  widgets::tip(ui, std::string(d.made_by_a ? "A" : "B") + " alone, " + std::string(words(d.stage).title),
                describe(maker, e) + in_other);
 }
 
@@ -227,14 +199,8 @@ void decisions_column(Ui& ui, const Comparison& m, const RunComparison* found) {
                           grouped(table.only_a()) + " by A alone, " + grouped(table.only_b()) +
                           " by B alone; G goes through them.",
                       true);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  const float high = ui.px(22);
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(table.rows.size()), high);
-  while (clipper.Step())
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      decision_row(ui, m, table, static_cast<std::size_t>(i), high);
-  ImGui::PopStyleVar();
+  widgets::rows_in_sight(table.rows.size(), ui.px(decision_units),
+                         [&](std::size_t i) { decision_row(ui, m, table, i); });
 }
 
 void invitation(Ui& ui) {

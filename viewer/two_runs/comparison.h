@@ -13,6 +13,8 @@
 
 namespace isoscope {
 
+struct Ui;
+
 /// What the worker compares.
 struct CompareQuestion {
   RunParameters a, b;
@@ -120,5 +122,12 @@ class Comparison {
   std::optional<Linked> linked_;
   std::string error_seen_;
 };
+
+namespace panels {
+
+/// The bottom tab that tells what differs between two runs.
+void compare_tab(Ui& ui, const Comparison& comparison);
+
+} // namespace panels
 
 } // namespace isoscope

@@ -1,7 +1,7 @@
 // Commands on two runs: beginning the second one, going to where they differ, linking their views.
 #include "two_runs/comparison.h"
 
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
@@ -93,10 +93,9 @@ Status show_row(M& m, std::size_t row) {
 }
 
 Status go_to_difference(M& m, const A& a) {
-  if (a.size() != 1 || a[0].empty() || a[0].size() > 8 ||
-      a[0].find_first_not_of("0123456789") != std::string::npos)
-    return usage("Which row of the table? 0 is the first.");
-  return show_row(m, static_cast<std::size_t>(std::stoul(a[0])));
+  const auto row = whole_argument(a, 0, 0, 99999999);
+  if (!row || a.size() != 1) return usage("Which row of the table? 0 is the first.");
+  return show_row(m, *row);
 }
 
 Status next_difference(M& m, int direction) {

@@ -1,5 +1,5 @@
 // Moves its camera, becomes active when clicked.
-#include "two_runs/other_view.h"
+#include "two_runs/run_views.h"
 
 #include "journal/describe.h"
 #include "view/scene_overlay.h"

@@ -55,27 +55,18 @@ constexpr Palette light{.ground = 0xE9ECF1,
                         .warning_text = 0x7A5400,
                         .accent_text = 0x00629A,
                         .on_accent = 0xFFFFFF};
-constexpr Palette paper{.ground = 0xF4F4F4,
-                        .panel = 0xFFFFFF,
-                        .raised = 0xF7F7F7,
-                        .hover = 0xEAEAEA,
-                        .line = 0xC8C8C8,
-                        .text = 0x000000,
-                        .quiet = 0x555555,
-                        .accent = 0x1A77AE,
-                        .good = 0x009E73,
-                        .bad = 0xD55E00,
-                        .warning = 0xE69F00,
-                        .gamma = 0x0072B2,
-                        .zero = 0x000000,
-                        .outer = 0x56B4E9,
-                        .inner = 0xCC79A7,
-                        .selection = 0xB59A00,
-                        .good_text = 0x00694C,
-                        .bad_text = 0xA84600,
-                        .warning_text = 0x7A5400,
-                        .accent_text = 0x00629A,
-                        .on_accent = 0xFFFFFF};
+/// The light one without its tints.
+constexpr Palette paper = [] {
+  Palette p = light;
+  p.ground = 0xF4F4F4;
+  p.panel = 0xFFFFFF;
+  p.raised = 0xF7F7F7;
+  p.hover = 0xEAEAEA;
+  p.line = 0xC8C8C8;
+  p.text = p.zero = 0x000000;
+  p.quiet = 0x555555;
+  return p;
+}();
 
 double luminance(Rgb color) {
   const auto linear = [](Rgb channel) {

@@ -95,6 +95,65 @@ void wrapped_text(std::string_view s) {
   text(lines);
 }
 
+Row::Row(const Ui& ui, float high_units, float wide)
+    : at(ImGui::GetCursorScreenPos()),
+      width(wide > 0 ? wide : std::max(ImGui::GetContentRegionAvail().x, 1.0f)), high(ui.px(high_units)),
+      list(*ImGui::GetWindowDrawList()), ui_(ui) {}
+
+bool Row::button(const char* id) {
+  const bool pressed = ImGui::InvisibleButton(id, {width, high});
+  hovered_ = ImGui::IsItemHovered();
+  return pressed;
+}
+
+bool Row::button(std::size_t id) {
+  ImGui::PushID(static_cast<int>(id));
+  const bool pressed = button("row");
+  ImGui::PopID();
+  return pressed;
+}
+
+void Row::ground(Rgb color, float alpha, float margin) const {
+  const float beyond = ui_.px(margin);
+  list.AddRectFilled({at.x - beyond, at.y}, {at.x + width + beyond, at.y + high}, to_u32(color, alpha),
+                     ui_.px(4));
+}
+
+void Row::link() const {
+  if (!hovered_) return;
+  ground(ui_.colors.hover, 1, 4);
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+}
+
+void Row::text(ImFont* font, float x, Rgb color, std::string_view s, float alpha) const {
+  draw_text(list, font, {at.x + ui_.px(x), y(font)}, to_u32(color, alpha), s);
+}
+
+void Row::fitted(ImFont* font, float x, Rgb color, std::string_view s, float room, float alpha) const {
+  const Font present(font);
+  text(font, x, color, widgets::fitted(s, room), alpha);
+}
+
+void Row::step(Step step) const {
+  const std::string number = grouped(step);
+  draw_text(list, ui_.fonts.mono, {at.x + ui_.px(64) - width_of(ui_.fonts.mono, number), y(ui_.fonts.small)},
+            to_u32(ui_.colors.quiet), number);
+}
+
+float Row::value(Rgb color, std::string_view s, float alpha) const {
+  const float extent = width_of(ui_.fonts.mono, s);
+  draw_text(list, ui_.fonts.mono, {at.x + width - extent, y(ui_.fonts.mono)}, to_u32(color, alpha), s);
+  return extent;
+}
+
+void Row::glyph(float x, Rgb color, MarkerShape shape, float radius) const {
+  widgets::glyph(ui_, {at.x + ui_.px(x), at.y + high / 2}, radius, color, shape);
+}
+
+void Row::verdict(float x, bool good) const {
+  glyph(x, good ? ui_.colors.good : ui_.colors.bad_text, good ? MarkerShape::disc : MarkerShape::cross);
+}
+
 void tip(const Ui& ui, std::string_view title, std::string_view body) {
   if (!hovered_at_rest()) return;
   constexpr double delay = 0.5;
@@ -103,16 +162,14 @@ void tip(const Ui& ui, std::string_view title, std::string_view body) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ui.px(320));
   if (!title.empty()) {
-    ImGui::PushFont(ui.fonts.bold);
+    const Font font(ui.fonts.bold);
     text(title);
-    ImGui::PopFont();
   }
   if (!body.empty()) {
-    ImGui::PushFont(ui.fonts.small);
+    const Font drawn_in(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.text, 0.85f));
     text(body);
     ImGui::PopStyleColor();
-    ImGui::PopFont();
   }
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -220,9 +277,8 @@ bool section(const Ui& ui, const char* title, bool open_at_first) {
 }
 
 void bold_text(const Ui& ui, std::string_view s) {
-  ImGui::PushFont(ui.fonts.bold);
+  const Font bold(ui.fonts.bold);
   text(s);
-  ImGui::PopFont();
 }
 
 void subtitle(const Ui& ui, const char* text) {
@@ -231,55 +287,35 @@ void subtitle(const Ui& ui, const char* text) {
 }
 
 void quiet_text(const Ui& ui, std::string_view s, bool wrapped) {
-  ImGui::PushFont(ui.fonts.small);
+  const Font font(ui.fonts.small);
   ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.quiet));
   if (wrapped)
     wrapped_text(s);
   else
     text(s);
   ImGui::PopStyleColor();
-  ImGui::PopFont();
 }
 
 void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb color) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(21);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2},
-            to_u32(ui.colors.quiet), label);
-  ImGui::PushFont(ui.fonts.mono);
-  const float label_width = width_of(ui.fonts.small, label);
-  const std::string shown = fitted(value, std::max(width - label_width - ui.px(10), ui.px(40)));
-  const float extent = text_size(shown).x;
-  ImGui::PopFont();
-  draw_text(list, ui.fonts.mono, {at.x + width - extent, at.y + (height - ui.fonts.mono->FontSize) / 2},
-            to_u32(color != 0 ? color : ui.colors.text), shown);
-  ImGui::Dummy({width, height - ImGui::GetStyle().ItemSpacing.y});
+  const Row row(ui, 21);
+  row.text(ui.fonts.small, 0, ui.colors.quiet, label);
+  const float room = row.width - width_of(ui.fonts.small, label) - ui.px(10);
+  const Font mono(ui.fonts.mono);
+  row.value(color != 0 ? color : ui.colors.text, fitted(value, std::max(room, ui.px(40))));
+  ImGui::Dummy({row.width, row.high - ImGui::GetStyle().ItemSpacing.y});
 }
 
 bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_view value,
-              std::string_view hint) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f), height = ui.px(23);
+              std::string_view hint, std::size_t number) {
+  Row row(ui, 23);
   ImGui::PushID(id);
-  const bool pressed = ImGui::InvisibleButton("row", {width, height});
+  const bool pressed = row.button(number);
   ImGui::PopID();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool hovered = ImGui::IsItemHovered();
-  if (hovered) {
-    list.AddRectFilled({at.x - ui.px(4), at.y}, {at.x + width + ui.px(4), at.y + height},
-                       to_u32(ui.colors.hover), ui.px(4));
-    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  }
-  draw_text(list, ui.fonts.small, {at.x, at.y + (height - ui.fonts.small->FontSize) / 2},
-            to_u32(ui.colors.accent_text), label);
-  ImGui::PushFont(ui.fonts.mono);
-  const float extent = text_size(value).x;
-  ImGui::PopFont();
-  draw_text(list, ui.fonts.mono, {at.x + width - extent, at.y + (height - ui.fonts.mono->FontSize) / 2},
-            to_u32(ui.colors.text), value);
+  row.link();
+  row.text(ui.fonts.small, 0, ui.colors.accent_text, label);
+  row.value(ui.colors.text, value);
   if (!hint.empty()) tip(ui, label, hint);
-  ImGui::SetCursorScreenPos({at.x, at.y + height});
+  row.below();
   return pressed;
 }
 
@@ -405,6 +441,13 @@ void verdict_glyph(const Ui& ui, bool good) {
     list.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, color, ui.px(2));
   }
   ImGui::Dummy({side, side});
+}
+
+void verdict_text(const Ui& ui, bool good, std::string_view s) {
+  const Font small(ui.fonts.small);
+  verdict_glyph(ui, good);
+  ImGui::SameLine();
+  text(s);
 }
 
 } // namespace isoscope::widgets

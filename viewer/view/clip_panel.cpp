@@ -1,5 +1,5 @@
 // Clip and filter: what part of the scene is seen, and which tetrahedra.
-#include "view/clip_panel.h"
+#include "view/view.h"
 
 #include "model/words.h"
 #include "ui/icons.h"

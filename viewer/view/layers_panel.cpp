@@ -1,5 +1,5 @@
 // Layers: an eye, a name, an opacity each; and what colours and shapes mean.
-#include "view/layers_panel.h"
+#include "view/view.h"
 
 #include "model/words.h"
 #include "ui/icons.h"

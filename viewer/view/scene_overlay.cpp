@@ -2,10 +2,10 @@
 #include "view/scene_overlay.h"
 
 #include "journal/describe.h"
+#include "journal/vocabulary.h"
 #include "model/words.h"
 #include "scene/overlay.h"
 #include "scene/pick_geometry.h"
-#include "scene/reason_style.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -61,11 +61,10 @@ void mode_switch(Ui& ui, ImVec2 corner) {
   const float width = ui.px(192);
   ImGui::SetCursorScreenPos({corner.x - width - ui.px(10), corner.y + ui.px(10)});
   int chosen = static_cast<int>(ui.window.view.mode);
-  ImGui::PushFont(ui.fonts.small);
+  const widgets::Font font(ui.fonts.small);
   pill(ui, ImGui::GetCursorScreenPos(), {corner.x - ui.px(10), corner.y + ui.px(36)});
   if (widgets::segmented(ui, "mode", labels, chosen, width))
     ui.commands.post(commands.at(static_cast<std::size_t>(chosen)));
-  ImGui::PopFont();
 }
 
 void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size) {
@@ -136,12 +135,12 @@ void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, fl
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool rejected = event && event->kind == EventKind::rejection;
   const Rgb color = !event     ? ui.colors.quiet
-                    : rejected ? reason_style(event->reason).color
+                    : rejected ? words(event->reason).color
                     : event->condition != Condition::none
                         ? condition_color(ui.theme, static_cast<int>(event->condition))
                         : stage_color(ui.theme, event->stage);
   widgets::glyph(ui, {at.x + ui.px(13), at.y + high / 2}, 4.5f, color,
-                 rejected ? reason_style(event->reason).shape : MarkerShape::disc);
+                 rejected ? words(event->reason).shape : MarkerShape::disc);
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2},
                      to_u32(ui.colors.text), text);
 }

@@ -1,5 +1,5 @@
 // What the commands on the selection do, and their table.
-#include "view/selection_commands.h"
+#include "view/view.h"
 
 #include "command/named_values.h"
 #include "scene/pick_geometry.h"
@@ -18,9 +18,8 @@ Status pick_element(WindowState& m, const Arguments& a) {
   if (a.size() != (edge ? 3 : 2) || !state) return wrong_arguments("A kind and a number are needed.");
   std::array<std::uint32_t, 2> ids{Pick().id, Pick().id};
   for (std::size_t i = 1; i < a.size(); ++i) {
-    const auto id = parse_number(a[i]);
-    if (!id || *id < 0 || *id > 4e9)
-      return wrong_arguments("\"" + a[i] + "\" is not a number of an element.");
+    const auto id = whole_argument(a, i, 0);
+    if (!id) return wrong_arguments("\"" + a[i] + "\" is not a number of an element.");
     ids.at(i - 1) = static_cast<std::uint32_t>(*id);
   }
   Pick pick;

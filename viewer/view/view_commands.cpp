@@ -1,7 +1,7 @@
 // What the commands on the view do, and their table.
-#include "view/view_commands.h"
+#include "view/view.h"
 
-#include "command/command_group.h"
+#include "command/commands.h"
 #include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
@@ -31,16 +31,9 @@ Status toggle_orthographic(WindowState& m, const Arguments&) {
   return {};
 }
 
-Status next_clip_shape(WindowState& m, const Arguments&) {
-  ClipSettings& clip = m.view.clip;
-  clip.shape = static_cast<ClipSettings::Shape>((static_cast<int>(clip.shape) + 1) % 4);
-  return {};
-}
-
-Status next_clip_mode(WindowState& m, const Arguments&) {
-  ClipSettings& clip = m.view.clip;
-  clip.mode = static_cast<ClipSettings::Mode>((static_cast<int>(clip.mode) + 1) % 3);
-  return {};
+/// Takes the next of so many values, the first after the last.
+template <class Choice> auto cycles(Choice& place, int count) {
+  return does([&place, count] { place = static_cast<Choice>((static_cast<int>(place) + 1) % count); });
 }
 
 Status change_shrink(WindowState& m, float by) {
@@ -145,12 +138,12 @@ void add_view_commands(CommandTable& table, WindowState& m) {
               .help = "Cuts by nothing, plane, slab or ball in turn.",
               .icon = icon::scissors,
               .keys = {{'X'}},
-              .run = on(m, next_clip_shape)},
+              .run = cycles(m.view.clip.shape, 4)},
              {.name = "clip-mode",
               .title = "Next clip mode",
               .help = "Cuts cells, keeps them whole, or shows those that straddle the cut.",
               .keys = {{'C'}},
-              .run = on(m, next_clip_mode)},
+              .run = cycles(m.view.clip.mode, 3)},
              {.name = "clip-flip",
               .title = "Flip the clip",
               .help = "Cuts the other side away.",

@@ -1,12 +1,11 @@
 // Each bound to its place.
-#include "view/view_values.h"
+#include "view/view.h"
 
 #include "model/words.h"
 #include "scene/view_fields.h"
 
 #include <array>
 #include <sstream>
-#include <type_traits>
 
 namespace isoscope {
 namespace {
@@ -20,7 +19,7 @@ Status set_normal(WindowState& m, const std::string& text) {
     std::string part;
     int count = 0;
     for (; std::getline(parts, part, ','); ++count) {
-      const auto number = parse_number(part);
+      const auto number = read_number(part);
       if (!number || count > 2) return wrong_value(text, "x, y, z or three numbers");
       normal[count] = *number;
     }
@@ -30,38 +29,28 @@ Status set_normal(WindowState& m, const std::string& text) {
   return {};
 }
 
-template <class Fields, class S> void add_fields(NamedValues& t, const Fields& fields, S& settings) {
-  for_each_view_field(fields, [&]<class T>(const ViewField<S, T>& f) {
-    const std::string name(f.script), help(f.help);
-    T& place = settings.*(f.member);
-    if constexpr (std::is_enum_v<T>)
-      t.add_choice(name, help, {f.words.begin(), f.words.end()}, place);
-    else if constexpr (std::is_same_v<T, bool>)
-      t.add_switch(name, help, place);
-    else
-      t.add_number(name, help, place, f.low, f.high);
-  });
-}
-
 } // namespace
 
 void add_view_values(NamedValues& t, WindowState& m) {
   for (const LayerName& layer : layer_names()) {
-    const auto member = layer.member;
     const std::string name = "layer." + std::string(layer.name);
-    t.add_switch(name, std::string(layer.title) + " shown", (m.view.*member).visible);
-    t.add_number(name + ".opacity", std::string(layer.title) + ", opacity", (m.view.*member).opacity, 0, 1);
+    LayerSettings& settings = m.view.*layer.member;
+    t.bind(name, std::string(layer.title) + " shown", {}, settings.visible);
+    t.bind(name + ".opacity", std::string(layer.title) + ", opacity", field_of(&LayerSettings::opacity),
+           settings.opacity);
   }
-  add_fields(t, view_fields, m.view);
-  add_fields(t, tet_fields, m.view.tets);
-  add_fields(t, clip_fields, m.view.clip);
-  t.add_choice("xray.target", "which targets the X-ray looks for",
-               {"automatic", "halfedge", "general", "octree"}, m.selection.target);
-  t.add_choice("plots.over", "what plots are drawn over", {"steps", "seconds"}, m.plot_time);
+  t.bind_fields(m.view);
+  t.bind_fields(m.view.tets);
+  t.bind_fields(m.view.clip);
+  static constexpr std::array<Choice, 4> targets{{{"automatic"}, {"halfedge"}, {"general"}, {"octree"}}};
+  static constexpr std::array<Choice, 2> plotted{{{"steps"}, {"seconds"}}};
+  t.bind("xray.target", "which targets the X-ray looks for", {.choices = targets}, m.selection.target);
+  t.bind("plots.over", "what plots are drawn over", {.choices = plotted}, m.plot_time);
   const std::array<const char*, 3> axis{"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
     const std::string name = axis[static_cast<std::size_t>(i)];
-    t.add_number("clip." + name, "a point of the clip", m.view.clip.point[i], -1e12, 1e12);
+    t.bind("clip." + name, "a point of the clip", {.range = {.low = -1e12, .high = 1e12}},
+           m.view.clip.point[i]);
   }
   t.add(
       "clip.normal", "the clip's normal: x, y, z, or three numbers as 1,0.5,0",
@@ -70,7 +59,7 @@ void add_view_values(NamedValues& t, WindowState& m) {
         return text_of(n.x) + "," + text_of(n.y) + "," + text_of(n.z);
       },
       [&m](const std::string& text) { return set_normal(m, text); });
-  t.add_number("ui-scale", "size of the interface", m.settings.ui_scale, 0.5, 4);
+  t.bind("ui-scale", "size of the interface", {.range = {.low = 0.5, .high = 4}}, m.settings.ui_scale);
 }
 
 } // namespace isoscope

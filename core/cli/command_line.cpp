@@ -1,0 +1,126 @@
+// Over CLI11, whose header is the dearest of all to read.
+#include "cli/command_line.h"
+
+#include "base/field_options.h"
+#include "cli/exit_status.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <sstream>
+#include <type_traits>
+
+namespace isoscope {
+
+struct CommandLine::App : CLI::App {
+  using CLI::App::App;
+};
+
+CommandLine::CommandLine(const std::string& about, const std::string& program)
+    : app_(std::make_unique<App>(about, program)) {}
+CommandLine::~CommandLine() = default;
+
+void CommandLine::flag(const std::string& name, bool& given, const std::string& help) {
+  app_->add_flag(name, given, help);
+}
+
+void CommandLine::option(const std::string& name, std::string& value, const std::string& help,
+                         bool required) {
+  app_->add_option(name, value, help)->required(required);
+}
+
+void CommandLine::option(const std::string& name, std::vector<std::string>& values, const std::string& help) {
+  app_->add_option(name, values, help);
+}
+
+void CommandLine::option(const std::string& name, unsigned& value, const std::string& help) {
+  app_->add_option(name, value, help);
+}
+
+void CommandLine::option(const std::string& name, double& value, const std::string& help, double low,
+                         double high) {
+  app_->add_option(name, value, help)->check(CLI::Range(low, high));
+}
+
+void CommandLine::choice(const std::string& name, std::string& value,
+                         std::initializer_list<std::string> words) {
+  app_->add_option(name, value)->check(CLI::IsMember(std::vector<std::string>(words)));
+}
+
+void CommandLine::fields(const std::vector<FieldOption>& options, std::optional<Error>& wrong) {
+  const auto judge = [&wrong](const Status& status) {
+    if (!wrong && !status) wrong = status.error();
+  };
+  for (const FieldOption& option : options)
+    std::visit(
+        [&]<class T>(const std::function<Status(const T&)>& take) {
+          if constexpr (std::is_same_v<T, bool>)
+            app_->add_flag_function(
+                option.name, [=](std::int64_t given) { judge(take(given > 0)); }, option.help);
+          else if constexpr (std::is_arithmetic_v<T>)
+            // An empty value is none: check_values() says so.
+            app_->add_option_function<std::optional<T>>(
+                option.name,
+                [=](const std::optional<T>& value) {
+                  if (value) judge(take(*value));
+                },
+                option.help);
+          else if constexpr (std::is_same_v<T, std::string>)
+            // Several arguments may make one text.
+            app_->add_option_function<std::vector<std::string>>(
+                    option.name,
+                    [=](const std::vector<std::string>& words) {
+                      std::string text;
+                      for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+                      judge(take(text));
+                    },
+                    option.help)
+                ->expected(option.values);
+          else
+            app_->add_option_function<T>(
+                option.name, [=](const T& value) { judge(take(value)); }, option.help);
+        },
+        option.take);
+}
+
+void CommandLine::version(const std::string& text) {
+  app_->set_version_flag("--version", text);
+}
+
+void CommandLine::footer(const std::string& text) {
+  app_->footer(text);
+}
+
+Result<std::optional<std::string>> CommandLine::read(int argc, const char* const* argv) {
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ParseError& said) {
+    if (said.get_exit_code() != 0) return Error{ErrorCode::usage, said.what(), ""};
+    std::ostringstream text, complaint;
+    app_->exit(said, text, complaint);
+    return std::optional(text.str());
+  }
+  return std::optional<std::string>();
+}
+
+std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
+  const auto asked = read(argc, argv);
+  if (asked) return *asked ? std::optional(answer(**asked)) : std::nullopt;
+  std::fprintf(stderr, "%s\nRun with --help for more information.\n", asked.error().message.c_str());
+  return 2;
+}
+
+bool CommandLine::given(const std::string& name) const {
+  return app_->count(name) > 0;
+}
+
+Status CommandLine::check_values() const {
+  for (const CLI::Option* option : static_cast<const App&>(*app_).get_options())
+    for (const std::string& value : option->results())
+      if (value.empty())
+        return Error{ErrorCode::usage, option->get_name() + " has an empty value.",
+                     "Give one, or leave the option out."};
+  return {};
+}
+
+} // namespace isoscope
