@@ -4,6 +4,9 @@
 in vec2 uv;
 uniform sampler3D grid;
 uniform vec3 box_lo, box_hi;
+uniform sampler3D sides; // +1 or -1, where is_signed is 0
+uniform int is_signed;
+uniform float level;
 uniform float delta;
 uniform vec4 outer_tint, inner_tint; // a: opacity
 uniform int with_volume;
@@ -21,7 +24,8 @@ void main() {
   vec3 at = (p - box_lo) / (box_hi - box_lo);
   if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) return;
   float g = textureLod(grid, at, 0.0).r;
-  float pixels = (1.0 - abs(g)) * delta * viewport.w; // inside Ω, to its boundary
+  if (is_signed == 0) g *= textureLod(sides, at, 0.0).r < 0.0 ? -1.0 : 1.0;
+  float pixels = (level - abs(g)) * delta * viewport.w; // inside Ω, to its boundary
   float cover = clamp(pixels + 0.5, 0.0, 1.0);
   vec4 tint = mix(inner_tint, outer_tint, smoothstep(-0.35, 0.35, g));
   float strength = tint.a <= 0.0 ? 0.0 : 0.16 + 0.30 * tint.a;

@@ -1,9 +1,13 @@
 #version 410 core
-// Ω by ray marching: g = ±d/δ (the sign is the side), its boundaries are g = 1 (outer) and g = -1 (inner).
+// Ω by ray marching: g = ±φ/δ (the sign is the side), its boundaries are g = level (outer) and g = -level (inner). Where φ is
+// 0 between the sides the grid holds g; else it holds |g|, and another one the sides: between them g would pass through 0.
 #include "frame.glsl"
 #include "light.glsl"
 in vec2 uv;
 uniform sampler3D grid;
+uniform sampler3D sides;       // +1 or -1, where is_signed is 0
+uniform int is_signed;
+uniform float level;
 uniform sampler3D skip;        // scene units that may be crossed without meeting Ω
 uniform sampler2D scene_depth;
 uniform vec3 box_lo, box_hi;
@@ -30,17 +34,20 @@ vec3 gradient(vec3 p) {
   return sum / e;
 }
 
+float side_at(float t) { return is_signed == 1 ? 1.0 : (textureLod(sides, at(t), 0.0).r < 0.0 ? -1.0 : 1.0); }
+
 void add(vec3 rgb, float alpha, float t) {
   if (colour.a == 0.0) depth = vec4(t * dot(direction, forward.xyz) + dot(origin - eye.xyz, forward.xyz));
   colour += vec4(rgb, 1.0) * alpha * (1.0 - colour.a);
 }
 
-// The boundary where g = level.
-void surface(float t, float level) {
-  vec4 tint = level > 0.0 ? outer_tint : inner_tint;
+// The boundary where the grid's value is `value`.
+void surface(float t, float value) {
+  vec4 tint = value * side_at(t) > 0.0 ? outer_tint : inner_tint;
+  if (tint.a <= 0.0) return;
   vec3 n = normalize(gradient(origin + t * direction));
   float facing = dot(n, -direction);
-  bool outside = facing * level > 0.0; // seen from outside of Ω
+  bool outside = facing * value > 0.0; // seen from outside of Ω
   vec3 rgb = lit(tint.rgb, facing < 0.0 ? -n : n, -direction) * (outside ? 1.0 : 0.8);
   // A thin shell is more opaque where it is seen edge-on.
   float alpha = tint.a >= 0.995 ? 1.0 : 1.0 - pow(1.0 - tint.a, 1.0 / max(abs(facing), 0.18));
@@ -50,11 +57,12 @@ void surface(float t, float level) {
 // Where the clip cuts through Ω, its thickness shows: tinted from side to side, the input's surface as a fine line.
 void cap(float t, float g) {
   float strength = max(outer_tint.a, inner_tint.a);
-  if (abs(g) >= 1.0 || strength <= 0.0) return;
+  if (abs(g) >= level || strength <= 0.0) return;
+  g *= side_at(t) / level;
   vec3 rgb = mix(inner_tint.rgb, outer_tint.rgb, smoothstep(-0.5, 0.5, g));
-  float pixels = delta * pixels_per_unit(origin + t * direction);
+  float pixels = level * delta * pixels_per_unit(origin + t * direction);
   float rim = 1.0 - smoothstep(0.6, 1.8, (1.0 - abs(g)) * pixels);
-  float middle = smoothstep(3.0, 6.0, pixels) * (1.0 - smoothstep(0.3, 1.1, abs(g) * pixels));
+  float middle = float(is_signed) * smoothstep(3.0, 6.0, pixels) * (1.0 - smoothstep(0.3, 1.1, abs(g) * pixels));
   rgb = mix(rgb * 0.92, rgb * 0.55, max(0.8 * rim, 0.5 * middle));
   add(rgb, mix(clamp(0.25 + strength, 0.0, 0.75), 0.95, max(rim, middle)), t);
 }
@@ -65,35 +73,35 @@ void march(float from, float to, bool cap_from, bool cap_to, float jitter) {
   if (cap_from && from < to) cap(from, g_before);
   float t = min(from + smallest * jitter, to);
   for (int hit = 0; hit < 8; ++hit) {
-    float g = g_before, level = 0.0;
+    float g = g_before, value = 0.0;
     bool end = from >= to;
     for (int i = 0; i < max_steps && !end; ++i) {
       vec3 here = at(t);
       g = textureLod(grid, here, 0.0).r;
       float jump = textureLod(skip, skip_scale * here, 0.0).r;
-      bool meets_outer = (g_before - 1.0) * (g - 1.0) < 0.0 && outer_tint.a > 0.0;
-      bool meets_inner = (g_before + 1.0) * (g + 1.0) < 0.0 && inner_tint.a > 0.0;
+      bool meets_outer = (g_before - level) * (g - level) < 0.0 && (outer_tint.a > 0.0 || is_signed == 0);
+      bool meets_inner = (g_before + level) * (g + level) < 0.0 && inner_tint.a > 0.0;
       if (meets_outer || meets_inner) {
-        level = meets_outer && (!meets_inner || g < g_before) ? 1.0 : -1.0;
+        value = meets_outer && (!meets_inner || g < g_before) ? level : -level;
         break;
       }
       end = t >= to;
       before = t;
       g_before = g;
       // Just beyond what the distance proves empty, so that a surface is crossed at once.
-      t = min(t + max(jump, abs(abs(g) - 1.0) * delta * 0.9 + smallest), to);
+      t = min(t + max(jump, abs(abs(g) - level) * delta * 0.9 + smallest), to);
     }
-    if (level == 0.0) break;
-    float met = mix(before, t, clamp((level - g_before) / (g - g_before), 0.0, 1.0));
+    if (value == 0.0) break;
+    float met = mix(before, t, clamp((value - g_before) / (g - g_before), 0.0, 1.0));
     if (coarseness <= 1.0) {
       float g_met = g_at(met);
-      bool beyond = (g_met - level) * (g - level) > 0.0;
+      bool beyond = (g_met - value) * (g - value) > 0.0;
       float a = beyond ? before : met, ga = beyond ? g_before : g_met, b = beyond ? met : t, gb = beyond ? g_met : g;
-      met = mix(a, b, abs(gb - ga) < 1e-6 ? 0.5 : clamp((level - ga) / (gb - ga), 0.0, 1.0));
+      met = mix(a, b, abs(gb - ga) < 1e-6 ? 0.5 : clamp((value - ga) / (gb - ga), 0.0, 1.0));
     }
-    surface(met, level);
+    surface(met, value);
     before = met;
-    g_before = level + (g > g_before ? 1e-4 : -1e-4);
+    g_before = value + (g > g_before ? 1e-4 : -1e-4);
     if (colour.a > 0.98) return;
   }
   float g_end = g_at(to);

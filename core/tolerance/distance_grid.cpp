@@ -28,11 +28,11 @@ BlockRange block_range(std::size_t block, const std::array<int, 3>& blocks, cons
 } // namespace
 
 Result<DistanceGrid> make_distance_grid(const ToleranceField& field, double delta, int resolution,
-                                        const RunControl& control) {
+                                        const RunControl& control, double margin) {
   if (!(delta > 0) || resolution < 1)
     return Error{ErrorCode::usage, "A distance grid needs a tolerance and a size.", ""};
   DistanceGrid grid;
-  grid.box = field.bounds().grown(2 * delta);
+  grid.box = field.bounds().grown(margin * delta);
   const double voxel = grid.box.longest_edge() / resolution;
   std::array<int, 3> blocks{};
   for (int a = 0; a < 3; ++a) {

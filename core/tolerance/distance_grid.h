@@ -22,9 +22,9 @@ struct DistanceGrid {
   std::vector<std::int8_t> sides;
 };
 
-/// A grid over the field's box grown by 2δ, with the longest side of `resolution` voxels. Exact at every
-/// voxel centre with φ < clamp δ.
+/// A grid over the field's box grown by so many δ, with the longest side of `resolution` voxels. Exact at
+/// every voxel centre with φ < clamp δ.
 Result<DistanceGrid> make_distance_grid(const ToleranceField& field, double delta, int resolution,
-                                        const RunControl& control);
+                                        const RunControl& control, double margin = 2);
 
 } // namespace isoscope

@@ -69,8 +69,9 @@ TEST_CASE("no jump through empty space passes over Ω") {
   const auto voxel = [](int x, int y, int z) { return static_cast<std::size_t>((z * 33 + y) * 40 + x); };
   const std::array<std::array<int, 3>, 3> full{{{3, 30, 2}, {35, 4, 20}, {20, 20, 12}}};
   for (const auto& f : full) grid.values[voxel(f[0], f[1], f[2])] = 0.5f;
-  std::array<int, 3> size{};
-  const std::vector<float> jump = empty_space(grid, 8, 1.0, size);
+  const GridBlocks blocks = grid_blocks(grid, 8);
+  const std::array<int, 3>& size = blocks.size;
+  const std::vector<float> jump = empty_space(blocks, 1, 1.0);
   CHECK(size == std::array<int, 3>{5, 5, 4});
   float longest = 0;
   for (int z = 0; z < 25; ++z)

@@ -179,8 +179,9 @@ TEST_CASE("picking in the section finds the tetrahedron around the position") {
   view.clip.point = {0, 0, 0.1};
   view.clip.normal = {0, 0, 1};
   const Renderer::SectionView section{0, 0, 4};
-  CHECK(pick_section_scene(state, section, view, {200, 155, 400, 300}, PickKinds::tetrahedra).id == 0);
-  CHECK(pick_section_scene(state, section, view, {20, 20, 400, 300}, PickKinds::tetrahedra).kind ==
+  CHECK(pick_section_scene(state, nullptr, section, view, {200, 155, 400, 300}, PickKinds::tetrahedra).id ==
+        0);
+  CHECK(pick_section_scene(state, nullptr, section, view, {20, 20, 400, 300}, PickKinds::tetrahedra).kind ==
         Kind::none);
 }
 

@@ -4,6 +4,7 @@
 #include "scene/renderer.h"
 
 #include "input/gallery.h"
+#include "tolerance/weighted_points.h"
 
 #include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
@@ -262,4 +263,65 @@ TEST_CASE("reference pictures") {
   const Renderer::SectionView plane{0, 0, 1.2 * s.sphere.scene->longest_edge};
   const auto frame = s.renderer->render_section(plane, section, s.request);
   CHECK(testing::compare_with_reference(testing::take(*s.renderer, frame), "section_paper") < tolerance);
+}
+
+TEST_CASE("points are drawn in the colour of their weight, dropped ones as crosses") {
+  Studio& s = studio();
+  auto soup = std::make_shared<TriangleSoup>();
+  soup->points = {{-0.5, 0, 0}, {0, 0, 0}, {0.5, 0, 0}};
+  auto field = std::make_shared<PointField>();
+  field->points = soup;
+  field->neighbors = 1;
+  field->point = {0, 1};
+  auto scene = std::make_shared<Scene>();
+  scene->input = soup;
+  scene->points = field;
+  scene->field = std::make_shared<const WeightedPointIndex>(
+      std::vector<WeightedPoint>{{{-0.5, 0, 0}, 0}, {{0, 0, 0}, 0.0099}}, 0.5);
+  scene->delta = 0.1;
+  s.renderer->set_scene(scene);
+  s.renderer->set_grid(nullptr);
+  ViewSettings view = nothing();
+  view.sample_size = 20;
+  CameraPose pose;
+  pose.distance = 3;
+  Camera camera;
+  camera.set(pose);
+  const auto draw = [&] { return testing::take(*s.renderer, s.renderer->render(camera, view, s.request)); };
+  const auto yellow = [](const Picture::Color& c) { return c[0] > c[2] + 90 && c[1] > c[2] + 90; };
+  const auto reddish = [](const Picture::Color& c) { return c[0] > c[1] + 40 && c[0] > c[2] + 60; };
+  const Picture all = draw();
+  CHECK(all.count(bluish) > 40);  // weight 0
+  CHECK(all.count(yellow) > 40);  // weight near δ
+  CHECK(all.count(reddish) > 15); // dropped
+  CHECK(all.count(reddish) < all.count(yellow));
+  view.theme = ThemeKind::paper;
+  CHECK(testing::difference(draw(), all) > 30);
+  view.theme = ThemeKind::dark;
+  view.points.visible = false;
+  CHECK(draw().count(yellow) == 0);
+  s.renderer->set_scene(s.sphere.scene);
+  s.renderer->set_grid(s.sphere.grid);
+  view.points.visible = true;
+  CHECK(s.draw(view).count(yellow) == 0); // of another scene
+}
+
+TEST_CASE("Ω is drawn at another level at once") {
+  Studio& s = studio();
+  const Picture ground = s.draw(nothing());
+  const auto covered = [&](float level) {
+    ViewSettings view = nothing();
+    view.outer = {true, 1.0f};
+    view.level = level;
+    const Picture p = s.draw(view);
+    std::size_t n = 0;
+    for (int y = 0; y < p.height; ++y)
+      for (int x = 0; x < p.width; ++x) n += p.at(x, y)[2] > ground.at(x, y)[2] + 20 ? 1u : 0u;
+    return static_cast<double>(n);
+  };
+  const double radius = 0.5 * s.sphere.scene->longest_edge / s.sphere.scene->delta; // in δ
+  for (const float level : {0.5f, 1.5f}) {
+    const double wanted = std::pow((radius + static_cast<double>(level)) / (radius + 1), 2);
+    CHECK(covered(level) / covered(1) == doctest::Approx(wanted).epsilon(0.03));
+  }
 }

@@ -4,7 +4,7 @@
 #include "app/last_wait.h"
 #include "ask/investigation.h"
 #include "input/gallery.h"
-#include "input/mesh_io.h"
+#include "model/chosen_input.h"
 #include "platform/endings.h"
 #include "platform/image_file.h"
 #include "recording/recording_reader.h"
@@ -31,6 +31,11 @@ constexpr int stopped_status = 4,
 constexpr double script_step = 1.0 / 60; ///< scripts see an even clock
 constexpr double hover_seconds = 1.2;    ///< after the last input, for hovers and tooltips that come late
 constexpr double idle_wait = 0.25, running_wait = 0.03, script_wait = 0.005;
+
+/// Views and recordings are no surfaces.
+bool opens_by_itself(const std::string& path) {
+  return path.ends_with(".json") || is_recording_name(path);
+}
 
 struct Pane {
   Pane(const char* name, ImVec2 low, ImVec2 size, bool scrolls, ImVec2 padding, Rgb color) {
@@ -100,18 +105,9 @@ Status App::setup(const ProgramOptions& options) {
   overlays_.emplace(m);
   if (options.history_limit > 0) m.settings.history_limit = options.history_limit;
   m.draft = options.run;
-  const std::string input =
-      options.run.input.empty() ? gallery_input(gallery().front().name) : options.run.input;
-  m.steering.open(input, options.paused, options.run.inside);
-  const bool other_tolerance =
-      options.tolerance_given && m.draft.tolerance.text() != options.run.tolerance.text();
-  const bool other_volume = m.draft.levels != options.run.levels || m.draft.label != options.run.label;
-  if (!is_recording_name(input) && (other_tolerance || other_volume)) {
-    if (other_tolerance) m.draft.tolerance = options.run.tolerance;
-    m.draft.levels = options.run.levels;
-    m.draft.label = options.run.label;
-    m.session.start(m.draft, nullptr, options.paused);
-  }
+  if (m.draft.input.empty()) m.draft = for_input(m.draft, gallery_input(gallery().front().name));
+  if (options.tolerance_given) m.draft.tolerance = options.run.tolerance;
+  m.steering.begin(options.paused);
   if (!options.recording.empty())
     if (Status recorded = m.session.record(options.recording); !recorded) return recorded.error();
   on_display_lost([this] { end_because("The display is lost."); });
@@ -182,22 +178,16 @@ void App::run_commands(CommandSink& commands) {
 }
 
 void App::take_drops() {
-  std::vector<std::string> paths = window_->take_dropped();
-  if (paths.size() == 2) {
-    // Two surfaces are the walls of a volume: the smaller one is inside.
-    const auto first = read_mesh(paths[0]), second = read_mesh(paths[1]);
-    if (first && second) {
-      if (first->bounds().longest_edge() < second->bounds().longest_edge()) std::swap(paths[0], paths[1]);
-      paths = {paths[0], "inside", paths[1]};
-      const Status status = model_->commands.run({"open", paths});
-      if (!status) model_->report(status.error());
-      return;
-    }
-  }
-  for (const std::string& path : paths) {
-    const Status status = model_->commands.run({"open", {path}});
-    if (!status) model_->report(status.error());
-  }
+  const std::vector<std::string> paths = window_->take_dropped();
+  // Two at once are the walls of a volume; of more the last one stays, as each of them is opened.
+  const bool walls = paths.size() == 2 && std::none_of(paths.begin(), paths.end(), opens_by_itself);
+  std::vector<CommandCall> calls;
+  if (walls)
+    calls.push_back({"open-between", paths});
+  else
+    for (const std::string& path : paths) calls.push_back({"open", {path}});
+  for (const CommandCall& call : calls)
+    if (const Status status = model_->commands.run(call); !status) model_->report(status.error());
 }
 
 void App::upload_thumbnails() {

@@ -28,8 +28,8 @@ CameraPose first_pose() {
 
 AppModel::AppModel(const std::function<void()>& notify)
     : WindowState(notify), probe(*this, notify), debug(*this, probe, notify), investigation(*this, notify),
-      talk(*this), exports(*this), comparison(debug, notify, [this] { forget_run(); }), steering(debug),
-      expected_genus_(std::make_shared<std::atomic<double>>(std::nan(""))) {
+      talk(*this), exports(*this), comparison(debug, notify, [this] { forget_run(); }),
+      steering(debug, notify), expected_genus_(std::make_shared<std::atomic<double>>(std::nan(""))) {
   debug.breakpoints->set_expected([expected = expected_genus_]() -> std::optional<double> {
     const double genus = expected->load();
     return std::isnan(genus) ? std::nullopt : std::optional(genus);
@@ -47,6 +47,7 @@ void AppModel::add_commands() {
   debug.add_event_commands(commands);
   add_pace_commands(commands, *this);
   steering.add_run_commands(commands);
+  steering.add_tolerance_commands(commands);
   debug.add_commands(commands);
   add_pick_commands(commands, *this);
   debug.add_select_commands(commands);
@@ -67,6 +68,7 @@ void AppModel::add_values() {
   steering.add_parameter_values(values);
   add_view_values(values, *this);
   add_run_values(values, *this);
+  steering.add_tolerance_values(values);
   probe.add_values(values);
   comparison.add_run_values(values);
   debug.add_values(values);
@@ -85,12 +87,14 @@ void AppModel::abandon() {
   probe.abandon();
   debug.abandon();
   investigation.abandon();
+  steering.abandon();
 }
 
 void AppModel::forget_run() {
   steering.forget();
   selection.pick({});
   selection.hovered = {};
+  preview_delta.reset();
   probe.forget();
   history.reset();
   talk.fetch_bookmarks();
@@ -186,11 +190,11 @@ bool AppModel::update(double seconds) {
 
 bool AppModel::state_is_current() const {
   return is_current() && probe.idle() && investigation.idle() && debug.is_current() &&
-         comparison.is_current();
+         comparison.is_current() && steering.idle();
 }
 
 bool AppModel::answers_taken() const {
-  return result_taken() && probe.idle() && investigation.idle() && comparison.at_rest();
+  return result_taken() && probe.idle() && investigation.idle() && comparison.at_rest() && steering.idle();
 }
 
 } // namespace isoscope

@@ -87,7 +87,8 @@ void drop_zone(Ui& ui, ImVec2 size) {
     list.AddLine({at.x + size.x, y}, {at.x + size.x, end}, color, ui.px(1.2f));
   }
   const std::string text =
-      std::string(icon::upload) + "   Drop a model here: OFF, OBJ, PLY or STL; or click to look for one";
+      std::string(icon::upload) +
+      "   Drop a surface, points, a grid, or two surfaces at once; or click to look for them";
   const float width = widgets::width_of(ui.fonts.ui, text);
   widgets::draw_text(list, ui.fonts.ui,
                      {at.x + (size.x - width) / 2, at.y + (size.y - ui.fonts.ui->FontSize) / 2},

@@ -1,8 +1,10 @@
-// What the answers draw: the tetrahedron's copy and height, a sample's remedy, a vertex' way, heat, handle
-// loops, places where something is broken.
+// What the answers draw: the tetrahedron's copy and height, a sample's remedy, a point's neighbours and ball,
+// a vertex' way, heat, handle loops, places where something is broken.
 #include "ask/investigation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace isoscope {
 namespace {
@@ -87,6 +89,32 @@ void loops(const TopologyReport& report, const StateSnapshot& s, Annotation& a) 
   }
 }
 
+/// A circle around a centre, across an axis.
+void circle(Vec3 center, double radius, int axis, Tone tone, Annotation& a) {
+  constexpr int parts = 64;
+  const auto at = [&](int i) {
+    const double turn = 2 * std::numbers::pi * i / parts;
+    Vec3 p = center;
+    p[(axis + 1) % 3] += radius * std::cos(turn);
+    p[(axis + 2) % 3] += radius * std::sin(turn);
+    return p;
+  };
+  for (int i = 0; i < parts; ++i) a.lines.push_back({at(i), at(i + 1), tone, 1.3f, false});
+}
+
+/// A point's neighbours, their mean, and the ball that the point gives Ω.
+void point_and_ball(const PointInspection& x, const Scene& scene, Annotation& a) {
+  for (const std::uint32_t i : x.neighbors) {
+    const Vec3 p = scene.points->points->points[i];
+    a.lines.push_back({p, x.mean, Tone::accent, 1.3f, false});
+    a.marks.push_back({p, Tone::accent, MarkerShape::ring, 9});
+  }
+  a.marks.push_back({x.mean, Tone::accent, MarkerShape::diamond, 12});
+  if (x.position != x.mean) a.lines.push_back({x.position, x.mean, Tone::quiet, 2.2f, true});
+  if (const double radius = x.ball_radius(scene.delta); radius > 0)
+    for (int axis = 0; axis < 3; ++axis) circle(x.mean, radius, axis, Tone::quiet, a);
+}
+
 /// The facet that was left above δ, and how far its farthest point is from the input.
 void refused(const RefusedFacet& f, double delta, Annotation& a) {
   const bool above = f.distance > delta;
@@ -134,6 +162,7 @@ Annotation Investigation::make_annotation() const {
   const Pick& picked = m.selection.picked;
   if (picked.kind == Pick::Kind::tet) tet(*this, *state, TetId(picked.id), a);
   if (picked.kind == Pick::Kind::sample) sample(*state, SampleId(picked.id), a);
+  if (point_) point_and_ball(*point_, *point_scene_, a);
   if (const auto facet = shown_refusal(m)) refused(*facet, state->criteria.delta, a);
   if (const auto h = history(); h && m.settings.panes.tab == BottomTab::history) way(*h, a);
   if (const auto w = work()) heat(w->map, a);

@@ -232,7 +232,7 @@ void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   double largest = 0;
   const Vec3 center = (1.0 / 3) * (p[0] + p[1] + p[2]);
   for (const Vec3& q : {p[0], p[1], p[2], center}) largest = std::max(largest, scene->field->distance(q));
-  widgets::limit_bar(ui, "d at corners and centroid", largest / delta, 1, largest <= delta, "δ", true);
+  widgets::limit_bar(ui, "φ at corners and centroid", largest / delta, 1, largest <= delta, "δ", true);
 }
 
 void run_summary(Ui& ui, const StateSnapshot& s) {
@@ -301,7 +301,10 @@ CertificateRow topology_row(Certificate::Topology topology) {
   return {"no topology asked for", RowVerdict::open, "Only the sides had to be separated."};
 }
 
-CertificateRow cover_row(const Certificate& c) {
+CertificateRow cover_row(const Certificate& c, bool surface) {
+  if (!surface)
+    return {"no surface to cover", RowVerdict::open,
+            "The input is no surface that the mesh could leave behind."};
   if (!c.cover_limit)
     return {"cover not judged", RowVerdict::open,
             "The bound is one-sided, as in the paper: no limit was given."};
@@ -332,6 +335,21 @@ void uncovered_places(Ui& ui, const Certificate& c, double delta) {
     widgets::quiet_text(ui, "and " + grouped(c.uncovered_count - c.uncovered.size()) + " nearer");
 }
 
+/// What is proven of every triangle, in the words of the field's kind.
+const char* within_words(const Scene* scene) {
+  switch (scene && scene->field ? scene->field->kind() : FieldKind::triangles) {
+  case FieldKind::points:
+    return "φ ≤ δ is proven on every triangle: the robust distance to the points is at most δ.";
+  case FieldKind::surfaces:
+    return "No triangle meets the given surfaces, by exact predicates, and the mesh lies between them.";
+  case FieldKind::grid:
+    return "The grid's function is proven to lie between its two levels on every triangle.";
+  case FieldKind::triangles:
+    break;
+  }
+  return "Every triangle is proven nearer than δ to the input.";
+}
+
 void certificate(Ui& ui) {
   const auto& result = ui.window.run.result;
   if (!result || ui.window.transport.step() < ui.window.live_step()) return;
@@ -344,8 +362,8 @@ void certificate(Ui& ui) {
         "Every edge has two triangles, every vertex one fan."},
        {"oriented", judged(c.oriented), "Neighbours agree on which side is outside."},
        {"free of self-intersections", judged(c.intersection_free), "By exact predicates."},
-       {"within Ω", judged(c.within_tolerance), "Every triangle is proven nearer than δ to the input."},
-       cover_row(c),
+       {"within Ω", judged(c.within_tolerance), within_words(ui.window.run.scene.get())},
+       cover_row(c, !ui.window.run.scene || ui.window.run.scene->field->surface() != nullptr),
        {"separates the boundaries", judged(c.separates), "The winding number is right in every region."},
        topology_row(c.topology)}};
   ImGui::PushFont(ui.fonts.small);
@@ -369,6 +387,7 @@ void certificate(Ui& ui) {
   if (delta > 0 && c.cover_limit && c.input_distance.upper < std::numeric_limits<double>::infinity())
     widgets::limit_bar(ui, "of the input to it", c.input_distance.upper / delta, *c.cover_limit,
                        c.cover_note.empty() && c.covers, "δ", true);
+  point_distances(ui, *result, delta);
   for (const std::string& failure : c.failures) widgets::quiet_text(ui, failure, true);
   if (const std::string crumbs = crumbs_note(result->crumbs, result->mesh); !crumbs.empty())
     widgets::quiet_text(ui, crumbs, true);
@@ -406,6 +425,9 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
   case Pick::Kind::sample:
     sample_details(ui, *state, picked.id);
     break;
+  case Pick::Kind::point:
+    point_details(ui, asked, picked.id);
+    break;
   case Pick::Kind::none:
     break;
   }
@@ -418,6 +440,7 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
     ImGui::Dummy({0, ui.px(4)});
   }
   run_summary(ui, *state);
+  points_summary(ui);
   if (picked.kind == Pick::Kind::none) break_rows(ui, debugger);
   certificate(ui);
   state_questions(ui, asked, *state);

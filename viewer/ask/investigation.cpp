@@ -108,6 +108,7 @@ std::optional<ElementRef> selected_element(const Selection& selection) {
   case Pick::Kind::sample:
     return ElementRef{ElementRef::Kind::sample, p.id, 0};
   case Pick::Kind::facet:
+  case Pick::Kind::point:
   case Pick::Kind::none:
     break;
   }
@@ -251,6 +252,21 @@ void Investigation::update_advice() {
   advice_ = answer_of(advice_worker_, advice_asked_, same_advice);
 }
 
+// One look at all points takes less than a frame.
+void Investigation::update_point() {
+  const Pick& picked = window.selection.picked;
+  if (picked.kind != Pick::Kind::point || !window.run.scene) {
+    point_.reset();
+    point_scene_.reset();
+    return;
+  }
+  if (point_scene_ == window.run.scene && point_id_ == picked.id) return;
+  point_scene_ = window.run.scene;
+  point_id_ = picked.id;
+  const auto found = inspect_point(*point_scene_, point_id_);
+  point_ = found ? std::make_shared<const PointInspection>(*found) : nullptr;
+}
+
 void Investigation::ask_check(bool search) {
   if (!window.state() || !window.run.journal) return;
   check_journal_ = window.run.journal;
@@ -283,7 +299,7 @@ bool Investigation::idle() const {
 
 /// What the annotation depends on.
 struct Investigation::AnnotationKey {
-  std::shared_ptr<const void> state, index, history, work, topology, check, result;
+  std::shared_ptr<const void> state, index, history, work, topology, check, result, point;
   Pick picked;
   std::optional<double> shrink;
   BottomTab tab = BottomTab::timeline;
@@ -310,6 +326,7 @@ void Investigation::annotate() {
                     topology_,
                     check(),
                     window.run.result,
+                    point_,
                     window.selection.picked,
                     shrink,
                     window.settings.panes.tab,
@@ -328,6 +345,7 @@ bool Investigation::update() {
   update_work();
   update_topology();
   update_advice();
+  update_point();
   annotate();
   return !idle();
 }

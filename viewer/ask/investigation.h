@@ -9,6 +9,7 @@
 #include "model/worker.h"
 #include "questions/edge_advice.h"
 #include "questions/element_questions.h"
+#include "questions/point_questions.h"
 #include "questions/refused_facet.h"
 #include "questions/state_check.h"
 #include "questions/topology_report.h"
@@ -107,6 +108,8 @@ class Investigation {
   std::shared_ptr<const WorkAnswer> work() const { return work_; }
   std::shared_ptr<const TopologyReport> topology() const { return topology_; }
   std::shared_ptr<const Advice> advice() const { return advice_; }
+  /// Of the selected point of the input.
+  std::shared_ptr<const PointInspection> point() const { return point_; }
   /// Of the step that was checked last, whichever is shown.
   std::shared_ptr<const CheckAnswer> check() const;
   bool checking() const { return !check_.idle(); }
@@ -130,6 +133,7 @@ class Investigation {
   void update_work();
   void update_topology();
   void update_advice();
+  void update_point();
   void jump();
   void annotate();
   /// The lines and marks for the state shown and the answers there are.
@@ -151,6 +155,9 @@ class Investigation {
   std::shared_ptr<const WorkAnswer> work_;
   std::shared_ptr<const TopologyReport> topology_;
   std::shared_ptr<const Advice> advice_;
+  std::shared_ptr<const PointInspection> point_;
+  std::shared_ptr<const Scene> point_scene_; ///< and the point, for which that was found
+  std::uint32_t point_id_ = 0;
   std::shared_ptr<const Annotation> annotation_;
   struct AnnotationKey;
   std::unique_ptr<AnnotationKey> annotated_;
@@ -181,6 +188,12 @@ void state_questions(Ui& ui, Investigation& asked, const StateSnapshot& state);
 void tet_questions(Ui& ui, Investigation& asked, const StateSnapshot& state, std::uint32_t id);
 /// Under a sample: who mends it.
 void sample_questions(Ui& ui, const StateSnapshot& state, std::uint32_t id);
+/// A point of the input: its neighbours, their mean and weight, its ball, and why it was dropped.
+void point_details(Ui& ui, const Investigation& asked, std::uint32_t id);
+/// What is known of all points, under the summary of a step.
+void points_summary(Ui& ui);
+/// The distances of the points to the finished mesh.
+void point_distances(Ui& ui, const RunResult& result, double delta);
 /// Under tetrahedra, samples and edges: which parameters would change the verdict.
 void advice(Ui& ui, const Investigation& asked);
 /// Buttons for the history and the last change of the selection.

@@ -79,10 +79,36 @@ Status look_at_uncovered(M& m, std::size_t index) {
   return {};
 }
 
+/// Goes to a place and marks it.
+Status look_there(M& m, Vec3 place, double reach) {
+  m.window.selection.pick({});
+  m.window.selection.mark = place;
+  m.window.camera.frame(Box3{place, place}.grown(reach), !m.window.scripted);
+  m.window.camera.mark_set();
+  return {};
+}
+
+/// What the study of δ and the choice of points name.
+Status look_at_field(M& m, const std::string& what, std::size_t index) {
+  const auto& scene = m.window.run.scene;
+  if (what == "dropped") {
+    if (!scene || !scene->points || index >= scene->points->dropped.size())
+      return usage("No points were dropped there.");
+    const DroppedPoints& d = scene->points->dropped[index];
+    return look_there(m, d.place, std::max(8 * scene->delta, d.why == DroppedPoints::Why::blob ? d.size : 0));
+  }
+  if (!scene || !scene->study || !scene->study->found())
+    return usage("No tolerance was found at which Ω encloses something.");
+  return look_there(m, what == "opening" ? scene->study->saddle() : scene->study->closing(),
+                    12 * scene->delta);
+}
+
 Status look_at(M& m, const A& a) {
   const bool stall = !a.empty() && a[0] == "stall";
   const std::size_t index = a.empty() ? 0 : whole_argument(a, a.size() - 1, 0, 99999999).value_or(0);
   if (!a.empty() && a[0] == "uncovered") return look_at_uncovered(m, index);
+  if (!a.empty() && (a[0] == "opening" || a[0] == "closing" || a[0] == "dropped"))
+    return look_at_field(m, a[0], index);
   const auto work = m.work();
   if (!work) return usage("The places are listed under Work.");
   const auto& cells = stall ? work->stall.places.cells : work->map.cells;
@@ -158,9 +184,11 @@ void Investigation::add_commands(CommandTable& table) {
   table.add(
       {{.name = "look-at-place",
         .title = "Look at a busy or uncovered place",
-        .usage = "[work | stall | uncovered] [N]",
-        .help = "Moves the camera to the busiest places of the heat map or of the last attempts, or to those "
-                "of the input that the finished mesh leaves behind, and marks it; 0 is the first.",
+        .usage = "[work | stall | uncovered | dropped] [N] | opening | closing",
+        .help =
+            "Moves the camera to the busiest places of the heat map or of the last attempts, or to those "
+            "of the input that the finished mesh leaves behind or of points that were dropped, or to where "
+            "the inside opens or closes first as δ changes, and marks it; 0 is the first.",
         .run = on(*this, look_at),
         .enabled = has_state}});
 }

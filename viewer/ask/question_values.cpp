@@ -13,7 +13,7 @@ namespace {
 
 double delta_of(const Investigation& m) {
   const auto state = m.window.state();
-  return state && state->criteria.unit();
+  return state ? state->criteria.unit() : 1;
 }
 
 std::optional<TetInspection> tet_shown(const Investigation& m) {
@@ -113,6 +113,21 @@ void add_history_questions(NamedValues& t, Investigation& m) {
   last("step", "the step of the last line", &HistoryRow::step);
   first("kind", "the kind of the first line", &HistoryRow::kind);
   last("kind", "the kind of the last line", &HistoryRow::kind);
+}
+
+void add_point_questions(NamedValues& t, Investigation& m) {
+  const auto point = t.readings("point.", [&m] { return m.point(); });
+  using P = PointInspection;
+  const auto delta = [&m] { return m.window.run.scene ? m.window.run.scene->delta : 1.0; };
+  point("neighbours", "how many points the selected one is averaged with, itself among them",
+        [](const P& x) { return x.neighbors.size(); });
+  point("weight", "√w of the selected point, in δ",
+        [delta](const P& x) { return std::sqrt(x.weight) / delta(); });
+  point("radius", "the radius of its ball in δ, 0 where it has none",
+        [delta](const P& x) { return x.ball_radius(delta()) / delta(); });
+  point("dropped", "no, outlier or blob", [](const P& x) {
+    return x.kept ? "no" : x.dropped == DroppedPoints::Why::outliers ? "outlier" : "blob";
+  });
 }
 
 void add_work_questions(NamedValues& t, Investigation& m) {
@@ -244,6 +259,7 @@ void add_advice(NamedValues& t, Investigation& m) {
 
 void Investigation::add_values(NamedValues& values) {
   add_tet_questions(values, *this);
+  add_point_questions(values, *this);
   add_history_questions(values, *this);
   add_work_questions(values, *this);
   add_topology_questions(values, *this);

@@ -48,6 +48,9 @@ class Suggestions {
     case Pick::Kind::facet:
       near("near(", ",", "anything within δ of its middle", ")");
       break;
+    case Pick::Kind::point:
+      near("near(", ",", "anything within δ of it", ")");
+      break;
     case Pick::Kind::none:
       event();
       break;

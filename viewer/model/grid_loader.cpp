@@ -8,15 +8,22 @@
 namespace isoscope {
 namespace {
 
+/// Around the field's box, in δ: where other tolerances were studied, Ω may be looked at for them too.
+double margin_for(const Scene& scene) {
+  return scene.study ? 4 : 2;
+}
+
 /// Voxels along the longest side: Ω is 2δ thick and wants at least four voxels across, within what memory and
-/// time allow.
+/// time allow; more where a smaller one may be looked at.
 int resolution_for(const Scene& scene) {
-  const double voxels = 4 * scene.longest_edge / std::max(2 * scene.delta, 1e-300);
-  return static_cast<int>(std::clamp(voxels, 96.0, 224.0));
+  const double least = scene.study ? 144 : 96;
+  const double edge = scene.longest_edge + 2 * (margin_for(scene) - 2) * scene.delta;
+  return static_cast<int>(std::clamp(4 * edge / std::max(2 * scene.delta, 1e-300), least, 224.0));
 }
 
 std::shared_ptr<const DistanceGrid> grid_of(const std::shared_ptr<const Scene>& scene, RunControl& control) {
-  auto made = make_distance_grid(*scene->field, scene->delta, resolution_for(*scene), control);
+  auto made =
+      make_distance_grid(*scene->field, scene->delta, resolution_for(*scene), control, margin_for(*scene));
   if (!made ||
       !find_sides(*made, *scene->field, scene->volume->sides(), scene->delta, scene->regions, control))
     return nullptr;

@@ -12,8 +12,17 @@
 namespace isoscope {
 
 /// What the bottom pane shows; kept by number.
-enum class BottomTab : std::uint8_t { timeline, plots, events, breakpoints, history, work, compare };
-constexpr int bottom_tab_count = 7;
+enum class BottomTab : std::uint8_t {
+  timeline,
+  plots,
+  events,
+  breakpoints,
+  history,
+  work,
+  compare,
+  tolerance
+};
+constexpr int bottom_tab_count = 8;
 
 /// Sizes in units of the interface, before scaling.
 struct PaneLayout {

@@ -1,6 +1,8 @@
 // Messages, the window's memory of its look, and what follows from what is selected.
 #include "model/window_state.h"
 
+#include <algorithm>
+
 namespace isoscope {
 namespace {
 
@@ -72,6 +74,8 @@ void WindowState::show(const ViewState& state) {
 
 ViewSettings WindowState::shown_view() const {
   ViewSettings shown = view;
+  if (preview_delta && run.scene && run.scene->delta > 0)
+    shown.level = static_cast<float>(*preview_delta / run.scene->delta);
   const bool heat = settings.panes.tab == BottomTab::work && settings.panes.show_bottom;
   const bool element = selection.picked.kind == Pick::Kind::edge || selection.picked.kind == Pick::Kind::tet;
   if (!view.focus || !(element || heat)) return shown;
@@ -85,6 +89,17 @@ ViewSettings WindowState::shown_view() const {
   shown.inner.opacity *= step_back;
   shown.tets.changed = false;
   return shown;
+}
+
+std::optional<std::array<double, 2>> WindowState::preview_range() const {
+  constexpr double below_clamp = 0.95; ///< what is clamped is no value
+  const auto shown = grid.grid();
+  if (!run.scene || !run.scene->study || run.scene->study->curve.empty() || !shown) return std::nullopt;
+  const auto& curve = run.scene->study->curve;
+  const double most =
+      std::min(curve.back().delta, below_clamp * static_cast<double>(shown->clamp) * run.scene->delta);
+  if (!(most > curve.front().delta)) return std::nullopt;
+  return std::array{curve.front().delta, most};
 }
 
 std::optional<std::uint32_t> WindowState::selected_event() const {

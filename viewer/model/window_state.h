@@ -23,6 +23,9 @@ namespace isoscope {
 /// What lies over the window.
 enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, bookmarks, pictures };
 
+/// What is done with what is chosen among the files.
+enum class FilesFor : std::uint8_t { open, beside, between };
+
 /// A line that tells the user something, with what to do about it.
 struct Message {
   bool error = false;
@@ -118,16 +121,18 @@ class WindowState : public ShownRun {
   ListFilter filter;             ///< of the event list
   std::optional<StepSpan> range; ///< limits lanes, plots, lists and maps
   StepPlace place;
-  bool plot_time = false; ///< plots over seconds instead of steps
-  bool blinking = false;  ///< before and after of the operation in turn
-  ViewHistory history;    ///< undo of view, filter, selection and layout
-  bool dragging = false;  ///< a mouse button is held: what it changes is one entry of the history
+  std::optional<double> preview_delta; ///< Ω is drawn at this tolerance instead of the run's; absolute
+  bool plot_time = false;              ///< plots over seconds instead of steps
+  bool blinking = false;               ///< before and after of the operation in turn
+  ViewHistory history;                 ///< undo of view, filter, selection and layout
+  bool dragging = false; ///< a mouse button is held: what it changes is one entry of the history
   Presenter presenter;
 
   // The window.
   Settings settings;
   Overlay overlay = Overlay::none;
-  bool files_beside = false; ///< what is chosen among the files opens beside the run
+  FilesFor files_for = FilesFor::open;
+  std::string first_wall; ///< chosen among the files, while the other one is looked for
   std::deque<Message> messages;
   WindowRequests requests;
   std::array<float, 4> scene_area{}; ///< where the 3D view lies in the window: low x, y, width, height
@@ -150,6 +155,8 @@ class WindowState : public ShownRun {
   /// The view as it is drawn and picked: what hides a selected edge steps back, and so do samples once they
   /// are no longer asked.
   ViewSettings shown_view() const;
+  /// The tolerances at which Ω can be shown: what the grid of the scene holds, within what was studied.
+  std::optional<std::array<double, 2>> preview_range() const;
   /// The event that the selection speaks of at the step shown, if any.
   std::optional<std::uint32_t> selected_event() const;
 

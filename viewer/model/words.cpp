@@ -8,7 +8,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::array<LayerName, 11> layers{{
+constexpr std::array<LayerName, 12> layers{{
     {"outer", "Ω outer boundary",
      "The outer boundary surface of the tolerance volume Ω, d = δ outside (§2.1).", &ViewSettings::outer},
     {"inner", "Ω inner boundary",
@@ -33,6 +33,11 @@ constexpr std::array<LayerName, 11> layers{{
      "Of the selected edge: kernel, candidate points by reason, simplices that break the link condition, "
      "optimum and target (§2.4).",
      &ViewSettings::xray},
+    {"points", "Points by weight",
+     "The points that φ is made of, by √w/δ: what spreads around a point leaves its ball less. Crosses: "
+     "those "
+     "that were dropped.",
+     &ViewSettings::points},
     {"input", "Input triangles", "The triangles as they were read.", &ViewSettings::input},
 }};
 
@@ -48,7 +53,8 @@ std::string_view transport_word(Transport::Mode mode) {
   return words.at(static_cast<std::size_t>(mode));
 }
 std::string_view pick_word(Pick::Kind kind) {
-  constexpr std::array<std::string_view, 6> words{"none", "vertex", "edge", "tet", "sample", "facet"};
+  constexpr std::array<std::string_view, 7> words{"none",   "vertex", "edge", "tet",
+                                                  "sample", "facet",  "point"};
   return words.at(static_cast<std::size_t>(kind));
 }
 std::span<const LayerName> layer_names() {

@@ -96,6 +96,9 @@ void mark(const StateSnapshot& state, const TetEdges& edges, const Pick& pick, c
   case Pick::Kind::sample:
     if (state.samples && pick.id < state.samples->size()) ring(state.samples->positions[pick.id]);
     break;
+  case Pick::Kind::point:
+    ring(pick.point);
+    break;
   case Pick::Kind::edge:
     if (const auto ends = edge_positions(state, pick)) {
       lines.segment(space.local((*ends)[0]), space.local((*ends)[1]), tint, 3.4f);

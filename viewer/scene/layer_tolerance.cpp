@@ -2,7 +2,6 @@
 #include "scene/layer_tolerance.h"
 
 #include "base/parallel.h"
-#include "scene/empty_space.h"
 
 #include <glad/gl.h>
 
@@ -10,36 +9,52 @@
 
 namespace isoscope {
 
-void ToleranceLayer::set(const DistanceGrid& grid, double delta) {
+namespace {
+
+/// Of the blocks that a ray may cross at once, in voxels.
+constexpr int block_side = 8;
+
+} // namespace
+
+void ToleranceLayer::set(const DistanceGrid& grid, double delta, bool meets_zero) {
   present_ = !grid.values.empty() && delta > 0;
   if (!present_) return;
   box_ = grid.box;
   delta_ = delta;
   const Vec3 extent = grid.box.extent();
   voxel_ = {extent.x / grid.size[0], extent.y / grid.size[1], extent.z / grid.size[2]};
-  if (grid.sides.empty()) {
+  signed_ = meets_zero || grid.sides.empty();
+  const auto by_side = [&](auto&& value) {
+    std::vector<float> values(grid.values.size());
+    parallel_for(values.size(), 1u << 16,
+                 [&](std::size_t i) { values[i] = grid.sides[i] > 0 ? value(i) : -value(i); });
+    return values;
+  };
+  if (grid.sides.empty() || !signed_)
     grid_.upload_volume(grid.size, grid.values, gl::Format::r16f, true);
-  } else {
-    std::vector<float> sided(grid.values.size());
-    parallel_for(sided.size(), 1u << 16,
-                 [&](std::size_t i) { sided[i] = grid.sides[i] > 0 ? grid.values[i] : -grid.values[i]; });
-    grid_.upload_volume(grid.size, sided, gl::Format::r16f, true);
-  }
-  constexpr int block = 8;
-  std::array<int, 3> size{};
-  const double smallest = std::min({voxel_.x, voxel_.y, voxel_.z});
-  std::vector<float> jump = empty_space(grid, block, smallest, size);
+  else
+    grid_.upload_volume(grid.size, by_side([&](std::size_t i) { return grid.values[i]; }), gl::Format::r16f,
+                        true);
+  if (signed_)
+    sides_.upload_volume({1, 1, 1}, std::array{1.0f}, gl::Format::r16f, true);
+  else
+    sides_.upload_volume(grid.size, by_side([](std::size_t) { return 1.0f; }), gl::Format::r16f, true);
+  blocks_ = grid_blocks(grid, block_side);
+  skip_level_ = 0;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    skip_scale_[i] = static_cast<float>(grid.size[k]) / static_cast<float>(block * size[k]);
+    skip_scale_[i] = static_cast<float>(grid.size[k]) / static_cast<float>(block_side * blocks_.size[k]);
   }
-  skip_.upload_volume(size, jump, gl::Format::r32f, false);
 }
 
 void ToleranceLayer::set_common(gl::Program& program, const ViewFrame& frame) {
   program.use();
   grid_.bind(0);
+  sides_.bind(3);
   program.set("grid", 0);
+  program.set("sides", 3);
+  program.set("is_signed", signed_ ? 1 : 0);
+  program.set("level", frame.view.level);
   program.set("box_lo", frame.space.local(box_.lo));
   program.set("box_hi", frame.space.local(box_.hi));
   program.set("delta", static_cast<float>(delta_));
@@ -50,6 +65,11 @@ void ToleranceLayer::set_common(gl::Program& program, const ViewFrame& frame) {
 
 void ToleranceLayer::march(gl::Program& program, const ViewFrame& frame, const gl::Texture& scene_depth,
                            float coarseness) {
+  if (skip_level_ != frame.view.level) {
+    skip_level_ = frame.view.level;
+    const auto smallest = static_cast<double>(std::min({voxel_.x, voxel_.y, voxel_.z}));
+    skip_.upload_volume(blocks_.size, empty_space(blocks_, skip_level_, smallest), gl::Format::r32f, false);
+  }
   set_common(program, frame);
   skip_.bind(1);
   scene_depth.bind(2);

@@ -22,6 +22,7 @@ SceneColors scene_colors(ThemeKind theme) {
     c.zero_set_edge = rgb(0x20242B);
     c.input = rgb(0xA7B0BF);
     c.input_edge = rgb(0x343B47);
+    c.dropped = rgb(0xD98A6A);
     c.tetrahedron = rgb(0x9FB0C8);
     c.tetrahedron_edge = rgb(0xC4CEDD);
     c.section_line = rgb(0x4A5362);
@@ -34,6 +35,7 @@ SceneColors scene_colors(ThemeKind theme) {
     c.zero_set_edge = rgb(0x2B3038);
     c.input = rgb(0xC9D0DA);
     c.input_edge = rgb(0x7B8594);
+    c.dropped = rgb(0xB0421A);
     c.tetrahedron = rgb(0x6E7F99);
     c.tetrahedron_edge = rgb(0x4D5A6D);
     c.section_line = rgb(0xB4BCC8);
@@ -47,6 +49,7 @@ SceneColors scene_colors(ThemeKind theme) {
     c.zero_set_edge = rgb(0x000000);
     c.input = rgb(0xD4D8DE);
     c.input_edge = rgb(0x8A8F98);
+    c.dropped = rgb(0xB0421A);
     c.tetrahedron = rgb(0x8290A6);
     c.tetrahedron_edge = rgb(0x596577);
     c.section_line = rgb(0xBDBDBD);

@@ -16,6 +16,7 @@ struct SceneColors {
   glm::vec3 zero_set, zero_set_edge;
   glm::vec3 good, bad, warning, misoriented, gamma, outer, inner, selection, accent;
   glm::vec3 input, input_edge;
+  glm::vec3 dropped; ///< points that no site stands for
   glm::vec3 tetrahedron, tetrahedron_edge;
   glm::vec3 section_line; ///< T in the 2D section
   glm::vec3 section_zero; ///< Z in the 2D section

@@ -70,6 +70,9 @@ Box3 pick_bounds(const StateSnapshot& state, const Pick& pick) {
   case Pick::Kind::vertex:
     if (pick.id < t.vertices.size()) box.add(t.vertices[pick.id].position);
     break;
+  case Pick::Kind::point: // of the input: no state moves it
+    box.add(pick.point);
+    break;
   case Pick::Kind::sample:
     if (state.samples && pick.id < state.samples->size()) box.add(state.samples->positions[pick.id]);
     break;

@@ -131,6 +131,17 @@ void hit_samples(const Search& search, std::vector<Hit>& hits) {
   }
 }
 
+void hit_points(const Search& search, std::vector<Hit>& hits) {
+  const InputPoints* points = search.scene.points;
+  if (!search.view.points.shown() || points == nullptr) return;
+  for (std::size_t i = 0; i < points->size(); ++i) {
+    const Vec3 p = points->position(i);
+    const auto t = search.caught(p);
+    if (t && search.clip.keeps(p))
+      hits.push_back({*t, {Pick::Kind::point, static_cast<std::uint32_t>(i), p}});
+  }
+}
+
 void hit_vertices(const Search& search, std::vector<Hit>& hits) {
   const ViewSettings& view = search.view;
   const bool zero = view.zero_set.shown() && search.scene.state->complex.form != ZeroForm::interpolated;
@@ -199,7 +210,7 @@ void hit_input(const Search& search, std::vector<Hit>& hits) {
   }
 }
 
-/// d/δ between voxel centres; `clamp` outside.
+/// φ/δ between voxel centres; `clamp` outside.
 double interpolate(const DistanceGrid& grid, Vec3 p) {
   std::array<int, 3> base{};
   std::array<double, 3> part{};
@@ -240,7 +251,7 @@ std::optional<double> meet_tolerance(const Search& search) {
       0.5 * std::min({extent.x / grid->size[0], extent.y / grid->size[1], extent.z / grid->size[2]});
   for (const auto& [from, to] : search.clip.kept_intervals(search.ray.origin, search.ray.direction, lo, hi))
     for (double t = from; t < to; t += step)
-      if (interpolate(*grid, search.along(t)) <= 1) return t;
+      if (interpolate(*grid, search.along(t)) <= static_cast<double>(search.view.level)) return t;
   return std::nullopt;
 }
 
@@ -263,6 +274,7 @@ Pick pick_scene(const PickScene& scene, const Camera& camera, const ViewSettings
   if (view.zero_set.opacity >= 1) wall = std::min(wall, first(zero));
   if (has(kinds, PickKinds::vertices)) hit_vertices(search, hits);
   if (has(kinds, PickKinds::samples)) hit_samples(search, hits);
+  if (has(kinds, PickKinds::points)) hit_points(search, hits);
   if (has(kinds, PickKinds::edges)) {
     // Alone an edge may be far from the mouse; beside cells it must leave them room.
     PickAt near = at;
@@ -306,6 +318,7 @@ Vec3 surface_point(const PickScene& scene, const Camera& camera, const ViewSetti
     hit_samples(search, hits);
   }
   hit_input(search, hits);
+  hit_points(search, hits);
   double t = first(hits);
   if (const auto enters = meet_tolerance(search)) t = std::min(t, *enters);
   if (!std::isfinite(t)) {

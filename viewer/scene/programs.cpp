@@ -16,6 +16,7 @@ Result<Programs> Programs::build(const gl::ShaderSource& source) {
       {&Programs::line, "line", "line.vert", "line.frag"},
       {&Programs::marker, "marker", "marker.vert", "marker.frag"},
       {&Programs::sample, "sample", "sample.vert", "sample.frag"},
+      {&Programs::point, "point", "point.vert", "point.frag"},
       {&Programs::volume, "volume", "fullscreen.vert", "volume.frag"},
       {&Programs::composite, "composite", "fullscreen.vert", "composite.frag"},
       {&Programs::section, "section", "fullscreen.vert", "section.frag"},

@@ -6,6 +6,7 @@
 #include "gl/shader_source.h"
 #include "scene/clip.h"
 #include "scene/frame_targets.h"
+#include "scene/layer_points.h"
 #include "scene/layer_samples.h"
 #include "scene/layer_tolerance.h"
 #include "scene/layers.h"
@@ -68,6 +69,7 @@ struct Renderer::Impl {
   GLuint empty_array = 0; ///< full-screen passes have no vertices
 
   std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const InputPoints> points;
   std::shared_ptr<const DistanceGrid> grid;
   std::shared_ptr<const StateSnapshot> state;
   std::shared_ptr<const EdgeXray> xray;
@@ -78,6 +80,7 @@ struct Renderer::Impl {
   ZeroSetLayer zero_set;
   GammaLayer gamma;
   InputLayer input;
+  PointsLayer point_sprites;
   TetrahedraLayer tetrahedra;
   SamplesLayer samples;
   ToleranceLayer tolerance;
@@ -85,7 +88,7 @@ struct Renderer::Impl {
   AttemptLayer attempt;
   AnnotationLayer annotations;
   SectionLayer section;
-  Built zero_built, gamma_built, input_built, tets_built, samples_built;
+  Built zero_built, gamma_built, input_built, points_built, tets_built, samples_built;
   double seconds = 0;
 
   Box3 bounds() const;
@@ -104,7 +107,7 @@ struct Renderer::Impl {
   Renderer::Frame finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
                          Quality quality);
   PickScene pick_scene_data() const {
-    return {state.get(), scene ? scene->input.get() : nullptr, grid.get()};
+    return {state.get(), scene ? scene->input.get() : nullptr, grid.get(), points.get()};
   }
 };
 
@@ -133,7 +136,7 @@ void Renderer::Impl::place_origin() {
   if (distance(center, space.origin) < 0.5 * reach && !box.empty() && space.origin != Vec3{}) return;
   if (center == space.origin) return;
   space.origin = center;
-  zero_built = gamma_built = input_built = tets_built = samples_built = {};
+  zero_built = gamma_built = input_built = points_built = tets_built = samples_built = {};
 }
 
 void Renderer::Impl::upload_grid() {
@@ -142,7 +145,9 @@ void Renderer::Impl::upload_grid() {
     return;
   }
   const Vec3 extent = grid->box.extent();
-  tolerance.set(*grid, scene ? scene->delta : extent.x / std::max(grid->size[0], 1));
+  // The robust distance is nowhere 0: what lies between the sides is no zero of a signed function.
+  const bool meets_zero = points == nullptr;
+  tolerance.set(*grid, scene ? scene->delta : extent.x / std::max(grid->size[0], 1), meets_zero);
 }
 
 void Renderer::Impl::reload_shaders() {
@@ -203,6 +208,9 @@ void Renderer::Impl::update_layers(const ViewFrame& frame) {
   wanted.source = scene ? scene->input.get() : nullptr;
   refresh(view.input, input_built, wanted, input,
           [&] { input.update(*scene->input, clip, frame.colors, space); });
+  wanted.source = points.get();
+  refresh(view.points, points_built, wanted, point_sprites,
+          [&] { point_sprites.update(points, clip, frame.colors, frame); });
   wanted.source = state.get();
   Built zero_wanted = wanted;
   zero_wanted.moment = view.moment;
@@ -251,18 +259,24 @@ void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& req
   if (solid(view.input)) input.draw(programs.mesh_opaque, frame);
   if (solid(view.zero_set)) zero_set.draw(programs.mesh_opaque, frame);
   if (solid(view.tetrahedra)) tetrahedra.draw_solid(programs.mesh_opaque, frame);
-  if (view.samples.shown()) {
-    // Coverage smooths the sprites' edges; what is covered is opaque.
-    if (quality.samples > 1) {
-      glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-      glEnable(GL_SAMPLE_ALPHA_TO_ONE);
-    }
-    programs.sample.use();
-    programs.sample.set("smooth_edges", quality.samples > 1 ? 1 : 0);
-    samples.draw(programs.sample, frame, quality.sprites);
-    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    glDisable(GL_SAMPLE_ALPHA_TO_ONE);
+  // Coverage smooths the sprites' edges; what is covered is opaque.
+  const bool smooth = quality.samples > 1;
+  if (smooth) {
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glEnable(GL_SAMPLE_ALPHA_TO_ONE);
   }
+  if (view.points.shown()) {
+    programs.point.use();
+    programs.point.set("smooth_edges", smooth ? 1 : 0);
+    point_sprites.draw(programs.point, frame, quality.sprites);
+  }
+  if (view.samples.shown()) {
+    programs.sample.use();
+    programs.sample.set("smooth_edges", smooth ? 1 : 0);
+    samples.draw(programs.sample, frame, quality.sprites);
+  }
+  glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  glDisable(GL_SAMPLE_ALPHA_TO_ONE);
   if (view.gamma.shown()) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -354,7 +368,9 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
 void Renderer::set_scene(std::shared_ptr<const Scene> scene) {
   if (impl_->scene == scene) return;
   impl_->scene = std::move(scene);
-  impl_->input_built = {};
+  impl_->input_built = impl_->points_built = {};
+  impl_->points = impl_->scene ? input_points(*impl_->scene) : nullptr;
+  if (!impl_->points) impl_->point_sprites.clear();
   impl_->place_origin();
   impl_->upload_grid();
 }
@@ -445,7 +461,7 @@ Renderer::Frame Renderer::render_section(const SectionView& section, const ViewS
   if (!targets.resize(request.width, request.height, 1, 1, 1)) return {};
   const Camera camera = section_camera(section, view.clip);
   const ViewFrame frame = r.view_frame(camera, view, request, request.width, request.height);
-  r.section.update(r.state.get(), frame);
+  r.section.update(r.state.get(), r.points.get(), frame);
   ClipSettings plane = view.clip;
   plane.shape = ClipSettings::Shape::none;
   r.upload_frame(camera, plane, request, frame);
@@ -463,7 +479,7 @@ Pick Renderer::pick(const Camera& camera, const ViewSettings& view, double x, do
 Pick Renderer::pick_section(const SectionView& section, const ViewSettings& view, double x, double y,
                             int width, int height, PickKinds kinds) const {
   if (!impl_->state) return {};
-  return pick_section_scene(*impl_->state, section, view, {x, y, width, height}, kinds);
+  return pick_section_scene(*impl_->state, impl_->points.get(), section, view, {x, y, width, height}, kinds);
 }
 
 Vec3 Renderer::point_under(const Camera& camera, const ViewSettings& view, double x, double y, int width,

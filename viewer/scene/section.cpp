@@ -27,12 +27,34 @@ void outline(const std::array<Vec3, 4>& p, const SectionPlane& plane, const Scen
   }
 }
 
+/// Points of the input near to the plane.
+std::vector<Marker> near_points(const InputPoints& points, const SectionPlane& plane,
+                                const ViewFrame& frame) {
+  const double spacing = points.spacing * frame.pixels_per_unit / static_cast<double>(frame.pixel_scale);
+  const auto diameter = static_cast<std::uint8_t>(
+      std::clamp(std::min(1.3 * static_cast<double>(frame.view.sample_size), 1.2 * spacing), 3.0, 30.0));
+  const auto cross = static_cast<std::uint8_t>(std::max<int>(diameter + 2, 7));
+  const double reach = section_point_distance(points);
+  std::vector<Marker> marks;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 p = points.position(i);
+    if (std::abs(plane.height(p)) > reach) continue;
+    const bool dropped = points.dropped(i);
+    marks.push_back(
+        {frame.space.local(plane.lift(plane.project(p))),
+         color8(dropped ? frame.colors.dropped : weight_color(frame.view.theme, points.weights[i])),
+         dropped ? MarkerShape::cross : MarkerShape::disc, dropped ? cross : diameter});
+  }
+  return marks;
+}
+
 } // namespace
 
-void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
+void SectionLayer::update(const StateSnapshot* state, const InputPoints* points, const ViewFrame& frame) {
   LineBuilder lines, marked;
   MeshBuilder cells;
-  std::vector<Marker> samples, marks;
+  std::vector<Marker> dots, samples, marks;
+  if (points && frame.view.points.shown()) dots = near_points(*points, section_plane(frame.view.clip), frame);
   if (state) {
     const SceneColors& c = frame.colors;
     const SectionPlane plane = section_plane(frame.view.clip);
@@ -99,11 +121,13 @@ void SectionLayer::update(const StateSnapshot* state, const ViewFrame& frame) {
         ring(state->complex.vertices[pick.id].position, c.selection, 16);
       if (pick.kind == Pick::Kind::sample && state->samples && pick.id < state->samples->size())
         ring(state->samples->positions[pick.id], c.selection, 16);
+      if (pick.kind == Pick::Kind::point) ring(pick.point, c.selection, 16);
     }
   }
   cells_.upload(cells);
   lines_.upload(lines);
   marked_.upload(marked);
+  points_.upload(dots);
   samples_.upload(samples);
   marks_.upload(marks);
 }
@@ -128,6 +152,7 @@ void SectionLayer::draw(Programs& programs, const ViewFrame& frame, ToleranceLay
   flat.back_shade = 1;
   cells_.draw(programs.mesh_flat, flat);
   lines_.draw(programs.line, 1, 0);
+  points_.draw(programs.marker, frame.view.points.opacity);
   samples_.draw(programs.marker, frame.view.samples.opacity);
   marked_.draw(programs.line, 1, 0);
   marks_.draw(programs.marker, 1);

@@ -1,7 +1,8 @@
 // Draws the 2D section as the paper's figures do: T thin, Z thick, ∂Γ blue, samples by class, the Steiner
-// point ringed.
+// point ringed; points of the input by weight.
 #pragma once
 
+#include "scene/input_points.h"
 #include "scene/layer_tolerance.h"
 #include "scene/line_batch.h"
 #include "scene/markers.h"
@@ -15,14 +16,14 @@ namespace isoscope {
 
 class SectionLayer {
  public:
-  /// Intersects and uploads; `state` may be null.
-  void update(const StateSnapshot* state, const ViewFrame& frame);
+  /// Intersects and uploads; `state` and `points` may be null.
+  void update(const StateSnapshot* state, const InputPoints* points, const ViewFrame& frame);
   void draw(Programs& programs, const ViewFrame& frame, ToleranceLayer& tolerance, float background_opacity);
 
  private:
   MeshBatch cells_;
   LineBatch lines_, marked_;
-  MarkerBatch samples_, marks_;
+  MarkerBatch points_, samples_, marks_;
 };
 
 } // namespace isoscope

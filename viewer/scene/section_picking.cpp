@@ -9,8 +9,9 @@
 
 namespace isoscope {
 
-Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView& section,
-                        const ViewSettings& view, const PickAt& at, PickKinds kinds) {
+Pick pick_section_scene(const StateSnapshot& state, const InputPoints* points,
+                        const Renderer::SectionView& section, const ViewSettings& view, const PickAt& at,
+                        PickKinds kinds) {
   const SectionPlane plane = section_plane(view.clip);
   const double unit = section.height / at.height;
   const PlanePoint here{section.u + (at.x - 0.5 * at.width) * unit,
@@ -33,6 +34,10 @@ Pick pick_section_scene(const StateSnapshot& state, const Renderer::SectionView&
       if ((bad ? view.bad_samples : view.good_samples).shown()) offer(Pick::Kind::sample, i, p);
     }
   }
+  if (has(kinds, PickKinds::points) && view.points.shown() && points != nullptr)
+    for (std::size_t i = 0; i < points->size(); ++i)
+      if (std::abs(plane.height(points->position(i))) <= section_point_distance(*points))
+        offer(Pick::Kind::point, i, points->position(i));
   if (has(kinds, PickKinds::vertices)) {
     for (std::size_t i = 0; i < state.complex.vertices.size(); ++i) {
       const Vertex& v = state.complex.vertices[i];

@@ -111,6 +111,7 @@ class Drawing {
   void tolerance();
   void segments(const char* name, const std::vector<SectionGeometry::Segment>& all, glm::vec3 color,
                 double width);
+  void points();
   void samples();
   void mark(const char* name, PlanePoint p, bool bad, bool outer, double size);
   void next_point();
@@ -146,8 +147,8 @@ void Drawing::tolerance() {
             "\" fill-opacity=\"0.28\" fill-rule=\"evenodd\" stroke=\"none\" d=\"" + d + "\"/>\n";
   };
   out_ += "<g id=\"tolerance\">\n";
-  if (view.outer.shown()) band("outer-half", 0, 1, colors_.outer);
-  if (view.inner.shown()) band("inner-half", -1, 0, colors_.inner);
+  if (view.outer.shown()) band("outer-half", 0, view.level, colors_.outer);
+  if (view.inner.shown()) band("inner-half", -view.level, 0, colors_.inner);
   out_ += "</g>\n";
 }
 
@@ -171,6 +172,33 @@ void Drawing::mark(const char* name, PlanePoint p, bool bad, bool outer, double 
     out_ += "<circle class=\"" + std::string(name) + "\" cx=\"" + x(p.u) + "\" cy=\"" + y(p.v) + "\" r=\"" +
             number(outer ? r : 0.8 * r) + "\"/>\n";
   }
+}
+
+void Drawing::points() {
+  const InputPoints* points = figure_.points.get();
+  if (points == nullptr || !figure_.view.points.shown()) return;
+  const double size = std::clamp(
+      std::min(0.3 * static_cast<double>(figure_.view.sample_size), points->spacing * scale_), 0.25, 3.0);
+  const double reach = section_point_distance(*points);
+  const auto group = [&](const char* name, bool dropped, const std::string& style) {
+    out_ += "<g id=\"points-" + std::string(name) + "\" " + style + ">\n";
+    for (std::size_t i = 0; i < points->size(); ++i) {
+      const Vec3 p = points->position(i);
+      if (points->dropped(i) != dropped || std::abs(plane_.height(p)) > reach) continue;
+      const PlanePoint q = plane_.project(p);
+      if (!inside(q, size)) continue;
+      if (dropped)
+        mark("dropped", q, true, true, 1.2 * size);
+      else
+        out_ += "<circle fill=\"" + hex(weight_color(ThemeKind::paper, points->weights[i])) + "\" cx=\"" +
+                x(q.u) + "\" cy=\"" + y(q.v) + "\" r=\"" + number(size / 2) + "\"/>\n";
+    }
+    out_ += "</g>\n";
+  };
+  group("by-weight", false, "stroke=\"none\"");
+  group("dropped", true,
+        "fill=\"none\" stroke=\"" + hex(colors_.dropped) + "\" stroke-width=\"" + number(0.25 * size) +
+            "\" stroke-linecap=\"round\"");
 }
 
 void Drawing::samples() {
@@ -268,7 +296,11 @@ void Drawing::caption(double top) {
     first += ", " + std::to_string(state_.bad_samples) + " samples misclassified";
   line(first, margin, top);
   line("δ = " + short_number(c.delta) + ", σ = " + short_number(c.sigma) + ", α = " + short_number(c.alpha) +
-           ", shrink " + short_number(c.shrink) + "; 1 mm = " + short_number(1 / scale_) + " units",
+           ", shrink " + short_number(c.shrink) +
+           (figure_.view.level == 1
+                ? std::string()
+                : ", Ω drawn at " + short_number(static_cast<double>(figure_.view.level)) + " δ") +
+           "; 1 mm = " + short_number(1 / scale_) + " units",
        margin, top + line_height);
 }
 
@@ -289,6 +321,7 @@ std::string Drawing::text() {
   if (view.tetrahedra.shown()) segments("triangulation", geometry_.tetrahedra, colors_.section_line, 0.15);
   if (view.gamma.shown()) segments("gamma", geometry_.gamma, colors_.gamma, 0.5);
   if (view.zero_set.shown()) segments("zero-set", geometry_.zero_set, colors_.section_zero, 0.7);
+  points();
   samples();
   next_point();
   out_ += "</g>\n<g id=\"caption\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"" +

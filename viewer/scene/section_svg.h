@@ -2,12 +2,14 @@
 #pragma once
 
 #include "questions/snapshot.h"
+#include "scene/input_points.h"
 #include "scene/level_loops.h"
 #include "scene/renderer.h"
 #include "scene/section_geometry.h"
 #include "scene/view_settings.h"
 #include "tolerance/distance_grid.h"
 
+#include <memory>
 #include <string>
 
 namespace isoscope {
@@ -19,11 +21,13 @@ struct SectionFigure {
   double width = 160;            ///< of the figure, millimetres
   double delta = 0;              ///< δ, scene units; 0: not known, the scale bar is in scene units then
   std::string model;             ///< named in the caption
+  std::shared_ptr<const InputPoints> points = nullptr; ///< that φ is made of
 };
 
-/// An SVG 1.1 document: Ω filled, T thin, Z thick and black, ∂Γ blue, samples by class as disc, circle or
-/// cross, the next Steiner point ringed; a scale bar and a caption with step and parameters below.
-/// Coordinates are millimetres; the document says how many scene units one of them is. `grid` may be null.
+/// An SVG 1.1 document: Ω filled, T thin, Z thick and black, ∂Γ blue, points of the input by weight, samples
+/// by class as disc, circle or cross, the next Steiner point ringed; a scale bar and a caption with step and
+/// parameters below. Coordinates are millimetres; the document says how many scene units one of them is.
+/// `grid` may be null.
 std::string section_svg(const StateSnapshot& state, const DistanceGrid* grid, const SectionFigure& figure);
 
 /// Signed distance over δ on a lattice over the section of the grid's box; every value on the rim is beyond

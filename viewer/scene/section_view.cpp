@@ -34,4 +34,8 @@ double section_sample_distance(const StateSnapshot& state) {
   return state.samples ? 0.5 * state.samples->sigma : 0;
 }
 
+double section_point_distance(const InputPoints& points) {
+  return 0.6 * points.spacing;
+}
+
 } // namespace isoscope

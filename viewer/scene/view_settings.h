@@ -56,6 +56,7 @@ enum class Moment : std::uint8_t {
 
 struct ViewSettings {
   LayerSettings input{false, 1.0f}; ///< the input triangles
+  LayerSettings points{true, 1.0f}; ///< the points that the field is made of, where it is
   LayerSettings outer{true, 0.22f}; ///< outer boundary surface of Ω
   LayerSettings inner{true, 0.35f}; ///< inner boundary surface of Ω
   LayerSettings samples{true, 1.0f};
@@ -74,6 +75,7 @@ struct ViewSettings {
   bool focus = true;        ///< with an edge selected samples, Ω and changed tetrahedra step back
   bool side_tint = true;    ///< tetrahedra in the colour of their side once Z is embedded
   float sample_size = 5.0f; ///< pixels at the orbit distance
+  float level = 1;          ///< Ω is drawn as {φ <= level δ}
   TetFilter tets;
   ClipSettings clip;
   ViewMode mode = ViewMode::scene;
@@ -89,7 +91,8 @@ enum class PickKinds : std::uint8_t {
   tetrahedra = 2,
   samples = 4,
   edges = 8,
-  all = vertices | tetrahedra | samples | edges
+  points = 16, ///< of the input
+  all = vertices | tetrahedra | samples | edges | points
 };
 constexpr PickKinds operator|(PickKinds a, PickKinds b) {
   return static_cast<PickKinds>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
@@ -100,7 +103,7 @@ constexpr bool has(PickKinds set, PickKinds kind) {
 
 /// What is picked or selected.
 struct Pick {
-  enum class Kind : std::uint8_t { none, vertex, edge, tet, sample, facet };
+  enum class Kind : std::uint8_t { none, vertex, edge, tet, sample, facet, point };
   Kind kind = Kind::none;
   std::uint32_t id = 0xffffffffu;    ///< of the element; of an edge: of one end
   Vec3 point;                        ///< where the ray met it

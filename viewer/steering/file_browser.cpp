@@ -1,6 +1,7 @@
 // Reading folders, and what is chosen in them.
 #include "steering/file_browser.h"
 
+#include "input/mesh_format.h"
 #include "model/words.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -14,9 +15,18 @@
 namespace isoscope {
 namespace {
 
-/// What a chosen file is opened by.
-const char* open_command(const Ui& ui) {
-  return ui.window.files_beside ? "open-beside" : "open";
+std::string title(const WindowState& m) {
+  switch (m.files_for) {
+  case FilesFor::beside:
+    return "Open beside";
+  case FilesFor::between:
+    return m.first_wall.empty()
+               ? "Ω between two surfaces: the first"
+               : "Ω between " + std::filesystem::path(m.first_wall).filename().string() + " and";
+  case FilesFor::open:
+    break;
+  }
+  return "Open";
 }
 
 namespace fs = std::filesystem;
@@ -28,10 +38,13 @@ std::string lower(std::string text) {
   return text;
 }
 
-bool is_model(const std::string& name) {
+/// By its name, as one looks through a folder; what it is, its content tells.
+bool is_model(const std::string& name, FilesFor wanted) {
   const std::string end = lower(fs::path(name).extension().string());
-  return end == ".off" || end == ".obj" || end == ".ply" || end == ".stl" || end == ".nrrd" ||
-         end == ".nhdr" || end == ".grid" || end == ".json" || end == ".isorun";
+  if (end == ".off" || end == ".obj" || end == ".ply" || end == ".stl") return true;
+  if (wanted == FilesFor::between) return false;
+  return is_points_extension(end) || end == ".nrrd" || end == ".nhdr" || end == ".grid" || end == ".json" ||
+         end == ".isorun";
 }
 
 void store(std::array<char, 1024>& out, const std::string& text) {
@@ -50,7 +63,7 @@ void FileBrowser::go(const fs::path& folder) {
     std::error_code ignored;
     entry.name = it->path().filename().string();
     entry.folder = it->is_directory(ignored);
-    if (entry.name.starts_with('.') || (!entry.folder && !is_model(entry.name))) continue;
+    if (entry.name.starts_with('.') || (!entry.folder && !is_model(entry.name, wanted_))) continue;
     if (!entry.folder) entry.bytes = it->file_size(ignored);
     found.push_back(std::move(entry));
   }
@@ -82,7 +95,7 @@ void FileBrowser::sidebar(Ui& ui, float width) {
     ImGui::PushID(file.c_str());
     if (ImGui::Selectable((std::string(icon::history) + "   " + fs::path(file).filename().string()).c_str(),
                           false, 0, {0, ui.px(24)}))
-      ui.commands.post(open_command(ui), {file});
+      chosen(ui, file);
     widgets::tip(ui, {}, file);
     ImGui::PopID();
   }
@@ -110,15 +123,32 @@ void FileBrowser::listing(Ui& ui) {
       row.value(ui.colors.quiet, bytes_text(entry.bytes));
     }
     if (pressed && entry.folder) next = folder_ / entry.name;
-    if (pressed && !entry.folder) ui.commands.post(open_command(ui), {(folder_ / entry.name).string()});
+    if (pressed && !entry.folder) chosen(ui, (folder_ / entry.name).string());
   });
-  if (shown.empty()) widgets::quiet_text(ui, "No models here: OFF, OBJ, PLY, STL, or a view as JSON.");
+  if (shown.empty())
+    widgets::quiet_text(
+        ui, wanted_ == FilesFor::between
+                ? "No surfaces here: OFF, OBJ, PLY or STL."
+                : "No models here: surfaces (OFF, OBJ, PLY, STL), points (XYZ), grids (NRRD), or a "
+                  "view as JSON.");
   ImGui::EndChild();
   if (!next.empty()) go(next);
 }
 
+void FileBrowser::chosen(Ui& ui, const std::string& file) {
+  WindowState& m = ui.window;
+  if (m.files_for != FilesFor::between) {
+    ui.commands.post(m.files_for == FilesFor::beside ? "open-beside" : "open", {file});
+  } else if (m.first_wall.empty()) {
+    m.first_wall = file;
+  } else {
+    ui.commands.post("open-between", {m.first_wall, file});
+  }
+}
+
 void FileBrowser::draw(Ui& ui) {
   WindowState& m = ui.window;
+  if (std::exchange(wanted_, m.files_for) != m.files_for && !fresh_) go(folder_);
   if (std::exchange(fresh_, false)) {
     std::error_code ignored;
     go(m.settings.last_folder.empty() ? fs::current_path(ignored) : fs::path(m.settings.last_folder));
@@ -126,7 +156,7 @@ void FileBrowser::draw(Ui& ui) {
   }
   m.settings.last_folder = folder_.string();
   ImGui::PushFont(ui.fonts.title);
-  ImGui::TextUnformatted(m.files_beside ? "Open beside" : "Open");
+  ImGui::TextUnformatted(title(m).c_str());
   ImGui::PopFont();
   ImGui::SameLine();
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - ui.px(28), ui.px(14)});
@@ -142,7 +172,7 @@ void FileBrowser::draw(Ui& ui) {
     if (fs::is_directory(path_.data(), ignored))
       go(path_.data());
     else
-      ui.commands.post(open_command(ui), {path_.data()});
+      chosen(ui, path_.data());
   }
   widgets::tip(ui, "Path", "Type a folder or a model and press Enter.");
   ImGui::SameLine();

@@ -20,6 +20,8 @@ class FileBrowser {
   void go(const std::filesystem::path& folder);
   void sidebar(Ui& ui, float width);
   void listing(Ui& ui);
+  /// A file was chosen.
+  void chosen(Ui& ui, const std::string& file);
   struct Entry {
     std::string name;
     bool folder = false;
@@ -30,6 +32,7 @@ class FileBrowser {
   std::string trouble_;
   std::array<char, 1024> path_{};
   std::array<char, 128> filter_{};
+  FilesFor wanted_ = FilesFor::open; ///< what the entries are for
   bool fresh_ = true;
 };
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -76,89 +77,114 @@ void control(Ui& ui, P& p, const Field<P, double>& f) {
   widgets::tip(ui, f.title, f.tip);
 }
 
+/// Percent, length, automatic in turn; the value stays what it is.
+void next_unit(const Scene* scene, Tolerance& tolerance) {
+  const double edge = scene ? scene->longest_edge : 0;
+  if (tolerance.automatic) {
+    const double delta = scene ? scene->delta : 0;
+    tolerance = delta > 0 ? Tolerance{std::round(1e4 * 100 * delta / edge) / 1e4} : Tolerance{};
+  } else if (tolerance.percent) {
+    if (edge > 0) tolerance.value = tolerance.absolute(edge);
+    tolerance.percent = false;
+  } else {
+    tolerance.automatic = true;
+  }
+}
+
 void control(Ui& ui, P& p, const Field<P, Tolerance>& f) {
   Tolerance& tolerance = p.*(f.member);
+  const auto& scene = ui.window.run.scene;
+  // What is shown may be another input than the draft's.
+  const bool same = scene && ui.window.run.parameters.input == p.input;
+  if (same && scene->input && scene->input->gives_volume())
+    return widgets::quiet_text(ui, short_number(scene->delta) + ", given with Ω");
   const float unit = ui.px(52);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit - ui.px(6));
   ImGui::PushFont(ui.fonts.mono);
-  if (typed(f, tolerance.value, "%.6g", [](double v) { return Tolerance{v, false}.check({}, {}).ok(); }))
-    tolerance.automatic = false;
+  if (tolerance.automatic) {
+    double found = same ? scene->delta : 0;
+    ImGui::BeginDisabled();
+    ImGui::InputDouble(unlabelled(f).c_str(), &found, 0, 0, same ? "%.6g" : "found");
+    ImGui::EndDisabled();
+  } else {
+    typed(f, tolerance.value, "%.6g", [](double v) { return Tolerance{v, false}.check({}, {}).ok(); });
+  }
   ImGui::PopFont();
   widgets::tip(ui, f.title, f.tip);
   ImGui::SameLine(0, ui.px(6));
-  const char* const spelt = tolerance.automatic ? "auto##unit" : tolerance.percent ? "%##unit" : "abs##unit";
-  if (widgets::plain_button(ui, spelt, true, unit, ImGui::GetFrameHeight())) {
-    // Percent, length, found by the run, and round again.
-    const bool was_length = !tolerance.percent && !tolerance.automatic;
-    tolerance.automatic = was_length;
-    if (was_length) return;
-    const double edge = ui.window.run.scene ? ui.window.run.scene->longest_edge : 0;
-    if (edge > 0)
-      tolerance.value = tolerance.percent ? tolerance.absolute(edge) : 100 * tolerance.value / edge;
-    tolerance.percent = !tolerance.percent;
-  }
+  const char* label = tolerance.automatic ? "auto##unit" : tolerance.percent ? "%##unit" : "abs##unit";
+  if (widgets::plain_button(ui, label, true, unit, ImGui::GetFrameHeight()))
+    next_unit(scene.get(), tolerance);
   widgets::tip(ui, "Unit of δ",
-               "Percent of the longest edge, a length in the input's units, or found from the input.");
+               "Percent of the longest edge, a length in the input's units, or auto: found from the input.");
 }
 
+/// A number, or the word for none: off, or found by the run.
 void control(Ui& ui, P& p, const Field<P, Robust>& f) {
-  constexpr int usual = 12;
-  int& neighbors = (p.*(f.member)).neighbors;
+  int& k = (p.*(f.member)).neighbors;
   constexpr std::array<const char*, 3> kinds{"auto", "off", "k"};
-  int chosen = neighbors == Robust::automatic ? 0 : neighbors == Robust::off ? 1 : 2;
+  int chosen = k == Robust::automatic ? 0 : k == Robust::off ? 1 : 2;
   if (chosen == 2) {
-    double value = neighbors;
-    ImGui::SetNextItemWidth(ui.px(64));
+    double value = k;
+    ImGui::SetNextItemWidth(ui.px(46));
     if (typed(f, value, "%.0f", [&](double v) { return v >= 2 && check_range(f, {}, v).ok(); }))
-      neighbors = static_cast<int>(std::round(value));
-    widgets::tip(ui, f.title, f.tip);
+      k = static_cast<int>(std::round(value));
     ImGui::SameLine(0, ui.px(6));
   }
-  if (widgets::segmented(ui, f.name.data(), kinds, chosen))
-    neighbors = chosen == 0 ? Robust::automatic : chosen == 1 ? Robust::off : usual;
+  if (!widgets::segmented(ui, f.name.data(), kinds, chosen)) return;
+  constexpr int usual = 12;
+  k = chosen == 0 ? Robust::automatic : chosen == 1 ? Robust::off : usual;
 }
 
 void control(Ui& ui, P& p, const Field<P, Levels>& f) {
   Levels& levels = p.*(f.member);
   const float each = (ImGui::GetContentRegionAvail().x - ui.px(6)) / 2;
-  ImGui::PushFont(ui.fonts.mono);
-  for (double* level : {&levels.low, &levels.high}) {
-    ImGui::PushID(level == &levels.low ? "low" : "high");
+  const auto number = [&](const char* id, double& value) {
     ImGui::SetNextItemWidth(each);
-    typed(f, *level, "%.6g", [](double v) { return std::isfinite(v); });
-    ImGui::PopID();
-    if (level == &levels.low) ImGui::SameLine(0, ui.px(6));
-  }
+    double wanted = value;
+    if (ImGui::InputDouble(id, &wanted, 0, 0, "%.6g") && std::isfinite(wanted)) value = wanted;
+    widgets::tip(ui, f.title, f.tip);
+  };
+  ImGui::PushFont(ui.fonts.mono);
+  number("##low", levels.low);
+  ImGui::SameLine(0, ui.px(6));
+  number("##high", levels.high);
   ImGui::PopFont();
 }
 
 void control(Ui& ui, P& p, const Field<P, std::optional<int>>& f) {
   std::optional<int>& value = p.*(f.member);
-  constexpr std::array<const char*, 2> kinds{"is", "none"};
+  constexpr std::array<const char*, 2> kinds{"label", "none"};
   int chosen = value ? 0 : 1;
   if (value) {
-    auto number = static_cast<double>(*value);
+    double wanted = *value;
     ImGui::SetNextItemWidth(ui.px(64));
-    if (typed(f, number, "%.0f", [&](double v) { return check_range(f, {}, v).ok(); }))
-      value = static_cast<int>(std::round(number));
+    if (typed(f, wanted, "%.0f", [&](double v) { return check_range(f, {}, v).ok(); }))
+      value = static_cast<int>(std::round(wanted));
+    widgets::tip(ui, f.title, f.tip);
     ImGui::SameLine(0, ui.px(6));
   }
   if (!widgets::segmented(ui, f.name.data(), kinds, chosen)) return;
-  value = chosen == 0 ? std::optional(1) : std::nullopt;
+  if (chosen == 1)
+    value.reset();
+  else
+    value = 1;
 }
 
-/// Whether the draft's input is a grid, by what was read of it or by its name.
-bool is_grid_draft(const WindowState& m) {
-  if (m.draft.levels.given() || m.draft.label) return true;
-  if (m.run.scene && m.run.parameters.input == m.draft.input) return m.run.scene->input->grid != nullptr;
-  return m.draft.input.ends_with(".nrrd") || m.draft.input.ends_with(".nhdr") ||
-         m.draft.input.ends_with(".grid");
-}
-
-/// Rows that only some inputs have.
-template <class T> bool belongs(const WindowState& m, const Field<P, T>& f) {
-  static_cast<void>(f);
-  if constexpr (std::is_same_v<T, Levels> || std::is_same_v<T, std::optional<int>>) return is_grid_draft(m);
+/// Whether a field says something of the input: levels and labels are of grids, the robust distance of what
+/// is no volume.
+bool speaks_of(const FieldFacts& f, const WindowState& m) {
+  const RunParameters& p = m.draft;
+  const bool known = m.run.scene && m.run.scene->input && m.run.parameters.input == p.input;
+  // One that could not be read, as its levels are missing, goes by its name.
+  const bool grid = known ? m.run.scene->input->grid != nullptr
+                          : p.levels.given() || p.label || p.input.ends_with(".nrrd") ||
+                                p.input.ends_with(".nhdr") || p.input.ends_with(".grid");
+  const bool given = grid || !p.inside.empty() || (known && m.run.scene->input->gives_volume());
+  if (f.name == field_of(&P::levels).name || f.name == field_of(&P::label).name) return grid;
+  if (f.name == field_of(&P::robust).name || f.name == field_of(&P::drop_small).name ||
+      f.name == field_of(&P::drop_thin).name)
+    return !given;
   return true;
 }
 
@@ -285,12 +311,19 @@ void conditions(Ui& ui, P& p) {
   }
 }
 
+/// The two files where Ω lies between surfaces.
+void walls(const Ui& ui, const P& p) {
+  if (p.inside.empty()) return;
+  widgets::value_row(ui, "outer surface", std::filesystem::path(p.input).filename().string());
+  widgets::value_row(ui, "inner surface", std::filesystem::path(p.inside).filename().string());
+}
+
 /// The rows of places from `first` up to `end`, each `units` high.
 void rows(Ui& ui, P& p, int first, int end, float units) {
   for (int place = first; place < end; ++place)
     for_each_field<P>([&]<class T>(const Field<P, T>& f) {
       if constexpr (!std::is_same_v<T, std::string> && !std::is_same_v<T, std::array<bool, 4>>) {
-        if (f.place != place || !belongs(ui.window, f)) return;
+        if (f.place != place || !speaks_of(f, ui.window)) return;
         label(ui, f, units);
         control(ui, p, f);
       }
@@ -374,6 +407,7 @@ void buttons(Ui& ui, const Steering& steering) {
 void parameters(Ui& ui, const Steering& steering) {
   if (!widgets::section(ui, "Parameters")) return;
   RunParameters& p = ui.window.draft;
+  walls(ui, p);
   rows(ui, p, first_number, first_word, 22);
   ImGui::Dummy({0, ui.px(2)});
   ImGui::PushFont(ui.fonts.small);

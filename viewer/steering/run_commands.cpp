@@ -47,7 +47,7 @@ Status open_view_file(WindowState& m, const std::string& file) {
 
 Status open_model(Steering& m, const Arguments& a) {
   if (a.empty()) {
-    m.window.files_beside = false;
+    m.window.files_for = FilesFor::open;
     m.window.toggle(Overlay::files);
     return {};
   }
@@ -63,6 +63,18 @@ Status open_model(Steering& m, const Arguments& a) {
       return wrong_arguments("\"" + a[i] + "\" is not understood.");
   }
   m.open(a[0], paused, inside);
+  return {};
+}
+
+Status open_walls(Steering& m, const Arguments& a) {
+  if (a.size() == 1 || a.size() > 2) return wrong_arguments("Two surfaces are needed.");
+  if (a.size() == 2) {
+    m.open_between(a[0], a[1]);
+    return {};
+  }
+  m.window.files_for = FilesFor::between;
+  m.window.first_wall.clear();
+  m.window.toggle(Overlay::files);
   return {};
 }
 
@@ -125,41 +137,48 @@ Status apply_parameters(Steering& m, const Arguments&) {
 } // namespace
 
 void Steering::add_file_commands(CommandTable& table) {
-  add_group(table, {.menu = "File"},
-            {{.name = "open",
-              .title = "Open…",
-              .usage = "[FILE | gallery:NAME] [paused] [inside FILE]",
-              .help = "Opens a model and starts refining it, or what lies between it and a surface inside; "
-                      "without a name it shows the files.",
-              .icon = icon::folder_open,
-              .keys = {{'O', true}},
-              .run = on(*this, open_model)},
-             {.name = "gallery",
-              .title = "Gallery",
-              .help = "Shows the bundled models and what each teaches.",
-              .icon = icon::gallery,
-              .keys = {{'G', true}},
-              .run = does([this] { window.toggle(Overlay::gallery); })},
-             {.name = "export",
-              .title = "Export Z…",
-              .usage = "[FILE]",
-              .help = "Writes the zero set shown as OFF, OBJ, PLY or STL.",
-              .icon = icon::disk,
-              .keys = {{'E', true}},
-              .run = on(window, export_mesh),
-              .enabled = [this] { return window.has_state(); }},
-             {.name = "screenshot",
-              .title = "Screenshot",
-              .usage = "[FILE] [view]",
-              .help = "Writes a picture of the window, or of the view alone, as PNG.",
-              .icon = icon::camera,
-              .keys = {{GLFW_KEY_F12}},
-              .run = on(window, screenshot)},
-             {.name = "quit",
-              .title = "Quit",
-              .help = "Ends the program.",
-              .keys = {{'Q', true}},
-              .run = does([this] { window.requests.close = true; })}});
+  add_group(
+      table, {.menu = "File"},
+      {{.name = "open",
+        .title = "Open…",
+        .usage = "[FILE | gallery:NAME] [paused] [inside FILE]",
+        .help = "Opens a model and starts refining it, or what lies between it and a surface inside; "
+                "without a name it shows the files.",
+        .icon = icon::folder_open,
+        .keys = {{'O', true}},
+        .run = on(*this, open_model)},
+       {.name = "open-between",
+        .title = "Ω between two surfaces…",
+        .usage = "[FILE FILE]",
+        .help = "Opens two closed surfaces, one inside the other, in any order: Ω is what lies between them.",
+        .icon = icon::layers,
+        .run = on(*this, open_walls)},
+       {.name = "gallery",
+        .title = "Gallery",
+        .help = "Shows the bundled models and what each teaches.",
+        .icon = icon::gallery,
+        .keys = {{'G', true}},
+        .run = does([this] { window.toggle(Overlay::gallery); })},
+       {.name = "export",
+        .title = "Export Z…",
+        .usage = "[FILE]",
+        .help = "Writes the zero set shown as OFF, OBJ, PLY or STL.",
+        .icon = icon::disk,
+        .keys = {{'E', true}},
+        .run = on(window, export_mesh),
+        .enabled = [this] { return window.has_state(); }},
+       {.name = "screenshot",
+        .title = "Screenshot",
+        .usage = "[FILE] [view]",
+        .help = "Writes a picture of the window, or of the view alone, as PNG.",
+        .icon = icon::camera,
+        .keys = {{GLFW_KEY_F12}},
+        .run = on(window, screenshot)},
+       {.name = "quit",
+        .title = "Quit",
+        .help = "Ends the program.",
+        .keys = {{'Q', true}},
+        .run = does([this] { window.requests.close = true; })}});
 }
 
 void Steering::add_recording_commands(CommandTable& table) {

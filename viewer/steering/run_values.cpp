@@ -77,7 +77,7 @@ void add_run_values(NamedValues& t, const WindowState& m) {
            [](const StateSnapshot& s) { return s.zero_set.components.size(); });
   of_state("euler", "Euler characteristic of Z",
            [](const StateSnapshot& s) { return s.zero_set.euler_characteristic(); });
-  t.add("selection", "what is selected: none, vertex, edge, tet, sample or facet",
+  t.add("selection", "what is selected: none, vertex, edge, tet, sample, facet or point",
         [&m] { return pick_word(m.selection.picked.kind); });
   t.add("selected_id", "its number", [&m] {
     return m.selection.picked.kind == Pick::Kind::none ? std::string("nan")

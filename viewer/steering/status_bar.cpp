@@ -3,6 +3,7 @@
 
 #include "journal/vocabulary.h"
 #include "model/words.h"
+#include "two_runs/comparison.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -113,6 +114,13 @@ void status_bar(Ui& ui, const HistoryMemory& h) {
   if (m.run.recording)
     put(recording_text(*m.run.recording),
         m.run.recording->error || m.run.recording->cut_short ? ui.colors.warning_text : ui.colors.quiet);
+  if (m.run.scene && m.run.scene->points) {
+    const PointField& points = *m.run.scene->points;
+    const std::size_t dropped = points.dropped_points();
+    put(grouped(points.points->points.size()) + " points" +
+            (dropped > 0 ? ", " + grouped(dropped) + " dropped" : ""),
+        ui.colors.quiet);
+  }
   if (m.run.scene && !m.run.scene->warnings.empty())
     put(std::string(icon::warning) + " " + grouped(m.run.scene->warnings.size()) +
             (m.run.scene->warnings.size() == 1 ? " warning" : " warnings"),

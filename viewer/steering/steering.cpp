@@ -2,23 +2,35 @@
 #include "steering/steering.h"
 
 #include "input/gallery.h"
+#include "model/chosen_input.h"
 #include "recording/recording_reader.h"
 
 namespace isoscope {
 
 void Steering::open(const std::string& input, bool paused, const std::string& inside) {
-  window.draft.input = input;
+  window.draft = for_input(window.draft, input);
   window.draft.inside = inside;
-  window.draft.levels = {};
-  window.draft.label.reset();
-  if (input.starts_with(gallery_prefix)) {
-    if (const GalleryEntry* entry = gallery_entry(input)) {
-      if (!entry->gives_volume()) window.draft.tolerance = {entry->tolerance_percent, true};
-      window.draft.levels = {entry->low, entry->high};
-    }
-  } else if (!window.scripted) {
+  begin(paused);
+}
+
+void Steering::open_between(const std::string& one, const std::string& other) {
+  window.overlay = Overlay::none;
+  walls_.ask(one, other);
+}
+
+void Steering::take_walls() {
+  const auto walls = walls_.take();
+  if (!walls) return;
+  if (*walls)
+    open((*walls)->outer, false, (*walls)->inner);
+  else
+    window.report(walls->error());
+}
+
+void Steering::begin(bool paused) {
+  const std::string& input = window.draft.input;
+  if (!input.starts_with(gallery_prefix) && window.draft.inside.empty() && !window.scripted)
     window.settings.add_recent(input);
-  }
   window.overlay = Overlay::none;
   window.transport.restart();
   debug.breakpoints->forget_hits();
@@ -80,6 +92,7 @@ void Steering::forget() {
 }
 
 void Steering::take_run() {
+  take_walls();
   const SessionSnapshot& run = window.run;
   if (run.error && run.error->message != error_seen_) {
     error_seen_ = run.error->message;

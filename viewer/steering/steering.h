@@ -4,8 +4,10 @@
 #include "command/commands.h"
 #include "command/named_values.h"
 #include "debug/debugger.h"
+#include "steering/wall_order.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,14 +21,24 @@ struct HistoryMemory;
 
 class Steering {
  public:
-  explicit Steering(Debugger& debugger) : window(debugger.window), debug(debugger) {}
+  /// `notify` is called from the worker that tells walls apart.
+  Steering(Debugger& debugger, const std::function<void()>& notify)
+      : window(debugger.window), debug(debugger), walls_(notify) {}
 
   WindowState& window;
   Debugger& debug;
 
-  /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ, a
-  /// recording (.isorun) all its parameters. `inside`: the inner one of two surfaces between which Ω lies.
+  /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ,
+  /// points ask for theirs to be found, a recording (.isorun) all its parameters. `inside`: the inner one of
+  /// two surfaces between which Ω lies.
   void open(const std::string& input, bool paused = false, const std::string& inside = {});
+  /// Starts a run of what lies between two closed surfaces, once it is known which is the outer one.
+  void open_between(const std::string& one, const std::string& other);
+  /// Starts a run with the draft as it is.
+  void begin(bool paused = false);
+  bool idle() const { return walls_.idle(); }
+  /// Begins the end of what is asked, and waits for nothing.
+  void abandon() { walls_.abandon(); }
   /// Runs again from the beginning with the draft's parameters.
   void restart();
   /// Goes on with the draft's parameters.
@@ -47,12 +59,16 @@ class Steering {
   void add_file_commands(CommandTable& table);
   void add_recording_commands(CommandTable& table);
   void add_run_commands(CommandTable& table);
+  void add_tolerance_commands(CommandTable& table);
   void add_parameter_values(NamedValues& values);
+  void add_tolerance_values(NamedValues& values);
   void add_recording_values(NamedValues& values);
 
  private:
   /// The draft as criteria, in the units of the present scene.
   CriteriaParameters draft_criteria() const;
+  void take_walls();
+  WallOrder walls_;
   std::optional<CriteriaParameters> preview_asked_;
   std::shared_ptr<const StateSnapshot> preview_state_;
   std::uint64_t draft_generation_ = 0; ///< the recording whose parameters the draft has taken

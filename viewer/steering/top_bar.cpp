@@ -62,10 +62,14 @@ void model_name(Ui& ui, float room) {
   const WindowState& m = ui.window;
   std::string name = m.run.scene && m.run.scene->input ? m.run.scene->input->name : m.run.parameters.input;
   if (name.empty()) name = "no model";
-  const bool given = m.run.scene && m.run.scene->input->gives_volume();
-  const std::string delta = m.run.parameters.input.empty() ? ""
-                            : given                        ? "δ " + general(m.run.scene->delta, 4)
-                                                           : "δ " + m.run.parameters.tolerance.text();
+  const bool automatic = m.run.parameters.tolerance.automatic && m.run.scene;
+  std::string delta;
+  if (automatic)
+    delta = "δ " + short_number(100 * m.run.scene->delta / m.run.scene->longest_edge) + "%, found";
+  else if (m.run.scene)
+    delta = "δ " + tolerance_text(m.run.parameters, *m.run.scene);
+  else if (!m.run.parameters.input.empty() && m.run.parameters.inside.empty())
+    delta = "δ " + m.run.parameters.tolerance.text();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushFont(ui.fonts.mono);
   const float delta_width = widgets::text_size(delta).x;

@@ -6,6 +6,7 @@
 #include "journal/vocabulary.h"
 #include "model/words.h"
 #include "timeline/timeline_lanes.h"
+#include "timeline/tolerance_tab.h"
 #include "two_runs/comparison.h"
 #include "ui/bottom_tabs.h"
 #include "ui/widgets.h"
@@ -46,9 +47,12 @@ void TimelinePane::tabs(Ui& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float left = 0;
   const float y = ImGui::GetCursorScreenPos().y;
+  const bool has_study = ui.window.run.scene && ui.window.run.scene->study;
   for (std::size_t i = 0; i < bottom_tabs.size(); ++i) {
     const std::string label = std::string(bottom_tabs[i].glyph) + "  " + bottom_tabs[i].title;
     const bool lit = tab == static_cast<BottomTab>(i);
+    // Of use for inputs whose tolerances were studied alone.
+    if (static_cast<BottomTab>(i) == BottomTab::tolerance && !lit && !has_study) continue;
     const ImVec2 extent = widgets::text_size(label);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = extent.x + ui.px(20), high = ui.px(28);
@@ -318,6 +322,9 @@ void TimelinePane::draw(Ui& ui) {
     break;
   case BottomTab::compare:
     panels::compare_tab(ui, comparison_);
+    break;
+  case BottomTab::tolerance:
+    panels::tolerance_tab(ui);
     break;
   case BottomTab::timeline:
     timeline(ui);

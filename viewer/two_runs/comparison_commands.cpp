@@ -112,7 +112,7 @@ Status next_difference(M& m, int direction) {
 Status open_beside_or_ask(M& m, const A& a) {
   if (a.size() > 1) return usage("One model or recording opens beside the run.");
   if (!a.empty()) return m.open_beside(a[0]);
-  m.window.files_beside = true;
+  m.window.files_for = FilesFor::beside;
   m.window.toggle(Overlay::files);
   return {};
 }

@@ -1,6 +1,7 @@
 // Beginning a second run, changing to it, ending it.
 #include "two_runs/comparison.h"
 
+#include "model/chosen_input.h"
 #include "recording/recording_reader.h"
 
 #include <utility>
@@ -32,9 +33,7 @@ Status Comparison::open_beside(const std::string& input) {
   if (is_recording_name(input)) {
     second->session.open_recording(input);
   } else {
-    RunParameters parameters = window.draft;
-    parameters.input = input;
-    second->session.start(std::move(parameters));
+    second->session.start(for_input(window.draft, input));
   }
   window.overlay = Overlay::none;
   show_second(std::move(second));

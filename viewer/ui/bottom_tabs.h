@@ -13,12 +13,14 @@ struct BottomTabName {
   const char* title; ///< what the pane shows
   const char* glyph;
 };
-constexpr std::array<BottomTabName, bottom_tab_count> bottom_tabs{{{"timeline", "Timeline", icon::clock},
-                                                                   {"plots", "Plots", icon::chart},
-                                                                   {"events", "Events", icon::list},
-                                                                   {"breakpoints", "Breakpoints", icon::dot},
-                                                                   {"history", "History", icon::history},
-                                                                   {"work", "Work", icon::bolt},
-                                                                   {"compare", "Compare", icon::split}}};
+constexpr std::array<BottomTabName, bottom_tab_count> bottom_tabs{
+    {{"timeline", "Timeline", icon::clock},
+     {"plots", "Plots", icon::chart},
+     {"events", "Events", icon::list},
+     {"breakpoints", "Breakpoints", icon::dot},
+     {"history", "History", icon::history},
+     {"work", "Work", icon::bolt},
+     {"compare", "Compare", icon::split},
+     {"tolerance", "Tolerance", icon::sliders}}};
 
 } // namespace isoscope

@@ -2,6 +2,7 @@
 #include "view/view.h"
 
 #include "model/words.h"
+#include "scene/input_points.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -10,7 +11,7 @@
 namespace isoscope::panels {
 namespace {
 
-enum class Swatch { surface, disc, cross, line, cell };
+enum class Swatch { surface, disc, cross, line, cell, ramp };
 
 struct Row {
   std::string_view layer;
@@ -22,8 +23,22 @@ constexpr Row rows[] = {
     {"zero", Swatch::surface, &Palette::zero},   {"good", Swatch::disc, &Palette::good},
     {"bad", Swatch::cross, &Palette::bad},       {"tets", Swatch::cell, &Palette::warning},
     {"gamma", Swatch::line, &Palette::gamma},    {"highlight", Swatch::line, &Palette::selection},
-    {"xray", Swatch::cell, &Palette::inner},     {"input", Swatch::surface, &Palette::quiet},
+    {"xray", Swatch::cell, &Palette::inner},     {"points", Swatch::ramp, &Palette::quiet},
+    {"input", Swatch::surface, &Palette::quiet},
 };
+
+ImU32 weight_color32(const Ui& ui, float weight, float strength) {
+  const glm::vec3 c = weight_color(ui.theme, weight);
+  return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, strength});
+}
+
+/// Whether the scene has what a layer draws.
+bool has_layer(const Ui& ui, std::string_view layer) {
+  const auto& scene = ui.window.run.scene;
+  if (layer == "points") return scene && scene->points;
+  if (layer == "input") return !scene || !scene->input || !scene->input->triangles.empty();
+  return true;
+}
 
 void draw_swatch(const Ui& ui, Swatch swatch, Rgb color, ImVec2 middle, float strength) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -39,6 +54,11 @@ void draw_swatch(const Ui& ui, Swatch swatch, Rgb color, ImVec2 middle, float st
   case Swatch::cross:
     list.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, c, ui.px(2));
     list.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, c, ui.px(2));
+    break;
+  case Swatch::ramp:
+    for (int i = -1; i <= 1; ++i)
+      list.AddCircleFilled({middle.x + static_cast<float>(i) * r * 0.9f, middle.y}, r * 0.5f,
+                           weight_color32(ui, 0.5f + 0.5f * static_cast<float>(i), strength), 12);
     break;
   case Swatch::line:
     list.AddLine({middle.x - r, middle.y + r * 0.6f}, {middle.x + r, middle.y - r * 0.6f}, c, ui.px(2));
@@ -117,12 +137,50 @@ void layer_row(Ui& ui, const Row& row) {
   ImGui::PopID();
 }
 
+/// What the colours of points mean.
+void weight_legend(const Ui& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float left = at.x + ui.px(50), high = ui.px(34), bar = ui.px(6), shown = ui.px(84);
+  const float width = std::max(ImGui::GetContentRegionAvail().x - ui.px(50) - shown - ui.px(8), ui.px(60));
+  ImGui::InvisibleButton("weights", {ImGui::GetContentRegionAvail().x, high});
+  widgets::tip(
+      ui, "Weight of a point",
+      "√w/δ: how far its k nearest points spread around their mean. At 0 its ball has the radius δ, at "
+      "1 nothing is left of it, and the point is dropped.");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  constexpr int parts = 24;
+  for (int i = 0; i < parts; ++i) {
+    const float part = static_cast<float>(i) / parts, next = static_cast<float>(i + 1) / parts;
+    list.AddRectFilledMultiColor({left + part * width, at.y + ui.px(4)},
+                                 {left + next * width, at.y + ui.px(4) + bar}, weight_color32(ui, part, 1),
+                                 weight_color32(ui, next, 1), weight_color32(ui, next, 1),
+                                 weight_color32(ui, part, 1));
+  }
+  const float text = at.y + ui.px(5) + bar;
+  const auto put = [&](float x, std::string_view words) {
+    widgets::draw_text(list, ui.fonts.small, {x, text}, to_u32(ui.colors.quiet), words);
+  };
+  put(left, "0");
+  put(left + (width - widgets::width_of(ui.fonts.small, "√w/δ")) / 2, "√w/δ");
+  put(left + width - widgets::width_of(ui.fonts.small, "1"), "1");
+  const glm::vec3 c = scene_colors(ui.theme).dropped;
+  const ImU32 cross = ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1});
+  const float r = ui.px(3.5f), x = left + width + ui.px(20), y = text + ui.px(8);
+  list.AddLine({x - r, y - r}, {x + r, y + r}, cross, ui.px(1.7f));
+  list.AddLine({x - r, y + r}, {x + r, y - r}, cross, ui.px(1.7f));
+  put(x + ui.px(9), "dropped");
+}
+
 } // namespace
 
 void layers(Ui& ui) {
   if (!widgets::section(ui, "Layers")) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
-  for (const Row& row : rows) layer_row(ui, row);
+  for (const Row& row : rows) {
+    if (!has_layer(ui, row.layer)) continue;
+    layer_row(ui, row);
+    if (row.layer == "points" && ui.window.view.points.visible) weight_legend(ui);
+  }
   ImGui::PopStyleVar();
   // The group switch of the samples follows its two halves.
   ViewSettings& view = ui.window.view;

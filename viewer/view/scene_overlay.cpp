@@ -34,6 +34,8 @@ std::string pick_line(const WindowState& m, const Pick& pick) {
     break;
   case Pick::Kind::edge:
     return "edge " + grouped(pick.id) + " – " + grouped(pick.other);
+  case Pick::Kind::point:
+    return "point " + grouped(pick.id);
   case Pick::Kind::facet:
     return "facet " + grouped(pick.id);
   case Pick::Kind::tet:
@@ -162,6 +164,21 @@ void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   sentence(ui, event, std::move(text), low, size.x - ui.px(192 + 10 + 24 + 40));
 }
 
+void preview(const Ui& ui, ImVec2 low, ImVec2 size) {
+  const WindowState& m = ui.window;
+  if (!m.preview_delta || !m.run.scene) return;
+  const std::string text = "Ω at δ = " + short_number(100 * *m.preview_delta / m.run.scene->longest_edge) +
+                           " %, " + short_number(*m.preview_delta / m.run.scene->delta) +
+                           " of the run's; Z and samples are the run's";
+  const float width = widgets::width_of(ui.fonts.small, text), high = ui.px(26);
+  if (width + ui.px(48) > size.x) return;
+  const ImVec2 at{low.x + ui.px(12), low.y + ui.px(42)};
+  pill(ui, at, {at.x + width + ui.px(24), at.y + high});
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+                     {at.x + ui.px(12), at.y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(ui.colors.accent_text), text);
+}
+
 void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   const Vec3 n = ui.window.view.clip.normal;
   std::string name;
@@ -195,7 +212,7 @@ void invitation(Ui& ui, ImVec2 low, ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 middle{low.x + size.x / 2, low.y + size.y / 2};
   const char* title = "Drop a model here";
-  const char* note = "OFF, OBJ, PLY or STL, with a closed surface";
+  const char* note = "A surface: OFF, OBJ, PLY, STL · points: XYZ, PLY · a volume: two surfaces, or a grid";
   widgets::draw_text(list, ui.fonts.title,
                      {middle.x - widgets::width_of(ui.fonts.title, title) / 2, middle.y - ui.px(56)},
                      to_u32(ui.colors.text), title);

@@ -16,6 +16,8 @@ double height_at_target(const Camera& camera);
 /// An event's text in the top left corner with its glyph, cut to `room`; null: none led here.
 void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room);
 void caption(const Ui& ui, ImVec2 low, ImVec2 size);
+/// At which δ Ω is shown, where that is not the run's.
+void preview(const Ui& ui, ImVec2 low, ImVec2 size);
 void section_caption(const Ui& ui, ImVec2 low, ImVec2 size);
 void hover_tip(const Ui& ui);
 /// What to do where there is no model: open one, or choose from the gallery.

@@ -50,6 +50,7 @@ void SceneView::draw(Ui& ui) {
   if (!m.presenter.on) {
     overlay::mode_switch(ui, {low.x + all.x, low.y});
     overlay::caption(ui, low, all);
+    overlay::preview(ui, low, all);
   }
   overlay::progress(ui, m, "stop", low, all);
   overlay::invitation(ui, low, all);
@@ -236,6 +237,12 @@ void SceneView::place_untouched_section(WindowState& m, float aspect) {
       box.add(Vec3{dot(p, axes.u), dot(p, axes.v), 0});
     }
   }
+  if (soup.is_point_set())
+    for (const Vec3& point : soup.points) {
+      const Vec3 p = point - plane.point;
+      if (std::abs(dot(p, plane.normal)) <= m.run.scene->delta)
+        box.add(Vec3{dot(p, axes.u), dot(p, axes.v), 0});
+    }
   if (box.empty()) return;
   const Vec3 extent = box.extent(), middle = box.center();
   const double margin = 8 * m.run.scene->delta;

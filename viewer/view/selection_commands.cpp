@@ -50,6 +50,12 @@ Status pick_element(WindowState& m, const Arguments& a) {
     if (!state->samples || pick.id >= state->samples->size()) return absent;
     pick.kind = Pick::Kind::sample;
     pick.point = state->samples->positions[pick.id];
+  } else if (a[0] == "point") {
+    const auto& scene = m.run.scene;
+    if (!scene || !scene->points || pick.id >= scene->points->points->points.size())
+      return Error{ErrorCode::usage, "The input has no point " + a[1] + ".", ""};
+    pick.kind = Pick::Kind::point;
+    pick.point = scene->points->points->points[pick.id];
   } else {
     return wrong_arguments("\"" + a[0] + "\" is not a kind of element.");
   }
@@ -70,6 +76,8 @@ Status clear_selection(WindowState& m, const Arguments&) {
     m.range.reset();
   else if (m.presenter.on)
     m.presenter.on = false;
+  else if (m.preview_delta)
+    m.preview_delta.reset();
   else
     m.selection.pick({});
   return {};
@@ -80,7 +88,7 @@ struct KindCommand {
   int key;
   PickKinds kinds;
 };
-constexpr std::array<KindCommand, 5> kind_commands{
+constexpr std::array<KindCommand, 6> kind_commands{
     {{"kind-vertex", "Pick vertices only", "A click selects vertices alone; again for all kinds.", '1',
       PickKinds::vertices},
      {"kind-edge", "Pick edges only", "A click selects edges alone; again for all kinds.", '2',
@@ -90,6 +98,8 @@ constexpr std::array<KindCommand, 5> kind_commands{
       PickKinds::tetrahedra},
      {"kind-sample", "Pick samples only", "A click selects samples alone; again for all kinds.", '4',
       PickKinds::samples},
+     {"kind-point", "Pick points only", "A click selects points of the input alone; again for all kinds.",
+      '9', PickKinds::points},
      {"kind-all", "Pick every kind", "A click selects whatever is nearest.", '0', PickKinds::all}}};
 
 } // namespace
@@ -98,7 +108,7 @@ void add_pick_commands(CommandTable& table, WindowState& m) {
   const auto has_state = [&m] { return m.has_state(); };
   table.add({{.name = "pick",
               .title = "Select…",
-              .usage = "vertex | tet | facet | sample ID, edge ID ID",
+              .usage = "vertex | tet | facet | sample | point ID, edge ID ID",
               .help = "Selects an element by its number, an edge by its ends.",
               .run = on(m, pick_element),
               .enabled = has_state},
@@ -116,8 +126,8 @@ void add_selection_commands(CommandTable& table, WindowState& m) {
   table.add(
       {{.name = "clear",
         .title = "Clear the selection",
-        .help =
-            "Selects nothing; before that it closes what lies over the window and ends the presenter mode.",
+        .help = "Selects nothing; before that it closes what lies over the window, ends the presenter mode "
+                "and shows Ω at the run's δ again.",
         .menu = "Select",
         .keys = {{GLFW_KEY_ESCAPE}},
         .run = on(m, clear_selection)},
