@@ -84,8 +84,9 @@ wait answers
 expect point.dropped == outlier and point.radius == 0
 frame
 seek 0
+frame-all
 kind-point
-click 640 330
+click 700 330
 expect selection == point
 screenshot )" + picture + R"(
 clear

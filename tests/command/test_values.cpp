@@ -19,7 +19,7 @@ TEST_CASE("names are unique and described, and every value takes what it gives")
     if (value.name == "clip.radius") continue; // 0.1 is no round number in every precision
     CHECK(value.set(text).ok());
     CHECK(value.get() == text);
-    CHECK(!value.set("neither number nor word").ok());
+    if (value.name != "inside") CHECK(!value.set("neither number nor word").ok()); // any text may be a file
   }
 }
 

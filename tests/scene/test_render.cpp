@@ -294,7 +294,7 @@ TEST_CASE("points are drawn in the colour of their weight, dropped ones as cross
   CHECK(all.count(bluish) > 40);  // weight 0
   CHECK(all.count(yellow) > 40);  // weight near δ
   CHECK(all.count(reddish) > 15); // dropped
-  CHECK(all.count(reddish) < all.count(yellow));
+  CHECK(all.count(reddish) < 600); // a disc of that size has 960
   view.theme = ThemeKind::paper;
   CHECK(testing::difference(draw(), all) > 30);
   view.theme = ThemeKind::dark;

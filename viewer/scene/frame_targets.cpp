@@ -1,6 +1,10 @@
 // The pictures a frame is made of: opaque, translucent sums, Ω, and the result.
 #include "scene/frame_targets.h"
 
+#include <glad/gl.h>
+
+#include <algorithm>
+
 namespace isoscope {
 
 Status FrameTargets::resize(int new_width, int new_height, int new_samples, int new_volume_width,
@@ -35,6 +39,26 @@ Status FrameTargets::resize(int new_width, int new_height, int new_samples, int 
   volume_width = new_volume_width;
   volume_height = new_volume_height;
   return {};
+}
+
+std::vector<std::uint8_t> read_picture(std::uint32_t texture, int columns, int rows) {
+  if (texture == 0) return {};
+  const auto width = static_cast<std::size_t>(columns), height = static_cast<std::size_t>(rows);
+  std::vector<std::uint8_t> upward(4 * width * height), pixels(upward.size());
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
+  for (std::size_t row = 0; row < height; ++row)
+    std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(4 * width * (height - 1 - row)), 4 * width,
+                pixels.begin() + static_cast<std::ptrdiff_t>(4 * width * row));
+  // Frames are premultiplied, picture files are not.
+  for (std::size_t i = 0; i < pixels.size(); i += 4) {
+    const unsigned alpha = pixels[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      pixels[i + k] = static_cast<std::uint8_t>(std::min(255u, (pixels[i + k] * 255u + alpha / 2) / alpha));
+  }
+  return pixels;
 }
 
 } // namespace isoscope

@@ -5,6 +5,9 @@
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace isoscope {
 
 /// Textures and framebuffers of one size; resizing to the present size costs nothing.
@@ -19,5 +22,8 @@ struct FrameTargets {
 
   Status resize(int new_width, int new_height, int new_samples, int new_volume_width, int new_volume_height);
 };
+
+/// Reads a texture back as RGBA with straight alpha, rows top to bottom; empty for texture 0.
+std::vector<std::uint8_t> read_picture(std::uint32_t texture, int width, int height);
 
 } // namespace isoscope

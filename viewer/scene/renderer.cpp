@@ -146,8 +146,7 @@ void Renderer::Impl::upload_grid() {
   }
   const Vec3 extent = grid->box.extent();
   // The robust distance is nowhere 0: what lies between the sides is no zero of a signed function.
-  const bool meets_zero = points == nullptr;
-  tolerance.set(*grid, scene ? scene->delta : extent.x / std::max(grid->size[0], 1), meets_zero);
+  tolerance.set(*grid, scene ? scene->delta : extent.x / std::max(grid->size[0], 1), points == nullptr);
 }
 
 void Renderer::Impl::reload_shaders() {
@@ -488,23 +487,7 @@ Vec3 Renderer::point_under(const Camera& camera, const ViewSettings& view, doubl
 }
 
 std::vector<std::uint8_t> Renderer::read_pixels(const Frame& frame) const {
-  if (frame.texture == 0) return {};
-  const auto width = static_cast<std::size_t>(frame.width), height = static_cast<std::size_t>(frame.height);
-  std::vector<std::uint8_t> upward(4 * width * height), pixels(upward.size());
-  glBindTexture(GL_TEXTURE_2D, frame.texture);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
-  for (std::size_t row = 0; row < height; ++row)
-    std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(4 * width * (height - 1 - row)), 4 * width,
-                pixels.begin() + static_cast<std::ptrdiff_t>(4 * width * row));
-  // Frames are premultiplied, picture files are not.
-  for (std::size_t i = 0; i < pixels.size(); i += 4) {
-    const unsigned alpha = pixels[i + 3];
-    if (alpha == 0 || alpha == 255) continue;
-    for (std::size_t k = 0; k < 3; ++k)
-      pixels[i + k] = static_cast<std::uint8_t>(std::min(255u, (pixels[i + k] * 255u + alpha / 2) / alpha));
-  }
-  return pixels;
+  return read_picture(frame.texture, frame.width, frame.height);
 }
 
 double Renderer::last_frame_seconds() const {

@@ -96,8 +96,10 @@ void control(Ui& ui, P& p, const Field<P, Tolerance>& f) {
   const auto& scene = ui.window.run.scene;
   // What is shown may be another input than the draft's.
   const bool same = scene && ui.window.run.parameters.input == p.input;
-  if (same && scene->input && scene->input->gives_volume())
+  if (same && scene->input && scene->input->gives_volume()) {
+    ImGui::AlignTextToFramePadding();
     return widgets::quiet_text(ui, short_number(scene->delta) + ", given with Ω");
+  }
   const float unit = ui.px(52);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit - ui.px(6));
   ImGui::PushFont(ui.fonts.mono);
@@ -181,10 +183,10 @@ bool speaks_of(const FieldFacts& f, const WindowState& m) {
                           : p.levels.given() || p.label || p.input.ends_with(".nrrd") ||
                                 p.input.ends_with(".nhdr") || p.input.ends_with(".grid");
   const bool given = grid || !p.inside.empty() || (known && m.run.scene->input->gives_volume());
-  if (f.name == field_of(&P::levels).name || f.name == field_of(&P::label).name) return grid;
-  if (f.name == field_of(&P::robust).name || f.name == field_of(&P::drop_small).name ||
-      f.name == field_of(&P::drop_thin).name)
-    return !given;
+  const auto is = [&](auto member) { return f.name == field_of(member).name; };
+  if (is(&P::levels) || is(&P::label)) return grid;
+  if (is(&P::robust) || is(&P::drop_small) || is(&P::drop_thin)) return !given;
+  if (is(&P::cover) || is(&P::sides)) return !given && (!known || m.run.scene->field->surface() != nullptr);
   return true;
 }
 

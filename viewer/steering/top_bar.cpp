@@ -67,7 +67,8 @@ void model_name(Ui& ui, float room) {
   if (automatic)
     delta = "δ " + short_number(100 * m.run.scene->delta / m.run.scene->longest_edge) + "%, found";
   else if (m.run.scene)
-    delta = "δ " + tolerance_text(m.run.parameters, *m.run.scene);
+    delta = "δ " + (m.run.scene->input->gives_volume() ? general(m.run.scene->delta, 4)
+                                                       : m.run.parameters.tolerance.text());
   else if (!m.run.parameters.input.empty() && m.run.parameters.inside.empty())
     delta = "δ " + m.run.parameters.tolerance.text();
   const ImVec2 at = ImGui::GetCursorScreenPos();
