@@ -47,6 +47,20 @@ void CommandLine::choice(const std::string& name, std::string& value,
   app_->add_option(name, value)->check(CLI::IsMember(std::vector<std::string>(words)));
 }
 
+/// An option whose text is several arguments.
+void CommandLine::words(const FieldOption& option, const std::function<void(const Status&)>& judge) {
+  const auto* take = std::get_if<FieldOption::Take<std::string>>(&option.take);
+  app_->add_option_function<std::vector<std::string>>(
+          option.name,
+          [=, take = *take](const std::vector<std::string>& words) {
+            std::string text;
+            for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+            judge(take(text));
+          },
+          option.help)
+      ->expected(option.values);
+}
+
 void CommandLine::fields(const std::vector<FieldOption>& options, std::optional<Error>& wrong) {
   const auto judge = [&wrong](const Status& status) {
     if (!wrong && !status) wrong = status.error();
@@ -65,17 +79,8 @@ void CommandLine::fields(const std::vector<FieldOption>& options, std::optional<
                   if (value) judge(take(*value));
                 },
                 option.help);
-          else if constexpr (std::is_same_v<T, std::string>)
-            // Several arguments may make one text.
-            app_->add_option_function<std::vector<std::string>>(
-                    option.name,
-                    [=](const std::vector<std::string>& words) {
-                      std::string text;
-                      for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-                      judge(take(text));
-                    },
-                    option.help)
-                ->expected(option.values);
+          else if (std::is_same_v<T, std::string> && option.values > 1)
+            words(option, judge);
           else
             app_->add_option_function<T>(
                 option.name, [=](const T& value) { judge(take(value)); }, option.help);

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -43,6 +44,7 @@ class CommandLine {
 
  private:
   struct App;
+  void words(const FieldOption& option, const std::function<void(const Status&)>& judge);
   std::unique_ptr<App> app_;
 };
 
