@@ -1,6 +1,7 @@
 // Edge collapse on a CGAL surface mesh with two filters.
 #include "bench/lindstrom_turk.h"
 
+#include "tolerance/closest_point.h"
 #include "tolerance/facet_certificate.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
