@@ -258,7 +258,7 @@ TEST_CASE("a real mouse and keyboard drive the window" * doctest::test_suite("xd
   const std::string ready = picture("ready");
   fs::remove(ready);
   const std::string script = "wait settled\nlook z\nseek 5\nscreenshot " + ready + R"(
-hands 5
+hands 12
 expect step == 7
 expect heading != 0
 expect selection != none
