@@ -135,8 +135,9 @@ template <class Bytes> std::vector<float> read_numbers(FileScanner& in, Bytes&& 
     for (std::size_t i = 0; i < n; ++i) {
       const double value = number_at(block.data() + i * each, data.type, swapped);
       if (!(std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max())))
-        in.fail("holds " + std::string(std::isfinite(value) ? "a number too large for a float" :
-                                                              "a value that is not finite") +
+        in.fail("holds " +
+                    std::string(std::isfinite(value) ? "a number too large for a float"
+                                                     : "a value that is not finite") +
                     " at voxel " + voxel_name(begin + i, data.size),
                 "Replace such values, as by the least one.");
       values[begin + i] = static_cast<float>(value);

@@ -80,7 +80,8 @@ Result<ScalarGrid> label_distance(const ScalarGrid& labels, double label, const 
   }
   if (count == 0 || count == inside.size())
     return Error{ErrorCode::bad_input,
-                 std::string(count == 0 ? "No voxel" : "Every voxel") + " has the label " + general(label, 10) + ".",
+                 std::string(count == 0 ? "No voxel" : "Every voxel") + " has the label " +
+                     general(label, 10) + ".",
                  "Give a label that some voxels have."};
   const double unit = std::min({labels.spacing.x, labels.spacing.y, labels.spacing.z});
   std::vector<float> to_inside = squared_distances(labels, inside, unit, control);

@@ -89,8 +89,8 @@ class Marching {
   /// The zero on the edge between two points, the same for all tetrahedra around it.
   std::uint32_t between(const Corner* a, const Corner* b) {
     if (a->index > b->index) std::swap(a, b);
-    const auto [place, fresh] = zeros_.try_emplace(
-        std::pair{a->index, b->index}, static_cast<std::uint32_t>(soup_.points.size()));
+    const auto [place, fresh] =
+        zeros_.try_emplace(std::pair{a->index, b->index}, static_cast<std::uint32_t>(soup_.points.size()));
     if (fresh) {
       const double t = (level_ - a->value) / (b->value - a->value);
       const Vec3 p = grid_.point(a->at[0], a->at[1], a->at[2]), q = grid_.point(b->at[0], b->at[1], b->at[2]);

@@ -53,8 +53,9 @@ ScalarGrid read_raw_grid(FileScanner& in) {
       const auto* known = std::find_if(std::begin(type_names), std::end(type_names),
                                        [&](const TypeName& t) { return t.name == words[1]; });
       if (known == std::end(type_names))
-        errors.fail("\"" + printable(words[1]) + "\" is no type",
-                    "Types are int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32 and float64.");
+        errors.fail(
+            "\"" + printable(words[1]) + "\" is no type",
+            "Types are int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32 and float64.");
       data.type = known->type;
       type_known = true;
     } else if (key == "endian") {

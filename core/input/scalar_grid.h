@@ -10,8 +10,9 @@
 
 namespace isoscope {
 
-/// values[(z * size[1] + y) * size[0] + x] at origin + (x, y, z) * spacing; at least 2 points along each axis,
-/// all finite. Kept as floats, whatever a file has: half the memory, and more digits than a scanner measures.
+/// values[(z * size[1] + y) * size[0] + x] at origin + (x, y, z) * spacing; at least 2 points along each
+/// axis, all finite. Kept as floats, whatever a file has: half the memory, and more digits than a scanner
+/// measures.
 struct ScalarGrid {
   std::array<std::size_t, 3> size{};
   Vec3 origin;

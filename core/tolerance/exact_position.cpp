@@ -58,9 +58,8 @@ bool triangles_meet(const Triangle3& facet, const Triangle3& wall) {
   return segment_meets(a, b) || segment_meets(b, c) || segment_meets(c, a);
 }
 
-std::optional<std::vector<TriangleId>>
-crossed_on_the_way_out(Vec3 p, const ClosestPointIndex& index,
-                       const std::function<bool(TriangleId)>& counts) {
+std::optional<std::vector<TriangleId>> crossed_on_the_way_out(Vec3 p, const ClosestPointIndex& index,
+                                                              const std::function<bool(TriangleId)>& counts) {
   Box3 all = index.bounds();
   all.add(p);
   const double far = 2 * all.longest_edge();

@@ -10,9 +10,9 @@
 
 namespace isoscope {
 
-/// φ = max(0, max(g - hi, lo - g)/L + δ), where L is the steepest slope of g in and near Ω and δ = (hi - lo)/2L:
-/// so φ is 1-Lipschitz, 0 halfway between the levels and δ on both. Farther than half the band from Ω, g
-/// counts as flat. Sites are the cells of the band; points elsewhere have the site of a cell near them.
+/// φ = max(0, max(g - hi, lo - g)/L + δ), where L is the steepest slope of g in and near Ω and δ = (hi -
+/// lo)/2L: so φ is 1-Lipschitz, 0 halfway between the levels and δ on both. Farther than half the band from
+/// Ω, g counts as flat. Sites are the cells of the band; points elsewhere have the site of a cell near them.
 class GridField final : public ToleranceField {
  public:
   /// Fails with usage where the levels are in no order, with bad_input where no voxel lies beyond one of them
@@ -58,9 +58,7 @@ class GridField final : public ToleranceField {
   double phi(double g) const;
   /// ∇φ where g is not flat, else zero.
   Vec3 gradient(Vec3 p, const CellPosition& at, double g) const;
-  std::size_t cell_index(const GridCell& c) const {
-    return (c[2] * cells_[1] + c[1]) * cells_[0] + c[0];
-  }
+  std::size_t cell_index(const GridCell& c) const { return (c[2] * cells_[1] + c[1]) * cells_[0] + c[0]; }
   GridCell cell_at(std::size_t index) const {
     return {index % cells_[0], index / cells_[0] % cells_[1], index / (cells_[0] * cells_[1])};
   }

@@ -11,8 +11,7 @@ constexpr std::uint32_t triangles_between_questions = 64;
 /// The least that two boxes can be apart.
 double box_distance(const Box3& a, const Box3& b) {
   Vec3 gap;
-  for (int k = 0; k < 3; ++k)
-    gap[k] = std::max({0.0, b.lo[k] - a.hi[k], a.lo[k] - b.hi[k]});
+  for (int k = 0; k < 3; ++k) gap[k] = std::max({0.0, b.lo[k] - a.hi[k], a.lo[k] - b.hi[k]});
   return length(gap);
 }
 

@@ -26,7 +26,8 @@ Error stopped() {
 
 Error refused(std::size_t wall, const std::string& what, Vec3 where, const std::string& remedy) {
   return {ErrorCode::bad_input,
-          "The " + std::string(wall_names[wall]) + " surface " + what + " near " + place(where, place_digits) + ".",
+          "The " + std::string(wall_names[wall]) + " surface " + what + " near " +
+              place(where, place_digits) + ".",
           remedy};
 }
 
@@ -34,10 +35,10 @@ Error refused(std::size_t wall, const std::string& what, Vec3 where, const std::
 struct Shell {
   std::size_t wall = 0;
   Vec3 point;
-  double volume = 0;                    ///< signed by its orientation, which is the same all over it
-  std::vector<std::uint32_t> around;    ///< shells that hold it
-  bool holds_volume = false;            ///< the volume is on its inner side
-  std::uint32_t component_shell = 0;    ///< the shell around its component of the volume
+  double volume = 0;                 ///< signed by its orientation, which is the same all over it
+  std::vector<std::uint32_t> around; ///< shells that hold it
+  bool holds_volume = false;         ///< the volume is on its inner side
+  std::uint32_t component_shell = 0; ///< the shell around its component of the volume
 };
 
 class Joiner {
@@ -107,9 +108,11 @@ class Joiner {
     const auto [first, second] = met->front();
     const Triangle3 a = pair_.walls.triangle(first), b = pair_.walls.triangle(second);
     const Vec3 where = centroid(area(a) < area(b) ? a : b);
-    if (first == second) return refused(wall_of(first), "has a triangle without an area", where, "Remove it.");
+    if (first == second)
+      return refused(wall_of(first), "has a triangle without an area", where, "Remove it.");
     if (wall_of(first) == wall_of(second))
-      return refused(wall_of(first), "meets itself", where, "Repair it: a wall of a volume does not cross itself.");
+      return refused(wall_of(first), "meets itself", where,
+                     "Repair it: a wall of a volume does not cross itself.");
     return Error{ErrorCode::bad_input,
                  "The inner and the outer surface touch or cross near " + place(where, place_digits) + ".",
                  "The volume lies between them: move them apart there."};
@@ -161,7 +164,8 @@ class Joiner {
       }
       const bool in_outer = around[0] % 2 != 0, in_inner = around[1] % 2 != 0;
       if (shell.wall == 1 ? !in_outer : in_inner)
-        return refused(1, shell.wall == 1 ? "is not inside the outer one" : "holds the outer one", shell.point,
+        return refused(1, shell.wall == 1 ? "is not inside the outer one" : "holds the outer one",
+                       shell.point,
                        "The larger surface is the outer one, and all of the inner one must lie in it.");
       shell.holds_volume = shell.wall == 0 ? !in_outer : in_inner;
     }
@@ -187,8 +191,9 @@ class Joiner {
       shell.component_shell = s;
       if (!shell.holds_volume)
         shell.component_shell = *std::max_element(
-            shell.around.begin(), shell.around.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return shells_[a].around.size() < shells_[b].around.size(); });
+            shell.around.begin(), shell.around.end(), [&](std::uint32_t a, std::uint32_t b) {
+              return shells_[a].around.size() < shells_[b].around.size();
+            });
       has[shell.component_shell][shell.wall] = true;
     }
     std::vector<std::uint32_t> number(shells_.size(), 0);

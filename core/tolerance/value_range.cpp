@@ -8,8 +8,7 @@ CellPosition TrilinearFunction::locate(Vec3 p) const {
   for (int a = 0; a < 3; ++a) {
     const auto axis = static_cast<std::size_t>(a);
     const double x = (std::clamp(p[a], box_.lo[a], box_.hi[a]) - grid_->origin[a]) / grid_->spacing[a];
-    const std::size_t cell =
-        std::min(static_cast<std::size_t>(std::max(0.0, x)), grid_->size[axis] - 2);
+    const std::size_t cell = std::min(static_cast<std::size_t>(std::max(0.0, x)), grid_->size[axis] - 2);
     found.cell[axis] = cell;
     found.at[a] = std::clamp(x - static_cast<double>(cell), 0.0, 1.0);
   }
@@ -161,7 +160,8 @@ ValueRange ValuePyramid::range(const Box3& box) const {
 
 std::size_t ValuePyramid::memory_bytes() const {
   std::size_t bytes = 0;
-  for (const Level& level : levels_) bytes += (level.least.capacity() + level.most.capacity()) * sizeof(float);
+  for (const Level& level : levels_)
+    bytes += (level.least.capacity() + level.most.capacity()) * sizeof(float);
   return bytes;
 }
 

@@ -291,9 +291,9 @@ TEST_CASE("points are drawn in the colour of their weight, dropped ones as cross
   const auto yellow = [](const Picture::Color& c) { return c[0] > c[2] + 90 && c[1] > c[2] + 90; };
   const auto reddish = [](const Picture::Color& c) { return c[0] > c[1] + 40 && c[0] > c[2] + 60; };
   const Picture all = draw();
-  CHECK(all.count(bluish) > 40);  // weight 0
-  CHECK(all.count(yellow) > 40);  // weight near δ
-  CHECK(all.count(reddish) > 15); // dropped
+  CHECK(all.count(bluish) > 40);   // weight 0
+  CHECK(all.count(yellow) > 40);   // weight near δ
+  CHECK(all.count(reddish) > 15);  // dropped
   CHECK(all.count(reddish) < 600); // a disc of that size has 960
   view.theme = ThemeKind::paper;
   CHECK(testing::difference(draw(), all) > 30);
