@@ -6,10 +6,7 @@
 namespace isoscope {
 
 Vec3 OrientationTester::on_boundary(Vec3 x) const {
-  const ClosestPoint closest = field->closest(x);
-  if (!field->is_distance()) return field->project(x, closest, delta).value_or(x);
-  const double d = closest.distance();
-  return d > 0 ? closest.point + (delta / d) * (x - closest.point) : x;
+  return field->at_level(x, field->closest(x), delta).value_or(x);
 }
 
 Vec3 OrientationTester::nearest_on_boundary(Vec3 x, Vec3 sample) const {

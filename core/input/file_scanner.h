@@ -13,8 +13,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace isoscope {
@@ -127,6 +130,27 @@ class FileScanner {
   std::array<char, 200> word_{};
   std::string line_text_; ///< of a line that crosses the buffer's end
 };
+
+/// What read(scanner) makes of a file, or why that cannot be. `remedy`: where it needs more memory than there
+/// is.
+template <class Read>
+auto scan_file(const std::filesystem::path& file, const RunControl& control, const char* remedy,
+               const Read& read) -> Result<std::invoke_result_t<const Read&, FileScanner&>> {
+  const auto too_large = [&] {
+    return Error{ErrorCode::bad_input,
+                 printable(file.native(), 1000) + ": needs more memory than this machine has.", remedy};
+  };
+  try {
+    FileScanner in(file, control);
+    return read(in);
+  } catch (const MeshFileFailure& failure) {
+    return failure.error;
+  } catch (const std::bad_alloc&) {
+    return too_large();
+  } catch (const std::length_error&) {
+    return too_large();
+  }
+}
 
 /// Whether two words are the same but for upper and lower case of ASCII letters.
 bool same_word(std::string_view a, std::string_view b);

@@ -2,7 +2,6 @@
 #include "input/gallery.h"
 
 #include "input/gallery_shapes.h"
-#include "input/gallery_volumes.h"
 
 #include <array>
 

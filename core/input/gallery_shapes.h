@@ -41,6 +41,16 @@ TriangleSoup make_defective(const TriangleSoup& model, double noise);
 TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, std::size_t outliers,
                        const std::function<bool(Vec3)>& missing);
 
+/// The levels of make_density(), between which its ring of six beads is whole.
+constexpr double density_low = 0.25, density_high = 0.5;
+
+/// A torus and, inside of it, a thinner one that is not in its middle: two walls.
+TriangleSoup make_nested_tori();
+
+/// A grid: the density of six round beads that run into each other along a ring. With triangles of both
+/// levels.
+TriangleSoup make_density();
+
 void append(TriangleSoup& to, const TriangleSoup& part);
 void turn_inside_out(TriangleSoup& model);
 

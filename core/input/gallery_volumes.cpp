@@ -1,8 +1,7 @@
 // Two walls from tori, a grid from six bumps.
-#include "input/gallery_volumes.h"
+#include "input/gallery_shapes.h"
 
 #include "input/exact_circle.h"
-#include "input/gallery_shapes.h"
 #include "input/level_surface.h"
 
 namespace isoscope {

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
-#include <stdexcept>
 
 namespace isoscope {
 namespace {
@@ -28,12 +26,8 @@ void check(const FileScanner& in, const ScalarGrid& grid) {
   if (!(largest <= 1e60) || !(std::min({e.x, e.y, e.z}) >= 1e-60))
     in.fail("has coordinates too large or too small to compute with", "Rescale its spacings and its origin.");
   if (!(std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z}) > 1e-9 * largest))
-    in.fail("lies so far from the origin that its voxels are lost in rounding", "Move its origin nearer to 0.");
-}
-
-Error too_much_memory(const std::filesystem::path& file) {
-  return {ErrorCode::bad_input, printable(file.native(), 1000) + ": needs more memory than this machine has.",
-          "Crop or resample the grid."};
+    in.fail("lies so far from the origin that its voxels are lost in rounding",
+            "Move its origin nearer to 0.");
 }
 
 } // namespace
@@ -53,21 +47,15 @@ bool is_grid_file(const std::filesystem::path& file) {
 }
 
 Result<ScalarGrid> read_grid(const std::filesystem::path& file, const RunControl& control) {
-  try {
-    FileScanner in(file, control);
+  return scan_file(file, control, "Crop or resample the grid.", [](FileScanner& in) {
     const std::string_view head = in.head();
     if (!is_grid(head))
-      in.fail("is in no format of grids that we know", "Give a NRRD file, or raw data with a header: README.md tells how.");
+      in.fail("is in no format of grids that we know",
+              "Give a NRRD file, or raw data with a header: README.md tells how.");
     ScalarGrid grid = head.starts_with(nrrd_magic) ? read_nrrd(in) : read_raw_grid(in);
     check(in, grid);
     return grid;
-  } catch (const MeshFileFailure& failure) {
-    return failure.error;
-  } catch (const std::bad_alloc&) {
-    return too_much_memory(file);
-  } catch (const std::length_error&) {
-    return too_much_memory(file);
-  }
+  });
 }
 
 } // namespace isoscope

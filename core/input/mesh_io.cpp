@@ -8,8 +8,6 @@
 #include "input/polygon.h"
 
 #include <algorithm>
-#include <new>
-#include <stdexcept>
 #include <string>
 
 namespace isoscope {
@@ -144,24 +142,11 @@ InputMesh make_soup(const FileScanner& in, PolygonFile&& polygons) {
   return mesh;
 }
 
-Error too_much_memory(const std::filesystem::path& file) {
-  return {ErrorCode::bad_input, printable(file.native(), 1000) + ": needs more memory than this machine has.",
-          "Simplify or split the model."};
-}
-
 } // namespace
 
 Result<InputMesh> read_input_mesh(const std::filesystem::path& file, const RunControl& control) {
-  try {
-    FileScanner in(file, control);
-    return make_soup(in, read_polygons(in));
-  } catch (const MeshFileFailure& failure) {
-    return failure.error;
-  } catch (const std::bad_alloc&) {
-    return too_much_memory(file);
-  } catch (const std::length_error&) {
-    return too_much_memory(file);
-  }
+  return scan_file(file, control, "Simplify or split the model.",
+                   [](FileScanner& in) { return make_soup(in, read_polygons(in)); });
 }
 
 bool is_named_as_points(const std::filesystem::path& file) {

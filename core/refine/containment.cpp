@@ -118,7 +118,8 @@ std::optional<ContainmentCondition::Candidate>
 ContainmentCondition::candidate(TetId t, const Violation& violation, int label) const {
   const ToleranceThresholds& limits = context_.volume().thresholds();
   const double spacing = 0.5 * std::min(limits.delta - limits.boundary, 0.5 * limits.boundary);
-  const std::optional<Vec3> projected = projection(violation);
+  const std::optional<Vec3> projected =
+      context_.volume().field().at_level(violation.witness, violation.closest, limits.boundary);
   if (projected && context_.spacing(context_.snapped(*projected), t) >= spacing) {
     return Candidate{*projected, Reason::projected};
   }
@@ -127,14 +128,6 @@ ContainmentCondition::candidate(TetId t, const Violation& violation, int label) 
   // well.
   if (has_room(violation.witness, t)) return Candidate{violation.witness, Reason::violating_point};
   return std::nullopt;
-}
-
-std::optional<Vec3> ContainmentCondition::projection(const Violation& violation) const {
-  const ToleranceField& field = context_.volume().field();
-  const double boundary = context_.volume().thresholds().boundary;
-  if (!field.is_distance()) return field.project(violation.witness, violation.closest, boundary);
-  const Vec3 away = violation.witness - violation.closest.point;
-  return violation.closest.point + (boundary / violation.closest.distance()) * away;
 }
 
 bool ContainmentCondition::has_room(Vec3 p, TetId t) const {

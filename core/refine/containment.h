@@ -50,8 +50,6 @@ class ContainmentCondition {
   /// The first that the spacing of vertices allows; vertices keep apart, so that there are finitely many.
   std::optional<Candidate> candidate(TetId t, const Violation& violation, int label) const;
   std::optional<Candidate> traced_candidate(TetId t, const Violation& violation, int label) const;
-  /// The point with φ = δ' that the gradient leads to from a violating point, if it is found.
-  std::optional<Vec3> projection(const Violation& violation) const;
   bool has_room(Vec3 p, TetId t) const;
   std::optional<Vec3> first_boundary_point(Vec3 from, Vec3 to) const;
 };

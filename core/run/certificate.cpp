@@ -220,10 +220,13 @@ std::string uncovered_words(const Certificate& c, double delta) {
 
 bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, const CoverTest& test,
                     Certificate& c, const RunControl& control) {
+  if (!volume.has_surface()) { // there are no walls to cover
+    c.covers = true;
+    return true;
+  }
   c.cover_limit = test.limit;
   c.covers = !test.measure || !test.limit;
-  if (!volume.has_surface()) c.cover_limit.reset(); // there are no walls to cover
-  if (!test.measure || !volume.has_surface()) return c.covers = true;
+  if (!test.measure) return true;
   if (control.out_of_grace()) return !test.limit;
   const double delta = volume.thresholds().delta;
   const ClosestPointIndex index({mesh.points, mesh.triangles, {}});

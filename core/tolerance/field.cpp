@@ -29,6 +29,13 @@ std::optional<Vec3> ToleranceField::project(Vec3 p, const ClosestPoint& at, doub
   return std::nullopt;
 }
 
+std::optional<Vec3> ToleranceField::at_level(Vec3 p, const ClosestPoint& at, double r) const {
+  if (!is_distance()) return project(p, at, r);
+  const double d = at.distance();
+  if (!(d > 0)) return std::nullopt;
+  return at.point + (r / d) * (p - at.point);
+}
+
 bool ToleranceField::rises(Vec3 p, const ClosestPoint& at_p, Vec3 q, const ClosestPoint& at_q) const {
   // As φ is 1-Lipschitz, it grows along all of the way where its ends differ by their distance.
   return at_q.distance() >= (at_p.distance() + isoscope::distance(p, q)) * (1 - rounding);

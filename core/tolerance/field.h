@@ -129,6 +129,9 @@ class ToleranceField {
   /// A point with φ = r up to 1e-11 r near p, whose answer is given; nothing where none is found, so that one
   /// has to begin nearer to it.
   virtual std::optional<Vec3> project(Vec3 p, const ClosestPoint& at, double r) const;
+  /// The point with φ = r that the answer at p leads to: on the ray where φ is a distance, though another
+  /// site may be nearer there, else what project() finds.
+  std::optional<Vec3> at_level(Vec3 p, const ClosestPoint& at, double r) const;
   /// Whether φ is nowhere on the way from p to q, which leads along the gradient at p, below φ(p); false
   /// where that cannot be told from both answers.
   virtual bool rises(Vec3 p, const ClosestPoint& at_p, Vec3 q, const ClosestPoint& at_q) const;

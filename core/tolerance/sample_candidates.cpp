@@ -77,18 +77,14 @@ class Subdivision {
   bool project(SampleCandidate& candidate, const ClosestPoint& closest, bool last) const {
     const double d = closest.distance();
     if (!(d > 1e-6 * boundary_)) return false;
-    Vec3 q = closest.point + (boundary_ / d) * (candidate.center - closest.point);
-    if (!volume_.field().is_distance()) {
-      const auto projected = volume_.field().project(candidate.center, closest, boundary_);
-      if (!projected) return false;
-      q = *projected;
-    }
-    candidate.point = snap(q);
+    const std::optional<Vec3> q = volume_.field().at_level(candidate.center, closest, boundary_);
+    if (!q) return false;
+    candidate.point = snap(*q);
     const double bound = farthest_in_cube(candidate.point, candidate.center, candidate.half_side);
     if (bound > options_.target_bound && !last) return false;
     if (d >= boundary_ || !volume_.field().is_distance()) return true;
     const double least = boundary_ * (1 - projection_error);
-    return volume_.field().closest_near(q, closest.triangle, near_, least).distance() >= least;
+    return volume_.field().closest_near(*q, closest.triangle, near_, least).distance() >= least;
   }
 
   Vec3 snap(Vec3 p) const {
