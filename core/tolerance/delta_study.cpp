@@ -30,33 +30,40 @@ struct Pair {
   std::uint32_t at, saddle; ///< leaves
 };
 
-/// Joins the leaves of an octree in the order of their links. `Before(a, b)`: a level that comes before b.
+/// Components of the leaves that were added, in the order of their levels. `Before(a, b)`: a level that comes
+/// before b.
 template <class Before> class MergeTree {
  public:
-  explicit MergeTree(const std::vector<double>& values) : values_(values), parent_(values.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
+  /// The value of leaf `octree.leaves()`, which is what lies around the octree, is infinite.
+  explicit MergeTree(const FieldOctree& octree) : octree_(octree), parent_(octree.leaves() + 1, not_yet) {}
 
-  /// Joins two leaves at a level that neither comes before; the younger of their components ends there.
-  void join(std::uint32_t a, std::uint32_t b, std::uint32_t saddle, std::vector<Pair>& ended) {
-    const double level = values_[saddle];
-    a = find(a);
-    b = find(b);
+  double value(std::uint32_t leaf) const {
+    return leaf < octree_.leaves() ? octree_.value(leaf) : std::numeric_limits<double>::infinity();
+  }
+  bool has(std::uint32_t leaf) const { return parent_[leaf] != not_yet; }
+  void add(std::uint32_t leaf) { parent_[leaf] = leaf; }
+  /// Joins `leaf`, which was just added, with one that has been added before; the younger of their
+  /// components ends.
+  void join(std::uint32_t leaf, std::uint32_t other, std::vector<Pair>& ended) {
+    const std::uint32_t saddle = Before()(value(other), value(leaf)) ? leaf : other;
+    const std::uint32_t a = find(leaf), b = find(other);
     if (a == b) return;
-    const bool a_first = values_[a] != values_[b] ? Before()(values_[a], values_[b]) : a < b;
+    const double of_a = value(a), of_b = value(b), level = value(saddle);
+    const bool a_first = of_a != of_b ? Before()(of_a, of_b) : a < b;
     const std::uint32_t young = a_first ? b : a;
     parent_[young] = a_first ? a : b;
-    const double birth = values_[young];
+    const double birth = a_first ? of_b : of_a;
     if (std::max(birth, level) >= least_factor * std::min(birth, level))
       ended.push_back({birth, level, young, saddle});
   }
 
  private:
+  static constexpr std::uint32_t not_yet = 0xffffffffu;
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  const std::vector<double>& values_;
+  const FieldOctree& octree_;
   std::vector<std::uint32_t> parent_; ///< roots are where components were born
 };
 
@@ -66,23 +73,31 @@ struct Histories {
 };
 
 Histories find_histories(const FieldOctree& octree, const RunControl& control) {
-  std::vector<double> values = octree.values();
-  const auto outside = static_cast<std::uint32_t>(values.size());
-  values.push_back(std::numeric_limits<double>::infinity());
-  std::vector<CellLink> links = octree.links();
-  for (const std::uint32_t leaf : octree.border()) links.push_back({leaf, outside});
+  const auto outside = static_cast<std::uint32_t>(octree.leaves());
+  std::vector<std::uint32_t> order(outside);
+  std::iota(order.begin(), order.end(), 0u);
+  sort_by_level(order, [&](std::uint32_t leaf) { return octree.value(leaf); });
   Histories found;
   SparsePoll poll(control);
-  for (CellLink& link : links) // the lower one first
-    if (values[link.b] < values[link.a]) std::swap(link.a, link.b);
-  sort_by_level(links, [&](const CellLink& link) { return values[link.a]; });
-  MergeTree<std::greater<>> regions(values);
-  for (std::size_t i = links.size(); i-- > 0 && !poll.cancelled();)
-    regions.join(links[i].a, links[i].b, links[i].a, found.regions);
-  sort_by_level(links, [&](const CellLink& link) { return values[link.b]; });
-  MergeTree<std::less<>> components(values);
-  for (std::size_t i = 0; i < links.size() && !poll.cancelled(); ++i)
-    components.join(links[i].a, links[i].b, links[i].b, found.components);
+  {
+    MergeTree<std::greater<>> regions(octree);
+    regions.add(outside);
+    for (std::size_t i = order.size(); i-- > 0 && !poll.cancelled();) {
+      const std::uint32_t leaf = order[i];
+      regions.add(leaf);
+      const bool at_border = octree.for_each_neighbor(leaf, [&](std::uint32_t other) {
+        if (regions.has(other)) regions.join(leaf, other, found.regions);
+      });
+      if (at_border) regions.join(leaf, outside, found.regions);
+    }
+  }
+  MergeTree<std::less<>> components(octree);
+  for (std::size_t i = 0; i < order.size() && !poll.cancelled(); ++i) {
+    components.add(order[i]);
+    octree.for_each_neighbor(order[i], [&](std::uint32_t other) {
+      if (components.has(other)) components.join(order[i], other, found.components);
+    });
+  }
   return found;
 }
 

@@ -19,7 +19,6 @@ constexpr double margin = 0.1;
 constexpr std::size_t most_cells = 16'000'000;
 constexpr unsigned most_levels = 20;
 constexpr double half_diagonal = 0.8660254038;
-constexpr std::size_t cells_by_task = 4096;
 
 } // namespace
 
@@ -31,99 +30,72 @@ FieldOctree::FieldOctree(const ToleranceField& field, double finest, const RunCo
   const double factor = many ? coarse : fine;
   if (many) finest *= coarse_finest;
   cells_.emplace_back();
-  std::vector<std::uint32_t> parents;
+  std::vector<TriangleId> sites(1); // of the cells of a level: where to begin to look for those of the next
   for (unsigned level = 0; level <= most_levels; ++level) {
-    const std::size_t begin = level == 0 ? 0 : cells_[parents.front()].child;
-    parallel_until(cells_.size() - begin, 64, control, [&](std::size_t i) {
+    const std::size_t begin = cells_.size() - sites.size();
+    parallel_until(sites.size(), 64, control, [&](std::size_t i) {
       Cell& c = cells_[begin + i];
-      const ClosestPoint at = field.closest_near(center(c), c.site);
-      c.site = at.triangle;
+      const ClosestPoint at = field.closest_near(center(c), sites[i]);
+      sites[i] = at.triangle;
       c.value = static_cast<float>(at.distance());
     });
     if (control.cancelled()) return;
     const double s = side(level);
-    parents.clear();
-    for (std::size_t i = begin; i < cells_.size(); ++i) {
-      const double value = static_cast<double>(cells_[i].value);
-      if (factor * s > std::max(value, finest) && value + half_diagonal * s > finest)
-        parents.push_back(static_cast<std::uint32_t>(i));
-    }
-    if (parents.empty() || cells_.size() + 8 * parents.size() > most_cells) break;
-    cells_.reserve(cells_.size() + 8 * parents.size());
-    for (const std::uint32_t p : parents) {
-      const Cell parent = cells_[p];
-      cells_[p].child = static_cast<std::uint32_t>(cells_.size());
+    const auto splits = [&](const Cell& c) {
+      const double value = static_cast<double>(c.value);
+      return factor * s > std::max(value, finest) && value + half_diagonal * s > finest;
+    };
+    const auto parents = static_cast<std::size_t>(
+        std::count_if(cells_.begin() + static_cast<std::ptrdiff_t>(begin), cells_.end(), splits));
+    if (parents == 0 || cells_.size() + 8 * parents > most_cells || level == most_levels) break;
+    const std::size_t end = cells_.size();
+    cells_.reserve(end + 8 * parents);
+    std::vector<TriangleId> of_children;
+    of_children.reserve(8 * parents);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!splits(cells_[i])) continue;
+      cells_[i].next = static_cast<std::uint32_t>(cells_.size());
       for (std::uint32_t k = 0; k < 8; ++k) {
-        Cell child;
-        for (unsigned a = 0; a < 3; ++a) child.position[a] = 2 * parent.position[a] + (k >> a & 1u);
-        child.level = static_cast<std::uint8_t>(level + 1);
-        child.site = parent.site;
-        cells_.push_back(child);
+        cells_.push_back({cells_[i].path << 3 | k, leaf_bit, 0});
+        of_children.push_back(sites[i - begin]);
       }
     }
+    sites = std::move(of_children);
   }
+  leaves_.reserve(cells_.size() - cells_.size() / 8);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (cells_[i].child != none) continue;
-    cells_[i].leaf = static_cast<std::uint32_t>(leaves_.size());
+    if (!cells_[i].is_leaf()) continue;
+    cells_[i].next |= static_cast<std::uint32_t>(leaves_.size());
     leaves_.push_back(static_cast<std::uint32_t>(i));
   }
 }
 
-Vec3 FieldOctree::center(const Cell& c) const {
-  const double s = side(c.level);
-  return origin_ + Vec3{(c.position[0] + 0.5) * s, (c.position[1] + 0.5) * s, (c.position[2] + 0.5) * s};
+std::array<std::uint32_t, 3> FieldOctree::Cell::position() const {
+  std::array<std::uint32_t, 3> p{};
+  const unsigned levels = level();
+  for (unsigned l = 0; l < levels; ++l)
+    for (unsigned a = 0; a < 3; ++a) p[a] |= static_cast<std::uint32_t>(path >> (3 * l + a) & 1u) << l;
+  return p;
 }
 
-std::vector<double> FieldOctree::values() const {
-  std::vector<double> values;
-  values.reserve(leaves_.size());
-  for (const std::uint32_t c : leaves_) values.push_back(static_cast<double>(cells_[c].value));
-  return values;
+Vec3 FieldOctree::center(const Cell& c) const {
+  const double s = side(c.level());
+  const auto p = c.position();
+  return origin_ + Vec3{(p[0] + 0.5) * s, (p[1] + 0.5) * s, (p[2] + 0.5) * s};
 }
 
 std::uint32_t FieldOctree::neighbor(const Cell& c, unsigned face) const {
-  auto p = c.position;
+  const unsigned levels = c.level();
+  auto p = c.position();
   std::uint32_t& coordinate = p[face / 2];
-  if (coordinate == (face % 2 ? (1u << c.level) - 1 : 0u)) return none;
+  if (coordinate == (face % 2 ? (1u << levels) - 1 : 0u)) return none;
   coordinate += face % 2 ? 1u : 0xffffffffu;
   std::uint32_t at = 0;
-  for (unsigned level = 1; level <= c.level && cells_[at].child != none; ++level) {
-    const unsigned shift = c.level - level;
-    at = cells_[at].child + ((p[0] >> shift) & 1u) + 2 * ((p[1] >> shift) & 1u) + 4 * ((p[2] >> shift) & 1u);
+  for (unsigned level = 1; level <= levels && !cells_[at].is_leaf(); ++level) {
+    const unsigned shift = levels - level;
+    at = cells_[at].next + ((p[0] >> shift) & 1u) + 2 * ((p[1] >> shift) & 1u) + 4 * ((p[2] >> shift) & 1u);
   }
   return at;
-}
-
-std::vector<CellLink> FieldOctree::links() const {
-  const std::size_t tasks = (leaves_.size() + cells_by_task - 1) / cells_by_task;
-  std::vector<std::vector<CellLink>> by_task(tasks);
-  parallel_for(tasks, 1, [&](std::size_t task) {
-    const std::size_t end = std::min((task + 1) * cells_by_task, leaves_.size());
-    for (std::size_t i = task * cells_by_task; i < end; ++i) {
-      const Cell& c = cells_[leaves_[i]];
-      for (unsigned face = 0; face < 6; ++face) {
-        const std::uint32_t other = neighbor(c, face);
-        // Finer neighbours link themselves, and of two of the same level one does.
-        if (other == none || cells_[other].child != none) continue;
-        if (cells_[other].level == c.level && face % 2 == 0) continue;
-        by_task[task].push_back({static_cast<std::uint32_t>(i), cells_[other].leaf});
-      }
-    }
-  });
-  std::vector<CellLink> links;
-  for (const auto& part : by_task) links.insert(links.end(), part.begin(), part.end());
-  return links;
-}
-
-std::vector<std::uint32_t> FieldOctree::border() const {
-  std::vector<std::uint32_t> border;
-  for (std::uint32_t i = 0; i < leaves_.size(); ++i)
-    for (unsigned face = 0; face < 6; ++face)
-      if (neighbor(cells_[leaves_[i]], face) == none) {
-        border.push_back(i);
-        break;
-      }
-  return border;
 }
 
 } // namespace isoscope

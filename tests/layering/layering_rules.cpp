@@ -40,6 +40,7 @@ const Tiers& viewer_tiers() {
                               {"viewer/ask"},
                               {"viewer/view"},
                               {"viewer/talk", "viewer/export"},
+                              {"viewer/lesson"},
                               {"viewer/two_runs"},
                               {"viewer/timeline"},
                               {"viewer/steering"},

@@ -2,6 +2,7 @@
 #include "app/app.h"
 
 #include "app/last_wait.h"
+#include "app/welcome.h"
 #include "ask/investigation.h"
 #include "input/gallery.h"
 #include "model/chosen_input.h"
@@ -96,6 +97,7 @@ Status App::setup(const ProgramOptions& options) {
   else
     settings_path_ = settings_file();
   if (!settings_path_.empty()) m.settings = load_settings(settings_path_);
+  if (m.scripted) m.settings.coach_closed = panels::all_coach_marks; // a script asks for them
   m.talk.bookmarks_home = settings_path_;
   m.view.theme = options.theme.value_or(m.settings.theme);
   if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
@@ -105,9 +107,17 @@ Status App::setup(const ProgramOptions& options) {
   overlays_.emplace(m);
   if (options.history_limit > 0) m.settings.history_limit = options.history_limit;
   m.draft = options.run;
+  if (m.draft.input.starts_with(lesson_prefix)) {
+    const std::string lesson = std::exchange(m.draft.input, "").substr(lesson_prefix.size());
+    if (Status begun = m.commands.run({"lesson", {lesson}}); !begun) return begun;
+    on_display_lost([this] { end_because("The display is lost."); });
+    return {};
+  }
+  const bool first = m.draft.input.empty() && !m.scripted && !m.settings.greeted;
   if (m.draft.input.empty()) m.draft = for_input(m.draft, gallery_input(gallery().front().name));
   if (options.tolerance_given) m.draft.tolerance = options.run.tolerance;
   m.steering.begin(options.paused);
+  if (first) m.overlay = Overlay::welcome;
   if (!options.recording.empty())
     if (Status recorded = m.session.record(options.recording); !recorded) return recorded.error();
   on_display_lost([this] { end_because("The display is lost."); });
@@ -192,7 +202,7 @@ void App::take_drops() {
 
 void App::upload_thumbnails() {
   Thumbnails& thumbnails = overlays_->thumbnails();
-  if (model_->overlay != Overlay::gallery) return;
+  if (model_->overlay != Overlay::gallery && model_->overlay != Overlay::welcome) return;
   thumbnails.begin(480, 300, [] { Window::wake(); });
   for (std::size_t i = 0; i < thumbnails.textures.size(); ++i)
     if (const auto picture = thumbnails.picture(i); picture && thumbnails.textures[i] == 0)
@@ -227,16 +237,21 @@ void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright
 }
 
 void App::draw_talk(Ui& ui, ImVec2 size) {
-  const float bar = ui.px(48);
+  const bool lesson = model_->lessons.runner.shown() != nullptr;
+  const float bar = ui.px(lesson ? 96 : 48);
   {
     Pane pane("##view", {0, 0}, {size.x, size.y - bar}, false, {0, 0}, ui.colors.ground);
     run_views_->draw(ui);
   }
   {
     Pane pane("##talk", {0, size.y - bar}, {size.x, bar}, false, {0, 0}, ui.colors.panel);
-    panels::presenter_bar(ui, model_->talk);
+    if (lesson)
+      panels::lesson_caption(ui, model_->lessons.runner);
+    else
+      panels::presenter_bar(ui, model_->talk);
   }
-  if (model_->overlay == Overlay::none) panels::slide_title(ui, model_->talk.bookmarks, {0, 0}, size.x);
+  if (model_->overlay == Overlay::none && !lesson)
+    panels::slide_title(ui, model_->talk.bookmarks, {0, 0}, size.x);
   panels::messages(ui, {ui.px(12), ui.px(64)}, std::min(size.x - ui.px(24), ui.px(560)));
   overlays_->draw(ui, size);
 }
@@ -247,7 +262,10 @@ void App::draw_window(Ui& ui) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float top = ui.px(40), status = ui.px(24), grip = std::max(ui.px(3), 2.0f), folded = ui.px(0);
   const float width = size.x / ui.scale, height = size.y / ui.scale;
-  const float left = p.show_left ? ui.px(std::min(p.left, width * 0.35f)) : folded;
+  const bool lesson = m.lessons.runner.on();
+  const float left = lesson        ? ui.px(std::clamp(width * 0.32f, 300.0f, 440.0f))
+                     : p.show_left ? ui.px(std::min(p.left, width * 0.35f))
+                                   : folded;
   const float right = p.show_right ? ui.px(std::min(p.right, width * 0.35f)) : folded;
   const float bottom = p.show_bottom ? ui.px(std::min(p.bottom, height * 0.6f)) : 0;
   const float middle_y = top + grip, bottom_y = size.y - status - bottom;
@@ -262,7 +280,23 @@ void App::draw_window(Ui& ui) {
     Pane pane("##top", {0, 0}, {size.x, top}, false, {0, 0}, ui.colors.panel);
     panels::top_bar(ui);
   }
-  if (left > 0) {
+  if (lesson) {
+    const float share = p.show_left ? 0.55f : 1.0f;
+    {
+      Pane pane("##lesson", {0, middle_y}, {left, std::round(share * middle_high)}, false, padding,
+                ui.colors.panel);
+      panels::lesson(ui, m.lessons.runner);
+    }
+    if (p.show_left) {
+      Pane pane("##left", {0, middle_y + std::round(share * middle_high) + grip},
+                {left, middle_high - std::round(share * middle_high) - grip}, true, padding, ui.colors.panel);
+      panels::parameters(ui, m.steering);
+      ImGui::Separator();
+      panels::layers(ui);
+      ImGui::Separator();
+      panels::clip_and_filter(ui);
+    }
+  } else if (left > 0) {
     {
       Pane pane("##left", {0, middle_y}, {left, middle_high}, true, padding, ui.colors.panel);
       panels::layers(ui);
@@ -298,6 +332,10 @@ void App::draw_window(Ui& ui) {
     panels::status_bar(ui, m.comparison.history_memory());
   }
   panels::export_progress(ui, m.exports, {view_x, bottom_y - (bottom > 0 ? grip : 0)}, view_end - view_x);
+  if (m.overlay == Overlay::none && !lesson && m.has_state())
+    panels::coach_marks(ui, {{{{view_x, middle_y}, {view_end - view_x, middle_high}},
+                              {{0, bottom_y}, {bottom > 0 ? size.x : 0, bottom}},
+                              {{size.x - right, middle_y}, {right, middle_high}}}});
   panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(46)},
                    std::min(view_end - view_x - ui.px(24), ui.px(560)));
   overlays_->draw(ui, size);
@@ -394,9 +432,10 @@ bool App::at_rest() const {
   if (m.clock < m.wait_until) return false;
   if (m.wait_for == AppModel::Wait::answers && !(m.answers_taken() && m.debug.is_current())) return false;
   if (m.wait_for == AppModel::Wait::settled) // the run too
-    return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() &&
+    return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() && m.lessons.idle() &&
            !run_views_->unfinished();
   // A run that goes on need not be waited for; what stands still is shown first.
+  if (!m.lessons.idle()) return false;
   return m.running() || (m.answers_taken() && !run_views_->unfinished());
 }
 

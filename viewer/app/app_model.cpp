@@ -29,7 +29,8 @@ CameraPose first_pose() {
 AppModel::AppModel(const std::function<void()>& notify)
     : WindowState(notify), probe(*this, notify), debug(*this, probe, notify), investigation(*this, notify),
       talk(*this), exports(*this), comparison(debug, notify, [this] { forget_run(); }),
-      steering(debug, notify), expected_genus_(std::make_shared<std::atomic<double>>(std::nan(""))) {
+      steering(debug, notify), lessons(*this, commands, values, exports),
+      expected_genus_(std::make_shared<std::atomic<double>>(std::nan(""))) {
   debug.breakpoints->set_expected([expected = expected_genus_]() -> std::optional<double> {
     const double genus = expected->load();
     return std::isnan(genus) ? std::nullopt : std::optional(genus);
@@ -57,6 +58,7 @@ void AppModel::add_commands() {
   investigation.add_commands(commands);
   comparison.add_commands(commands);
   add_view_commands(commands, *this);
+  lessons.add_commands(commands);
   talk.add_commands(commands);
   exports.add_commands(commands);
   add_window_commands(commands, *this, values);
@@ -76,8 +78,10 @@ void AppModel::add_values() {
   investigation.add_values(values);
   comparison.add_values(values);
   talk.add_values(values);
+  lessons.add_values(values);
   exports.add_values(values);
   comparison.add_history_values(values);
+  add_window_values(values, *this);
   add_time_values(*this);
 }
 
@@ -185,7 +189,7 @@ bool AppModel::update(double seconds) {
   changed |= camera.update(scripted ? 1.0 : seconds);
   watch_view();
   settled = state_is_current();
-  return changed;
+  return lessons.update() || changed;
 }
 
 bool AppModel::state_is_current() const {
@@ -194,7 +198,8 @@ bool AppModel::state_is_current() const {
 }
 
 bool AppModel::answers_taken() const {
-  return result_taken() && probe.idle() && investigation.idle() && comparison.at_rest() && steering.idle();
+  return result_taken() && probe.idle() && investigation.idle() && comparison.at_rest() && steering.idle() &&
+         lessons.runner.idle();
 }
 
 } // namespace isoscope

@@ -6,6 +6,7 @@
 #include "debug/debugger.h"
 #include "edge/probe.h"
 #include "export/exports.h"
+#include "lesson/lessons.h"
 #include "model/window_times.h"
 #include "steering/steering.h"
 #include "talk/talk.h"
@@ -31,6 +32,7 @@ class AppModel : public WindowState {
   Steering steering;
   CommandTable commands;
   NamedValues values;
+  Lessons lessons;
 
   WindowTimes times;
   double wait_until = 0; ///< scripts: seconds on the clock until which `wait SECONDS` holds
@@ -69,5 +71,6 @@ void add_time_values(AppModel& model);
 
 /// On panes, tabs and the look of the window, and on what lies over it. Both must outlive the table.
 void add_window_commands(CommandTable& table, WindowState& window, const NamedValues& values);
+void add_window_values(NamedValues& values, WindowState& window);
 
 } // namespace isoscope

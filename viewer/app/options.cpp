@@ -3,6 +3,7 @@
 
 #include "cli/options.h"
 #include "export/exports.h"
+#include "lesson/lesson.h"
 #include "run/report.h"
 
 #include <cstdio>
@@ -49,7 +50,7 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   ProgramOptions& o = parsed.options;
   std::string size, theme;
   double ui_scale = 0;
-  bool show_version = false;
+  bool show_version = false, list_lessons = false;
   CommandLine app{"Isoscope: watch and debug isotopic approximation within a tolerance volume.", "isoscope"};
   const RunOptions run_options(app);
   app.flag("--paused", o.paused, "hold the run before its first operation");
@@ -63,6 +64,7 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   app.option("--ui-scale", ui_scale, "size of text and controls, 0.5 to 4", 0.5, 4);
   app.option("--size", size, "of the window, or of a plain screenshot: WIDTHxHEIGHT");
   app.choice("--theme", theme, {"dark", "light", "paper"});
+  app.flag("--list-lessons", list_lessons, "list the lessons: isoscope lesson:NAME begins one");
   app.flag("--version", show_version, "say the version");
   const auto asked = app.read(argc, argv);
   if (!asked) return bad(asked.error().message + (asked.error().message.ends_with('.') ? "" : "."));
@@ -70,6 +72,16 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   if (parsed.print) return parsed;
   if (show_version) {
     parsed.print = "isoscope " + std::string(version()) + "\n";
+    return parsed;
+  }
+  if (list_lessons) {
+    const auto& all = bundled_lessons();
+    if (!all) return all.error();
+    std::string list;
+    for (const Lesson& l : *all)
+      list += "lesson:" + l.name + std::string(l.name.size() < 20 ? 20 - l.name.size() : 1, ' ') + l.title +
+              (l.figure.empty() ? "" : " (" + l.figure + ")") + "\n";
+    parsed.print = std::move(list);
     return parsed;
   }
   const auto run = run_options.finish();

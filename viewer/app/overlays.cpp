@@ -1,6 +1,8 @@
 // Gallery, help, palette and about.
 #include "app/overlays.h"
 
+#include "app/welcome.h"
+
 #include "command/command_search.h"
 #include "input/gallery.h"
 #include "journal/vocabulary.h"
@@ -95,11 +97,33 @@ void drop_zone(Ui& ui, ImVec2 size) {
                      to_u32(hovered ? ui.colors.text : ui.colors.quiet), text);
 }
 
+/// The way to the lessons, and the first of them.
+void lesson_row(Ui& ui) {
+  const auto& lessons = bundled_lessons();
+  if (!lessons) return;
+  constexpr std::size_t most = 4;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(icon::graduation);
+  ImGui::SameLine();
+  widgets::bold_text(ui, "Lessons");
+  for (std::size_t i = 0; i < std::min(lessons->size(), most); ++i) {
+    const Lesson& lesson = (*lessons)[i];
+    ImGui::SameLine(0, ui.px(10));
+    if (widgets::plain_button(ui, (std::to_string(lesson.number) + "  " + lesson.title).c_str()))
+      ui.commands.post("lesson", {lesson.name});
+  }
+  ImGui::SameLine(0, ui.px(10));
+  if (widgets::plain_button(ui, ("All " + std::to_string(lessons->size())).c_str()))
+    ui.commands.post("lesson");
+}
+
 } // namespace
 
 void Overlays::gallery(Ui& ui) {
   heading(ui, "Gallery",
           "Bundled models, each with what it teaches. A click opens it and refinement begins.");
+  lesson_row(ui);
+  ImGui::Dummy({0, ui.px(2)});
   ImGui::BeginChild("cards", {0, -ui.px(66)});
   constexpr int columns = 3;
   const float gap = ui.px(14),
@@ -251,6 +275,7 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
     query_.fill(0);
     chosen_ = 0;
   }
+  if (shown_ == Overlay::welcome && now != shown_) ui.window.settings.greeted = true;
   if (now == Overlay::none) {
     shown_ = now;
     return;
@@ -258,9 +283,10 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   ImVec2 extent{std::min(size.x - ui.px(60), ui.px(980)), std::min(size.y - ui.px(60), ui.px(760))};
   if (now == Overlay::palette)
     extent = {std::min(size.x - ui.px(60), ui.px(620)), std::min(size.y - ui.px(120), ui.px(460))};
+  if (now == Overlay::welcome) extent = {std::min(size.x - ui.px(60), ui.px(900)), ui.px(460)};
   if (now == Overlay::about) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(300)};
   if (now == Overlay::pictures) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(430)};
-  if (now == Overlay::files || now == Overlay::bookmarks)
+  if (now == Overlay::files || now == Overlay::bookmarks || now == Overlay::lessons)
     extent = {std::min(size.x - ui.px(60), ui.px(860)), std::min(size.y - ui.px(60), ui.px(560))};
   const float y = now == Overlay::palette ? ui.px(64) : (size.y - extent.y) / 2;
   const ImVec2 low{std::round((size.x - extent.x) / 2), std::round(y)};
@@ -305,6 +331,18 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   case Overlay::pictures:
     heading(ui, "Pictures and films", "The view without panels, as it is drawn now; lines keep their look.");
     pictures_.draw(ui, model_.exports);
+    break;
+  case Overlay::welcome:
+    heading(ui, "Isoscope",
+            "A coarse mesh with the right topology, found inside a tolerance volume. Where to begin?");
+    panels::welcome(ui, thumbnails_);
+    break;
+  case Overlay::lessons:
+    heading(ui, "Lessons",
+            "Prepared scenes with questions and things to try. PageDown and PageUp, or Enter and Backspace, "
+            "turn the "
+            "stops; P shows one to an audience.");
+    panels::lesson_list(ui);
     break;
   case Overlay::none:
     break;

@@ -76,6 +76,11 @@ void add_window_commands(CommandTable& table, WindowState& m, const NamedValues&
               .menu = "Window",
               .keys = {{'P', false, true}},
               .run = on(m, toggle_panes)},
+             {.name = "reset-layout",
+              .title = "Reset layout",
+              .help = "All panes in the sizes and places that they had at first.",
+              .menu = "Window",
+              .run = does([&m] { m.settings.panes = {}; })},
              {.name = "tab",
               .title = "Bottom tab",
               .usage = tab_words(),
@@ -116,11 +121,30 @@ void add_window_commands(CommandTable& table, WindowState& m, const NamedValues&
               .icon = icon::help,
               .keys = {{GLFW_KEY_F1}},
               .run = does([&m] { m.toggle(Overlay::help); })},
+             {.name = "welcome",
+              .title = "Where to begin…",
+              .help = "Three ways in: watch it work, why did it fail, your own model.",
+              .icon = icon::home,
+              .run = does([&m] { m.toggle(Overlay::welcome); })},
+             {.name = "coach-marks",
+              .title = "First hints again",
+              .help = "Brings back the marks that say what the parts of the window are for.",
+              .run = does([&m] { m.settings.coach_closed = 0; })},
              {.name = "about",
               .title = "About Isoscope",
               .help = "Says what this is, its licence and its sources.",
               .icon = icon::info,
               .run = does([&m] { m.toggle(Overlay::about); })}});
+}
+
+void add_window_values(NamedValues& values, WindowState& m) {
+  values.add("overlay", "what lies over the window", [&m] {
+    constexpr std::array<std::string_view, 10> names{"none",  "gallery",   "files",    "help",    "palette",
+                                                     "about", "bookmarks", "pictures", "lessons", "welcome"};
+    return names.at(static_cast<std::size_t>(m.overlay));
+  });
+  values.add("coach.closed", "first hints that are closed, as bits",
+             [&m] { return int{m.settings.coach_closed}; });
 }
 
 } // namespace isoscope

@@ -124,9 +124,13 @@ const Command* CommandTable::find(std::string_view name) const {
 }
 
 const Command* CommandTable::find(const Chord& chord) const {
-  for (const Command& command : commands_)
-    if (std::find(command.keys.begin(), command.keys.end(), chord) != command.keys.end()) return &command;
-  return nullptr;
+  const Command* found = nullptr;
+  for (const Command& command : commands_) {
+    if (std::find(command.keys.begin(), command.keys.end(), chord) == command.keys.end()) continue;
+    if (command.is_enabled()) return &command;
+    if (found == nullptr) found = &command;
+  }
+  return found;
 }
 
 CommandCall CommandTable::parse(std::string_view line) const {

@@ -56,6 +56,8 @@ Settings load_settings(const std::filesystem::path& file) {
   s.theme = static_cast<ThemeKind>(static_cast<int>(number(object, "theme", 0, 0, 2)));
   s.ui_scale = number(object, "ui_scale", 1, 0.5f, 4);
   s.history_limit = static_cast<double>(number(object, "history_limit", 2048, 1, 1048576));
+  s.greeted = flag(object, "greeted", false);
+  s.coach_closed = static_cast<std::uint8_t>(number(object, "coach_closed", 0, 0, 255));
   if (const auto last = object.find("last_folder"); last != object.end() && last->is_string())
     s.last_folder = last->get<std::string>();
   if (const auto recent = object.find("recent"); recent != object.end() && recent->is_array())
@@ -81,6 +83,8 @@ void save_settings(const std::filesystem::path& file, const Settings& s) {
                        {"theme", static_cast<int>(s.theme)},
                        {"ui_scale", s.ui_scale},
                        {"history_limit", s.history_limit},
+                       {"greeted", s.greeted},
+                       {"coach_closed", s.coach_closed},
                        {"last_folder", s.last_folder},
                        {"filters", s.filters},
                        {"recent", s.recent}};

@@ -37,6 +37,8 @@ struct Settings {
   ThemeKind theme = ThemeKind::dark;
   float ui_scale = 1;              ///< on top of the monitor's content scale, in [0.5, 4]
   double history_limit = 2048;     ///< of journal and keyframes together, MiB, in [1, 1048576]
+  bool greeted = false;            ///< the three ways in were shown
+  std::uint8_t coach_closed = 0;   ///< marks at parts of the window that do not come back, as bits
   std::vector<std::string> recent; ///< newest first, at most ten
   std::string last_folder;
   std::vector<std::string> filters; ///< of events, each a lane of the timeline; at most eight

@@ -21,7 +21,7 @@
 namespace isoscope {
 
 /// What lies over the window.
-enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, bookmarks, pictures };
+enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, bookmarks, pictures, lessons, welcome };
 
 /// What is done with what is chosen among the files.
 enum class FilesFor : std::uint8_t { open, beside, between };

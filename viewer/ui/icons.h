@@ -49,6 +49,7 @@ constexpr const char* layers = "\uf0c9";
 constexpr const char* sliders = "\uf1de";
 constexpr const char* scissors = "\uf0c4";
 constexpr const char* flip = "\uf0ec";
+constexpr const char* graduation = "\uf19d";
 constexpr const char* star = "\uf005";
 constexpr const char* mouse = "\uf245";
 constexpr const char* dot = "\uf111";

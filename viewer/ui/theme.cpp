@@ -156,7 +156,11 @@ Result<Fonts> load_fonts(ImFontAtlas& atlas, float scale) {
   fonts.small = add_with_icons(atlas, "ui", size(13));
   fonts.title = add_font(atlas, "ui-bold", size(22), text_ranges.data(), false, 0);
   fonts.mono = add_font(atlas, "mono", size(13.5f), text_ranges.data(), false, 0);
-  if (!fonts.ui || !fonts.bold || !fonts.small || !fonts.title || !fonts.mono || !atlas.Build())
+  fonts.reading = add_font(atlas, "ui", size(18), text_ranges.data(), false, 0);
+  fonts.reading_bold = add_font(atlas, "ui-bold", size(18), text_ranges.data(), false, 0);
+  const std::array all{fonts.ui,   fonts.bold,    fonts.small,       fonts.title,
+                       fonts.mono, fonts.reading, fonts.reading_bold};
+  if (std::find(all.begin(), all.end(), nullptr) != all.end() || !atlas.Build())
     return Error{
         ErrorCode::device, "The user interface's fonts cannot be loaded.",
         "Build again with fonts-inter, fonts-jetbrains-mono and fonts-font-awesome installed (scripts/run)."};

@@ -38,11 +38,13 @@ Rgb stage_color(ThemeKind theme, Stage stage);
 
 /// Fonts at one scale; owned by the atlas.
 struct Fonts {
-  ImFont* ui = nullptr;    ///< 15 px, with icons
-  ImFont* bold = nullptr;  ///< 15 px semibold, with icons
-  ImFont* small = nullptr; ///< 13 px, with icons
-  ImFont* title = nullptr; ///< 22 px semibold
-  ImFont* mono = nullptr;  ///< 13.5 px, fixed digits
+  ImFont* ui = nullptr;           ///< 15 px, with icons
+  ImFont* bold = nullptr;         ///< 15 px semibold, with icons
+  ImFont* small = nullptr;        ///< 13 px, with icons
+  ImFont* title = nullptr;        ///< 22 px semibold
+  ImFont* mono = nullptr;         ///< 13.5 px, fixed digits
+  ImFont* reading = nullptr;      ///< 18 px, for longer text
+  ImFont* reading_bold = nullptr; ///< 18 px semibold
 };
 /// Fills the atlas from the embedded fonts. Fails with device when one cannot be used.
 Result<Fonts> load_fonts(ImFontAtlas& atlas, float scale);

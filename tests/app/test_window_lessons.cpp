@@ -1,0 +1,48 @@
+// Every lesson in the real window, from its first stop to its last: each command finds what it looks for, and
+// what is said to be right holds.
+#include "app/window_script.h"
+#include "lesson/lesson.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace isoscope;
+using isoscope::test::run_window;
+
+namespace {
+
+/// Goes through a lesson by commands; wrong at the first question, right at all others.
+std::string walk(const Lesson& lesson) {
+  std::string script = "lesson " + lesson.name + "\n";
+  bool wrong = true;
+  for (std::size_t i = 0; i < lesson.stops.size(); ++i) {
+    const LessonStop& stop = lesson.stops[i];
+    script += "wait answers\nexpect lesson.error == none and lesson.stop == " + std::to_string(i + 1) + "\n";
+    if (stop.question) {
+      const std::size_t right = stop.question->right();
+      const std::size_t guess = wrong ? (right + 1) % stop.question->answers.size() : right;
+      wrong = false;
+      script += "expect lesson.phase == asking\nlesson-answer " + std::to_string(guess + 1) +
+                "\nwait answers\nexpect lesson.error == none and lesson.phase == reading\n";
+    } else if (stop.task) {
+      script += "expect lesson.phase == trying\n";
+    } else {
+      script += "expect lesson.phase == reading\n";
+    }
+    script += "lesson-next\n";
+  }
+  return script + "wait answers\nexpect lesson.phase == finished\nlesson-end\nexpect lesson.phase == off\n";
+}
+
+} // namespace
+
+TEST_CASE("every lesson can be gone through, and what it says holds") {
+  const auto& lessons = bundled_lessons();
+  REQUIRE(lessons.ok());
+  for (const Lesson& lesson : *lessons) {
+    CAPTURE(lesson.name);
+    CHECK(run_window("lesson-" + lesson.name, walk(lesson) + "quit\n",
+                     "lesson:" + lesson.name + " --size 800x500") == 0);
+  }
+}

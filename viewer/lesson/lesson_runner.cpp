@@ -1,0 +1,203 @@
+// From stop to stop: commands one after the other, each when the one before is shown.
+#include "lesson/lesson_runner.h"
+
+#include "model/chosen_input.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace isoscope {
+namespace {
+
+constexpr double hint_after = 25; ///< seconds
+constexpr int digits = 3, most_digits = 15;
+
+} // namespace
+
+std::string_view name(LessonPhase phase) {
+  constexpr std::array<std::string_view, 8> names{"off",    "working", "asking",   "revealing",
+                                                  "trying", "reading", "finished", "failed"};
+  return names[static_cast<std::size_t>(phase)];
+}
+
+std::string with_values(std::string_view text, const NamedValues& values) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t open = std::min(text.find('{'), text.size());
+    out += text.substr(0, open);
+    text.remove_prefix(open);
+    const std::size_t close = text.find('}');
+    if (text.empty() || close == std::string_view::npos) break;
+    std::string_view inside = text.substr(1, close - 1);
+    text.remove_prefix(close + 1);
+    const std::size_t colon = inside.find(':');
+    const auto wanted =
+        colon != std::string_view::npos ? read_number(inside.substr(colon + 1)) : std::nullopt;
+    const std::string_view word = inside.substr(0, colon);
+    const NamedValue* value = values.find(word);
+    const std::string found = value != nullptr ? value->get() : std::string(word) + "?";
+    const auto number = read_number(found);
+    out += number && std::floor(*number) != *number
+               ? general(*number, wanted ? std::clamp(static_cast<int>(*wanted), 1, most_digits) : digits)
+               : found;
+  }
+  return out += text;
+}
+
+const LessonStop* LessonRunner::shown() const {
+  return lesson_ != nullptr && stop_ < lesson_->stops.size() ? &lesson_->stops[stop_] : nullptr;
+}
+
+bool LessonRunner::guessed_right() const {
+  return shown() != nullptr && results_[stop_].value_or(false);
+}
+
+bool LessonRunner::hinted() const {
+  return phase_ == LessonPhase::trying && window_.clock >= hint_at_;
+}
+
+std::size_t LessonRunner::asked() const {
+  return static_cast<std::size_t>(
+      std::count_if(results_.begin(), results_.end(), [](const auto& r) { return r.has_value(); }));
+}
+
+std::size_t LessonRunner::right() const {
+  return static_cast<std::size_t>(
+      std::count_if(results_.begin(), results_.end(), [](const auto& r) { return r.value_or(false); }));
+}
+
+std::string LessonRunner::text() const {
+  return shown() != nullptr ? with_values(shown()->text, values_) : std::string();
+}
+
+std::string LessonRunner::why() const {
+  const LessonStop* stop = shown();
+  return stop != nullptr && stop->question ? with_values(stop->question->why, values_) : std::string();
+}
+
+void LessonRunner::enter(LessonPhase phase) {
+  phase_ = phase;
+  if (phase == LessonPhase::trying) hint_at_ = window_.clock + hint_after;
+}
+
+void LessonRunner::fail(std::string what) {
+  error_ = std::move(what);
+  pending_.clear();
+  enter(LessonPhase::failed);
+}
+
+void LessonRunner::follow(const std::vector<std::string>& commands, LessonPhase phase) {
+  pending_.assign(commands.rbegin(), commands.rend());
+  tried_at_ = 0;
+  enter(phase);
+}
+
+Status LessonRunner::begin(const Lesson& lesson, std::size_t stop) {
+  if (!before_)
+    before_ = {window_.settings.panes, {window_.camera.pose(), window_.view, window_.section}, window_.draft};
+  RunParameters wanted = for_input(RunParameters(), lesson.model);
+  wanted.threads = before_->draft.threads;
+  window_.draft = std::move(wanted);
+  for (const std::string& setting : lesson.settings)
+    if (Status set = commands_.run(commands_.parse("set " + setting)); !set) return set;
+  generation_ = window_.run.generation;
+  if (Status begun = commands_.run({"restart", {}}); !begun) return begun;
+  lesson_ = &lesson;
+  results_.assign(lesson.stops.size(), std::nullopt);
+  window_.overlay = Overlay::none;
+  go(stop);
+  return {};
+}
+
+void LessonRunner::end() {
+  lesson_ = nullptr;
+  pending_.clear();
+  error_.clear();
+  enter(LessonPhase::off);
+  if (!before_) return;
+  window_.settings.panes = before_->panes;
+  const ThemeKind theme = window_.view.theme;
+  window_.view = before_->view.view;
+  window_.view.theme = theme;
+  before_.reset();
+}
+
+void LessonRunner::go(std::size_t stop) {
+  if (lesson_ == nullptr) return;
+  stop_ = std::min(stop, lesson_->stops.size());
+  guess_.reset();
+  task_done_ = false;
+  error_.clear();
+  if (shown() == nullptr) return enter(LessonPhase::finished);
+  ViewSettings plain;
+  plain.theme = window_.view.theme;
+  window_.view = plain;
+  window_.selection = {};
+  window_.blinking = false;
+  window_.section_set = false;
+  window_.preview_delta.reset();
+  window_.requests.frame_all = true;
+  PaneLayout& panes = window_.settings.panes;
+  panes.show_left = panes.show_right = panes.show_bottom = false;
+  follow(shown()->commands, LessonPhase::working);
+}
+
+Status LessonRunner::answer(std::size_t which) {
+  const LessonStop* stop = shown();
+  if (phase_ != LessonPhase::asking || stop == nullptr) return usage("Nothing is asked now.");
+  if (which >= stop->question->answers.size())
+    return usage("There is no answer " + std::to_string(which + 1) + ".");
+  guess_ = which;
+  if (!results_[stop_]) results_[stop_] = stop->question->answers[which].right;
+  follow(stop->question->reveal, LessonPhase::revealing);
+  return {};
+}
+
+bool LessonRunner::passes(const std::vector<std::string>& checks) {
+  for (const std::string& check : checks) {
+    const Status holds = values_.expect(check);
+    if (holds) continue;
+    fail("What \"" + shown()->heading + "\" says does not hold: " + holds.error().message);
+    return false;
+  }
+  return true;
+}
+
+void LessonRunner::update() {
+  const LessonStop* stop = shown();
+  if (stop == nullptr) return;
+  if (phase_ == LessonPhase::trying && window_.settled && values_.expect(stop->task->until)) {
+    task_done_ = true;
+    enter(LessonPhase::reading);
+  }
+  if (idle()) return;
+  if (window_.run.generation == generation_) return; // the run that was there before
+  if (window_.run.error && !window_.running()) return fail(window_.run.error->line());
+  if (!window_.has_state() || !window_.settled) return;
+  const bool running = window_.running();
+  if (!pending_.empty()) {
+    const std::size_t events = window_.run.journal->events().size();
+    if (tried_at_ != 0 && tried_at_ == events && running) return;
+    if (pending_.back() == "wait") {
+      if (!running) pending_.pop_back();
+      return;
+    }
+    const Status done = commands_.run(commands_.parse(pending_.back()));
+    if (done) {
+      tried_at_ = 0;
+      pending_.pop_back();
+    } else if (running) {
+      tried_at_ = events; // it may come yet
+    } else {
+      fail("\"" + pending_.back() + "\": " + done.error().message);
+    }
+    return;
+  }
+  if (phase_ == LessonPhase::revealing)
+    return passes(stop->question->checks) ? enter(LessonPhase::reading) : void();
+  if (!passes(stop->checks)) return;
+  enter(stop->question ? LessonPhase::asking : stop->task ? LessonPhase::trying : LessonPhase::reading);
+}
+
+} // namespace isoscope
