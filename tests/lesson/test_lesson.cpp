@@ -110,7 +110,7 @@ TEST_CASE("texts say named values with as many digits as asked for") {
   values.add("ratio", "a number", [&] { return number; });
   values.add("count", "a whole number", [] { return 123456; });
   values.add("word", "a word", [] { return std::string("bad"); });
-  CHECK(with_values("{ratio} of {count} are {word}", values) == "0.667 of 123456 are bad");
+  CHECK(with_values("{ratio} of {count} are {word}", values) == "0.667 of 123,456 are bad");
   CHECK(with_values("{ratio:6}", values) == "0.666667");
   CHECK(with_values("{nothing} and {open", values) == "nothing? and {open");
 }

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double hint_after = 25; ///< seconds
 constexpr int digits = 3, most_digits = 15;
+/// Whole numbers whose thousands are set apart.
+constexpr double first_grouped = 10000, last_grouped = 1e15;
 
 } // namespace
 
@@ -38,9 +40,12 @@ std::string with_values(std::string_view text, const NamedValues& values) {
     const NamedValue* value = values.find(word);
     const std::string found = value != nullptr ? value->get() : std::string(word) + "?";
     const auto number = read_number(found);
-    out += number && std::floor(*number) != *number
-               ? general(*number, wanted ? std::clamp(static_cast<int>(*wanted), 1, most_digits) : digits)
-               : found;
+    if (number && std::floor(*number) != *number)
+      out += general(*number, wanted ? std::clamp(static_cast<int>(*wanted), 1, most_digits) : digits);
+    else
+      out += number && *number >= first_grouped && *number < last_grouped
+                 ? grouped(static_cast<std::size_t>(*number))
+                 : found;
   }
   return out += text;
 }
