@@ -72,7 +72,7 @@ bool answer_row(const Ui& ui, std::size_t number, const LessonQuestion::Answer& 
 }
 
 void question(Ui& ui, const LessonRunner& runner, const LessonQuestion& q) {
-  paragraphs(ui, q.text, ui.fonts.reading_bold);
+  paragraphs(ui, runner.filled(q.text), ui.fonts.reading_bold);
   const bool open = !runner.guess() && runner.phase() == LessonPhase::asking;
   for (std::size_t i = 0; i < q.answers.size(); ++i) {
     if (answer_row(ui, i, q.answers[i], !runner.guess(), runner.guess() == i) && open)
@@ -222,7 +222,7 @@ void lesson_caption(Ui& ui, const LessonRunner& runner) {
                      to_u32(ui.colors.quiet), place);
   std::string text = runner.text();
   if (stop->question) {
-    text = stop->question->text;
+    text = runner.filled(stop->question->text);
     if (runner.guess() && runner.phase() == LessonPhase::reading)
       text = stop->question->answers[stop->question->right()].text + ": " + runner.why();
   }
