@@ -151,8 +151,7 @@ ZeroSet embedded_zero_set(const Complex& complex) {
     const Tet& tet = complex.tets[i];
     if (!tet.alive() || tet.side <= 0) continue;
     for (std::size_t k = 0; k < 4; ++k) {
-      const TetId n = tet.neighbor[k];
-      if (!n.valid() || complex.tet(n).side >= 0) continue;
+      if (!complex.on_zero_set(TetId(i), k)) continue;
       // Outward of the positive tetrahedron is the negative side: turned round.
       const auto [a, b, c] = tet.facet(k);
       polygons.push_back({TetId(i), {a.value, c.value, b.value, 0}, 3, 0, {}});

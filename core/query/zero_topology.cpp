@@ -16,7 +16,7 @@ std::uint64_t key(VertexId a, VertexId b) {
 
 /// Whether the whole of Z has to be counted anew after it.
 bool changes_everything(const Delta& delta) {
-  return delta.form || !delta.values.empty() || !delta.sides.empty();
+  return delta.form || !delta.values.empty() || !delta.sides.empty() || !delta.dropped.empty();
 }
 
 } // namespace
@@ -39,8 +39,7 @@ std::vector<ZeroTopology::Polygon> ZeroTopology::patch(const Complex& complex,
   case ZeroForm::embedded:
     for (const TetRecord& t : tets)
       for (std::size_t i = 0; i < 4; ++i) {
-        const TetId n = complex.tet(t.id).neighbor[i];
-        if (n.valid() && complex.tet(n).side != complex.tet(t.id).side) add_facet(complex.tet(t.id).facet(i));
+        if (complex.on_zero_set(t.id, i)) add_facet(complex.tet(t.id).facet(i));
       }
     sort_unique(found); // a facet between two of them came from both
     break;
@@ -113,7 +112,7 @@ void ZeroTopology::count(const Complex& complex) {
   std::vector<TetRecord> tets;
   std::vector<FacetRecord> facets;
   for (std::size_t i = 0; i < complex.tets.size(); ++i)
-    if (const Tet& t = complex.tets[i]; t.alive()) tets.push_back({TetId(i), t.v, t.side});
+    if (const Tet& t = complex.tets[i]; t.alive()) tets.push_back({TetId(i), t.v, t.side, t.dropped});
   for (std::size_t i = 0; i < complex.facets.size(); ++i)
     if (const ZeroFacet& f = complex.facets[i]; f.alive()) facets.push_back({FacetId(i), f.v});
   change(patch(complex, tets, facets), 1);

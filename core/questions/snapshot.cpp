@@ -29,6 +29,7 @@ std::optional<std::vector<std::uint32_t>> touched_slots(const Journal& journal, 
     // Changed values reach tetrahedra that the delta does not name.
     if (!delta.values.empty() || delta.sample_set || delta.form) return std::nullopt;
     for (const Delta::SideChange& side : delta.sides) touched.push_back(side.tet.value);
+    for (const Delta::DroppedChange& change : delta.dropped) touched.push_back(change.tet.value);
     for (const TetRecord& t : delta.removed) touched.push_back(t.id.value);
     for (const TetRecord& t : delta.added) touched.push_back(t.id.value);
     if (touched.size() > slots) return std::nullopt;
@@ -139,14 +140,17 @@ void count_violations(StateSnapshot& s) {
   }
 }
 
-/// Facets of Z among the tetrahedra of a list: between two of them of different sides, by sorted corners.
+/// Facets of Z among the tetrahedra of a list: between two of them of different sides and not dropped, by
+/// sorted corners.
 using FacetKey = std::array<VertexId, 3>;
 
 std::vector<FacetKey> embedded_facets(const std::vector<TetRecord>& tets) {
   std::vector<std::pair<FacetKey, int>> sides;
   for (const TetRecord& t : tets) {
     if (t.side == 0) continue;
-    for (const auto& local : outward_facets) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((t.dropped >> i & 1) != 0) continue;
+      const auto& local = outward_facets[i];
       FacetKey key{t.v[local[0]], t.v[local[1]], t.v[local[2]]};
       std::sort(key.begin(), key.end());
       sides.emplace_back(key, t.side);

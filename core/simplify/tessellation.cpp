@@ -125,7 +125,7 @@ Delta departure(const Complex& complex) {
   delta.form = {ZeroForm::embedded, ZeroForm::free};
   for (std::size_t i = 0; i < complex.tets.size(); ++i) {
     const Tet& tet = complex.tets[i];
-    if (tet.alive()) delta.removed.push_back({TetId(i), tet.v, tet.side});
+    if (tet.alive()) delta.removed.push_back({TetId(i), tet.v, tet.side, tet.dropped});
   }
   const ZeroSet z = extract_zero_set(complex);
   std::vector<bool> on_zero_set(complex.vertices.size(), false);
