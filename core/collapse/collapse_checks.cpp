@@ -115,6 +115,11 @@ TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const Crit
 TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
   const double delta = volume.thresholds().delta;
   const ToleranceField& field = volume.field();
+  // Before it is embedded, and then cut, Z goes on beyond the rim of open surfaces.
+  const PieceJudge judge = star.form == ZeroForm::interpolated ? outside_judge(volume) : PieceJudge();
+  FacetSearch search;
+  search.budget = piece_budget;
+  if (judge) search.judge = &judge;
   if (star.vertices[0].value == 0) {
     const ClosestPoint closest = field.closest(target);
     if (closest.distance() > delta) {
@@ -126,7 +131,7 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
     }
   }
   for (const ZeroFacetAfter& facet : zero_facets_after(star, target)) {
-    const FacetVerdict verdict = certify_facet(field, facet.corners, delta, delta, piece_budget);
+    const FacetVerdict verdict = certify_facet(field, facet.corners, delta, delta, search);
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     if (verdict.kind == FacetVerdict::Kind::undecided) {
       return Refusal{Reason::unproven, verdict.closest.distance(), delta, verdict.witness};

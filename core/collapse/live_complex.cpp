@@ -47,6 +47,10 @@ Delta LiveComplex::collapse(VertexId a, VertexId b, Vec3 target) const {
   return collapse_delta(complex_, incidence_, a, b, target);
 }
 
+std::optional<Delta> LiveComplex::split(VertexId a, VertexId b, Vec3 point) const {
+  return split_delta(complex_, incidence_, a, b, point);
+}
+
 StepFigures LiveComplex::step_figures() const {
   StepFigures figures;
   figures.zero_set_vertices = static_cast<std::uint32_t>(zero_set_vertices_);
@@ -73,7 +77,7 @@ std::size_t LiveComplex::sign_changes(const std::vector<TetRecord>& tets) const 
 void LiveComplex::recount(const Delta& delta) {
   alive_tets_ += delta.added.size();
   alive_tets_ -= delta.removed.size();
-  if (delta.form) {
+  if (delta.form || !delta.dropped.empty()) {
     zero_set_vertices_ = extract_zero_set(complex_).vertices.size();
   } else if (complex_.form == ZeroForm::interpolated) {
     // The edges inside the star that change: those on its boundary count on both sides.
@@ -81,6 +85,7 @@ void LiveComplex::recount(const Delta& delta) {
     zero_set_vertices_ -= sign_changes(delta.removed);
   } else {
     for (const VertexId v : delta.killed_vertices) zero_set_vertices_ -= complex_.value(v) == 0;
+    for (const Vertex& v : delta.added_vertices) zero_set_vertices_ += v.value == 0;
   }
 }
 

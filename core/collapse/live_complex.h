@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -33,6 +34,8 @@ class LiveComplex {
   std::vector<VertexId> neighbors(VertexId v) const;
   /// The delta of collapsing the edge ab to `target`; a stays.
   Delta collapse(VertexId a, VertexId b, Vec3 target) const;
+  /// The delta of splitting the edge ab at a point of it; nothing where a tetrahedron would turn over.
+  std::optional<Delta> split(VertexId a, VertexId b, Vec3 point) const;
   void apply(const Delta& delta);
 
   std::size_t alive_tets() const { return alive_tets_; }

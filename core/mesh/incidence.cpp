@@ -2,6 +2,7 @@
 #include "mesh/incidence.h"
 
 #include "base/sort_unique.h"
+#include "mesh/predicates.h"
 #include "mesh/zero_set.h"
 
 #include <algorithm>
@@ -162,6 +163,45 @@ Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexI
   }
   delta.moves.push_back({a, complex.position(a), target});
   delta.killed_vertices.push_back(b);
+  return delta;
+}
+
+std::optional<Delta> split_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
+                                 Vec3 point) {
+  Delta delta;
+  delta.slots_before = static_cast<std::uint32_t>(complex.tets.size());
+  Vertex fresh;
+  fresh.position = point;
+  fresh.value = 0;
+  fresh.kind = VertexKind::zero;
+  delta.added_vertices = {fresh};
+  const VertexId middle(complex.vertices.size());
+  std::vector<TetId> around;
+  for (const TetId t : incidence.tets_of(a))
+    if (has(complex.tet(t), b)) around.push_back(t);
+  std::sort(around.begin(), around.end());
+  std::size_t slots = complex.tets.size();
+  const auto position = [&](VertexId v) { return v == middle ? point : complex.position(v); };
+  for (const TetId t : around) {
+    const Tet& tet = complex.tet(t);
+    delta.removed.push_back({t, tet.v, tet.side, tet.dropped});
+    for (const VertexId end : {a, b}) {
+      std::array<VertexId, 4> v = tet.v;
+      const auto at = static_cast<std::size_t>(std::find(v.begin(), v.end(), end) - v.begin());
+      const VertexId other = end == a ? b : a;
+      v[at] = middle;
+      if (orientation(position(v[0]), position(v[1]), position(v[2]), position(v[3])) <= 0)
+        return std::nullopt;
+      // The facet opposite the end that stays is the new one between the halves.
+      const auto inner = static_cast<std::size_t>(std::find(v.begin(), v.end(), other) - v.begin());
+      const auto dropped = static_cast<std::uint8_t>(tet.dropped & ~(1u << inner));
+      const std::array<VertexId, 4> ordered = canonical_order(v);
+      const TetId slot = end == a ? t : TetId(slots++);
+      delta.added.push_back({slot, ordered, tet.side, reordered_bits(dropped, v, ordered)});
+    }
+  }
+  std::sort(delta.added.begin(), delta.added.end(),
+            [](const TetRecord& x, const TetRecord& y) { return x.id < y.id; });
   return delta;
 }
 

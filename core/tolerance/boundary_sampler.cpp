@@ -70,7 +70,10 @@ class Sampler {
     return {};
   }
 
-  BoundarySamples take() { return std::move(samples_); }
+  BoundarySamples take() {
+    set_boundary_samples_apart();
+    return std::move(samples_);
+  }
 
  private:
   bool one_region_a_side() const {
@@ -79,6 +82,23 @@ class Sampler {
     const double cell_diagonal = 1.7321 * volume_.octree().side(volume_.octree().main_level());
     return volume_.sides().known() && volume_.regions().size() == 2 && inside == 1 &&
            cell_diagonal < 1.9 * volume_.thresholds().boundary;
+  }
+
+  /// Refinement ignores B: what is over the rim is on no side.
+  void set_boundary_samples_apart() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (samples_.labels[i] == 0) {
+        samples_.over_rim.push_back(samples_.positions[i]);
+        continue;
+      }
+      samples_.positions[kept] = samples_.positions[i];
+      samples_.labels[kept] = samples_.labels[i];
+      samples_.components[kept++] = samples_.components[i];
+    }
+    samples_.positions.resize(kept);
+    samples_.labels.resize(kept);
+    samples_.components.resize(kept);
   }
 
   void sample_block(const SampleUnitFinder& finder, std::span<const Regions::CellIndex> block,
@@ -147,8 +167,8 @@ class Sampler {
       const SampleCandidate& c = unit.cells[i];
       const std::uint64_t bit = std::uint64_t{1} << i % 64;
       open_[i / 64] |= bit;
-      for (const int label : {-1, +1})
-        if (!c.has_point || c.label == label) coverable_[label > 0][i / 64] |= bit;
+      for (const int label : {-1, 0, +1})
+        if (!c.has_point || c.label == label) coverable(label)[i / 64] |= bit;
     }
     near_.clear();
     grid_.gather(unit.box().grown(samples_.sigma), near_);
@@ -190,6 +210,7 @@ class Sampler {
     return static_cast<std::size_t>(found - unit.cells.begin());
   }
 
+  std::vector<std::uint64_t>& coverable(int label) { return coverable_[static_cast<std::size_t>(label + 1)]; }
   bool is_open(std::size_t cell) const { return open_[cell / 64] >> cell % 64 & 1u; }
 
   /// The candidate point that covers the most open cells; the number of offers when none covers any.
@@ -202,7 +223,7 @@ class Sampler {
       const auto row = unit.row(i);
       std::size_t n = 0;
       for (std::size_t w = 0; w < row.size(); ++w)
-        n += static_cast<std::size_t>(std::popcount(row[w] & open_[w] & coverable_[c.label > 0][w]));
+        n += static_cast<std::size_t>(std::popcount(row[w] & open_[w] & coverable(c.label)[w]));
       bounds_[i] = n;
       if (n > most) most = n, best = i;
     }
@@ -222,7 +243,7 @@ class Sampler {
   /// Marks the open cells of a sample's row as covered, as far as they are of its side or of none.
   void close(const SampleUnit& unit, std::span<const std::uint64_t> row, Vec3 p, int label) {
     for (std::size_t w = 0; w < row.size(); ++w) {
-      const std::uint64_t covered = row[w] & open_[w] & coverable_[label > 0][w];
+      const std::uint64_t covered = row[w] & open_[w] & coverable(label)[w];
       open_[w] &= ~covered;
       for (std::uint64_t rest = covered; rest != 0; rest &= rest - 1) {
         const SampleCandidate& cell = unit.cells[64 * w + static_cast<std::size_t>(std::countr_zero(rest))];
@@ -261,8 +282,9 @@ class Sampler {
   std::vector<OrphanCell> orphans_;
   std::vector<std::uint32_t> near_; ///< samples around the cells at hand
   // Of the unit at hand:
-  std::vector<std::uint64_t> open_;                     ///< bits of the cells that no sample covers yet
-  std::array<std::vector<std::uint64_t>, 2> coverable_; ///< bits of the cells that - and + samples may cover
+  std::vector<std::uint64_t> open_; ///< bits of the cells that no sample covers yet
+  std::array<std::vector<std::uint64_t>, 3>
+      coverable_; ///< bits of the cells that samples of a label may cover
   std::vector<std::uint64_t> row_;
   std::vector<std::size_t> bounds_; ///< by offer: it covers at most so many open cells
 };

@@ -2,6 +2,7 @@
 #include "tolerance/region_labels.h"
 
 #include "base/place.h"
+#include "tolerance/facet_turns.h"
 
 #include <algorithm>
 #include <deque>
@@ -20,6 +21,8 @@ constexpr int most_steps = 200; ///< of a climb
 /// region on both sides from which on the surface counts as open.
 constexpr std::size_t side_probes = 4000;
 constexpr double side_reach = 1.2, open_share = 0.05;
+/// The same of one component of Ω' among others that separate.
+constexpr double open_component_share = 0.5;
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -41,12 +44,6 @@ std::optional<Vec3> border_in(const ToleranceVolume& volume, std::uint32_t compo
   const auto& border = volume.input().border;
   if (border && volume.volume_component(volume.index().closest(*border).triangle) == component) return border;
   return std::nullopt;
-}
-
-Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
-  const auto border = border_in(volume, component);
-  return open_surface_near(
-      border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
 }
 
 Error non_manifold(Vec3 where) {
@@ -72,18 +69,19 @@ bool is_open_at_border(const ToleranceVolume& volume) {
   return above.valid() && above == below;
 }
 
-/// A triangle with the same region on both sides, where so many are so that the surface does not separate:
-/// pockets along an open surface would pass for its other side.
-/// Thin parts, by component of Ω', have one region all around them and count neither way.
-std::optional<Vec3> one_sided_place(const ToleranceVolume& volume, const std::vector<bool>& thin,
-                                    const RunControl& control) {
+/// Adds the components whose triangles have the same region on both sides, where so many do that the surface
+/// does not separate: pockets along an open surface would pass for its other side. Thin parts have one region
+/// all around them and count neither way.
+void add_one_sided(const ToleranceVolume& volume, const std::vector<bool>& thin,
+                   std::vector<std::uint8_t>& open, const RunControl& control) {
   const ClosestPointIndex& index = volume.index();
   const double reach = side_reach * volume.thresholds().boundary;
   const std::size_t stride = index.size() / side_probes + 1;
-  std::size_t compared = 0, same = 0;
-  std::optional<Vec3> first;
+  std::vector<std::size_t> compared(open.size(), 0), same(open.size(), 0);
+  std::size_t all_compared = 0, all_same = 0;
   for (std::size_t i = 0; i < index.size() && !control.cancelled(); i += stride) {
-    if (thin[volume.volume_component(TriangleId(i))]) continue;
+    const std::uint32_t component = volume.volume_component(TriangleId(i));
+    if (thin[component]) continue;
     const Triangle3& t = index.triangle(TriangleId(i));
     const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
     if (n == Vec3{}) continue;
@@ -94,12 +92,16 @@ std::optional<Vec3> one_sided_place(const ToleranceVolume& volume, const std::ve
       if (closest.distance() > volume.thresholds().boundary) sides[k] = volume.escape(p, closest).region;
     }
     if (!sides[0].valid() || !sides[1].valid()) continue;
-    ++compared;
-    if (sides[0] != sides[1]) continue;
-    ++same;
-    if (!first) first = centroid(t);
+    const bool alike = sides[0] == sides[1];
+    ++compared[component], ++all_compared;
+    same[component] += alike, all_same += alike;
   }
-  return static_cast<double>(same) > open_share * static_cast<double>(compared) ? first : std::nullopt;
+  const auto exceeds = [](std::size_t part, double share, std::size_t whole) {
+    return static_cast<double>(part) > share * static_cast<double>(whole);
+  };
+  const double share = exceeds(all_same, open_share, all_compared) ? open_share : open_component_share;
+  for (std::size_t c = 0; c < open.size(); ++c)
+    if (exceeds(same[c], share, compared[c])) open[c] = 1;
 }
 
 /// Whether a component of Ω' with one region around it is a closed part that is thinner than Ω is thick, and
@@ -118,13 +120,69 @@ bool is_thin_part(const ToleranceVolume& volume, std::uint32_t component) {
   return first_inside != probes.end() && first_inside->distance <= volume.thresholds().reject;
 }
 
+/// What is said of an open component without a rim.
+Error open_component_error(const ToleranceVolume& volume, std::uint32_t component) {
+  const auto border = border_in(volume, component);
+  return open_surface_near(
+      border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
+}
+
+/// A 1 by component for those that are open.
+std::vector<std::uint8_t> find_open_components(const ToleranceVolume& volume, const RunControl& control) {
+  const auto sides = regions_by_component(volume);
+  std::vector<std::uint8_t> open(sides.size(), 0);
+  std::vector<bool> thin(sides.size());
+  for (std::size_t c = 0; c < sides.size(); ++c) {
+    if (sides[c].size() > 1) continue;
+    if (control.cancelled()) return open;
+    thin[c] = is_thin_part(volume, static_cast<std::uint32_t>(c));
+    open[c] = thin[c] ? 0 : 1;
+  }
+  add_one_sided(volume, thin, open, control);
+  return open;
+}
+
 } // namespace
 
 Error open_surface_near(Vec3 p) {
   return {ErrorCode::open_surface,
           "The input is an open surface near " + place(p, place_digits) +
-              ": both its sides are connected outside of the tolerance volume.",
-          "A larger tolerance closes gaps; approximating open surfaces comes with a later version."};
+              ": both its sides are connected outside of the tolerance volume, and it has no border there.",
+          "A larger tolerance closes gaps."};
+}
+
+Error one_sided_near(Vec3 p) {
+  return {ErrorCode::open_surface,
+          "The input has one side only, like a Möbius strip: near " + place(p, place_digits) +
+              " the sides of neighbouring triangles do not agree, however they are turned.",
+          "Cut the surface there."};
+}
+
+Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& volume,
+                                                         const RunControl& control) {
+  using Sides = std::shared_ptr<const OpenSides>;
+  std::vector<std::uint8_t> open = find_open_components(volume, control);
+  if (control.cancelled() || std::find(open.begin(), open.end(), 1) == open.end()) return Sides();
+  const ClosestPointIndex& index = volume.index();
+  const WeldedMesh mesh = weld(index);
+  const PatchTurns patches = orient_patches(mesh, sorted_edge_uses(mesh.triangles));
+  if (patches.one_sided) {
+    const TriangleId at = index.closest(*patches.one_sided).triangle;
+    if (open[volume.volume_component(at)] != 0) return one_sided_near(*patches.one_sided);
+  }
+  // Patches before a one-sided one may be without turns: then all run as they are given.
+  const std::vector<std::int8_t> turns = patches.one_sided ? std::vector<std::int8_t>() : patches.turns;
+  std::vector<std::uint32_t> component(index.size());
+  for (std::uint32_t t = 0; t < component.size(); ++t) component[t] = volume.volume_component(TriangleId(t));
+  Sides sides = std::make_shared<const OpenSides>(volume.shared_index(), std::move(component), open,
+                                                  turns, volume.thresholds().boundary, control);
+  if (control.cancelled()) return Sides();
+  std::vector<std::uint8_t> rimmed(open.size(), 0);
+  for (const RimPiece& piece : sides->rim().pieces())
+    if (piece.open) rimmed[volume.volume_component(piece.triangle)] = 1;
+  for (std::uint32_t c = 0; c < open.size(); ++c)
+    if (open[c] != 0 && rimmed[c] == 0) return open_component_error(volume, c);
+  return sides;
 }
 
 std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component,
@@ -184,22 +242,25 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, c
   std::vector<std::vector<std::uint32_t>> components(volume.regions().size());
   for (const BoundaryComponent& c : volume.boundary_components())
     components[c.region.index()].push_back(c.volume_component);
-  std::vector<bool> thin(sides.size());
-  for (std::size_t c = 0; c < sides.size(); ++c) {
-    if (sides[c].size() > 1) continue;
-    if (control.cancelled()) break;
-    thin[c] = is_thin_part(volume, static_cast<std::uint32_t>(c));
-    if (!thin[c]) return open_surface(volume, static_cast<std::uint32_t>(c));
-  }
-  if (const auto p = one_sided_place(volume, thin, control)) return open_surface_near(*p);
-
   std::vector<int> labels(volume.regions().size(), 0);
   labels[0] = +1;
   std::deque<RegionId> queue{RegionId(0)};
-  while (!queue.empty() && !control.cancelled()) {
+  std::size_t pockets = 0; // regions before this one have a label, or none leads to them
+  while (!control.cancelled()) {
+    if (queue.empty()) {
+      while (pockets < labels.size() && labels[pockets] != 0) ++pockets;
+      if (volume.open_sides() == nullptr || pockets == labels.size()) break;
+      const Vec3 p = volume.regions()[pockets].deepest;
+      const ClosestPoint closest = volume.index().closest(p);
+      const int side =
+          volume.open_sides()->is_open(closest.triangle) ? volume.open_sides()->side(p, closest) : +1;
+      labels[pockets] = side == 0 ? +1 : side;
+      queue.push_back(RegionId(pockets));
+    }
     const RegionId from = queue.front();
     queue.pop_front();
     for (const std::uint32_t c : components[from.index()]) {
+      if (volume.open_sides() != nullptr && volume.open_sides()->is_open_component(c)) continue;
       for (const RegionId to : sides[c]) {
         if (labels[to.index()] != 0) continue;
         int sign = -1;
@@ -207,7 +268,7 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, c
           const auto here = volume.sides().unanimous_parity(volume.regions()[from.index()].deepest);
           const auto there = volume.sides().unanimous_parity(volume.regions()[to.index()].deepest);
           if (!here || !there) {
-            if (is_open_at_border(volume)) return open_surface(volume, c);
+            if (is_open_at_border(volume)) return open_component_error(volume, c);
             return non_manifold(volume.regions()[to.index()].deepest);
           }
           sign = *here == *there ? +1 : -1;
