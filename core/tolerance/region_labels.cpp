@@ -23,6 +23,9 @@ constexpr std::size_t side_probes = 4000;
 constexpr double side_reach = 1.2, open_share = 0.05;
 /// The same of one component of Ω' among others that separate.
 constexpr double open_component_share = 0.5;
+/// The share of the sides of a component's triangles that must have a neighbour for its border to mean
+/// something: in a soup of triangles every edge is one.
+constexpr double sheet_share = 0.3;
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -127,6 +130,24 @@ Error open_component_error(const ToleranceVolume& volume, std::uint32_t componen
       border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
 }
 
+/// A component among the open ones whose triangles are no sheet.
+std::optional<std::uint32_t> open_soup(const ToleranceVolume& volume, const std::vector<std::uint8_t>& open,
+                                       const std::vector<EdgeUse>& uses) {
+  std::vector<std::size_t> sides(open.size(), 0), linked(open.size(), 0);
+  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
+    for (std::size_t k = i; k < end; ++k) {
+      const std::uint32_t component = volume.volume_component(TriangleId(uses[k].triangle));
+      ++sides[component];
+      linked[component] += end - i > 1;
+    }
+  }
+  for (std::uint32_t c = 0; c < open.size(); ++c)
+    if (open[c] != 0 && static_cast<double>(linked[c]) < sheet_share * static_cast<double>(sides[c]))
+      return c;
+  return std::nullopt;
+}
+
 /// A 1 by component for those that are open.
 std::vector<std::uint8_t> find_open_components(const ToleranceVolume& volume, const RunControl& control) {
   const auto sides = regions_by_component(volume);
@@ -145,10 +166,12 @@ std::vector<std::uint8_t> find_open_components(const ToleranceVolume& volume, co
 } // namespace
 
 Error open_surface_near(Vec3 p) {
-  return {ErrorCode::open_surface,
-          "The input is an open surface near " + place(p, place_digits) +
-              ": both its sides are connected outside of the tolerance volume, and it has no border there.",
-          "A larger tolerance closes gaps."};
+  return {
+      ErrorCode::open_surface,
+      "The input is an open surface near " + place(p, place_digits) +
+          ": both its sides are connected outside of the tolerance volume, and its triangles are not joined "
+          "to a sheet with a rim there.",
+      "A larger tolerance closes gaps."};
 }
 
 Error one_sided_near(Vec3 p) {
@@ -165,7 +188,9 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
   if (control.cancelled() || std::find(open.begin(), open.end(), 1) == open.end()) return Sides();
   const ClosestPointIndex& index = volume.index();
   const WeldedMesh mesh = weld(index);
-  const PatchTurns patches = orient_patches(mesh, sorted_edge_uses(mesh.triangles));
+  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
+  if (const auto soup = open_soup(volume, open, uses)) return open_component_error(volume, *soup);
+  const PatchTurns patches = orient_patches(mesh, uses);
   if (patches.one_sided) {
     const TriangleId at = index.closest(*patches.one_sided).triangle;
     if (open[volume.volume_component(at)] != 0) return one_sided_near(*patches.one_sided);
@@ -174,8 +199,8 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
   const std::vector<std::int8_t> turns = patches.one_sided ? std::vector<std::int8_t>() : patches.turns;
   std::vector<std::uint32_t> component(index.size());
   for (std::uint32_t t = 0; t < component.size(); ++t) component[t] = volume.volume_component(TriangleId(t));
-  Sides sides = std::make_shared<const OpenSides>(volume.shared_index(), std::move(component), open,
-                                                  turns, volume.thresholds().boundary, control);
+  Sides sides = std::make_shared<const OpenSides>(volume.shared_index(), std::move(component), open, turns,
+                                                  volume.thresholds().boundary, control);
   if (control.cancelled()) return Sides();
   std::vector<std::uint8_t> rimmed(open.size(), 0);
   for (const RimPiece& piece : sides->rim().pieces())

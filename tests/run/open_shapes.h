@@ -32,7 +32,8 @@ inline TriangleSoup grid_sheet(int n, const std::function<bool(double, double)>&
 }
 
 inline TriangleSoup square_with_hole() {
-  return grid_sheet(20, [](double x, double y) { return std::abs(x - 0.5) > 0.2 || std::abs(y - 0.5) > 0.2; });
+  return grid_sheet(20,
+                    [](double x, double y) { return std::abs(x - 0.5) > 0.2 || std::abs(y - 0.5) > 0.2; });
 }
 
 /// Its slit, which doubles the points along it, is closed by any tolerance.

@@ -1,5 +1,5 @@
-// Whole runs on open surfaces: loops and χ of the input, a border within δ of the rim both ways, holes filled,
-// one-sided sheets refused.
+// Whole runs on open surfaces: loops and χ of the input, a border within δ of the rim both ways, holes
+// filled, one-sided sheets refused.
 #include "input/gallery.h"
 #include "journal/playback.h"
 #include "mesh/validity.h"
@@ -54,12 +54,10 @@ TEST_CASE("Sheets come out with the loops and the Euler characteristic of the in
     long chi;
     std::size_t loops;
   };
-  const Case cases[] = {{"hemisphere", make_hemisphere(16), 3, 1, 1},
-                        {"annulus", strip(0), 3, 0, 2},
-                        {"square with a hole", square_with_hole(), 3, 0, 2},
-                        {"slit square", slit_square(), 4, 1, 1},
-                        {"ball with four holes", ball_with_holes(), 3, -2, 4},
-                        {"strip of two half turns", strip(2), 3, 0, 2}};
+  const Case cases[] = {
+      {"hemisphere", make_hemisphere(16), 3, 1, 1},          {"annulus", strip(0), 3, 0, 2},
+      {"square with a hole", square_with_hole(), 3, 0, 2},   {"slit square", slit_square(), 4, 1, 1},
+      {"ball with four holes", ball_with_holes(), 3, -2, 4}, {"strip of two half turns", strip(2), 3, 0, 2}};
   for (const Case& c : cases) {
     CAPTURE(std::string(c.name));
     const auto run = finished(c.soup, c.percent);
@@ -129,7 +127,9 @@ TEST_CASE("Holes are filled with what Z has there, and that is no part of what i
   check_certified(*two, 0, 2);
   CHECK(std::count(two->result->holes.facets.begin(), two->result->holes.facets.end(), 1) > 0);
   // Which holes are flat: those of a grid are, the rim of a saddle is not.
-  const auto saddle = [](double x, double y) { return 0.8 * (x - 0.5) * (x - 0.5) - 0.8 * (y - 0.5) * (y - 0.5); };
+  const auto saddle = [](double x, double y) {
+    return 0.8 * (x - 0.5) * (x - 0.5) - 0.8 * (y - 0.5) * (y - 0.5);
+  };
   const auto sheet = grid_sheet(
       20, [](double x, double y) { return std::abs(x - 0.5) > 0.2 || std::abs(y - 0.5) > 0.2; }, saddle);
   CompleteRun bent(open_parameters(3));
