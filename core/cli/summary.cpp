@@ -56,11 +56,17 @@ std::string point_words(const PointDistances::Quantiles& q, double delta) {
 std::string holds_words(const Certificate& c, const Scene& scene) {
   using Topology = Certificate::Topology;
   std::string words =
-      "holds: closed, oriented, free of intersections, " + containment_words(c, scene) + ", sides separated";
+      c.regions.empty() ? "holds: closed, oriented" : "holds: every region closed and oriented";
+  words += ", free of intersections, " + containment_words(c, scene) + ", sides separated";
   if (c.cover_limit && c.cover_note.empty() && scene.field->surface() != nullptr)
     words += ", the input covered within " + number("%.4g", *c.cover_limit) + " δ";
   if (c.topology == Topology::as_expected) words += ", topology as expected";
   return words;
+}
+
+/// ", 3 regions" where there are several insides.
+std::string region_words(const Certificate& c) {
+  return c.regions.empty() ? "" : ", " + counted(c.regions.size(), "region");
 }
 
 std::string end_words(RunResult::End end) {
@@ -97,7 +103,7 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
   text += line("Output", counted(result.mesh.points.size(), "vertex", "vertices") + ", " +
                              counted(result.mesh.triangles.size(), "face") + ", " +
                              counted(c.components, "component") +
-                             ", χ = " + std::to_string(c.euler_characteristic) +
+                             ", χ = " + std::to_string(c.euler_characteristic) + region_words(c) +
                              (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
   if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));
   text += line("Certificate", c.holds() ? holds_words(c, scene) : "does NOT hold");

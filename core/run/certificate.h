@@ -6,6 +6,7 @@
 #include "input/triangle_soup.h"
 #include "run/coverage.h"
 #include "run/reverse_distance.h"
+#include "run/room_certificate.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <cstdint>
@@ -33,13 +34,15 @@ struct Certificate {
     missed,      ///< they are not what was aimed at where nothing is known to have it: Ω is no thickening
     not_asked    ///< nothing is aimed at
   };
-  bool closed_manifold = false;
+  bool closed_manifold = false; ///< of rooms: the boundary of each region is
   bool oriented = false;
-  bool intersection_free = false; ///< exact predicates
-  bool within_tolerance = false;  ///< every facet proven inside Ω, rounded outward
+  std::vector<RegionCertificate> regions; ///< of rooms: each region's boundary; else empty
+  bool intersection_free = false;         ///< exact predicates
+  bool within_tolerance = false;          ///< every facet proven inside Ω, rounded outward
   double max_distance =
       0; ///< proven upper bound of d over the mesh, absolute; of the failing facet when it fails
-  DistanceBounds input_distance; ///< of the input without inner walls and closed gaps to the mesh, to 1 % of δ
+  DistanceBounds
+      input_distance; ///< of the input without inner walls and closed gaps to the mesh, to 1 % of δ
   /// Every point of the input is proven to be within cover_limit δ of the mesh, or need not be.
   bool covers = false;
   std::optional<double> cover_limit;     ///< that it was judged by, in δ
@@ -47,7 +50,8 @@ struct Certificate {
   std::size_t uncovered_count = 0;       ///< of all such places
   std::string cover_note;                ///< where it is exceeded and need not hold: why; else empty
   std::string gap_note; ///< where walls are left out of that, as Ω closes the gap before them; else empty
-  bool separates = false; ///< winding number at the witness of every region is that of its side
+  /// The winding number at the witness of every region is that of its side; of rooms: for every boundary.
+  bool separates = false;
   Topology topology = Topology::wrong;
   bool topology_as_expected() const {
     return topology == Topology::as_expected || topology == Topology::not_asked;

@@ -45,11 +45,13 @@ struct Simplification::Impl {
   StageLog log;
   std::unique_ptr<LiveComplex> live; ///< null once Z has left T
   Complex free;                      ///< the state after that
-  std::size_t next = 0;              ///< into stage_order
-  bool rejoined = false;             ///< the journal has begun the next stage
+  /// The stages after the tessellation know two sides only.
+  Stage last = context.volume.has_rooms() ? Stage::tessellation : Stage::improve;
+  std::size_t next = 0;  ///< into stage_order
+  bool rejoined = false; ///< the journal has begun the next stage
 
   bool wanted(Stage stage) const {
-    return stage <= parameters.until && !parameters.skipped[static_cast<std::size_t>(stage)];
+    return stage <= std::min(parameters.until, last) && !parameters.skipped[static_cast<std::size_t>(stage)];
   }
 
   /// σ, δ and what decides containment stay: they belong to what was refined.
@@ -207,6 +209,7 @@ Result<bool> Simplification::run() {
     if (m.log.stopped()) break;
   }
   if (m.log.stopped()) return false;
+  if (m.parameters.until > m.last) m.log.warn("Z between rooms is not simplified beyond the tessellation.");
   m.next = std::min(m.next, stage_order.size() - 1);
   return true;
 }

@@ -49,14 +49,6 @@ Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
       border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
 }
 
-Error non_manifold(Vec3 where) {
-  return {ErrorCode::unsupported,
-          "The input is not a manifold surface: more than two regions meet one connected part of it, one of "
-          "them around " +
-              place(where, place_digits) + ".",
-          "Remove inner walls, or split the input into its closed parts."};
-}
-
 /// Whether both sides of the surface at its known border are in one region.
 bool is_open_at_border(const ToleranceVolume& volume) {
   if (!volume.input().border) return false;
@@ -208,7 +200,7 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, c
           const auto there = volume.sides().unanimous_parity(volume.regions()[to.index()].deepest);
           if (!here || !there) {
             if (is_open_at_border(volume)) return open_surface(volume, c);
-            return non_manifold(volume.regions()[to.index()].deepest);
+            return std::vector<int>();
           }
           sign = *here == *there ? +1 : -1;
         }

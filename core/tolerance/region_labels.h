@@ -15,8 +15,8 @@ namespace isoscope {
 std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl& control);
 
 /// Labels for soups: alternating sides from the unbounded region. Where three regions or more meet a
-/// component of Ω', as they do at pockets, rays decide if they agree. Fails with open_surface or unsupported
-/// on open and non-manifold surfaces, with anything once the control is cancelled.
+/// component of Ω', as they do at pockets, rays decide if they agree; where they do not there are none: the
+/// input has rooms. Fails with open_surface on open surfaces, with anything once the control is cancelled.
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, const RunControl& control);
 
 /// Labels for points, which nothing but Ω tells the sides of. Deep regions, which reach beyond deep_enough δ,
@@ -29,6 +29,9 @@ struct DepthLabels {
 };
 /// Of no use once the control is cancelled.
 DepthLabels label_by_depth(const ToleranceVolume& volume, const RunControl& control);
+/// The labels of deep regions, and those of shallow ones, which are 0 before, after them.
+DepthLabels spread_labels(const ToleranceVolume& volume, std::vector<int> of_regions,
+                          const RunControl& control);
 
 /// A point midway between a wall of the input and the next one along the normal.
 struct ThicknessProbe {
