@@ -57,9 +57,10 @@ std::string point_words(const PointDistances::Quantiles& q, double delta) {
 std::string holds_words(const RunResult& result, const Scene& scene) {
   using Topology = Certificate::Topology;
   const Certificate& c = result.certificate;
-  std::string words = std::string("holds: ") + (c.border ? "with border" : "closed") +
-                      ", oriented, free of intersections, " + containment_words(c, scene) +
-                      ", sides separated";
+  std::string words = c.border            ? "holds: with border, oriented"
+                      : c.regions.empty() ? "holds: closed, oriented"
+                                          : "holds: every region closed and oriented";
+  words += ", free of intersections, " + containment_words(c, scene) + ", sides separated";
   if (c.border)
     words += ", border and rim within " + number("%.4f", c.border->to_rim / scene.delta) + " and " +
              number("%.4f", c.border->from_rim / scene.delta) + " δ of each other";
@@ -69,6 +70,11 @@ std::string holds_words(const RunResult& result, const Scene& scene) {
     words += ", the input covered within " + number("%.4g", *c.cover_limit) + " δ";
   if (c.topology == Topology::as_expected) words += ", topology as expected";
   return words;
+}
+
+/// ", 3 regions" where there are several insides.
+std::string region_words(const Certificate& c) {
+  return c.regions.empty() ? "" : ", " + counted(c.regions.size(), "region");
 }
 
 std::string end_words(RunResult::End end) {
@@ -107,12 +113,12 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                               counted(scene.volume->open_sides()->rim().loops().size(), "loop") + ", ") +
                    number("%.2f", scene.sampling_seconds) + " s");
   for (const StageStatistics& stage : stages) text += line(name(stage.stage), stage_words(stage));
-  text += line("Output", counted(result.mesh.points.size(), "vertex", "vertices") + ", " +
-                             counted(result.mesh.triangles.size(), "face") + ", " +
-                             counted(c.components, "component") +
-                             ", χ = " + std::to_string(c.euler_characteristic) +
-                             (c.boundary_loops > 0 ? ", " + counted(c.boundary_loops, "boundary loop") : "") +
-                             (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
+  text += line("Output",
+               counted(result.mesh.points.size(), "vertex", "vertices") + ", " +
+                   counted(result.mesh.triangles.size(), "face") + ", " + counted(c.components, "component") +
+                   ", χ = " + std::to_string(c.euler_characteristic) +
+                   (c.boundary_loops > 0 ? ", " + counted(c.boundary_loops, "boundary loop") : "") +
+                   region_words(c) + (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
   if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));
   text += line("Certificate", c.holds() ? holds_words(result, scene) : "does NOT hold");
   if (c.input_distance.upper < std::numeric_limits<double>::infinity()) {

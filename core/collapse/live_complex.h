@@ -39,7 +39,7 @@ class LiveComplex {
   void apply(const Delta& delta);
 
   std::size_t alive_tets() const { return alive_tets_; }
-  /// Vertices of Z: zeros on edges, or vertices with F = 0 once it is embedded.
+  /// Vertices of Z: zeros on edges and junctions, or vertices with F = 0 once it is embedded.
   std::size_t zero_set_vertices() const { return zero_set_vertices_; }
 
   /// The figures of a step, but for its time.
@@ -47,7 +47,7 @@ class LiveComplex {
 
  private:
   void recount(const Delta& delta);
-  std::size_t sign_changes(const std::vector<TetRecord>& tets) const;
+  std::size_t label_changes(const std::vector<TetRecord>& tets) const;
 
   Complex complex_;
   Incidence incidence_;

@@ -4,6 +4,9 @@
 #include "tolerance/contacts.h"
 #include "tolerance/volume_components.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace isoscope {
 namespace {
 
@@ -60,6 +63,26 @@ ExpectedTopology expected_of_open(const ToleranceVolume& volume) {
   return expected;
 }
 
+/// Z is a deformation of Ω, and a compact part of space has half the χ of its boundary: sheets, curves and
+/// points where several rooms meet need not be known.
+void expect_of_rooms(const ToleranceVolume& volume, ExpectedTopology& expected) {
+  long sum = 0;
+  std::vector<std::size_t> sides(volume.volume_component_count());
+  for (const BoundaryComponent& component : volume.boundary_components()) {
+    if (volume.regions()[component.region.index()].shallow) continue;
+    sum += component.euler_characteristic;
+    ++sides[component.volume_component];
+  }
+  if (sum % 2 != 0) {
+    expected.required = false;
+    return expect_nothing(expected, "the boundaries of Ω are too close to each other to count");
+  }
+  expected.euler_characteristic = sum / 2;
+  expected.components = static_cast<std::size_t>(
+      std::count_if(sides.begin(), sides.end(), [](std::size_t n) { return n > 1; }));
+  expected.source = "all boundaries of Ω, by half";
+}
+
 } // namespace
 
 ExpectedTopology expected_before_the_cut(const ToleranceVolume& volume, const ExpectedTopology& expected) {
@@ -76,6 +99,10 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
     return expected;
   }
   if (volume.open_sides() != nullptr) return expected_of_open(volume);
+  if (volume.has_rooms()) {
+    expect_of_rooms(volume, expected);
+    return expected;
+  }
   const InputTopology& input = volume.input();
   const bool embedded = input.embedded() && !volume.has_inner_walls() && !nearly_touches(volume);
   const bool thickening = volume.thickening();

@@ -22,7 +22,9 @@ struct ExpectedTopology {
   /// Closed curves of the border, once Z is cut along the rim; absent for closed surfaces, which have none.
   std::optional<std::size_t> boundary_loops;
   std::string nothing; ///< why no number is given, where one was asked for
-  std::string source;  ///< in words: "both boundaries of Ω", "the input", "the boundary of smaller genus"
+  /// In words: "both boundaries of Ω", "the input", "the boundary of smaller genus", "all boundaries of Ω, by
+  /// half".
+  std::string source;
   /// Whether a surface inside Ω is known to have it. Where not, refinement aims at it, but a result without
   /// it is no failure: Ω is no thickening and the input no embedded surface.
   bool required = true;

@@ -54,6 +54,13 @@ constexpr std::array<GalleryEntry, 15> entries{{
      "The volume itself is given, by its two walls: wide on one side and narrow on the other, and the zero "
      "set takes the room that there is.",
      0, 0},
+    {"two-rooms", "Two rooms",
+     "A wall divides a box: three regions have labels of their own, and their sheets meet in one closed "
+     "curve.",
+     4.0, 3},
+    {"bubbles", "Soap bubbles",
+     "Four bubbles share walls: sheets meet in curves of three, and the curves of four rooms in one point.",
+     4.0, 5},
     {"density", "A ring of beads",
      "A grid of densities, as a scan is one: the zero set runs between two of its levels, and nothing else "
      "was ever a surface.",
@@ -156,6 +163,10 @@ Result<TriangleSoup> make_gallery_model(std::string_view name) {
     model = make_torn_scan();
   else if (name == "nested-tori")
     model = make_nested_tori();
+  else if (name == "two-rooms")
+    model = make_two_rooms();
+  else if (name == "bubbles")
+    model = make_bubbles();
   else if (name == "density")
     model = make_density();
   else if (name == "hemisphere")

@@ -1,4 +1,4 @@
-// The shapes that the bundled models are made of: oriented outwards, the same bits everywhere.
+// The shapes that the bundled models are made of: oriented outwards but for rooms, the same bits everywhere.
 #pragma once
 
 #include "input/triangle_soup.h"
@@ -58,6 +58,12 @@ TriangleSoup make_nested_tori();
 /// A grid: the density of six round beads that run into each other along a ring. With triangles of both
 /// levels.
 TriangleSoup make_density();
+
+/// A box of two cubes with the wall between them: 11 squares that share no vertices.
+TriangleSoup make_two_rooms();
+
+/// Four equal soap bubbles that share walls.
+TriangleSoup make_bubbles();
 
 void append(TriangleSoup& to, const TriangleSoup& part);
 void turn_inside_out(TriangleSoup& model);

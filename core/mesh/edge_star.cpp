@@ -14,6 +14,15 @@ std::array<double, 4> EdgeStar::values(const StarTet& t) const {
   return {vertices[t.v[0]].value, vertices[t.v[1]].value, vertices[t.v[2]].value, vertices[t.v[3]].value};
 }
 
+TetLabels EdgeStar::labels(const StarTet& t) const {
+  return {vertices[t.v[0]].label(), vertices[t.v[1]].label(), vertices[t.v[2]].label(),
+          vertices[t.v[3]].label()};
+}
+
+std::array<VertexId, 4> EdgeStar::ids(const StarTet& t) const {
+  return {vertices[t.v[0]].id, vertices[t.v[1]].id, vertices[t.v[2]].id, vertices[t.v[3]].id};
+}
+
 std::array<Vec3, 4> EdgeStar::positions_after(const StarTet& t, Vec3 target) const {
   std::array<Vec3, 4> p = positions(t);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -31,24 +40,20 @@ std::pair<VertexId, VertexId> oriented_edge(const Complex& complex, VertexId a, 
 EdgeKind EdgeStar::kind() const {
   const StarVertex &a = vertices[0], &b = vertices[1];
   if (a.kind == VertexKind::box || b.kind == VertexKind::box) return EdgeKind::other;
-  bool positive = false, negative = false, in_gamma = false, outside_gamma = false;
+  std::int8_t first_side = 0;
+  bool several_sides = false, in_gamma = false, outside_gamma = false;
   for (const StarTet& t : tets) {
     if (!t.ring()) continue;
-    positive |= t.side > 0;
-    negative |= t.side < 0;
-    bool above = false, below = false, zero = false;
-    for (const double f : values(t)) {
-      above |= f > 0;
-      below |= f < 0;
-      zero |= f == 0;
-    }
-    const bool carries = zero || (above && below);
+    if (first_side == 0) first_side = t.side;
+    several_sides |= t.side != first_side;
+    const TetLabels l = labels(t);
+    const bool carries = label_count(l) > 1 || std::find(l.begin(), l.end(), 0) != l.end();
     in_gamma |= carries;
     outside_gamma |= !carries;
   }
-  if (a.value == 0 && b.value == 0) return positive && negative ? EdgeKind::zero : EdgeKind::other;
+  if (a.value == 0 && b.value == 0) return several_sides ? EdgeKind::zero : EdgeKind::other;
   if (a.value == 0 || b.value == 0) return form == ZeroForm::embedded ? EdgeKind::mixed : EdgeKind::other;
-  if (a.value * b.value < 0) return EdgeKind::other;
+  if (a.label() != b.label()) return EdgeKind::other;
   return form == ZeroForm::interpolated && in_gamma && outside_gamma ? EdgeKind::gamma : EdgeKind::other;
 }
 
@@ -72,9 +77,12 @@ std::vector<StarFacet> zero_facets(const EdgeStar& star) {
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const Side &s = sides[i], &o = sides[i + 1];
     if (s.key != o.key || s.side == o.side) continue;
-    // Outward of the negative tetrahedron is the positive side.
-    const auto& v = s.side < 0 ? s.outward : o.outward;
-    facets.push_back({v, s.key[0] == 0, s.key[0] == 1 || s.key[1] == 1});
+    // Outward of the tetrahedron of the smaller label is the side of the larger one.
+    const auto [back, front] = std::minmax(s.side, o.side);
+    facets.push_back({s.side == back ? s.outward : o.outward,
+                      {front, back},
+                      s.key[0] == 0,
+                      s.key[0] == 1 || s.key[1] == 1});
   }
   return facets;
 }

@@ -2,6 +2,7 @@
 #include "mesh/incidence.h"
 
 #include "base/sort_unique.h"
+#include "mesh/junction.h"
 #include "mesh/predicates.h"
 #include "mesh/zero_set.h"
 
@@ -15,16 +16,14 @@ bool has(const Tet& t, VertexId v) {
   return std::find(t.v.begin(), t.v.end(), v) != t.v.end();
 }
 
-/// Facets of Z at one vertex of an embedded Z, each once: seen from its positive side's tetrahedron.
+/// Facets of Z at one vertex of an embedded Z, each once: seen from the tetrahedron of its larger label.
 void add_facets_at(const Complex& complex, std::span<const TetId> tets, VertexId v,
                    std::vector<std::pair<TetId, std::size_t>>& facets) {
   for (const TetId t : tets) {
     const Tet& tet = complex.tet(t);
-    if (tet.side <= 0) continue;
     for (std::size_t k = 0; k < 4; ++k) {
-      const TetId n = tet.neighbor[k];
-      if (tet.v[k] == v || !n.valid() || complex.tet(n).side >= 0) continue;
-      facets.emplace_back(t, k);
+      if (tet.v[k] == v || !complex.on_zero_set(t, k)) continue;
+      if (complex.tet(tet.neighbor[k]).side < tet.side) facets.emplace_back(t, k);
     }
   }
 }
@@ -50,9 +49,18 @@ void gather_interpolated_facets(const Complex& complex, const Incidence& inciden
     tets.insert(tets.end(), at.begin(), at.end());
   }
   sort_unique(tets);
+  std::vector<LabelledTriangle> triangles;
   for (const TetId t : tets) {
-    const ZeroPolygon polygon = zero_polygon(complex.positions(t), complex.values(t));
-    if (polygon.count >= 3) out.push_back({polygon.corner[0], polygon.corner[1], polygon.corner[2]});
+    const TetLabels labels = complex.labels(t);
+    if (label_count(labels) < 3) {
+      const ZeroPolygon polygon = zero_polygon(
+          complex.positions(t), seen_from(outer_labels(labels).front, complex.values(t), labels));
+      if (polygon.count >= 3) out.push_back({polygon.corner[0], polygon.corner[1], polygon.corner[2]});
+      continue;
+    }
+    triangles.clear();
+    append_zero_triangles(complex.positions(t), complex.values(t), labels, complex.tet(t).v, triangles);
+    for (const LabelledTriangle& triangle : triangles) out.push_back(triangle.corners);
   }
 }
 
@@ -112,7 +120,7 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
   star.vertices.reserve(others.size() + 2);
   const auto add_vertex = [&](VertexId v) {
     const Vertex& vertex = complex.vertices[v.index()];
-    star.vertices.push_back({v, vertex.position, vertex.value, vertex.kind});
+    star.vertices.push_back({v, vertex.position, vertex.value, vertex.kind, vertex.room});
   };
   add_vertex(a);
   add_vertex(b);

@@ -2,6 +2,7 @@
 #include "query/zero_topology.h"
 
 #include "base/sort_unique.h"
+#include "mesh/junction.h"
 #include "mesh/zero_set.h"
 
 #include <algorithm>
@@ -10,16 +11,38 @@
 namespace isoscope {
 namespace {
 
-std::uint64_t key(VertexId a, VertexId b) {
-  return std::uint64_t{std::min(a.value, b.value)} << 32 | std::max(a.value, b.value);
-}
-
 /// Whether the whole of Z has to be counted anew after it.
 bool changes_everything(const Delta& delta) {
   return delta.form || !delta.values.empty() || !delta.sides.empty() || !delta.dropped.empty();
 }
 
 } // namespace
+
+ZeroTopology::Corner ZeroTopology::corner_of(std::array<VertexId, 4> around, std::size_t count) {
+  std::sort(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(count));
+  const auto pack = [&](std::size_t i) {
+    return i < count ? std::uint64_t{around[i].value} << 32 | around[std::min(i + 1, count - 1)].value : 0;
+  };
+  return {pack(0), pack(2)};
+}
+
+void ZeroTopology::add_junction(const Complex& complex, TetId t, std::vector<Polygon>& out) {
+  const auto& v = complex.tet(t).v;
+  const Junction junction = make_junction(complex.positions(t), complex.values(t), complex.labels(t), v);
+  const auto corner = [&](std::uint8_t c) {
+    if (c == Junction::center_corner) return corner_of(v, 4);
+    if (c >= Junction::first_facet) {
+      const auto f = complex.tet(t).facet(c - std::size_t{Junction::first_facet});
+      return corner_of({f[0], f[1], f[2], {}}, 3);
+    }
+    const auto [i, j] = Junction::edge(c);
+    return corner_of({v[i], v[j], {}, {}}, 2);
+  };
+  for (std::size_t k = 0; k < junction.count; ++k) {
+    const auto& [a, b, c] = junction.facets[k].corner;
+    out.push_back({{corner(a), corner(b), corner(c), {}}, 3});
+  }
+}
 
 std::vector<ZeroTopology::Polygon> ZeroTopology::patch(const Complex& complex,
                                                        const std::vector<TetRecord>& tets,
@@ -28,7 +51,7 @@ std::vector<ZeroTopology::Polygon> ZeroTopology::patch(const Complex& complex,
   const auto add_facet = [&](const std::array<VertexId, 3>& v) {
     Polygon p;
     p.count = 3;
-    for (std::size_t i = 0; i < 3; ++i) p.corner[i] = key(v[i], v[i]);
+    for (std::size_t i = 0; i < 3; ++i) p.corner[i] = corner_of({v[i], v[i], {}, {}}, 2);
     std::sort(p.corner.begin(), p.corner.begin() + 3);
     found.push_back(p);
   };
@@ -45,13 +68,19 @@ std::vector<ZeroTopology::Polygon> ZeroTopology::patch(const Complex& complex,
     break;
   case ZeroForm::interpolated:
     for (const TetRecord& t : tets) {
-      const ZeroPolygon polygon = zero_polygon(complex.positions(t.id), complex.values(t.id));
+      const TetLabels labels = complex.labels(t.id);
+      if (label_count(labels) > 2) {
+        add_junction(complex, t.id, found);
+        continue;
+      }
+      const ZeroPolygon polygon = zero_polygon(
+          complex.positions(t.id), seen_from(outer_labels(labels).front, complex.values(t.id), labels));
       if (polygon.count == 0) continue;
       Polygon p;
       p.count = static_cast<std::size_t>(polygon.count);
       const auto& v = complex.tet(t.id).v;
       for (std::size_t i = 0; i < p.count; ++i)
-        p.corner[i] = key(v[polygon.edge[i][0]], v[polygon.edge[i][1]]);
+        p.corner[i] = corner_of({v[polygon.edge[i][0]], v[polygon.edge[i][1]], {}, {}}, 2);
       found.push_back(p);
     }
     break;
@@ -60,7 +89,7 @@ std::vector<ZeroTopology::Polygon> ZeroTopology::patch(const Complex& complex,
 }
 
 std::size_t ZeroTopology::pieces(const std::vector<Polygon>& polygons) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> corners;
+  std::vector<std::pair<Corner, std::uint32_t>> corners;
   for (std::uint32_t i = 0; i < polygons.size(); ++i)
     for (std::size_t k = 0; k < polygons[i].count; ++k) corners.emplace_back(polygons[i].corner[k], i);
   std::sort(corners.begin(), corners.end());
@@ -100,7 +129,7 @@ void ZeroTopology::change(const std::vector<Polygon>& polygons, int by) {
   for (const Polygon& p : polygons) {
     polygons_ += by;
     for (std::size_t i = 0; i < p.count; ++i) {
-      const std::uint64_t a = p.corner[i], b = p.corner[(i + 1) % p.count];
+      const Corner a = p.corner[i], b = p.corner[(i + 1) % p.count];
       count(at_corner_, a, corners_);
       const std::uint32_t now = count(at_edge_, EdgeKey{std::min(a, b), std::max(a, b)}, edges_);
       const std::uint32_t was = by > 0 ? now - 1 : now + 1;

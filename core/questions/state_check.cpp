@@ -60,10 +60,7 @@ void check_samples_anew(const StateSnapshot& s, StateReport& report) {
       continue;
     }
     if (!t.valid()) continue;
-    const double f = interpolate(s.complex.positions(t), s.complex.values(t))(p);
-    const int side = s.complex.tet(t).side;
-    const double label = s.samples->labels[i];
-    const double error = side == 0 ? sample_error(f, label) : embedded_sample_error(f, label, side);
+    const double error = sample_error_at(s.complex, t, p, s.samples->labels[i]);
     const auto shown = static_cast<double>(s.errors[i]);
     if (std::abs(error - shown) <= rounding * std::max(1.0, std::abs(error))) continue;
     if (wrong++ == 0) classes.place = p;

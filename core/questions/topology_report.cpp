@@ -84,7 +84,7 @@ std::string words_of(const TopologyReport& r) {
   if (r.wrong_components > 0)
     words += " " + std::to_string(r.wrong_components) +
              (r.wrong_components == 1 ? " component has" : " components have") +
-             " another genus than the boundaries beside.";
+             " another topology than the boundaries beside.";
   if (!r.thickening)
     words += " The boundaries of Ω differ: Ω is no thickening of a surface, and the guarantee of §3 does not "
              "hold here.";
@@ -111,11 +111,20 @@ TopologyReport report_topology(const StateSnapshot& state, const Scene& scene, s
                                                   scene.boundary_components[b].label,
                                                   scene.boundary_components[b].euler_characteristic});
   }
+  const bool rooms = scene.volume != nullptr && scene.volume->has_rooms();
   for (std::size_t c = 0; c < report.components.size(); ++c) {
     ComponentReport& component = report.components[c];
-    component.expected_genus = agreed_genus(component.sides);
+    if (rooms) {
+      long sum = 0;
+      for (const BoundarySide& side : component.sides)
+        if (!scene.regions[scene.boundary_components[side.boundary].region.index()].shallow)
+          sum += side.euler_characteristic;
+      component.expected_characteristic = sum / 2;
+    } else {
+      component.expected_genus = agreed_genus(component.sides);
+    }
     report.wrong_components += !component.as_expected();
-    if (component.counts.euler_characteristic() < 2 && !control.cancelled())
+    if (!rooms && component.counts.euler_characteristic() < 2 && !control.cancelled())
       component.loop = shortest_handle_loop(state.zero_set, static_cast<std::uint32_t>(c), bases, control);
   }
   report.words = words_of(report);

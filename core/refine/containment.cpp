@@ -2,7 +2,7 @@
 #include "refine/containment.h"
 
 #include "base/parallel.h"
-#include "mesh/zero_set.h"
+#include "mesh/junction.h"
 
 namespace isoscope {
 namespace {
@@ -23,12 +23,12 @@ FacetVerdict::Kind ContainmentCondition::certify(TetId t, Violation* violation) 
   const Complex& complex = context_.live().complex();
   const ToleranceThresholds& limits = context_.volume().thresholds();
   auto worst = FacetVerdict::Kind::inside;
-  std::vector<Triangle3> facets;
-  append_triangles(zero_polygon(complex.positions(t), complex.values(t)), facets);
+  std::vector<LabelledTriangle> facets;
+  append_zero_triangles(complex.positions(t), complex.values(t), complex.labels(t), complex.tet(t).v, facets);
   FacetSearch search;
   if (judge_) search.judge = &judge_;
-  for (const Triangle3& facet : facets) {
-    const FacetVerdict verdict = certify_facet(context_.volume().field(), facet, limits.delta,
+  for (const LabelledTriangle& facet : facets) {
+    const FacetVerdict verdict = certify_facet(context_.volume().field(), facet.corners, limits.delta,
                                                std::min(limits.reject, limits.delta), search);
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     worst = verdict.kind;
@@ -113,7 +113,7 @@ std::optional<Vec3> ContainmentCondition::both_sides_meet(TetId t) const {
   };
   for (const VertexId a : complex.tet(t).v) {
     for (const VertexId b : complex.tet(t).v) {
-      if (!(complex.value(a) < 0) || !(complex.value(b) > 0)) continue;
+      if (complex.label(a) >= complex.label(b)) continue;
       const Vec3 p = complex.position(a), q = complex.position(b);
       const double room_p = clearance(p), room_q = clearance(q);
       if (room_p > 0 && room_q > 0 && distance(p, q) < room_p + room_q) return 0.5 * (p + q);
@@ -161,7 +161,7 @@ ContainmentCondition::traced_candidate(TetId t, const Violation& violation, int 
     const Complex& complex = context_.live().complex();
     double farthest = -1;
     for (const VertexId v : complex.tet(t).v) {
-      if (complex.value(v) * label > 0) continue;
+      if (complex.label(v) == label) continue;
       const auto q = first_boundary_point(center, complex.position(v));
       if (!q || distance(*q, complex.position(v)) <= farthest) continue;
       farthest = distance(*q, complex.position(v));

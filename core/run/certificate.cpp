@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/place.h"
+#include "base/sort_unique.h"
 #include "run/exposed_input.h"
 #include "run/topology_places.h"
 #include "tolerance/facet_certificate.h"
@@ -135,11 +136,46 @@ void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
       static_cast<long>(used) - static_cast<long>(undirected) + static_cast<long>(mesh.triangles.size());
 }
 
+std::string name_of_region(int label) {
+  return label > 0 ? "the outside" : "room " + std::to_string(-label);
+}
+
+/// The same for a mesh between several rooms, region by region.
+void check_regions(const TriangleMesh& mesh, Certificate& c) {
+  c.regions = certify_regions(mesh);
+  c.closed_manifold = c.oriented = true;
+  for (const RegionCertificate& r : c.regions) {
+    c.closed_manifold = c.closed_manifold && r.closed_manifold;
+    c.oriented = c.oriented && r.oriented;
+    if (!r.failure.empty())
+      c.failures.push_back("The boundary of " + name_of_region(r.label) + ' ' + r.failure + '.');
+  }
+  DisjointSets pieces(mesh.points.size());
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<bool> used(mesh.points.size(), false);
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      pieces.unite(a, b);
+      edges.push_back({std::min(a, b), std::max(a, b)});
+      used[a] = true;
+    }
+  sort_unique(edges);
+  for (std::uint32_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    ++c.euler_characteristic;
+    c.components += pieces.find(v) == v ? 1 : 0;
+  }
+  c.euler_characteristic += static_cast<long>(mesh.triangles.size()) - static_cast<long>(edges.size());
+}
+
 /// False when it was stopped, as with those below.
 bool check_intersections(const TriangleMesh& mesh, Certificate& c, const Stop& stop) {
   if (!c.manifold || !c.oriented) {
     c.failures.emplace_back(
-        "Intersections were not tested because the mesh is no closed oriented 2-manifold.");
+        c.regions.empty() ? "Intersections were not tested because the mesh is no closed oriented 2-manifold."
+                          : "Intersections were not tested because a region's boundary is no closed oriented "
+                            "2-manifold.");
     return true;
   }
   const auto pairs = self_intersections(mesh.points, mesh.triangles, stop);
@@ -316,6 +352,42 @@ bool check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, C
   return true;
 }
 
+/// Every witness lies inside the boundary of its own room and outside of all others.
+bool check_room_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
+                           const Stop& stop) {
+  const auto witnesses = volume.witnesses();
+  std::vector<std::vector<double>> winding(witnesses.size());
+  const bool complete = parallel_until(witnesses.size(), 1, stop,
+                                       [&](std::size_t i) {
+                                         winding[i] = winding_numbers(mesh, c.regions, witnesses[i].point);
+                                       }) &&
+                        !stop();
+  if (!complete) return false;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < witnesses.size(); ++i) {
+    bool found = witnesses[i].label > 0;
+    const RegionCertificate* odd = nullptr;
+    double times = 0;
+    for (std::size_t r = 0; r < c.regions.size(); ++r) {
+      if (c.regions[r].label > 0) continue; // around the outside nothing winds
+      const bool own = c.regions[r].label == witnesses[i].label;
+      found = found || own;
+      if (std::abs(winding[i][r] - (own ? 1 : 0)) < 0.01) continue;
+      odd = &c.regions[r];
+      times = winding[i][r];
+    }
+    if ((found && odd == nullptr) || wrong++ > 0) continue;
+    const std::string there =
+        "the point " + place(witnesses[i].point, place_digits) + " of " + name_of_region(witnesses[i].label);
+    c.failures.push_back(odd == nullptr ? "The mesh has no boundary around " + there + '.'
+                                        : "The boundary of " + name_of_region(odd->label) + " winds " +
+                                              general(times, 3) + " times around " + there + '.');
+  }
+  if (wrong > 1) c.failures.push_back("So it is with " + std::to_string(wrong - 1) + " other points.");
+  c.separates = wrong == 0;
+  return true;
+}
+
 /// Winding numbers tell closed parts, segments open ones.
 bool check_all_sides(const TriangleMesh& mesh, const ToleranceVolume& volume, const FilledHoles& holes,
                      Certificate& c, const Stop& stop) {
@@ -386,7 +458,7 @@ void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expecte
   if (expected.boundary_loops && *expected.boundary_loops != c.boundary_loops)
     c.failures.push_back("Its border has " + counted(c.boundary_loops, "loop") + " instead of " +
                          std::to_string(*expected.boundary_loops) + ".");
-  if (!c.closed_manifold || !c.oriented) return;
+  if (!c.closed_manifold || !c.oriented || !c.regions.empty()) return;
   if (const std::string places = topology_places(mesh, control); !places.empty())
     c.failures.back() += " " + places;
 }
@@ -398,19 +470,32 @@ std::string_view name(Certificate::Topology topology) {
   return names[static_cast<std::size_t>(topology)];
 }
 
-Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
-                    const RunControl& control, const CoverTest& cover, const FilledHoles& holes) {
+Certificate certify(const TriangleMesh& given, const ToleranceVolume& volume,
+                    const ExpectedTopology& expected, const RunControl& control, const CoverTest& cover,
+                    const FilledHoles& holes) {
+  // Of rooms a mesh between two sides may be left where all others were lost.
+  const bool rooms = volume.has_rooms() || !given.labels.empty();
+  TriangleMesh labelled;
+  if (rooms && given.labels.empty()) {
+    labelled = given;
+    labelled.labels.assign(given.triangles.size(), {+1, -1});
+  }
+  const TriangleMesh& mesh = labelled.labels.empty() ? given : labelled;
   const Stop stop = [&control] { return control.out_of_grace(); };
   Certificate c;
   control.report("certificate", 0);
-  check_connectivity(mesh, volume.open_sides() != nullptr, c);
+  if (rooms && !mesh.triangles.empty())
+    check_regions(mesh, c);
+  else
+    check_connectivity(mesh, volume.open_sides() != nullptr, c);
   if (mesh.triangles.empty()) return c;
   std::string open;
   const auto note = [&](bool found_out, const char* what) {
     if (!found_out) open += (open.empty() ? "" : ", ") + std::string(what);
   };
   note(check_intersections(mesh, c, stop), "freedom from intersections");
-  note(check_all_sides(mesh, volume, holes, c, stop), "separation of the sides");
+  note(rooms ? check_room_separation(mesh, volume, c, stop) : check_all_sides(mesh, volume, holes, c, stop),
+       "separation of the sides");
   control.report("certificate", 0.3);
   note(check_containment(mesh, volume, holes, c, stop), "containment");
   note(check_border(mesh, volume, holes, c, stop), "distance of the border");

@@ -7,6 +7,7 @@
 #include "run/border_certificate.h"
 #include "run/coverage.h"
 #include "run/reverse_distance.h"
+#include "run/room_certificate.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <cstdint>
@@ -34,11 +35,12 @@ struct Certificate {
     missed,      ///< they are not what was aimed at where nothing is known to have it: Ω is no thickening
     not_asked    ///< nothing is aimed at
   };
-  bool closed_manifold = false; ///< without border
+  bool closed_manifold = false; ///< without border; of rooms: the boundary of each region is
   bool manifold = false;        ///< the same, or with a border where the input is an open surface
   bool oriented = false;
-  bool intersection_free = false; ///< exact predicates
-  bool within_tolerance = false;  ///< every facet proven inside Ω, rounded outward
+  std::vector<RegionCertificate> regions; ///< of rooms: each region's boundary; else empty
+  bool intersection_free = false;         ///< exact predicates
+  bool within_tolerance = false;          ///< every facet proven inside Ω, rounded outward
   double max_distance =
       0; ///< proven upper bound of d over the mesh, absolute; of the failing facet when it fails
   DistanceBounds
@@ -50,8 +52,8 @@ struct Certificate {
   std::size_t uncovered_count = 0;       ///< of all such places
   std::string cover_note;                ///< where it is exceeded and need not hold: why; else empty
   std::string gap_note; ///< where walls are left out of that, as Ω closes the gap before them; else empty
-  /// The winding number at the witness of every region is that of its side; beside open surfaces segments
-  /// from one side to the other cross the mesh an odd number of times.
+  /// The winding number at the witness of every region is that of its side, of rooms for every boundary;
+  /// beside open surfaces segments from one side to the other cross the mesh an odd number of times.
   bool separates = false;
   std::size_t boundary_loops = 0;
   std::optional<BorderProof> border; ///< of open surfaces

@@ -73,7 +73,7 @@ namespace parameter_words {
 
 inline constexpr std::array<Choice, 2> containment{{{"certified"}, {"sampled"}}};
 inline constexpr std::array<Choice, 2> topology{{{"keep"}, {"separate"}}};
-inline constexpr std::array<Choice, 3> sides{{{"auto"}, {"winding"}, {"parity"}}};
+inline constexpr std::array<Choice, 4> sides{{{"auto"}, {"winding"}, {"parity"}, {"multi"}}};
 inline constexpr std::array<Choice, 2> drop_thin{{{.name = "off", .shown = "refuse", .told = "refused"},
                                                   {.name = "on", .shown = "leave out", .told = "left out"}}};
 inline constexpr std::array<Choice, 4> target{{{"optimum"}, {"constraints"}, {"sampling"}, {"octree"}}};
@@ -306,13 +306,15 @@ constexpr auto fields_of(const RunParameters*) {
             {.name = "sides",
              .symbol = "sides",
              .help = "what tells inside from outside: auto (parity; where closed parts meet, the winding "
-                     "number), winding or parity",
+                     "number; several insides where walls are shared), winding, parity, or multi (every "
+                     "region is an inside of its own; of a grid all labels)",
              .words = "what tells inside from outside",
              .choices = parameter_words::sides,
              .place = 15,
              .title = "What tells inside from outside",
              .tip = "Auto: parity where closed parts do not meet, and the winding number where they overlap "
-                    "or touch, so that what lies in several parts is inside. Needs a restart."}),
+                    "or touch, so that what lies in several parts is inside. Multi: every region that walls "
+                    "enclose is an inside of its own, §4.2. Needs a restart."}),
       field(
           &P::fill,
           {.name = "fill",

@@ -7,6 +7,7 @@
 #include "input/gallery_shapes.h"
 #include "input/grid_readers.h"
 #include "input/input_mesh.h"
+#include "input/label_walls.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
 #include "run/closing_tolerance.h"
@@ -64,6 +65,11 @@ Result<InputMesh> load(const RunParameters& parameters, const RunControl& contro
   if (!is_grid_file(input)) return read_input_mesh(input, control);
   auto grid = read_grid(input, control);
   if (!grid) return grid.error();
+  if (parameters.sides == SidesMode::multi) {
+    auto walls = walls_between_labels(*grid);
+    if (!walls) return walls.error();
+    return InputMesh{std::move(*walls), {}};
+  }
   InputMesh mesh;
   mesh.soup.name = grid->name;
   mesh.soup.grid = std::make_shared<const ScalarGrid>(std::move(*grid));
@@ -72,6 +78,11 @@ Result<InputMesh> load(const RunParameters& parameters, const RunControl& contro
 
 /// Whether what is asked of a volume that the input gives fits the input.
 Status check_volume(const TriangleSoup& soup, const RunParameters& p) {
+  if (p.sides == SidesMode::multi && (p.levels.given() || p.label))
+    return Error{ErrorCode::usage,
+                 std::string(p.label ? "--label" : "--levels") +
+                     " is given together with --sides multi, which takes all labels of a grid.",
+                 "Leave one of them out."};
   if (!soup.grid && (p.levels.given() || p.label))
     return Error{ErrorCode::usage,
                  std::string(p.label ? "--label" : "--levels") + " is given, and the input is no grid.",
@@ -394,6 +405,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
     return m.refused(built.error(), *scene, options);
   }
   scene->volume_seconds = watch.seconds() - scene->input_seconds;
+  scene->input_topology = m.volume->input(); // where there are rooms, it tells so
 
   scene->default_sigma = default_sigma_ratio(m.kept_area, scene->delta);
   const CriteriaParameters criteria = parameters_.criteria(scene->delta, scene->default_sigma);

@@ -61,6 +61,28 @@ Json left_out_json(const std::vector<ThinPart>& parts) {
   return list;
 }
 
+/// The regions of several rooms, the outside first; null where there is one inside.
+Json regions_json(const Scene& scene, const Certificate& certificate) {
+  if (certificate.regions.empty()) return nullptr;
+  Json list = Json::array();
+  for (const RegionCertificate& r : certificate.regions) {
+    Json places = Json::array();
+    for (const Region& region : scene.regions)
+      if (region.label == r.label && !region.shallow && !region.unbounded)
+        places.push_back(point_json(region.deepest));
+    list.push_back({{"label", r.label},
+                    {"places", places},
+                    {"vertices", r.vertices},
+                    {"faces", r.facets},
+                    {"components", r.components},
+                    {"euler_characteristic", r.euler_characteristic},
+                    {"closed_manifold", r.closed_manifold},
+                    {"oriented", r.oriented},
+                    {"volume", r.volume}});
+  }
+  return list;
+}
+
 Json uncovered_json(const std::vector<UncoveredPlace>& places, double delta) {
   Json list = Json::array();
   for (const UncoveredPlace& p : places) {
@@ -257,7 +279,11 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"euler_characteristic", chi},
         {"boundary_loops", c.boundary_loops},
         {"filled_faces", std::count(result.holes.facets.begin(), result.holes.facets.end(), 1)},
-        {"genus", (2 * static_cast<long>(c.components) - chi - static_cast<long>(c.boundary_loops)) / 2},
+        {"genus",
+         c.regions.empty()
+             ? Json((2 * static_cast<long>(c.components) - chi - static_cast<long>(c.boundary_loops)) / 2)
+             : Json(nullptr)},
+        {"regions", regions_json(scene, c)},
         {"crumbs", {{"components", result.crumbs.components}, {"vertices", result.crumbs.vertices}}},
         {"embedding", result.form == ZeroForm::free ? "Z alone" : "T"},
         {"empty", result.mesh.triangles.empty()}}},

@@ -48,11 +48,14 @@ struct Simplification::Impl {
   std::unique_ptr<LiveComplex> live; ///< null once Z has left T
   Complex free;                      ///< the state after that
   bool filled = false;               ///< holes are, as far as they can be
-  std::size_t next = 0;              ///< into stage_order
-  bool rejoined = false;             ///< the journal has begun the next stage
+  /// The stages after the tessellation know two sides only.
+  Stage last = context.volume.has_rooms() ? Stage::tessellation : Stage::improve;
+  std::size_t next = 0;  ///< into stage_order
+  bool rejoined = false; ///< the journal has begun the next stage
 
   bool wanted(Stage stage) const {
-    if (comes_after(stage, parameters.until) || parameters.skipped[static_cast<std::size_t>(stage)])
+    if (comes_after(stage, parameters.until) || comes_after(stage, last) ||
+        parameters.skipped[static_cast<std::size_t>(stage)])
       return false;
     if (context.volume.open_sides() == nullptr) return stage != Stage::rim;
     // What Z has beyond the rim, which fills holes, stays in T.

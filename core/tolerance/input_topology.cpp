@@ -145,7 +145,8 @@ InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode, const RunC
         !control.cancelled() && orient(oriented, uses) && !self_intersects(mesh, control);
   }
   if (control.cancelled()) return topology;
-  choose_side_rule(mesh, uses, mode, topology);
+  topology.every_region = mode == SidesMode::multi;
+  choose_side_rule(mesh, uses, topology.every_region ? SidesMode::automatic : mode, topology);
   return topology;
 }
 

@@ -26,6 +26,7 @@ constexpr double open_component_share = 0.5;
 /// The share of the sides of a component's triangles that must have a neighbour for its border to mean
 /// something: in a soup of triangles every edge is one.
 constexpr double sheet_share = 0.3;
+constexpr double shortest_fin = 2; ///< in units of δ'
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -47,14 +48,6 @@ std::optional<Vec3> border_in(const ToleranceVolume& volume, std::uint32_t compo
   const auto& border = volume.input().border;
   if (border && volume.volume_component(volume.index().closest(*border).triangle) == component) return border;
   return std::nullopt;
-}
-
-Error non_manifold(Vec3 where) {
-  return {ErrorCode::unsupported,
-          "The input is not a manifold surface: more than two regions meet one connected part of it, one of "
-          "them around " +
-              place(where, place_digits) + ".",
-          "Remove inner walls, or split the input into its closed parts."};
 }
 
 /// Whether both sides of the surface at its known border are in one region.
@@ -130,6 +123,25 @@ Error open_component_error(const ToleranceVolume& volume, std::uint32_t componen
       border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
 }
 
+/// Where three sheets or more meet along some way, two δ' of it in one open component: at edges of three
+/// triangles, or where the rim of one ends on another.
+std::optional<Vec3> place_of_fin(const ToleranceVolume& volume, const OpenSides& sides,
+                                 const WeldedMesh& mesh, const std::vector<EdgeUse>& uses) {
+  std::vector<double> length(volume.volume_component_count(), 0);
+  const double enough = shortest_fin * volume.thresholds().boundary;
+  const auto long_enough = [&](TriangleId t, Vec3 a, Vec3 b) {
+    return sides.is_open(t) && (length[volume.volume_component(t)] += distance(a, b)) >= enough;
+  };
+  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
+    const Vec3 a = mesh.points[uses[i].low], b = mesh.points[uses[i].high];
+    if (end - i > 2 && long_enough(TriangleId(uses[i].triangle), a, b)) return 0.5 * (a + b);
+  }
+  for (const RimPiece& piece : sides.rim().pieces())
+    if (piece.meets_wall && long_enough(piece.triangle, piece.a, piece.b)) return 0.5 * (piece.a + piece.b);
+  return std::nullopt;
+}
+
 /// A component among the open ones whose triangles are no sheet.
 std::optional<std::uint32_t> open_soup(const ToleranceVolume& volume, const std::vector<std::uint8_t>& open,
                                        const std::vector<EdgeUse>& uses) {
@@ -202,6 +214,11 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
   Sides sides = std::make_shared<const OpenSides>(volume.shared_index(), std::move(component), open, turns,
                                                   volume.thresholds().boundary, control);
   if (control.cancelled()) return Sides();
+  if (const auto fin = place_of_fin(volume, *sides, mesh, uses))
+    return Error{ErrorCode::unsupported,
+                 "The input is not a manifold surface: an open sheet ends on another part of it near " +
+                     place(*fin, place_digits) + ".",
+                 "Remove what stands out there, or choose a larger tolerance, which takes in short fins."};
   std::vector<std::uint8_t> rimmed(open.size(), 0);
   for (const RimPiece& piece : sides->rim().pieces())
     if (piece.open) rimmed[volume.volume_component(piece.triangle)] = 1;
@@ -294,7 +311,7 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, c
           const auto there = volume.sides().unanimous_parity(volume.regions()[to.index()].deepest);
           if (!here || !there) {
             if (is_open_at_border(volume)) return open_component_error(volume, c);
-            return non_manifold(volume.regions()[to.index()].deepest);
+            return std::vector<int>();
           }
           sign = *here == *there ? +1 : -1;
         }

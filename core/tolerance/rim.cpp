@@ -22,6 +22,8 @@ constexpr double open_share = 0.98;
 /// Borders face each other where the cosine of their conormals is below this: what they leave between them is
 /// a slit that Ω closes, and no corner.
 constexpr double facing = -0.5;
+/// The cosine from which on a normal counts as that of a wall across the way.
+constexpr double across = 0.7;
 /// A loop shorter than that many δ' surrounds nothing that Ω leaves open.
 constexpr double shortest_loop = 2;
 /// Ends of the open rim this near to each other, in units of δ', are those of one loop: Ω closes what is
@@ -106,16 +108,19 @@ void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> want
     }
   }
 
-  const auto is_open = [&](const RimPiece& piece) {
-    if (piece.conormal == Vec3{}) return false; // of a triangle without area
+  const auto judge = [&](RimPiece& piece) {
+    if (piece.conormal == Vec3{}) return; // of a triangle without area
     const Vec3 before = 0.5 * (piece.a + piece.b) + boundary_ * piece.conormal;
     const ClosestPoint closest = index.closest_near(before, piece.triangle);
-    if (closest.distance() >= open_share * boundary_) return true;
     const ClosestPoint border = all->closest(closest.point);
-    return border.distance() <= on_border * boundary_ &&
-           dot(conormals[border.triangle.index()], piece.conormal) >= facing;
+    const bool at_border = border.distance() <= on_border * boundary_;
+    piece.open = closest.distance() >= open_share * boundary_ ||
+                 (at_border && dot(conormals[border.triangle.index()], piece.conormal) >= facing);
+    const Triangle3& t = index.triangle(closest.triangle);
+    const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
+    piece.meets_wall = !piece.open && !at_border && std::abs(dot(normal, piece.conormal)) > across;
   };
-  parallel_until(pieces_.size(), 64, control, [&](std::size_t i) { pieces_[i].open = is_open(pieces_[i]); });
+  parallel_until(pieces_.size(), 64, control, [&](std::size_t i) { judge(pieces_[i]); });
 }
 
 void Rim::find_loops() {

@@ -17,8 +17,9 @@ struct RimPiece {
   Vec3 a, b;     ///< as its triangle runs
   Vec3 conormal; ///< unit, in the plane of its triangle and away from it
   TriangleId triangle;
-  bool open = false;      ///< false: bridged, Ω closes what lies before it
-  std::uint32_t loop = 0; ///< of an open one: the number of its loop
+  bool open = false;       ///< false: bridged, Ω closes what lies before it
+  bool meets_wall = false; ///< bridged to a part of the input that runs across: the sheet ends on it
+  std::uint32_t loop = 0;  ///< of an open one: the number of its loop
 };
 
 /// A loop of the open rim, as Ω leaves it: gaps in it that Ω bridges are passed over.

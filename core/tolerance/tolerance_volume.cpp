@@ -6,6 +6,7 @@
 #include "tolerance/contacts.h"
 #include "tolerance/region_labels.h"
 #include "tolerance/regions.h"
+#include "tolerance/room_labels.h"
 #include "tolerance/thin_parts.h"
 #include "tolerance/volume_components.h"
 
@@ -346,22 +347,44 @@ std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region
 
 Status ToleranceVolume::label_regions(const RunControl& control) {
   if (sides_.rule() == SideRule::depth) {
-    DepthLabels labels = label_by_depth(*this, control);
-    if (control.cancelled()) return {};
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-      regions_[i].label = labels.of_regions[i];
-      regions_[i].shallow = labels.shallow[i];
-    }
-    basins_ = std::move(labels.of_cells);
+    adopt(label_by_depth(*this, control));
     return {};
+  }
+  if (has_surface() && input_.every_region) {
+    const auto rooms = label_rooms_of_input(control);
+    if (!rooms) return rooms.error();
+    if (*rooms) return {};
   }
   auto labels = sides_.known() ? label_by_sides(*this, control) : label_by_two_colouring(*this, control);
   if (control.cancelled()) return {};
   if (!labels.ok()) return labels.error();
+  if (labels->empty()) {
+    const auto rooms = label_rooms_of_input(control);
+    return rooms ? Status() : rooms.error();
+  }
   for (std::size_t i = 0; i < regions_.size(); ++i) regions_[i].label = (*labels)[i];
   if (winds())
     for (Region& r : regions_) r.winding_number = r.unbounded ? 0 : sides_.winding_number(r.deepest);
   return {};
+}
+
+void ToleranceVolume::adopt(DepthLabels labels) {
+  for (std::size_t i = 0; i < regions_.size(); ++i) {
+    regions_[i].label = labels.of_regions[i];
+    regions_[i].shallow = labels.shallow[i];
+  }
+  basins_ = std::move(labels.of_cells);
+}
+
+Result<bool> ToleranceVolume::label_rooms_of_input(const RunControl& control) {
+  auto labels = label_rooms(*this, control);
+  if (!labels) return labels.error();
+  const auto& of = labels->of_regions;
+  if (input_.every_region && *std::min_element(of.begin(), of.end()) >= -1) return false;
+  adopt(std::move(*labels));
+  input_.side_rule = SideRule::rooms;
+  sides_ = InputSides(shared_index(), SideRule::rooms, input_.turns);
+  return true;
 }
 
 Status ToleranceVolume::check_passages() const {
@@ -434,7 +457,7 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget, const RunControl
   const double side = octree_->side(c.level);
   const RegionId id = add_region(i, octree_->center(c), static_cast<double>(c.distance), side * side * side);
   Region& region = regions_.back();
-  region.shallow = sides_.rule() == SideRule::depth;
+  region.shallow = sides_.rule() == SideRule::depth || has_rooms();
   region.label = region.shallow ? basin_at(region.deepest) : sides_.label(region.deepest);
   const TriangleId site = open_sides_ ? field_->closest(region.deepest).triangle : TriangleId();
   const bool beside_sheet = open_sides_ && open_sides_->is_open(site);
@@ -446,7 +469,7 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget, const RunControl
 
 int ToleranceVolume::basin_at(Vec3 p) const {
   const Regions::CellIndex leaf = octree_->locate_among(p, basins_.size());
-  return leaf != Regions::none && basins_[leaf] < 0 ? -1 : +1;
+  return leaf != Regions::none && basins_[leaf] < 0 ? basins_[leaf] : +1;
 }
 
 int ToleranceVolume::label_at(Vec3 p, const RunControl& control) {
@@ -480,6 +503,7 @@ bool ToleranceVolume::thickening() const {
   if (std::any_of(regions_.begin(), regions_.end(),
                   [&](const Region& r) { return !r.shallow && is_uncounted(r); }))
     return false;
+  if (has_rooms()) return true;
   std::vector<std::vector<long>> sides(volume_component_count_);
   for (const BoundaryComponent& c : boundary_components_)
     if (!regions_[c.region.index()].shallow) sides[c.volume_component].push_back(c.euler_characteristic);

@@ -22,18 +22,19 @@
 namespace isoscope {
 
 class Regions;
+struct DepthLabels;
 
 using RegionId = Id<struct RegionTag>;
 
 /// A connected component of the complement of Ω' = {φ <= δ'}: what lies behind one boundary component.
 struct Region {
   RegionId id;
-  int label = +1; ///< F of its side: +1 outside, -1 inside (§2.2)
+  int label = +1; ///< of its side: +1 outside, -1 inside (§2.2), or -1, -2, … in several insides (§4.2)
   bool unbounded = false;
   Vec3 deepest;      ///< a point of the region far from the input: the witness of its side
   double depth = 0;  ///< φ(deepest), same units as δ
   double volume = 0; ///< lower bound from the octree; infinite for the unbounded region
-  /// Points: it is a pocket in Ω, and on the side of the deep region that it is joined to first.
+  /// Of points and rooms: it is a pocket in Ω, and on the side of the deep region that it is joined to first.
   bool shallow = false;
   /// How often the input winds around it, where that is what tells its side.
   int winding_number = 0;
@@ -72,6 +73,7 @@ struct InputTopology {
   std::size_t components = 0;                ///< connected components of the input triangles
   std::optional<Vec3> border; ///< a point of an edge that does not have two triangles, if there is one
   SideRule side_rule = SideRule::colouring; ///< what tells the sides
+  bool every_region = false;                ///< asked for: each region that walls enclose is an inside
   std::shared_ptr<const std::vector<std::int8_t>>
       turns;                      ///< how each triangle counts for that; null: as it is
   std::vector<std::string> notes; ///< what the user should know about the sides, one sentence each
@@ -81,7 +83,8 @@ struct InputTopology {
   /// Whether the side of every point of the input's surface is told, also where Ω has no boundary, and is
   /// what the user means: parity does not say it where parts intersect each other.
   bool sides_known() const {
-    return side_rule == SideRule::winding || (closed_manifold && (self_intersection_free || components == 1));
+    return side_rule != SideRule::rooms && (side_rule == SideRule::winding ||
+                                            (closed_manifold && (self_intersection_free || components == 1)));
   }
 };
 
@@ -103,10 +106,9 @@ class ToleranceVolume {
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
   /// A component of Ω that does not separate two regions is an open surface, where it has a rim (§4.1); fails
-  /// with open_surface where it has none or one side only, with unsupported on non-manifold surfaces (three
-  /// regions or more), naming the place, and where the octree takes too much memory; with cancelled when told
-  /// to. Parts that are thinner than 2δ' everywhere are built: find_thin_parts()
-  /// tells them.
+  /// with open_surface where it has none or one side only, with unsupported on rooms with fins, naming the
+  /// place, and where the octree takes too much memory; with cancelled when told to. Parts that are thinner
+  /// than 2δ' everywhere are built: find_thin_parts() tells them.
   static Result<ToleranceVolume> build(std::shared_ptr<const ToleranceField> field,
                                        const InputTopology& input, const Options& options,
                                        const RunControl& control);
@@ -135,8 +137,10 @@ class ToleranceVolume {
   /// Points that decide whether Z separates the sides. Grows with regions().
   std::span<const Witness> witnesses() const { return witnesses_; }
   std::span<const BoundaryComponent> boundary_components() const { return boundary_components_; }
+  /// Whether regions are told apart by the walls between them: there may be more than one inside (§4.2).
+  bool has_rooms() const { return sides_.rule() == SideRule::rooms; }
   /// Whether the boundary components of each side have the same Euler characteristic, so that Ω may be a
-  /// thickening (§1.2).
+  /// thickening (§1.2); of rooms whether nothing deep goes uncounted.
   bool thickening() const;
   /// Regions that no boundary component counts: they were too small to be seen before somebody asked for a
   /// point in them.
@@ -202,6 +206,9 @@ class ToleranceVolume {
   bool touches(Vec3 p, double d, std::uint32_t component) const;
   void deepen(Region& region) const;
   Status label_regions(const RunControl& control);
+  /// Several insides, where there are some: whether there are.
+  Result<bool> label_rooms_of_input(const RunControl& control);
+  void adopt(DepthLabels labels);
   bool is_uncounted(const Region& r) const;
   /// Whether winding numbers mean something: the triangles cancel along every edge.
   bool winds() const { return sides_.rule() == SideRule::winding || input_.consistently_oriented; }
@@ -222,7 +229,7 @@ class ToleranceVolume {
   std::vector<BoundaryComponent> boundary_components_; ///< ascending by region, then component of Ω'
   std::vector<std::uint32_t> volume_components_;       ///< by site
   std::size_t volume_component_count_ = 0;
-  std::vector<std::int8_t> basins_; ///< where sides go with depth, by leaf: the side of a pocket there
+  std::vector<std::int8_t> basins_; ///< where pockets go with deep regions, by leaf: the side of one there
 };
 
 /// What pieces of Z beyond Ω count for until Z is cut along the rim of open surfaces; empty where there are

@@ -190,7 +190,7 @@ TEST_CASE("a soup with gaps closes under a large tolerance and is open under a s
   CHECK(open.error().message.find("open surface") != std::string::npos);
 }
 
-TEST_CASE("an inner wall makes a soup non-manifold") {
+TEST_CASE("an inner wall makes two rooms of a soup") {
   TriangleSoup soup;
   testing::add_box(soup, {0, 0, 0}, {2, 1, 1});
   const auto base = static_cast<std::uint32_t>(soup.points.size());
@@ -198,9 +198,27 @@ TEST_CASE("an inner wall makes a soup non-manifold") {
   soup.triangles.push_back({base, base + 1, base + 2});
   soup.triangles.push_back({base, base + 2, base + 3});
   const auto v = build(soup, 0.05);
-  REQUIRE_FALSE(v.ok());
-  CHECK(v.error().code == ErrorCode::unsupported);
-  CHECK(v.error().message.find("not a manifold") != std::string::npos);
+  REQUIRE(v.ok());
+  CHECK(v->has_rooms());
+  CHECK(v->sides().rule() == SideRule::rooms);
+  CHECK(v->regions().size() == 3);
+  CHECK(v->label_at({-1, 0.5, 0.5}) == +1);
+  const int left = v->label_at({0.5, 0.5, 0.5}), right = v->label_at({1.5, 0.5, 0.5});
+  CHECK(std::min(left, right) == -2);
+  CHECK(std::max(left, right) == -1);
+  CHECK(v->label_at({1, 0.5, 0.5}) == 0);
+  for (const BoundaryComponent& c : v->boundary_components()) CHECK(c.euler_characteristic == 2);
+
+  // A wall that stands out is no wall between rooms.
+  const auto fin = static_cast<std::uint32_t>(soup.points.size());
+  for (const Vec3 p : {Vec3{1, 0, 1}, Vec3{1, 1, 1}, Vec3{1, 1, 1.4}, Vec3{1, 0, 1.4}})
+    soup.points.push_back(p);
+  soup.triangles.push_back({fin, fin + 1, fin + 2});
+  soup.triangles.push_back({fin, fin + 2, fin + 3});
+  const auto refused = build(soup, 0.05);
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().code == ErrorCode::unsupported);
+  CHECK(refused.error().message.find("near (1, ") != std::string::npos);
 }
 
 TEST_CASE("bad options and cancellation come back as errors") {
