@@ -6,6 +6,7 @@
 #include "tolerance/facet_certificate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace isoscope {
@@ -13,9 +14,9 @@ namespace {
 
 /// Halvings towards the wall on an edge.
 constexpr int wall_steps = 50;
-/// Places of an edge that are tried, from the wanted one to the kept end, where tetrahedra would turn over.
-constexpr int most_tries = 6;
 constexpr int most_rounds = 60;
+/// A vertex this near to where an edge crosses the wall is on it, in units of δ.
+constexpr double at_wall = 0.01;
 /// Edges are not split below this length, in units of δ.
 constexpr double shortest_edge = 0.02;
 constexpr std::size_t piece_budget = 20000;
@@ -91,8 +92,9 @@ std::vector<RimCut::Edge> RimCut::crossing_edges() const {
   for (const Facet& f : facets_)
     for (const auto& [a, b] : edges_of(f)) {
       const Place pa = places_[a.index()], pb = places_[b.index()];
-      if ((pa == Place::kept && pb == Place::beyond) || (pa == Place::beyond && pb == Place::kept))
-        edges.push_back({a, b});
+      const bool crosses =
+          (pa == Place::kept && pb == Place::beyond) || (pa == Place::beyond && pb == Place::kept);
+      if (crosses && !whole_.contains({a, b})) edges.push_back({a, b});
     }
   sort_unique(edges);
   return edges;
@@ -106,11 +108,24 @@ Vec3 RimCut::wall_between(Vec3 kept, Vec3 beyond) const {
   return kept;
 }
 
-Status RimCut::split(const Split& s, Vec3 at, Place place) {
+/// Where an edge may be split: where it is wanted, then nearer to the kept end at such fractions of the edge
+/// that have the bits of a double left, so that no rounding turns the flattest tetrahedron over.
+std::vector<Vec3> RimCut::places_on_edge(const Edge& edge, Vec3 at) const {
+  const bool second = places_[edge[0].index()] == Place::beyond;
+  const Vec3 from = live_.complex().position(edge[second ? 1 : 0]);
+  const Vec3 to = live_.complex().position(edge[second ? 0 : 1]);
+  const double t = dot(at - from, to - from) / squared_length(to - from);
+  std::vector<Vec3> places{at};
+  for (const double parts : {256.0, 64.0, 16.0, 8.0, 4.0, 2.0})
+    if (const double fraction = std::floor(t * parts) / parts; fraction > 0)
+      places.push_back(from + fraction * (to - from));
+  return places;
+}
+
+bool RimCut::split(const Split& s, Vec3 at, Place place) {
   const auto [a, b] = s.edge;
-  const Vec3 kept = live_.complex().position(places_[a.index()] == Place::beyond ? b : a);
-  for (int i = 0; i < most_tries; ++i, at = 0.5 * (at + kept)) {
-    std::optional<Delta> delta = live_.split(a, b, at);
+  for (const Vec3 p : places_on_edge(s.edge, at)) {
+    std::optional<Delta> delta = live_.split(a, b, p);
     if (!delta) continue;
     live_.apply(*delta);
     places_.resize(live_.complex().vertices.size(), Place::unknown);
@@ -120,36 +135,41 @@ Status RimCut::split(const Split& s, Vec3 at, Place place) {
     e.reason = s.reason;
     e.vertex = a;
     e.other = b;
-    e.point = at;
+    e.point = p;
     e.witness = s.witness;
     e.value = s.value;
     e.limit = volume_.thresholds().delta;
     log_.operation(e, std::move(*delta), live_.step_figures());
-    return {};
+    return true;
   }
-  return Error{ErrorCode::internal,
-               "The cut along the rim would turn a tetrahedron over at the edge of the vertices " +
-                   std::to_string(a.value) + " and " + std::to_string(b.value) + ".",
-               "Take a larger tolerance."};
+  whole_.insert(s.edge);
+  return false;
 }
 
-Status RimCut::cut_edges(const std::vector<Edge>& edges) {
+void RimCut::cut_edges(const std::vector<Edge>& edges) {
   std::vector<Vec3> at(edges.size());
   parallel_for(edges.size(), 8, [&](std::size_t i) {
     const auto [a, b] = edges[i];
     const bool first = places_[a.index()] == Place::kept;
     at[i] = wall_between(live_.complex().position(first ? a : b), live_.complex().position(first ? b : a));
   });
+  const double touching = at_wall * volume_.thresholds().delta;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (log_.stopped()) return {};
-    if (Status done = split({edges[i], Reason::wall_over_rim, at[i], 0}, at[i], Place::wall); !done)
-      return done;
+    if (log_.stopped()) return;
+    auto [kept, beyond] = edges[i];
+    if (places_[kept.index()] == Place::beyond) std::swap(kept, beyond);
+    if (places_[beyond.index()] != Place::beyond) continue; // found to be on the wall
+    if (distance(at[i], live_.complex().position(kept)) <= touching)
+      whole_.insert(edges[i]);
+    else if (distance(at[i], live_.complex().position(beyond)) <= touching)
+      places_[beyond.index()] = Place::wall;
+    else
+      split({edges[i], Reason::wall_over_rim, at[i], 0}, at[i], Place::wall);
   }
-  return {};
 }
 
 void RimCut::want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 witness, double value) const {
-  if (length(edge) >= 2 * shortest_edge * volume_.thresholds().delta)
+  if (length(edge) >= 2 * shortest_edge * volume_.thresholds().delta && !whole_.contains(edge))
     splits.push_back({edge, reason, witness, value});
 }
 
@@ -249,23 +269,21 @@ void RimCut::drop() {
   log_.operation(e, std::move(delta), live_.step_figures());
 }
 
-Status RimCut::run() {
-  for (int round = 0;; ++round) {
+void RimCut::run() {
+  for (int round = 0; !log_.stopped(); ++round) {
     classify();
     collect_facets();
-    if (Status done = cut_edges(crossing_edges()); !done || log_.stopped()) return done;
+    cut_edges(crossing_edges());
     collect_facets();
-    if (round == most_rounds) break;
-    const std::vector<Split> splits = wanted_splits();
+    const std::vector<Split> splits = round < most_rounds ? wanted_splits() : std::vector<Split>();
     if (splits.empty()) break;
     for (const Split& s : splits) {
-      if (log_.stopped()) return {};
+      if (log_.stopped()) return;
       const Vec3 middle = 0.5 * (live_.complex().position(s.edge[0]) + live_.complex().position(s.edge[1]));
-      if (Status done = split(s, middle, keeps(middle) ? Place::kept : Place::beyond); !done) return done;
+      split(s, middle, keeps(middle) ? Place::kept : Place::beyond);
     }
   }
-  drop();
-  return {};
+  if (!log_.stopped()) drop();
 }
 
 } // namespace isoscope

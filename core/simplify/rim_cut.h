@@ -1,7 +1,6 @@
 // The cut of an embedded Z along the wall over the rim of open surfaces (§4.1).
 #pragma once
 
-#include "base/status.h"
 #include "collapse/live_complex.h"
 #include "journal/stage_log.h"
 #include "tolerance/tolerance_volume.h"
@@ -22,8 +21,8 @@ class RimCut {
  public:
   RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log);
   /// Every split and the cut are operations. Ends early when the log says stop; goes on where it was when
-  /// called again. Fails with internal where no split is possible without a tetrahedron turning over.
-  Status run();
+  /// called again.
+  void run();
 
  private:
   enum class Place : std::uint8_t { unknown, kept, wall, beyond };
@@ -44,6 +43,7 @@ class RimCut {
   std::vector<Facet> facets_; ///< of the whole Z, sorted corners, ascending
   std::set<Facet> proven_;    ///< kept ones that are inside Ω
   std::set<Edge> near_rim_;   ///< border edges within δ of the rim
+  std::set<Edge> whole_;      ///< edges that cross the wall at their kept end, or cannot be split
 
   bool is_kept(VertexId v) const {
     return places_[v.index()] == Place::kept || places_[v.index()] == Place::wall;
@@ -54,11 +54,13 @@ class RimCut {
   std::vector<Facet> kept_facets() const;
   std::vector<Edge> border(const std::vector<Facet>& kept) const;
   Vec3 wall_between(Vec3 kept, Vec3 beyond) const;
-  Status cut_edges(const std::vector<Edge>& edges);
+  std::vector<Vec3> places_on_edge(const Edge& edge, Vec3 at) const;
+  void cut_edges(const std::vector<Edge>& edges);
   std::vector<Edge> crossing_edges() const;
   std::vector<Split> wanted_splits();
   void want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 witness, double value) const;
-  Status split(const Split& split, Vec3 at, Place place);
+  /// False where a tetrahedron would turn over at any place that was tried.
+  bool split(const Split& split, Vec3 at, Place place);
   void drop();
   double length(const Edge& e) const {
     return distance(live_.complex().position(e[0]), live_.complex().position(e[1]));

@@ -105,9 +105,9 @@ struct Simplification::Impl {
     return {};
   }
 
-  Status cut_along_rim() {
+  void cut_along_rim() {
     if (!rim_cut) rim_cut.emplace(*live, context.volume, log);
-    return rim_cut->run();
+    rim_cut->run();
   }
 
   void leave() {
@@ -211,7 +211,7 @@ struct Simplification::Impl {
       if (Status made = tessellate(); !made) return made;
       break;
     case Stage::rim:
-      if (Status cut = cut_along_rim(); !cut) return cut;
+      cut_along_rim();
       break;
     case Stage::zero_set:
       collapse(EdgeKind::zero, true, most_rounds);

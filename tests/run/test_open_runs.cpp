@@ -27,7 +27,9 @@ std::unique_ptr<CompleteRun> finished(TriangleSoup soup, double percent, const c
   auto run = std::make_unique<CompleteRun>(open_parameters(percent));
   run->parameters.fill.holes = fill;
   run->soup = shared(std::move(soup));
-  REQUIRE(run->run());
+  const bool done = run->run();
+  if (run->error) MESSAGE(run->error->line());
+  REQUIRE(done);
   for (const std::string& failure : run->result->certificate.failures) MESSAGE(failure);
   return run;
 }
