@@ -204,7 +204,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"self_intersection_free", scene.input_topology.self_intersection_free},
         {"consistently_oriented", scene.input_topology.consistently_oriented},
         {"euler_characteristic", optional_number(scene.input_topology.euler_characteristic)},
-        {"sides_by", name(scene.input_topology.side_rule)},
+        {"sides_by", name(scene.volume->sides().rule())},
         {"left_out", left_out_json(scene.left_out)}}},
       {"parameters",
        {{"tolerance", scene.delta},
