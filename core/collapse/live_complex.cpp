@@ -2,6 +2,7 @@
 #include "collapse/live_complex.h"
 
 #include "base/sort_unique.h"
+#include "mesh/strata.h"
 
 #include <algorithm>
 #include <array>
@@ -70,7 +71,7 @@ std::size_t LiveComplex::sign_changes(const std::vector<TetRecord>& tets) const 
   return static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
 }
 
-void LiveComplex::recount(const Delta& delta) {
+void LiveComplex::recount(const Delta& delta, std::size_t killed_on_zero_set) {
   alive_tets_ += delta.added.size();
   alive_tets_ -= delta.removed.size();
   if (delta.form) {
@@ -79,12 +80,18 @@ void LiveComplex::recount(const Delta& delta) {
     // The edges inside the star that change: those on its boundary count on both sides.
     zero_set_vertices_ += sign_changes(delta.added);
     zero_set_vertices_ -= sign_changes(delta.removed);
+  } else if (!delta.dropped.empty() || !delta.added_vertices.empty()) {
+    zero_set_vertices_ = extract_zero_set(complex_).vertices.size();
   } else {
-    for (const VertexId v : delta.killed_vertices) zero_set_vertices_ -= complex_.value(v) == 0;
+    zero_set_vertices_ -= killed_on_zero_set;
   }
 }
 
 void LiveComplex::apply(const Delta& delta) {
+  std::size_t killed_on_zero_set = 0;
+  if (complex_.form == ZeroForm::embedded && !delta.form)
+    for (const VertexId v : delta.killed_vertices)
+      killed_on_zero_set += on_zero_set(complex_, incidence_, v) ? 1u : 0u;
   complex_.apply(delta);
   incidence_.apply(delta);
   if (sets_ && delta.form) {
@@ -99,7 +106,7 @@ void LiveComplex::apply(const Delta& delta) {
       for (const VertexId v : t.v) changed_[v.index()] = clock_;
     }
   }
-  recount(delta);
+  recount(delta, killed_on_zero_set);
 }
 
 } // namespace isoscope

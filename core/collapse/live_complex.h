@@ -43,7 +43,7 @@ class LiveComplex {
   StepFigures step_figures() const;
 
  private:
-  void recount(const Delta& delta);
+  void recount(const Delta& delta, std::size_t killed_on_zero_set);
   std::size_t sign_changes(const std::vector<TetRecord>& tets) const;
 
   Complex complex_;

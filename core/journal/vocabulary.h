@@ -238,13 +238,14 @@ enum class Reason : std::uint8_t {
   intersection,        ///< Z would intersect itself (without T)
   folded,              ///< a facet would turn over (without T)
   stays_above,         ///< the repair did not bring every facet below δ
-  ineligible           ///< the edge is not of the kind that the stage collapses
+  ineligible,          ///< the edge is not of the kind that the stage collapses
+  border_distance      ///< the border of Z would leave the rim of the input, or lay it bare (§4.1)
 };
-constexpr int reason_count = static_cast<int>(Reason::ineligible) + 1;
+constexpr int reason_count = static_cast<int>(Reason::border_distance) + 1;
 
 /// The first and the last reason for a collapse that was not made.
 constexpr Reason first_rejection = Reason::link_condition;
-constexpr Reason last_rejection = Reason::ineligible;
+constexpr Reason last_rejection = Reason::border_distance;
 constexpr bool rejects(Reason reason) {
   return reason >= first_rejection && reason <= last_rejection;
 }
@@ -351,6 +352,12 @@ inline constexpr std::array reason_table{
     ReasonWords{Reason::ineligible, "ineligible", "not eligible", ReasonRole::rejection,
                 "it is not of the kind that the stage collapses", "this stage collapses other edges",
                 "The edge is not of the kind that the stage collapses. §2.4", 0x7FA83C, MarkerShape::plus},
+    ReasonWords{Reason::border_distance, "border-distance", "border and rim", ReasonRole::rejection,
+                "the border of Z and the rim of the input would be {value δ} apart (limit {limit δ})",
+                "the border would leave the rim of the input",
+                "The border of Z would come to lie farther than δ from the rim, or leave a part of it bare. "
+                "§4.1",
+                0x2FA39A, MarkerShape::hollow_square},
 };
 
 /// Whether a table has one row for each of so many values, in their order.

@@ -7,6 +7,7 @@
 #include "improve/embedded_improvement.h"
 #include "improve/free_improvement.h"
 #include "journal/stage_log.h"
+#include "mesh/strata.h"
 #include "simplify/tessellation.h"
 
 #include <algorithm>
@@ -122,7 +123,7 @@ struct Simplification::Impl {
     };
     if (a == b || !is_alive(a) || !is_alive(b) || !live->adjacent(a, b))
       return Error{ErrorCode::usage, "T has no such edge at this step.", ""};
-    const auto [stays, goes] = oriented_edge(live->complex(), a, b);
+    const auto [stays, goes] = oriented_edge(live->complex(), live->incidence(), a, b);
     const EdgeStar star = live->star(stays, goes, parameters.ring);
     CollapseSettings settings;
     settings.kind = star.kind();

@@ -2,6 +2,7 @@
 #include "tolerance/tolerance_volume.h"
 
 #include "base/place.h"
+#include "tolerance/border_gate.h"
 #include "tolerance/boundary_topology.h"
 #include "tolerance/contacts.h"
 #include "tolerance/region_labels.h"
@@ -10,6 +11,7 @@
 #include "tolerance/volume_components.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -84,12 +86,17 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   copy.input_ = input_;
   copy.sides_ = sides_;
   copy.thresholds_ = thresholds_;
+  copy.border_gate_ = border_gate_;
   copy.regions_ = regions_;
   copy.witnesses_ = witnesses_;
   copy.boundary_components_ = boundary_components_;
   copy.volume_components_ = volume_components_;
   copy.volume_component_count_ = volume_component_count_;
   return copy;
+}
+
+void ToleranceVolume::keep_border_to(std::vector<Segment3> rim) {
+  border_gate_ = std::make_shared<const BorderGate>(std::move(rim), thresholds_.delta);
 }
 
 ToleranceVolume::ToleranceVolume(ToleranceVolume&&) noexcept = default;

@@ -4,6 +4,7 @@
 
 #include "base/ids.h"
 #include "base/run_control.h"
+#include "base/segment.h"
 #include "base/status.h"
 #include "input/triangle_soup.h"
 #include "tolerance/closest_point.h"
@@ -20,6 +21,7 @@
 
 namespace isoscope {
 
+class BorderGate;
 class Regions;
 
 using RegionId = Id<struct RegionTag>;
@@ -117,6 +119,9 @@ class ToleranceVolume {
   const InputTopology& input() const { return input_; }
   /// Which side of the input a point is on.
   const InputSides& sides() const { return sides_; }
+  /// The open rim of the input, to which the border of Z keeps (§4.1); null where Z is closed.
+  const BorderGate* border_gate() const { return border_gate_.get(); }
+  void keep_border_to(std::vector<Segment3> rim);
   /// The cube that holds Ω and the octree.
   Box3 domain() const;
 
@@ -205,6 +210,7 @@ class ToleranceVolume {
   InputTopology input_;
   InputSides sides_;
   ToleranceThresholds thresholds_;
+  std::shared_ptr<const BorderGate> border_gate_;
   std::unique_ptr<Regions> octree_;
   std::vector<Region> regions_;
   std::vector<Witness> witnesses_;
