@@ -90,6 +90,7 @@ std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target)
     for (const StarFacet& f : zero_facets(star)) {
       if (f.ring()) continue;
       ZeroFacetAfter& after = facets.emplace_back();
+      after.labels = f.labels;
       for (std::size_t k = 0; k < 3; ++k) {
         const bool end = f.v[k] < 2;
         after.corners[k] = end ? target : star.vertices[f.v[k]].position;
@@ -98,26 +99,28 @@ std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target)
     }
     return facets;
   }
-  std::vector<Triangle3> triangles;
+  std::vector<LabelledTriangle> triangles;
   for (const EdgeStar::StarTet& t : star.tets) {
     if (!t.ring())
-      append_triangles(zero_polygon(star.positions_after(t, target), values_after(star, t)), triangles);
+      append_zero_triangles(star.positions_after(t, target), values_after(star, t), labels_after(star, t),
+                            vertices_after(star, t), triangles);
   }
-  for (const Triangle3& t : triangles) facets.push_back({t, -1});
+  for (const LabelledTriangle& t : triangles) facets.push_back({t.corners, -1, t.labels});
   return facets;
 }
 
-std::vector<Triangle3> zero_facets_before(const EdgeStar& star) {
-  std::vector<Triangle3> triangles;
+std::vector<LabelledTriangle> zero_facets_before(const EdgeStar& star) {
+  std::vector<LabelledTriangle> triangles;
   if (star.form == ZeroForm::embedded) {
     for (const StarFacet& f : zero_facets(star)) {
       triangles.push_back(
-          {star.vertices[f.v[0]].position, star.vertices[f.v[1]].position, star.vertices[f.v[2]].position});
+          {{star.vertices[f.v[0]].position, star.vertices[f.v[1]].position, star.vertices[f.v[2]].position},
+           f.labels});
     }
     return triangles;
   }
   for (const EdgeStar::StarTet& t : star.tets) {
-    append_triangles(zero_polygon(star.positions(t), star.values(t)), triangles);
+    append_zero_triangles(star.positions(t), star.values(t), star.labels(t), star.ids(t), triangles);
   }
   return triangles;
 }
@@ -127,15 +130,14 @@ TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const Crit
   for (const EdgeStar::StarSample& s : star.samples) {
     const StarLocation after = locate_after(star, target, s.position);
     if (after.tet == nullptr) continue; // on the star's boundary: its tetrahedron does not change
-    const double error = sample_error_at(star, after, values_after(star, *after.tet), s.position, s.label);
+    const double error = sample_error_at(star, after, s.position, s.label);
     const bool good = star.form == ZeroForm::embedded ? !is_bad(error) : error <= limit;
     if (good) continue;
     const StarLocation before = locate_before(star, s.position);
     // What was violated before, as refinement may leave it, must not get worse.
     double margin = criteria.alpha;
     if (before.tet != nullptr) {
-      const double error_before =
-          sample_error_at(star, before, star.values(*before.tet), s.position, s.label);
+      const double error_before = sample_error_at(star, before, s.position, s.label);
       if (error <= error_before) continue;
       margin = std::min(margin, 1 - error_before);
     }
@@ -150,6 +152,11 @@ TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const Crit
 TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
   const double delta = volume.thresholds().delta;
   const ToleranceField& field = volume.field();
+  // Before it is embedded, and then cut, Z goes on beyond the rim of open surfaces.
+  const PieceJudge judge = star.form == ZeroForm::interpolated ? outside_judge(volume) : PieceJudge();
+  FacetSearch search;
+  search.budget = piece_budget;
+  if (judge) search.judge = &judge;
   if (star.vertices[0].value == 0) {
     const ClosestPoint closest = field.closest(target);
     if (closest.distance() > delta) {
@@ -161,7 +168,7 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
     }
   }
   for (const ZeroFacetAfter& facet : zero_facets_after(star, target)) {
-    const FacetVerdict verdict = certify_facet(field, facet.corners, delta, delta, piece_budget);
+    const FacetVerdict verdict = certify_facet(field, facet.corners, delta, delta, search);
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     if (verdict.kind == FacetVerdict::Kind::undecided) {
       return Refusal{Reason::unproven, verdict.closest.distance(), delta, verdict.witness};
@@ -210,35 +217,38 @@ TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationC
     verdict = {Reason::normals, agreement, 0, at};
   };
   if (star.form == ZeroForm::embedded) {
-    const auto count = [&](const Triangle3& t, bool note) {
+    const auto count = [&](const Triangle3& t, LabelPair labels, bool note) {
       std::size_t violated = 0;
-      for (const FacetOrientationTest& test : check_facet_orientation(t, shrink, reach, *context.nearest)) {
+      for (const FacetOrientationTest& test :
+           check_facet_orientation(t, shrink, reach, *context.nearest, labels)) {
         if (test.good()) continue;
         ++violated;
         if (note) note_worst(test.agreement, test.shrunk);
       }
       return violated;
     };
-    for (const ZeroFacetAfter& f : zero_facets_after(star, target)) after += count(f.corners, true);
+    for (const ZeroFacetAfter& f : zero_facets_after(star, target)) after += count(f.corners, f.labels, true);
     if (after > 0) {
-      for (const Triangle3& t : zero_facets_before(star)) before += count(t, false);
+      for (const LabelledTriangle& t : zero_facets_before(star)) before += count(t.corners, t.labels, false);
     }
   } else {
     const auto count = [&](const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
-                           bool note) -> std::size_t {
-      if (zero_polygon(p, f).count == 0) return 0;
-      const OrientationVerdict v = check_orientation(p, f, shrink, reach, *context.nearest);
+                           const TetLabels& labels, bool note) -> std::size_t {
+      if (label_count(labels) < 2) return 0;
+      const OrientationVerdict v = check_orientation(p, f, labels, shrink, reach, *context.nearest);
       if (note && v.misoriented) {
         const OrientationTest& worst = v.tests[static_cast<std::size_t>(v.worst)];
-        note_worst(worst.f * worst.label, worst.shrunk);
+        note_worst(worst.f, worst.shrunk);
       }
       return violated_tests(v);
     };
     for (const EdgeStar::StarTet& t : star.tets) {
-      if (!t.ring()) after += count(star.positions_after(t, target), values_after(star, t), true);
+      if (!t.ring())
+        after += count(star.positions_after(t, target), values_after(star, t), labels_after(star, t), true);
     }
     if (after > 0) {
-      for (const EdgeStar::StarTet& t : star.tets) before += count(star.positions(t), star.values(t), false);
+      for (const EdgeStar::StarTet& t : star.tets)
+        before += count(star.positions(t), star.values(t), star.labels(t), false);
     }
   }
   return after > before ? verdict : TargetVerdict{};
@@ -254,12 +264,11 @@ TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const Tolerance
       continue;
     const StarLocation after = locate_after(star, target, x);
     if (after.tet == nullptr) continue;
-    const double f = side_at(star, after, values_after(star, *after.tet), x);
-    if (f * witness.label > 0) continue;
+    const double f = side_at(star, after, x, witness.label);
+    if (f > 0) continue;
     const StarLocation before = locate_before(star, x);
-    const double f_before =
-        before.tet == nullptr ? witness.label : side_at(star, before, star.values(*before.tet), x);
-    if (f_before * witness.label > 0) return Refusal{Reason::witness_side, f * witness.label, 0, x};
+    const double f_before = before.tet == nullptr ? 1 : side_at(star, before, x, witness.label);
+    if (f_before > 0) return Refusal{Reason::witness_side, f, 0, x};
   }
   return {};
 }

@@ -5,6 +5,7 @@
 #include "criteria/nearest_sample.h"
 #include "journal/journal.h"
 #include "mesh/edge_star.h"
+#include "mesh/junction.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <optional>
@@ -25,10 +26,11 @@ struct EvaluationContext {
 struct ZeroFacetAfter {
   Triangle3 corners;
   int target_corner = -1; ///< which corner is the target; -1: none (interpolated)
+  LabelPair labels{+1, -1};
 };
 std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target);
 /// The same before the collapse.
-std::vector<Triangle3> zero_facets_before(const EdgeStar& star);
+std::vector<LabelledTriangle> zero_facets_before(const EdgeStar& star);
 
 /// Sampled mode: samples of the star keep their class: ε <= 1 − α where it held (§2.4.1), the tetrahedron of
 /// their own label once Z is embedded (§2.4.2).

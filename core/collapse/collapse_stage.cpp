@@ -50,7 +50,7 @@ bool CollapseStage::may_be_eligible(VertexId a, VertexId b) const {
   if (va.kind == VertexKind::box || vb.kind == VertexKind::box) return false;
   switch (settings_.kind) {
   case EdgeKind::gamma:
-    return va.value * vb.value > 0;
+    return va.value != 0 && va.label() == vb.label();
   case EdgeKind::zero:
     return va.value == 0 && vb.value == 0;
   case EdgeKind::mixed:

@@ -91,7 +91,7 @@ EdgeStar TetPatch::star(VertexId a, VertexId b) const {
   EdgeStar star;
   star.form = ZeroForm::embedded;
   for (const std::uint32_t v : order)
-    star.vertices.push_back({vertices_[v], points_[v], start_[v].value, start_[v].kind});
+    star.vertices.push_back({vertices_[v], points_[v], start_[v].value, start_[v].kind, start_[v].room});
   const auto number = [&](std::uint32_t v) {
     if (v == stays || v == goes) return static_cast<std::uint16_t>(v == goes);
     return static_cast<std::uint16_t>(std::lower_bound(order.begin() + 2, order.end(), v) - order.begin());

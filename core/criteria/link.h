@@ -1,5 +1,5 @@
 // The link conditions: whether collapsing an edge keeps T, Z and the strata of Z what they are (§2.4, Figure
-// 6, core/README.md, N7).
+// 6, core/README.md, N8).
 #pragma once
 
 #include "base/ids.h"

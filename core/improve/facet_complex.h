@@ -100,7 +100,7 @@ struct FacetComplex {
   std::vector<Wedge> star(std::uint32_t v) const;
   /// The star that the merged vertex of the edge ab would have; needs the link condition.
   std::vector<Wedge> merged_star(std::uint32_t a, std::uint32_t b) const;
-  /// The link conditions of a surface and of its border (core/README.md, N7), and not the last four facets of
+  /// The link conditions of a surface and of its border (core/README.md, N8), and not the last four facets of
   /// a closed component. The stars of a and b must be complete.
   bool link_condition(std::uint32_t a, std::uint32_t b) const;
   /// Merges b into a; positions stay. The link condition must hold.

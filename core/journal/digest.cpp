@@ -34,6 +34,7 @@ void Digest::add(const RepairSweep& s) {
 
 void Digest::add(const Vertex& v) {
   add(v.position, v.value, v.kind, v.sample_set, v.sample);
+  if (v.room != 1) add(v.room); // two labels keep the digests that they had without it
 }
 
 void Digest::add(const TetRecord& t) {

@@ -149,13 +149,13 @@ std::array<double, 4> Complex::values(TetId t) const {
   return {value(v[0]), value(v[1]), value(v[2]), value(v[3])};
 }
 
+TetLabels Complex::labels(TetId t) const {
+  const auto& v = tet(t).v;
+  return {label(v[0]), label(v[1]), label(v[2]), label(v[3])};
+}
+
 bool Complex::heterogeneous(TetId t) const {
-  bool negative = false, positive = false;
-  for (const double f : values(t)) {
-    negative |= f < 0;
-    positive |= f > 0;
-  }
-  return negative && positive;
+  return label_count(labels(t)) > 1;
 }
 
 bool Complex::on_zero_set(TetId t, std::size_t i) const {
@@ -164,9 +164,8 @@ bool Complex::on_zero_set(TetId t, std::size_t i) const {
 }
 
 bool Complex::in_gamma(TetId t) const {
-  if (heterogeneous(t)) return true;
-  const std::array<double, 4> f = values(t);
-  return std::any_of(f.begin(), f.end(), [](double value) { return value == 0; });
+  const TetLabels l = labels(t);
+  return label_count(l) > 1 || std::find(l.begin(), l.end(), 0) != l.end();
 }
 
 std::size_t Complex::alive_tets() const {

@@ -4,6 +4,7 @@
 
 #include "base/geometry.h"
 #include "base/ids.h"
+#include "base/labels.h"
 
 #include <array>
 #include <cstdint>
@@ -22,7 +23,8 @@ enum class VertexKind : std::uint8_t {
   zero         ///< a vertex of Z, F = 0 (§2.4.2)
 };
 
-/// A vertex of T. `value` is F at the vertex: the label, scaled by the distance at box corners (§5).
+/// A vertex of T. `value` is F at the vertex: + outside and - in any inside, scaled by the distance at box
+/// corners (§5).
 struct Vertex {
   Vec3 position;
   double value = 0;
@@ -30,6 +32,9 @@ struct Vertex {
   bool alive = true;
   std::uint16_t sample_set = 0; ///< which sample set `sample` belongs to
   SampleId sample;              ///< valid when kind is sample
+  std::int8_t room = 1;         ///< which inside it is in, where value < 0 (§4.2)
+  /// +1 outside, -1, -2, … in the insides, 0 on Z.
+  constexpr std::int8_t label() const { return label_of(value, room); }
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
@@ -50,7 +55,7 @@ enum class ZeroForm : std::uint8_t {
 struct Tet {
   std::array<VertexId, 4> v;
   std::array<TetId, 4> neighbor;
-  std::int8_t side = 0; ///< the label ±1 of its side once Z is embedded (§2.4.2), 0 before
+  std::int8_t side = 0; ///< the label of its side once Z is embedded (§2.4.2), 0 before
   /// Bit i: the facet opposite vertex i lies between two sides but is no part of Z (§4.1). Both tetrahedra of
   /// a facet say the same.
   std::uint8_t dropped = 0;
@@ -148,10 +153,12 @@ struct Complex {
 
   const Vec3& position(VertexId v) const { return vertices[v.index()].position; }
   double value(VertexId v) const { return vertices[v.index()].value; }
+  std::int8_t label(VertexId v) const { return vertices[v.index()].label(); }
   const Tet& tet(TetId t) const { return tets[t.index()]; }
   std::array<Vec3, 4> positions(TetId t) const;
   std::array<double, 4> values(TetId t) const;
-  /// Whether t carries Z: it has vertices of both signs (F = 0 counts as neither).
+  TetLabels labels(TetId t) const;
+  /// Whether t carries Z: it has vertices of several labels (those on Z count as none).
   bool heterogeneous(TetId t) const;
   /// Whether the facet opposite vertex i of t is part of an embedded Z: it lies between two sides and is not
   /// dropped.

@@ -14,6 +14,15 @@ std::array<double, 4> EdgeStar::values(const StarTet& t) const {
   return {vertices[t.v[0]].value, vertices[t.v[1]].value, vertices[t.v[2]].value, vertices[t.v[3]].value};
 }
 
+TetLabels EdgeStar::labels(const StarTet& t) const {
+  return {vertices[t.v[0]].label(), vertices[t.v[1]].label(), vertices[t.v[2]].label(),
+          vertices[t.v[3]].label()};
+}
+
+std::array<VertexId, 4> EdgeStar::ids(const StarTet& t) const {
+  return {vertices[t.v[0]].id, vertices[t.v[1]].id, vertices[t.v[2]].id, vertices[t.v[3]].id};
+}
+
 std::array<Vec3, 4> EdgeStar::positions_after(const StarTet& t, Vec3 target) const {
   std::array<Vec3, 4> p = positions(t);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -26,17 +35,12 @@ EdgeKind EdgeStar::kind() const {
   const StarVertex &a = vertices[0], &b = vertices[1];
   if (a.kind == VertexKind::box || b.kind == VertexKind::box) return EdgeKind::other;
   if (form == ZeroForm::embedded) return embedded_kind();
-  if (a.value == 0 || b.value == 0 || a.value * b.value < 0) return EdgeKind::other;
+  if (a.value == 0 || b.value == 0 || a.label() != b.label()) return EdgeKind::other;
   bool in_gamma = false, outside_gamma = false;
   for (const StarTet& t : tets) {
     if (!t.ring()) continue;
-    bool above = false, below = false, zero = false;
-    for (const double f : values(t)) {
-      above |= f > 0;
-      below |= f < 0;
-      zero |= f == 0;
-    }
-    const bool carries = zero || (above && below);
+    const TetLabels l = labels(t);
+    const bool carries = label_count(l) > 1 || std::find(l.begin(), l.end(), 0) != l.end();
     in_gamma |= carries;
     outside_gamma |= !carries;
   }
@@ -85,19 +89,20 @@ std::vector<StarFacet> side_facets(const EdgeStar& star) {
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const Side &s = sides[i], &o = sides[i + 1];
     if (s.key != o.key || s.side == o.side) continue;
-    // Outward of the tetrahedron of the lower label is the side of the higher one.
-    const auto& v = s.side < o.side ? s.outward : o.outward;
-    facets.push_back({v,
+    // Outward of the tetrahedron of the smaller label is the side of the larger one.
+    const auto [back, front] = std::minmax(s.side, o.side);
+    facets.push_back({s.side == back ? s.outward : o.outward,
+                      {front, back},
                       s.key[0] == 0,
                       s.key[0] == 1 || s.key[1] == 1,
-                      {std::min(s.side, o.side), std::max(s.side, o.side), s.dropped}});
+                      s.dropped});
   }
   return facets;
 }
 
 std::vector<StarFacet> zero_facets(const EdgeStar& star) {
   std::vector<StarFacet> facets = side_facets(star);
-  std::erase_if(facets, [](const StarFacet& f) { return f.kind.dropped; });
+  std::erase_if(facets, [](const StarFacet& f) { return f.dropped; });
   return facets;
 }
 

@@ -29,11 +29,13 @@ struct EdgeStar {
     Vec3 position;
     double value = 0;
     VertexKind kind = VertexKind::sample;
+    std::int8_t room = 1;
+    std::int8_t label() const { return label_of(value, room); }
   };
   struct StarTet {
     TetId id;
     std::array<std::uint16_t, 4> v; ///< local numbers, positively oriented
-    std::int8_t side = 0;           ///< the label of its side once Z is embedded, 0 before
+    std::int8_t side = 0;           ///< its label once Z is embedded, 0 before
     bool at_a = false, at_b = false;
     std::uint8_t dropped = 0;                  ///< as in Tet, by the local vertices
     bool ring() const { return at_a && at_b; } ///< vanishes with the edge
@@ -60,6 +62,8 @@ struct EdgeStar {
   VertexId b() const { return vertices[1].id; }
   std::array<Vec3, 4> positions(const StarTet& t) const;
   std::array<double, 4> values(const StarTet& t) const;
+  TetLabels labels(const StarTet& t) const;
+  std::array<VertexId, 4> ids(const StarTet& t) const;
   /// The corners of a tetrahedron once both ends lie at `target`.
   std::array<Vec3, 4> positions_after(const StarTet& t, Vec3 target) const;
   EdgeKind kind() const;
@@ -76,11 +80,13 @@ struct FacetKind {
 };
 
 /// A facet between two sides in an embedded star that has an end of the edge, counter-clockwise seen from the
-/// side of the higher label; local numbers.
+/// larger of its labels; local numbers.
 struct StarFacet {
   std::array<std::uint16_t, 3> v;
+  LabelPair labels;
   bool at_a = false, at_b = false;
-  FacetKind kind;
+  bool dropped = false; ///< it is no part of Z
+  FacetKind kind() const { return {labels.back, labels.front, dropped}; }
   bool ring() const { return at_a && at_b; } ///< vanishes with the edge
 };
 /// The facets between two sides at the ends of the edge; empty unless Z is embedded.

@@ -2,6 +2,8 @@
 #include "mesh/incidence.h"
 
 #include "base/sort_unique.h"
+#include "mesh/junction.h"
+#include "mesh/predicates.h"
 #include "mesh/strata.h"
 #include "mesh/zero_set.h"
 
@@ -16,15 +18,14 @@ bool has(const Tet& t, VertexId v) {
   return std::find(t.v.begin(), t.v.end(), v) != t.v.end();
 }
 
-/// Facets of Z at one vertex of an embedded Z, each once: seen from the tetrahedron of the higher label.
+/// Facets of Z at one vertex of an embedded Z, each once: seen from the tetrahedron of its larger label.
 void add_facets_at(const Complex& complex, std::span<const TetId> tets, VertexId v,
                    std::vector<std::pair<TetId, std::size_t>>& facets) {
   for (const TetId t : tets) {
     const Tet& tet = complex.tet(t);
     for (std::size_t k = 0; k < 4; ++k) {
-      const TetId n = tet.neighbor[k];
-      if (tet.v[k] == v || !n.valid() || complex.tet(n).side >= tet.side) continue;
-      if (complex.on_zero_set(t, k)) facets.emplace_back(t, k);
+      if (tet.v[k] == v || !complex.on_zero_set(t, k)) continue;
+      if (complex.tet(tet.neighbor[k]).side < tet.side) facets.emplace_back(t, k);
     }
   }
 }
@@ -86,9 +87,18 @@ void gather_interpolated_facets(const Complex& complex, const Incidence& inciden
     tets.insert(tets.end(), at.begin(), at.end());
   }
   sort_unique(tets);
+  std::vector<LabelledTriangle> triangles;
   for (const TetId t : tets) {
-    const ZeroPolygon polygon = zero_polygon(complex.positions(t), complex.values(t));
-    if (polygon.count >= 3) out.push_back({polygon.corner[0], polygon.corner[1], polygon.corner[2]});
+    const TetLabels labels = complex.labels(t);
+    if (label_count(labels) < 3) {
+      const ZeroPolygon polygon = zero_polygon(
+          complex.positions(t), seen_from(outer_labels(labels).front, complex.values(t), labels));
+      if (polygon.count >= 3) out.push_back({polygon.corner[0], polygon.corner[1], polygon.corner[2]});
+      continue;
+    }
+    triangles.clear();
+    append_zero_triangles(complex.positions(t), complex.values(t), labels, complex.tet(t).v, triangles);
+    for (const LabelledTriangle& triangle : triangles) out.push_back(triangle.corners);
   }
 }
 
@@ -148,7 +158,7 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
   star.vertices.reserve(others.size() + 2);
   const auto add_vertex = [&](VertexId v) {
     const Vertex& vertex = complex.vertices[v.index()];
-    star.vertices.push_back({v, vertex.position, vertex.value, vertex.kind});
+    star.vertices.push_back({v, vertex.position, vertex.value, vertex.kind, vertex.room});
   };
   add_vertex(a);
   add_vertex(b);
@@ -245,6 +255,45 @@ Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexI
   }
   delta.moves.push_back({a, complex.position(a), target});
   delta.killed_vertices.push_back(b);
+  return delta;
+}
+
+std::optional<Delta> split_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
+                                 Vec3 point) {
+  Delta delta;
+  delta.slots_before = static_cast<std::uint32_t>(complex.tets.size());
+  Vertex fresh;
+  fresh.position = point;
+  fresh.value = 0;
+  fresh.kind = VertexKind::zero;
+  delta.added_vertices = {fresh};
+  const VertexId middle(complex.vertices.size());
+  std::vector<TetId> around;
+  for (const TetId t : incidence.tets_of(a))
+    if (has(complex.tet(t), b)) around.push_back(t);
+  std::sort(around.begin(), around.end());
+  std::size_t slots = complex.tets.size();
+  const auto position = [&](VertexId v) { return v == middle ? point : complex.position(v); };
+  for (const TetId t : around) {
+    const Tet& tet = complex.tet(t);
+    delta.removed.push_back({t, tet.v, tet.side, tet.dropped});
+    for (const VertexId end : {a, b}) {
+      std::array<VertexId, 4> v = tet.v;
+      const auto at = static_cast<std::size_t>(std::find(v.begin(), v.end(), end) - v.begin());
+      const VertexId other = end == a ? b : a;
+      v[at] = middle;
+      if (orientation(position(v[0]), position(v[1]), position(v[2]), position(v[3])) <= 0)
+        return std::nullopt;
+      // The facet opposite the end that stays is the new one between the halves.
+      const auto inner = static_cast<std::size_t>(std::find(v.begin(), v.end(), other) - v.begin());
+      const auto dropped = static_cast<std::uint8_t>(tet.dropped & ~(1u << inner));
+      const std::array<VertexId, 4> ordered = canonical_order(v);
+      const TetId slot = end == a ? t : TetId(slots++);
+      delta.added.push_back({slot, ordered, tet.side, reordered_bits(dropped, v, ordered)});
+    }
+  }
+  std::sort(delta.added.begin(), delta.added.end(),
+            [](const TetRecord& x, const TetRecord& y) { return x.id < y.id; });
   return delta;
 }
 

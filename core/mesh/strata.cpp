@@ -150,7 +150,7 @@ std::vector<LinkArc> link_arcs(std::span<const StarFacet> facets, std::uint16_t 
   std::vector<LinkArc> arcs;
   for (const StarFacet& f : facets) {
     if (!(end == 0 ? f.at_a : f.at_b)) continue;
-    LinkArc arc{0, 0, f.kind};
+    LinkArc arc{0, 0, f.kind()};
     bool first = true;
     for (const std::uint16_t v : f.v) {
       if (v == end) continue;
@@ -174,7 +174,7 @@ EdgeStrata strata_of(const EdgeStar& star) {
   const std::vector<StarFacet> facets = side_facets(star);
   std::vector<FacetKind> kinds;
   for (const StarFacet& f : facets)
-    if (f.ring()) kinds.push_back(f.kind);
+    if (f.ring()) kinds.push_back(f.kind());
   if (!kinds.empty())
     strata.edge = kinds.size() == 2 && kinds[0] == kinds[1] ? Stratum::sheet : Stratum::curve;
   strata.border =

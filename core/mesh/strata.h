@@ -1,5 +1,5 @@
 // The strata of Z in T: sheets, the curves where they end or meet, and the points where curves do (§4.1,
-// §4.2, core/README.md, N7). They follow from sides and dropped facets alone.
+// §4.2, core/README.md, N8). They follow from sides and dropped facets alone.
 #pragma once
 
 #include "mesh/complex.h"

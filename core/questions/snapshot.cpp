@@ -5,6 +5,7 @@
 #include "base/sort_unique.h"
 #include "criteria/height.h"
 #include "criteria/orientation.h"
+#include "mesh/label_functions.h"
 
 #include <algorithm>
 #include <atomic>
@@ -84,12 +85,12 @@ void judge_samples(StateSnapshot& s, const SampleSets& sets, const std::vector<s
   parallel_for(slots.size(), tets_per_task, [&](std::size_t i) {
     const TetId t(slots[i]);
     if (!s.complex.tet(t).alive()) return;
-    const AffineFunction f = interpolate(s.complex.positions(t), s.complex.values(t));
+    LabelFunctions functions(s.complex, t);
     const int side = s.complex.tet(t).side;
     sets.for_each(t, [&](SampleId id) {
-      const double value = f(samples.positions[id.index()]);
       const int label = samples.labels[id.index()];
-      const double error = side == 0 ? sample_error(value, label) : embedded_sample_error(value, label, side);
+      const double f = functions.of(label)(samples.positions[id.index()]);
+      const double error = sample_error_in(s.complex.tet(t), f, label);
       s.errors[id.index()] = static_cast<float>(error);
       s.sample_tets[id.index()] = t;
       if (side == 0 ? error > limit : is_bad(error)) s.tet_flags[t.index()] |= tet_violates_1;
@@ -113,10 +114,12 @@ void judge_tets(StateSnapshot& s, const NearestSample* nearest, const std::vecto
     if (s.complex.form != ZeroForm::interpolated) return; // heights are those of the function before
     const auto p = s.complex.positions(t);
     const auto f = s.complex.values(t);
-    const double height = tetrahedron_height(p, f).value;
+    const TetLabels labels = s.complex.labels(t);
+    const double height = tetrahedron_height(p, f, labels).value;
     s.heights[t.index()] = static_cast<float>(height);
     if (height < limit) flags |= tet_violates_2;
-    if (s.orientation_judged && check_orientation(p, f, s.criteria.shrink, reach, *nearest).misoriented) {
+    if (s.orientation_judged &&
+        check_orientation(p, f, labels, s.criteria.shrink, reach, *nearest).misoriented) {
       flags |= tet_violates_3;
     }
   });
@@ -255,8 +258,8 @@ ViolationPreview preview_violations(const StateSnapshot& state, const CriteriaPa
     parallel_for(state.tet_flags.size(), tets_per_task, [&](std::size_t i) {
       if (!(state.tet_flags[i] & tet_heterogeneous)) return;
       const TetId t(i);
-      if (check_orientation(state.complex.positions(t), state.complex.values(t), criteria.shrink, reach,
-                            *nearest)
+      if (check_orientation(state.complex.positions(t), state.complex.values(t), state.complex.labels(t),
+                            criteria.shrink, reach, *nearest)
               .misoriented) {
         misoriented.fetch_add(1, std::memory_order_relaxed);
       }

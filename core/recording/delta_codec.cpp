@@ -140,14 +140,17 @@ template <class Io, class Corners> void pass_corners(Io& io, Corners& v, VertexI
   last = v[0];
 }
 
+/// Above the kind in a vertex's first byte.
+constexpr unsigned alive_bit = 8, room_bit = 64;
+
 template <class Io> void pass_vertices(Io& io, Shown<Io, std::vector<Vertex>>& vertices) {
   io.length(vertices, 27);
   for (auto& v : vertices) {
     std::uint8_t head = 0;
     std::uint32_t sample = 0;
     if constexpr (Io::writes) {
-      head = static_cast<std::uint8_t>(static_cast<unsigned>(v.kind) | (v.alive ? 8u : 0u) |
-                                       value_tag(v.value) << 4);
+      head = static_cast<std::uint8_t>(static_cast<unsigned>(v.kind) | (v.alive ? alive_bit : 0) |
+                                       value_tag(v.value) << 4 | (v.room != 1 ? room_bit : 0));
       sample = v.sample.value + 1u;
     }
     io.byte(head);
@@ -155,9 +158,11 @@ template <class Io> void pass_vertices(Io& io, Shown<Io, std::vector<Vertex>>& v
     pass_value(io, v.value, head >> 4 & 3);
     io.number(v.sample_set);
     io.number(sample);
+    if ((head & room_bit) != 0) io.signed_number(v.room);
     if constexpr (!Io::writes) {
       v.kind = static_cast<VertexKind>(head & 7);
-      v.alive = (head & 8) != 0;
+      v.alive = (head & alive_bit) != 0;
+      if (v.room < 1) io.fail();
       v.sample = SampleId(sample - 1u);
       if ((head & 7) > static_cast<int>(VertexKind::zero)) io.fail();
     }

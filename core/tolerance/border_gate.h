@@ -1,5 +1,5 @@
 // Whether the border of Z keeps to the rim of an open input: the Hausdorff distance of both stays within δ,
-// by branch and bound (§4.1, core/README.md, N7).
+// by branch and bound (§4.1, core/README.md, N8).
 #pragma once
 
 #include "tolerance/segment_index.h"

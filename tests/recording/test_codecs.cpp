@@ -97,6 +97,7 @@ TEST_CASE("What the state does not hold, and odd numbers, come back too") {
   odd.kind = VertexKind::zero;
   odd.alive = false;
   odd.sample_set = 65535;
+  odd.room = 127;
   delta.added_vertices = {odd, Vertex{}};
   delta.killed_vertices = {VertexId(1u), VertexId(0u)};
   delta.values = {{VertexId(1u), 7.5, -0.0}, {VertexId(1u), -0.0, 1}};
@@ -120,6 +121,8 @@ TEST_CASE("What the state does not hold, and odd numbers, come back too") {
   REQUIRE(decoder.decode(bytes, back));
   CHECK(digest_of(back) == digest_of(delta));
   CHECK(back.added_vertices[0].alive == false);
+  CHECK(back.added_vertices[0].room == 127);
+  CHECK(back.added_vertices[1].room == 1);
   CHECK(back.facet_slots_before == 8);
 
   CHECK(back.added[2].dropped == 5);
