@@ -19,6 +19,8 @@ enum class TopologyMode : std::uint8_t {
 struct ExpectedTopology {
   std::optional<long> euler_characteristic;
   std::optional<std::size_t> components;
+  /// Closed curves of the border, once Z is cut along the rim; absent for closed surfaces, which have none.
+  std::optional<std::size_t> boundary_loops;
   std::string nothing; ///< why no number is given, where one was asked for
   /// In words: "both boundaries of Ω", "the input", "the boundary of smaller genus", "all boundaries of Ω, by
   /// half".
@@ -31,11 +33,14 @@ struct ExpectedTopology {
   bool joined = false;
 };
 ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode mode);
+/// What refinement may be asked for: nothing where there are open surfaces, along whose rim Z is not cut yet.
+ExpectedTopology expected_before_the_cut(const ToleranceVolume& volume, const ExpectedTopology& expected);
 
 /// Z against the expectation.
 struct TopologyVerdict {
   long euler_characteristic = 0;
   std::size_t components = 0;
+  std::size_t boundary_loops = 0;
   bool as_expected = false;
 };
 TopologyVerdict check_topology(const ZeroSet& zero_set, const ExpectedTopology& expected);

@@ -1,5 +1,4 @@
-// The shapes that the bundled models are made of: closed and oriented outwards but for rooms, the same bits
-// everywhere.
+// The shapes that the bundled models are made of: oriented outwards but for rooms, the same bits everywhere.
 #pragma once
 
 #include "input/triangle_soup.h"
@@ -41,6 +40,14 @@ TriangleSoup make_defective(const TriangleSoup& model, double noise);
 /// anywhere around it; without those of the model for which `missing` holds.
 TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, std::size_t outliers,
                        const std::function<bool(Vec3)>& missing);
+
+/// The upper half of the unit sphere, its border in the plane z = 0, as so many rings of triangles.
+TriangleSoup make_hemisphere(int rings);
+
+/// What one sees of a model from far above: a square grid of heights with so many columns, without the places
+/// for which `missing` holds, in triangles where neighbours are not too steep.
+TriangleSoup make_range_scan(const TriangleSoup& model, int columns,
+                             const std::function<bool(Vec3)>& missing);
 
 /// The levels of make_density(), between which its ring of six beads is whole.
 constexpr double density_low = 0.25, density_high = 0.5;

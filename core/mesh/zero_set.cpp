@@ -65,7 +65,23 @@ void find_components(ZeroSet& z) {
       sets.unite(a, b);
     }
   }
-  sort_unique(edges);
+  std::sort(edges.begin(), edges.end());
+  // A border is where an edge has one polygon; its curves are counted by their smallest vertices.
+  DisjointSets border(z.vertices.size());
+  std::vector<std::uint32_t> on_border;
+  std::size_t distinct = 0;
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+    while (end < edges.size() && edges[end] == edges[i]) ++end;
+    if (end - i == 1) {
+      const auto a = static_cast<std::uint32_t>(edges[i] >> 32), b = static_cast<std::uint32_t>(edges[i]);
+      border.unite(a, b);
+      on_border.push_back(a);
+      on_border.push_back(b);
+    }
+    edges[distinct++] = edges[i];
+  }
+  edges.resize(distinct);
+  sort_unique(on_border);
 
   constexpr std::uint32_t none = 0xffffffffu;
   std::vector<std::uint32_t> number(z.vertices.size(), none);
@@ -81,6 +97,9 @@ void find_components(ZeroSet& z) {
   for (std::uint32_t v = 0; v < z.vertices.size(); ++v) ++z.components[number[sets.find(v)]].vertices;
   for (const std::uint64_t e : edges) {
     ++z.components[number[sets.find(static_cast<std::uint32_t>(e >> 32))]].edges;
+  }
+  for (const std::uint32_t v : on_border) {
+    if (border.find(v) == v) ++z.components[number[sets.find(v)]].loops;
   }
 }
 
@@ -237,6 +256,12 @@ ZeroSet free_zero_set(const Complex& complex) {
 long ZeroSet::euler_characteristic() const {
   long sum = 0;
   for (const Component& c : components) sum += c.euler_characteristic();
+  return sum;
+}
+
+std::size_t ZeroSet::boundary_loops() const {
+  std::size_t sum = 0;
+  for (const Component& c : components) sum += c.loops;
   return sum;
 }
 

@@ -31,15 +31,17 @@ struct ZeroSet {
   };
   struct Component {
     std::size_t vertices = 0, edges = 0, polygons = 0;
+    std::size_t loops = 0; ///< closed curves of its border: those of edges with one polygon
     long euler_characteristic() const {
       return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(polygons);
     }
-    long genus() const { return (2 - euler_characteristic()) / 2; }
+    long genus() const { return (2 - euler_characteristic() - static_cast<long>(loops)) / 2; }
   };
   std::vector<ZeroVertex> vertices;
   std::vector<Polygon> polygons;     ///< ascending by tetrahedron or facet slot
   std::vector<Component> components; ///< by smallest tetrahedron slot
   long euler_characteristic() const;
+  std::size_t boundary_loops() const;
   /// Whether there is more than one inside.
   bool has_rooms() const;
 };

@@ -111,33 +111,44 @@ std::size_t ZeroTopology::pieces(const std::vector<Polygon>& polygons) {
 }
 
 void ZeroTopology::change(const std::vector<Polygon>& polygons, int by) {
-  const auto count = [by](auto& map, const auto& at, long& total) {
+  // How many polygons there are at a corner or an edge then.
+  const auto count = [by](auto& map, const auto& at, long& total) -> std::uint32_t {
     if (by > 0) {
-      if (++map[at] == 1) ++total;
-    } else if (const auto found = map.find(at); found != map.end() && --found->second == 0) {
-      map.erase(found);
-      --total;
+      const std::uint32_t now = ++map[at];
+      total += now == 1;
+      return now;
     }
+    const auto found = map.find(at);
+    if (found == map.end()) return 0;
+    const std::uint32_t now = --found->second;
+    if (now > 0) return now;
+    map.erase(found);
+    --total;
+    return 0;
   };
   for (const Polygon& p : polygons) {
     polygons_ += by;
     for (std::size_t i = 0; i < p.count; ++i) {
       const Corner a = p.corner[i], b = p.corner[(i + 1) % p.count];
       count(at_corner_, a, corners_);
-      count(at_edge_, EdgeKey{std::min(a, b), std::max(a, b)}, edges_);
+      const std::uint32_t now = count(at_edge_, EdgeKey{std::min(a, b), std::max(a, b)}, edges_);
+      const std::uint32_t was = by > 0 ? now - 1 : now + 1;
+      border_edges_ += (now == 1) - (was == 1);
     }
   }
 }
 
 void ZeroTopology::count_components(const Complex& complex) {
   ++recounts_;
-  components_ = extract_zero_set(complex).components.size();
+  const ZeroSet z = extract_zero_set(complex);
+  components_ = z.components.size();
+  loops_ = z.boundary_loops();
 }
 
 void ZeroTopology::count(const Complex& complex) {
   at_corner_.clear();
   at_edge_.clear();
-  corners_ = edges_ = polygons_ = 0;
+  corners_ = edges_ = polygons_ = border_edges_ = 0;
   std::vector<TetRecord> tets;
   std::vector<FacetRecord> facets;
   for (std::size_t i = 0; i < complex.tets.size(); ++i)
@@ -152,6 +163,7 @@ void ZeroTopology::before(const Complex& complex, const Delta& delta) {
   if (changes_everything(delta)) return;
   const std::vector<Polygon> gone = patch(complex, delta.removed, delta.removed_facets);
   pieces_before_ = pieces(gone);
+  border_edges_before_ = border_edges_;
   change(gone, -1);
 }
 
@@ -160,7 +172,9 @@ void ZeroTopology::after(const Complex& complex, const Delta& delta) {
   const std::vector<Polygon> come = patch(complex, delta.added, delta.added_facets);
   const std::size_t pieces_after = pieces(come);
   change(come, 1);
-  if (pieces_before_ > 1 || pieces_after > 1 || pieces_before_ != pieces_after) count_components(complex);
+  if (pieces_before_ > 1 || pieces_after > 1 || pieces_before_ != pieces_after ||
+      border_edges_ != border_edges_before_)
+    count_components(complex);
 }
 
 } // namespace isoscope

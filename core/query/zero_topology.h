@@ -1,4 +1,5 @@
-// χ and components of Z, followed from delta to delta in time proportional to what an operation changes.
+// χ, components and boundary loops of Z, followed from delta to delta in time proportional to what an
+// operation changes.
 #pragma once
 
 #include "mesh/complex.h"
@@ -12,6 +13,7 @@ namespace isoscope {
 
 /// χ is kept by counting the polygons at each corner and edge of Z. Components are counted anew only where
 /// what an operation took away or put there is not one connected piece; otherwise they stay what they were.
+/// Loops of a border are counted anew with them, and where its edges become more or fewer.
 class ZeroTopology {
  public:
   /// Counts Z of the whole state.
@@ -21,6 +23,7 @@ class ZeroTopology {
   void after(const Complex& complex, const Delta& delta);
   long euler_characteristic() const { return corners_ - edges_ + polygons_; }
   std::size_t components() const { return components_; }
+  std::size_t boundary_loops() const { return loops_; }
   /// How often components had to be counted anew.
   std::size_t recounts() const { return recounts_; }
 
@@ -61,6 +64,8 @@ class ZeroTopology {
   std::unordered_map<Corner, std::uint32_t, Hash> at_corner_; ///< looked up only, never iterated
   std::unordered_map<EdgeKey, std::uint32_t, Hash> at_edge_;
   long corners_ = 0, edges_ = 0, polygons_ = 0;
+  long border_edges_ = 0, border_edges_before_ = 0; ///< with one polygon
+  std::size_t loops_ = 0;
   std::size_t components_ = 0, recounts_ = 0;
   std::size_t pieces_before_ = 0;
 };

@@ -1,6 +1,7 @@
 // Boundary components belong to the component of Z nearest to most of their samples.
 #include "questions/topology_report.h"
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -66,13 +67,18 @@ std::string words_of(const TopologyReport& r) {
             " and χ = " + std::to_string(r.verdict.euler_characteristic) + "; none is expected (" +
             r.expected.source + ").";
   } else if (r.verdict.as_expected) {
-    words = "Components and χ of Z are those" + source + ".";
+    words = (r.expected.boundary_loops ? "Components, χ and boundary loops of Z are those"
+                                       : "Components and χ of Z are those") +
+            source + ".";
   } else {
     words = "Z has " + std::to_string(r.verdict.components) +
             " components and χ = " + std::to_string(r.verdict.euler_characteristic);
+    if (r.expected.boundary_loops) words += " with " + counted(r.verdict.boundary_loops, "boundary loop");
     if (r.expected.components && r.expected.euler_characteristic)
       words += "; expected are " + std::to_string(*r.expected.components) + " and " +
-               std::to_string(*r.expected.euler_characteristic) + ", those" + source;
+               std::to_string(*r.expected.euler_characteristic) +
+               (r.expected.boundary_loops ? " with " + counted(*r.expected.boundary_loops, "loop") : "") +
+               ", those" + source;
     words += ".";
   }
   if (r.wrong_components > 0)

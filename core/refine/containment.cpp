@@ -14,15 +14,22 @@ constexpr double march_precision = 1e-6;
 
 } // namespace
 
+ContainmentCondition::ContainmentCondition(RefinementContext& context)
+    : context_(context), judge_(outside_judge(context.volume())) {
+  context.follow(checklist_);
+}
+
 FacetVerdict::Kind ContainmentCondition::certify(TetId t, Violation* violation) const {
   const Complex& complex = context_.live().complex();
   const ToleranceThresholds& limits = context_.volume().thresholds();
   auto worst = FacetVerdict::Kind::inside;
   std::vector<LabelledTriangle> facets;
   append_zero_triangles(complex.positions(t), complex.values(t), complex.labels(t), complex.tet(t).v, facets);
+  FacetSearch search;
+  if (judge_) search.judge = &judge_;
   for (const LabelledTriangle& facet : facets) {
     const FacetVerdict verdict = certify_facet(context_.volume().field(), facet.corners, limits.delta,
-                                               std::min(limits.reject, limits.delta));
+                                               std::min(limits.reject, limits.delta), search);
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     worst = verdict.kind;
     if (verdict.kind != FacetVerdict::Kind::outside) continue;
@@ -89,7 +96,8 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
 
 Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event) {
   checklist_.set(t, state);
-  if (!open_at_ && context_.volume().has_surface() && !context_.volume().sides().known())
+  if (!open_at_ && context_.volume().has_surface() && !context_.volume().sides().known() &&
+      context_.volume().open_sides() == nullptr)
     open_at_ = both_sides_meet(t);
   event.kind = EventKind::exhausted;
   if (event.reason != Reason::budget) event.reason = Reason::too_close;
@@ -123,11 +131,19 @@ ContainmentCondition::candidate(TetId t, const Violation& violation, int label) 
   if (projected && context_.spacing(context_.snapped(*projected), t) >= spacing) {
     return Candidate{*projected, Reason::projected};
   }
-  if (const auto traced = traced_candidate(t, violation, label)) return traced;
+  if (const auto traced = traced_candidate(t, violation, label); traced && on_side(traced->point, label))
+    return traced;
   // The input may be so thin that all these places coincide with vertices; beyond δ the side is known as
   // well.
   if (has_room(violation.witness, t)) return Candidate{violation.witness, Reason::violating_point};
   return std::nullopt;
+}
+
+bool ContainmentCondition::on_side(Vec3 p, int label) const {
+  const OpenSides* sides = context_.volume().open_sides();
+  if (sides == nullptr) return true;
+  const ClosestPoint closest = context_.volume().field().closest(p);
+  return !sides->is_open(closest.triangle) || sides->side(p, closest) == label;
 }
 
 bool ContainmentCondition::has_room(Vec3 p, TetId t) const {

@@ -44,8 +44,8 @@ struct DirectedEdge {
   friend auto operator<=>(const DirectedEdge&, const DirectedEdge&) = default;
 };
 
-/// Closedness, orientation, single fans, components and χ.
-void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
+/// Closedness, orientation, single fans, components, loops and χ. `open`: a border is allowed.
+void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
   std::vector<DirectedEdge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
@@ -61,12 +61,12 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     return std::pair(first, last);
   };
 
-  c.closed_manifold = !mesh.triangles.empty();
-  c.oriented = c.closed_manifold;
+  c.closed_manifold = c.manifold = !mesh.triangles.empty();
+  c.oriented = c.manifold;
   if (mesh.triangles.empty()) c.failures.emplace_back("The mesh is empty.");
   for (const auto& t : mesh.triangles) {
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) continue;
-    c.closed_manifold = c.oriented = false;
+    c.closed_manifold = c.manifold = c.oriented = false;
     c.failures.push_back("A facet at " + place(mesh.points[t[0]], place_digits) + " has a vertex twice.");
     break;
   }
@@ -76,12 +76,15 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     const auto [same, same_end] = facets_of(e.from, e.to);
     const auto [twin, twin_end] = facets_of(e.to, e.from);
     const auto along = same_end - same, against = twin_end - twin;
+    const bool on_border = along == 1 && against == 0;
     if (along + against != 2) c.closed_manifold = false;
-    if (along != 1 || against != 1) {
+    if (along + against != 2 && !(open && on_border)) c.manifold = false;
+    if (along != 1 || (against != 1 && !(open && on_border))) {
       if (c.oriented) {
         c.failures.push_back("The edge from " + place(mesh.points[e.from], place_digits) + " to " +
                              place(mesh.points[e.to], place_digits) +
-                             " has not exactly two facets of opposite direction.");
+                             " has not exactly two facets of opposite direction" +
+                             (open ? ", nor is it on a border." : "."));
       }
       c.oriented = false;
     }
@@ -91,7 +94,8 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     }
   }
 
-  // Around a manifold vertex the facets form one cycle: walking from facet to facet meets all of them.
+  // Around a manifold vertex the facets form one cycle, or one fan from border to border: walking from facet
+  // to facet meets all of them.
   std::vector<std::uint32_t> degree(mesh.points.size(), 0);
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t v : t) ++degree[v];
@@ -101,23 +105,30 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     if (degree[v] == 0) continue;
     ++used;
     if (!c.oriented) continue;
-    const auto first = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{v, 0, 0});
+    auto first = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{v, 0, 0});
+    for (auto e = first; open && e != edges.end() && e->from == v; ++e) {
+      const auto [twin, twin_end] = facets_of(e->to, v);
+      if (twin == twin_end) first = e; // the fan begins here
+    }
     std::uint32_t to = first->to;
     std::uint32_t length = 0;
     do {
-      const auto& t = mesh.triangles[facets_of(v, to).first->facet];
+      const auto [next, next_end] = facets_of(v, to);
+      if (next == next_end) break;
+      const auto& t = mesh.triangles[next->facet];
       const std::size_t k = t[0] == v ? 0 : (t[1] == v ? 1 : 2);
       to = t[(k + 2) % 3];
       ++length;
     } while (to != first->to && length <= degree[v]);
     if (length != degree[v]) {
-      if (c.closed_manifold) {
+      if (c.manifold) {
         c.failures.push_back("The facets around the vertex " + place(mesh.points[v], place_digits) +
                              " form more than one fan.");
       }
-      c.closed_manifold = false;
+      c.closed_manifold = c.manifold = false;
     }
   }
+  if (!c.closed_manifold) c.boundary_loops = count_loops(border_edges(mesh), mesh.points.size());
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     if (pieces.find(f) == f) ++c.components;
   }
@@ -160,7 +171,7 @@ void check_regions(const TriangleMesh& mesh, Certificate& c) {
 
 /// False when it was stopped, as with those below.
 bool check_intersections(const TriangleMesh& mesh, Certificate& c, const Stop& stop) {
-  if (!c.closed_manifold || !c.oriented) {
+  if (!c.manifold || !c.oriented) {
     c.failures.emplace_back(
         c.regions.empty() ? "Intersections were not tested because the mesh is no closed oriented 2-manifold."
                           : "Intersections were not tested because a region's boundary is no closed oriented "
@@ -197,15 +208,17 @@ void check_sides_exactly(const TriangleMesh& mesh, const ToleranceField& field, 
   }
 }
 
-bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
-                       const Stop& stop) {
+bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, const FilledHoles& holes,
+                       Certificate& c, const Stop& stop) {
   const double delta = volume.thresholds().delta;
   std::vector<FacetVerdict> verdicts(mesh.triangles.size());
   const FacetSearch search{piece_budget, {}, nullptr, 0, &stop};
   const bool complete =
       parallel_until(mesh.triangles.size(), 64, stop,
                      [&](std::size_t f) {
-                       verdicts[f] = certify_facet(volume.field(), corners(mesh, f), delta, delta, search);
+                       verdicts[f].kind = FacetVerdict::Kind::inside;
+                       if (!holes.fills(f))
+                         verdicts[f] = certify_facet(volume.field(), corners(mesh, f), delta, delta, search);
                      }) &&
       !stop();
   c.within_tolerance = complete && !mesh.triangles.empty();
@@ -375,12 +388,39 @@ bool check_room_separation(const TriangleMesh& mesh, const ToleranceVolume& volu
   return true;
 }
 
+/// Winding numbers tell closed parts, segments open ones.
+bool check_all_sides(const TriangleMesh& mesh, const ToleranceVolume& volume, const FilledHoles& holes,
+                     Certificate& c, const Stop& stop) {
+  if (volume.open_sides() == nullptr) return check_separation(mesh, volume, c, stop);
+  if (!check_separation(closed_parts(mesh, holes), volume, c, stop)) return false;
+  const auto failure = unseparated_sheet(mesh, volume, stop);
+  if (!failure) return c.separates = false;
+  if (!failure->empty()) {
+    c.separates = false;
+    c.failures.push_back(*failure);
+  }
+  return true;
+}
+
+bool check_border(const TriangleMesh& mesh, const ToleranceVolume& volume, const FilledHoles& holes,
+                  Certificate& c, const Stop& stop) {
+  if (volume.open_sides() == nullptr) return true;
+  c.border = prove_border(mesh, volume, holes, stop);
+  if (!c.border) {
+    c.border.emplace().failures.emplace_back("The distance of the border to the rim was not found out.");
+    return false;
+  }
+  c.failures.insert(c.failures.end(), c.border->failures.begin(), c.border->failures.end());
+  return true;
+}
+
 void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expected, Certificate& c,
                        const RunControl& control) {
   using Topology = Certificate::Topology;
   const bool asked = expected.euler_characteristic || expected.components;
   const bool met = expected.euler_characteristic.value_or(c.euler_characteristic) == c.euler_characteristic &&
-                   expected.components.value_or(c.components) == c.components;
+                   expected.components.value_or(c.components) == c.components &&
+                   expected.boundary_loops.value_or(c.boundary_loops) == c.boundary_loops;
   c.topology = !asked              ? Topology::not_asked
                : met               ? Topology::as_expected
                : expected.required ? Topology::wrong
@@ -399,8 +439,11 @@ void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expecte
                       (c.components == 1 ? " component" : " components") + ", ";
     if (expected.euler_characteristic)
       c.topology_note += "χ = " + std::to_string(*expected.euler_characteristic) + " in ";
-    c.topology_note += std::to_string(expected.components.value_or(c.components)) + " from " +
-                       expected.source + " was aimed at.";
+    c.topology_note += std::to_string(expected.components.value_or(c.components)) +
+                       (expected.boundary_loops ? " with " + counted(*expected.boundary_loops, "loop") +
+                                                      " (" + std::to_string(c.boundary_loops) + " found)"
+                                                : std::string()) +
+                       " from " + expected.source + " was aimed at.";
     return;
   case Topology::wrong:
     break;
@@ -412,6 +455,9 @@ void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expecte
   if (expected.components && *expected.components != c.components)
     c.failures.push_back("There are " + std::to_string(c.components) + " components instead of " +
                          std::to_string(*expected.components) + ".");
+  if (expected.boundary_loops && *expected.boundary_loops != c.boundary_loops)
+    c.failures.push_back("Its border has " + counted(c.boundary_loops, "loop") + " instead of " +
+                         std::to_string(*expected.boundary_loops) + ".");
   if (!c.closed_manifold || !c.oriented || !c.regions.empty()) return;
   if (const std::string places = topology_places(mesh, control); !places.empty())
     c.failures.back() += " " + places;
@@ -425,7 +471,8 @@ std::string_view name(Certificate::Topology topology) {
 }
 
 Certificate certify(const TriangleMesh& given, const ToleranceVolume& volume,
-                    const ExpectedTopology& expected, const RunControl& control, const CoverTest& cover) {
+                    const ExpectedTopology& expected, const RunControl& control, const CoverTest& cover,
+                    const FilledHoles& holes) {
   // Of rooms a mesh between two sides may be left where all others were lost.
   const bool rooms = volume.has_rooms() || !given.labels.empty();
   TriangleMesh labelled;
@@ -440,17 +487,18 @@ Certificate certify(const TriangleMesh& given, const ToleranceVolume& volume,
   if (rooms && !mesh.triangles.empty())
     check_regions(mesh, c);
   else
-    check_connectivity(mesh, c);
+    check_connectivity(mesh, volume.open_sides() != nullptr, c);
   if (mesh.triangles.empty()) return c;
   std::string open;
   const auto note = [&](bool found_out, const char* what) {
     if (!found_out) open += (open.empty() ? "" : ", ") + std::string(what);
   };
   note(check_intersections(mesh, c, stop), "freedom from intersections");
-  note(rooms ? check_room_separation(mesh, volume, c, stop) : check_separation(mesh, volume, c, stop),
+  note(rooms ? check_room_separation(mesh, volume, c, stop) : check_all_sides(mesh, volume, holes, c, stop),
        "separation of the sides");
   control.report("certificate", 0.3);
-  note(check_containment(mesh, volume, c, stop), "containment");
+  note(check_containment(mesh, volume, holes, c, stop), "containment");
+  note(check_border(mesh, volume, holes, c, stop), "distance of the border");
   control.report("certificate", 0.7);
   note(check_coverage(mesh, volume, cover, c, control), "coverage of the input");
   check_expectation(mesh, expected, c, control);

@@ -4,6 +4,7 @@
 #include "base/run_control.h"
 #include "criteria/topology.h"
 #include "input/triangle_soup.h"
+#include "run/border_certificate.h"
 #include "run/coverage.h"
 #include "run/reverse_distance.h"
 #include "run/room_certificate.h"
@@ -34,7 +35,8 @@ struct Certificate {
     missed,      ///< they are not what was aimed at where nothing is known to have it: Ω is no thickening
     not_asked    ///< nothing is aimed at
   };
-  bool closed_manifold = false; ///< of rooms: the boundary of each region is
+  bool closed_manifold = false; ///< without border; of rooms: the boundary of each region is
+  bool manifold = false;        ///< the same, or with a border where the input is an open surface
   bool oriented = false;
   std::vector<RegionCertificate> regions; ///< of rooms: each region's boundary; else empty
   bool intersection_free = false;         ///< exact predicates
@@ -50,8 +52,11 @@ struct Certificate {
   std::size_t uncovered_count = 0;       ///< of all such places
   std::string cover_note;                ///< where it is exceeded and need not hold: why; else empty
   std::string gap_note; ///< where walls are left out of that, as Ω closes the gap before them; else empty
-  /// The winding number at the witness of every region is that of its side; of rooms: for every boundary.
+  /// The winding number at the witness of every region is that of its side, of rooms for every boundary;
+  /// beside open surfaces segments from one side to the other cross the mesh an odd number of times.
   bool separates = false;
+  std::size_t boundary_loops = 0;
+  std::optional<BorderProof> border; ///< of open surfaces
   Topology topology = Topology::wrong;
   bool topology_as_expected() const {
     return topology == Topology::as_expected || topology == Topology::not_asked;
@@ -62,8 +67,8 @@ struct Certificate {
   long euler_characteristic = 0;
   std::vector<std::string> failures; ///< one sentence each: which, where
   bool holds() const {
-    return closed_manifold && oriented && intersection_free && within_tolerance && covers && separates &&
-           topology != Topology::wrong;
+    return manifold && oriented && intersection_free && within_tolerance && covers && separates &&
+           topology != Topology::wrong && (!border || border->holds());
   }
 };
 
@@ -73,6 +78,6 @@ std::string_view name(Certificate::Topology topology);
 /// When the control is cancelled, its grace bounds the time that this may take: what is not proven by then
 /// does not hold, and a failure says that it was not found out. An abandoned control ends it at once.
 Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
-                    const RunControl& control, const CoverTest& cover = {});
+                    const RunControl& control, const CoverTest& cover = {}, const FilledHoles& holes = {});
 
 } // namespace isoscope

@@ -117,7 +117,8 @@ class ResamplingGate : public Gate {
 std::optional<double> expected_genus(const Scene& scene) {
   const ExpectedTopology& e = scene.expected;
   if (!e.euler_characteristic || !e.components) return std::nullopt;
-  return static_cast<double>(*e.components) - static_cast<double>(*e.euler_characteristic) / 2;
+  const auto loops = static_cast<double>(e.boundary_loops.value_or(0));
+  return static_cast<double>(*e.components) - (static_cast<double>(*e.euler_characteristic) + loops) / 2;
 }
 
 std::string tolerance_text(const RunParameters& parameters, const Scene& scene) {
@@ -442,7 +443,8 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
 
   m.resampling.emplace(*m.gate, criteria.sigma);
   m.recorder.emplace(*m.journal, *m.resampling);
-  m.refinement = std::make_unique<Refinement>(*m.volume, scene->samples, criteria, scene->expected,
+  m.refinement = std::make_unique<Refinement>(*m.volume, scene->samples, criteria,
+                                              expected_before_the_cut(*m.volume, scene->expected),
                                               RefinementLimits{}, *m.recorder, *m.control);
   m.scene = scene;
   m.current_samples = scene->samples;
@@ -499,9 +501,12 @@ Result<RunResult> Pipeline::run() {
   result.branch = m.branched;
   result.last_stage = m.last_stage();
   result.form = m.complex().form;
-  result.mesh = triangulate(extract_zero_set(m.complex()));
-  result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control,
-                               {parameters_.cover, parameters_.topology == TopologyMode::separate, true});
+  const ZeroSet zero_set = extract_zero_set(m.complex());
+  result.mesh = triangulate(zero_set);
+  result.holes = filled_holes(*m.journal, m.journal->steps(), m.complex(), zero_set);
+  result.certificate = certify(
+      result.mesh, *m.volume, with_filled_holes(m.scene->expected, result.holes, result.mesh), *m.control,
+      {parameters_.cover, parameters_.topology == TopologyMode::separate, true}, result.holes);
   result.crumbs = count_small_parts(result.mesh, crumb_size * m.scene->delta);
   if (m.volume->has_surface()) result.normals = measure_normal_deviation(result.mesh, *m.volume, *m.control);
   if (m.scene->points) result.points = measure_points(*m.scene->points, result.mesh, *m.control);

@@ -44,7 +44,7 @@ class Sampler {
     options_.one_region_a_cell = one_region_a_side();
     std::size_t labels = 2;
     for (const Region& r : volume.regions()) labels = std::max(labels, place_of(r.label) + 1);
-    coverable_.resize(labels);
+    coverable_.resize(labels + (volume.open_sides() != nullptr ? 1 : 0));
   }
 
   Status run(const RunControl& control) {
@@ -73,7 +73,10 @@ class Sampler {
     return {};
   }
 
-  BoundarySamples take() { return std::move(samples_); }
+  BoundarySamples take() {
+    set_boundary_samples_apart();
+    return std::move(samples_);
+  }
 
  private:
   bool one_region_a_side() const {
@@ -82,6 +85,23 @@ class Sampler {
     const double cell_diagonal = 1.7321 * volume_.octree().side(volume_.octree().main_level());
     return volume_.sides().known() && volume_.regions().size() == 2 && inside == 1 &&
            cell_diagonal < 1.9 * volume_.thresholds().boundary;
+  }
+
+  /// Refinement ignores B: what is over the rim is on no side.
+  void set_boundary_samples_apart() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (samples_.labels[i] == 0) {
+        samples_.over_rim.push_back(samples_.positions[i]);
+        continue;
+      }
+      samples_.positions[kept] = samples_.positions[i];
+      samples_.labels[kept] = samples_.labels[i];
+      samples_.components[kept++] = samples_.components[i];
+    }
+    samples_.positions.resize(kept);
+    samples_.labels.resize(kept);
+    samples_.components.resize(kept);
   }
 
   void sample_block(const SampleUnitFinder& finder, std::span<const Regions::CellIndex> block,
@@ -151,7 +171,7 @@ class Sampler {
       const std::uint64_t bit = std::uint64_t{1} << i % 64;
       open_[i / 64] |= bit;
       for (std::size_t side = 0; side < coverable_.size(); ++side)
-        if (!c.has_point || place_of(c.label) == side) coverable_[side][i / 64] |= bit;
+        if (!c.has_point || slot_of(c.label) == side) coverable_[side][i / 64] |= bit;
     }
     near_.clear();
     grid_.gather(unit.box().grown(samples_.sigma), near_);
@@ -193,6 +213,8 @@ class Sampler {
     return static_cast<std::size_t>(found - unit.cells.begin());
   }
 
+  /// Where a label has its bits: what is over the rim, on no side, in the last place.
+  std::size_t slot_of(int label) const { return label == 0 ? coverable_.size() - 1 : place_of(label); }
   bool is_open(std::size_t cell) const { return open_[cell / 64] >> cell % 64 & 1u; }
 
   /// The candidate point that covers the most open cells; the number of offers when none covers any.
@@ -205,7 +227,7 @@ class Sampler {
       const auto row = unit.row(i);
       std::size_t n = 0;
       for (std::size_t w = 0; w < row.size(); ++w)
-        n += static_cast<std::size_t>(std::popcount(row[w] & open_[w] & coverable_[place_of(c.label)][w]));
+        n += static_cast<std::size_t>(std::popcount(row[w] & open_[w] & coverable_[slot_of(c.label)][w]));
       bounds_[i] = n;
       if (n > most) most = n, best = i;
     }
@@ -225,7 +247,7 @@ class Sampler {
   /// Marks the open cells of a sample's row as covered, as far as they are of its side or of none.
   void close(const SampleUnit& unit, std::span<const std::uint64_t> row, Vec3 p, int label) {
     for (std::size_t w = 0; w < row.size(); ++w) {
-      const std::uint64_t covered = row[w] & open_[w] & coverable_[place_of(label)][w];
+      const std::uint64_t covered = row[w] & open_[w] & coverable_[slot_of(label)][w];
       open_[w] &= ~covered;
       for (std::uint64_t rest = covered; rest != 0; rest &= rest - 1) {
         const SampleCandidate& cell = unit.cells[64 * w + static_cast<std::size_t>(std::countr_zero(rest))];

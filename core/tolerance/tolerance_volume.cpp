@@ -2,6 +2,7 @@
 #include "tolerance/tolerance_volume.h"
 
 #include "base/place.h"
+#include "tolerance/border_gate.h"
 #include "tolerance/boundary_topology.h"
 #include "tolerance/contacts.h"
 #include "tolerance/region_labels.h"
@@ -11,6 +12,7 @@
 #include "tolerance/volume_components.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -75,6 +77,13 @@ std::vector<RegionSummary> summarize(const Regions& octree, const RunControl& co
   return list;
 }
 
+std::vector<Segment3> open_segments(const Rim& rim) {
+  std::vector<Segment3> segments;
+  for (const RimPiece& p : rim.pieces())
+    if (p.open) segments.push_back({p.a, p.b});
+  return segments;
+}
+
 } // namespace
 
 ToleranceVolume::ToleranceVolume() = default;
@@ -84,13 +93,19 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   copy.field_ = field_;
   copy.input_ = input_;
   copy.sides_ = sides_;
+  copy.open_sides_ = open_sides_;
   copy.thresholds_ = thresholds_;
+  copy.border_gate_ = border_gate_;
   copy.regions_ = regions_;
   copy.witnesses_ = witnesses_;
   copy.boundary_components_ = boundary_components_;
   copy.volume_components_ = volume_components_;
   copy.volume_component_count_ = volume_component_count_;
   return copy;
+}
+
+void ToleranceVolume::keep_border_to(std::vector<Segment3> rim) {
+  border_gate_ = std::make_shared<const BorderGate>(std::move(rim), thresholds_.delta);
 }
 
 ToleranceVolume::ToleranceVolume(ToleranceVolume&&) noexcept = default;
@@ -137,6 +152,14 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
   // coloured.
   if (v.has_surface() && !v.sides_.known()) v.find_thin_regions(control);
   if (control.cancelled()) return stopped;
+  if (v.has_surface() && !v.sides_.known()) {
+    auto found = find_open_sides(v, control);
+    if (control.cancelled()) return stopped;
+    if (!found) return found.error();
+    v.open_sides_ = std::move(*found);
+    if (v.open_sides_ && !options.open_surfaces) return open_surface_near(v.open_sides_->rim().pieces()[0].a);
+    if (v.open_sides_) v.keep_border_to(open_segments(v.open_sides_->rim()));
+  }
   const Status labelled = v.label_regions(control);
   if (control.cancelled()) return stopped;
   if (!labelled) return labelled.error();
@@ -380,9 +403,13 @@ Result<bool> ToleranceVolume::label_rooms_of_input(const RunControl& control) {
 }
 
 Status ToleranceVolume::check_passages() const {
-  for (const Regions::Passage& p : octree_->passages())
-    if (regions_[p.numbers[0]].label != regions_[p.numbers[1]].label)
-      return open_surface_near(octree_->center(octree_->cell(p.cell)));
+  for (const Regions::Passage& p : octree_->passages()) {
+    if (regions_[p.numbers[0]].label == regions_[p.numbers[1]].label) continue;
+    const Vec3 where = octree_->center(octree_->cell(p.cell));
+    // A pocket along an open surface has the side that it is on, whatever it is joined to.
+    if (open_sides_ && open_sides_->is_open(field_->closest(where).triangle)) continue;
+    return open_surface_near(where);
+  }
   return {};
 }
 
@@ -447,8 +474,11 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget, const RunControl
   Region& region = regions_.back();
   region.shallow = sides_.rule() == SideRule::depth || has_rooms();
   region.label = region.shallow ? basin_at(region.deepest) : sides_.label(region.deepest);
+  const TriangleId site = open_sides_ ? field_->closest(region.deepest).triangle : TriangleId();
+  const bool beside_sheet = open_sides_ && open_sides_->is_open(site);
   if (winds()) region.winding_number = sides_.winding_number(region.deepest);
-  if (region.depth > thresholds_.delta) witnesses_.push_back({region.deepest, region.label, region.depth});
+  if (region.depth > thresholds_.delta && !beside_sheet)
+    witnesses_.push_back({region.deepest, region.label, region.depth});
   return id;
 }
 
@@ -459,6 +489,10 @@ int ToleranceVolume::basin_at(Vec3 p) const {
 
 int ToleranceVolume::label_at(Vec3 p, const RunControl& control) {
   if (sides_.rule() == SideRule::given && field_->distance(p) > thresholds_.boundary) return field_->side(p);
+  if (open_sides_) {
+    const ClosestPoint closest = field_->closest(p);
+    if (open_sides_->is_open(closest.triangle)) return open_sides_->side(p, closest);
+  }
   const RegionId region = region_at(p, thin_region_budget, control);
   return region.valid() ? regions_[region.index()].label : 0;
 }
@@ -488,7 +522,12 @@ bool ToleranceVolume::thickening() const {
   std::vector<std::vector<long>> sides(volume_component_count_);
   for (const BoundaryComponent& c : boundary_components_)
     if (!regions_[c.region.index()].shallow) sides[c.volume_component].push_back(c.euler_characteristic);
-  return std::all_of(sides.begin(), sides.end(), [](const auto& s) { return s.size() == 2 && s[0] == s[1]; });
+  for (std::uint32_t c = 0; c < sides.size(); ++c) {
+    // That of an open surface has one boundary, which goes round its rim.
+    const std::size_t boundaries = open_sides_ && open_sides_->is_open_component(c) ? 1 : 2;
+    if (sides[c].size() != boundaries || sides[c].front() != sides[c].back()) return false;
+  }
+  return true;
 }
 
 std::string ToleranceVolume::thickening_note(const RunControl& control) const {
@@ -569,7 +608,7 @@ std::vector<std::string> ToleranceVolume::side_notes() const {
 }
 
 std::size_t ToleranceVolume::memory_bytes() const {
-  return octree_->memory_bytes() + basins_.capacity() +
+  return octree_->memory_bytes() + basins_.capacity() + (open_sides_ ? open_sides_->memory_bytes() : 0) +
          volume_components_.capacity() * sizeof(std::uint32_t) + regions_.capacity() * sizeof(Region) +
          boundary_components_.capacity() * sizeof(BoundaryComponent);
 }

@@ -137,17 +137,41 @@ TEST_CASE("a gap barely wide enough for the reject distance is joined to the out
   CHECK(v->regions().size() == 3);
 }
 
-TEST_CASE("open surfaces are named with a place on their border") {
+TEST_CASE("open surfaces have a rim and sides by orientation, or are named where they are not wanted") {
   TriangleSoup soup;
   testing::add_sphere(soup, {0, 0, 0}, 1, 24);
   std::erase_if(soup.triangles, [&](const auto& t) {
     return soup.points[t[0]].z > 0.8 || soup.points[t[1]].z > 0.8 || soup.points[t[2]].z > 0.8;
   });
-  const auto v = build(soup, 0.05);
-  REQUIRE_FALSE(v.ok());
-  CHECK(v.error().code == ErrorCode::open_surface);
-  CHECK(v.error().message.find("open surface near") != std::string::npos);
-  CHECK_FALSE(v.error().remedy.empty());
+  auto v = build(soup, 0.05);
+  REQUIRE(v.ok());
+  REQUIRE(v->open_sides() != nullptr);
+  CHECK(v->thickening());
+  const Rim& rim = v->open_sides()->rim();
+  REQUIRE(rim.loops().size() == 1);
+  const RimLoop& loop = rim.loops().front();
+  CHECK(loop.flatness < 0.01);
+  CHECK(std::abs(loop.normal.z) > 0.99);
+  double lowest = 1;
+  for (const RimPiece& piece : rim.pieces()) {
+    CHECK(piece.open);
+    CHECK(piece.conormal.z > 0);
+    lowest = std::min(lowest, piece.a.z);
+  }
+  CHECK(lowest == doctest::Approx(loop.center.z));
+  CHECK(v->label_at({0, 0, -1.07}) == +1);
+  CHECK(v->label_at({0, 0, -0.93}) == -1);
+  const double radius = std::sqrt(1 - lowest * lowest);
+  CHECK(v->label_at({radius, 0, lowest + 0.06}) == 0);
+
+  const auto index = std::make_shared<const ClosestPointIndex>(soup);
+  ToleranceVolume::Options closed{0.05, 0.95};
+  closed.open_surfaces = false;
+  const auto refused = ToleranceVolume::build(index, analyse_input(soup), closed, RunControl());
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().code == ErrorCode::open_surface);
+  CHECK(refused.error().message.find("open surface near") != std::string::npos);
+  CHECK_FALSE(refused.error().remedy.empty());
 }
 
 TEST_CASE("a soup with gaps closes under a large tolerance and is open under a small one") {
