@@ -165,7 +165,7 @@ Json border_json(const Certificate& c) {
 }
 
 Json rim_json(const Scene& scene) {
-  const OpenSides* sides = scene.volume->open_sides();
+  const OpenSides* sides = scene.volume ? scene.volume->open_sides() : nullptr;
   if (sides == nullptr) return nullptr;
   Json loops = Json::array();
   for (const RimLoop& loop : sides->rim().loops())
@@ -225,8 +225,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"consistently_oriented", scene.input_topology.consistently_oriented},
         {"euler_characteristic", optional_number(scene.input_topology.euler_characteristic)},
         {"boundary_loops",
-          scene.input_topology.boundary_loops ? Json(*scene.input_topology.boundary_loops) : Json(nullptr)},
-         {"sides_by", name(scene.volume->sides().rule())},
+         scene.input_topology.boundary_loops ? Json(*scene.input_topology.boundary_loops) : Json(nullptr)},
+        {"sides_by", name(scene.volume ? scene.volume->sides().rule() : scene.input_topology.side_rule)},
         {"left_out", left_out_json(scene.left_out)}}},
       {"parameters",
        {{"tolerance", scene.delta},

@@ -258,6 +258,8 @@ Result<bool> Simplification::run() {
   }
   if (m.log.stopped()) return false;
   m.fill_holes();
+  if (comes_after(m.parameters.until, m.last))
+    m.log.warn("Z between rooms ends with the stage all: the improver knows two sides only.");
   m.next = std::min(m.next, stage_order.size() - 1);
   return true;
 }
