@@ -9,7 +9,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<GalleryEntry, 15> entries{{
+constexpr std::array<GalleryEntry, 17> entries{{
     {"bracket", "Angle bracket",
      "Long thin triangles, sharp edges and drilled holes do not matter: only the volume around them does, "
      "and refinement "
