@@ -150,6 +150,7 @@ void check_regions(const TriangleMesh& mesh, Certificate& c) {
     if (!r.failure.empty())
       c.failures.push_back("The boundary of " + name_of_region(r.label) + ' ' + r.failure + '.');
   }
+  c.manifold = c.closed_manifold;
   DisjointSets pieces(mesh.points.size());
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<bool> used(mesh.points.size(), false);

@@ -165,7 +165,7 @@ Json border_json(const Certificate& c) {
 }
 
 Json rim_json(const Scene& scene) {
-  const OpenSides* sides = scene.volume->open_sides();
+  const OpenSides* sides = scene.volume ? scene.volume->open_sides() : nullptr;
   if (sides == nullptr) return nullptr;
   Json loops = Json::array();
   for (const RimLoop& loop : sides->rim().loops())

@@ -36,8 +36,7 @@ RimCut::RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log)
 
 bool RimCut::keeps(Vec3 p) const {
   const ClosestPoint closest = volume_.field().closest(p);
-  const double limit = std::min(volume_.thresholds().reject, volume_.thresholds().delta);
-  return closest.distance() <= limit && !volume_.open_sides()->over_rim(p, closest);
+  return closest.distance() <= volume_.thresholds().delta && !volume_.open_sides()->over_rim(p, closest);
 }
 
 /// Vertices of Z that have no place yet get theirs.

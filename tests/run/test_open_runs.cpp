@@ -4,7 +4,7 @@
 #include "journal/playback.h"
 #include "mesh/validity.h"
 #include "run/complete_run.h"
-#include "run/open_shapes.h"
+#include "tolerance/open_shapes.h"
 
 #include <doctest/doctest.h>
 
