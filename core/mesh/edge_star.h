@@ -2,8 +2,8 @@
 // nothing else (core/README.md, D2).
 #pragma once
 
-#include "base/segment.h"
 #include "base/ids.h"
+#include "base/segment.h"
 #include "mesh/complex.h"
 
 #include <array>
