@@ -5,7 +5,9 @@
 #include "criteria/orientation.h"
 #include "mesh/predicates.h"
 #include "mesh/sample_sets.h"
+#include "mesh/strata.h"
 #include "mesh/zero_set.h"
+#include "tolerance/border_gate.h"
 #include "tolerance/facet_certificate.h"
 
 #include <algorithm>
@@ -40,6 +42,39 @@ void learn(const ZeroFacetAfter& facet, const FacetVerdict& found, double delta,
   const Vec3 inward = (found.closest.point - found.witness) / d;
   verdict.learnt = HalfSpace{inward, dot(inward, facet.corners[k]) + (d - delta) / weight};
   verdict.invalid = invalid_region(facet.corners[k], weight, d - delta);
+}
+
+/// Edges of the border at the ends of the edge that a collapse changes: those it takes and those it leaves,
+/// the target first.
+struct BorderChange {
+  std::vector<Segment3> before, after;
+};
+
+BorderChange border_change(const EdgeStar& star, Vec3 target) {
+  BorderChange change;
+  const std::vector<StarFacet> facets = side_facets(star);
+  for (std::uint16_t end = 0; end < 2; ++end) {
+    const Vec3 at_end = star.vertices[end].position;
+    for (const std::uint32_t other : borders_from(link_arcs(facets, end))) {
+      const Vec3 p = star.vertices[other].position;
+      if (other < 2 && end == 1) continue; // the edge itself, met from its other end
+      change.before.push_back({at_end, p});
+      if (other >= 2) change.after.push_back({target, p});
+    }
+  }
+  return change;
+}
+
+/// What a border edge that is too far from the rim, or the rim from it, tells of other targets: the foot of
+/// the gap moves with the target's weight, and must come nearer by what is too much.
+TargetVerdict learn_border(const Segment3& edge, Vec3 foot, Vec3 gap, const BorderVerdict& found,
+                           double delta) {
+  TargetVerdict verdict = Refusal{Reason::border_distance, found.distance, delta, found.witness};
+  const double weight = 1 - closest_on_segment(foot, edge), d = length(gap);
+  if (weight < least_weight || !(d > 0)) return verdict;
+  const Vec3 inward = gap / d;
+  verdict.learnt = HalfSpace{inward, dot(inward, edge[0]) + (found.distance - delta) / weight};
+  return verdict;
 }
 
 std::size_t violated_tests(const OrientationVerdict& verdict) {
@@ -144,6 +179,31 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
     return outside;
   }
   return {};
+}
+
+std::optional<TargetVerdict> check_border(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
+  const BorderGate* gate = volume.border_gate();
+  if (gate == nullptr || star.cost_borders.empty()) return std::nullopt;
+  const BorderChange change = border_change(star, target);
+  if (change.before == change.after) return std::nullopt;
+  for (const Segment3& edge : change.after) {
+    const BorderVerdict verdict = gate->keeps_to_rim(edge);
+    if (verdict.proven) continue;
+    return learn_border(edge, verdict.witness, gate->rim().closest(verdict.witness).point - verdict.witness,
+                        verdict, gate->delta());
+  }
+  std::vector<Segment3> after = change.after;
+  after.insert(after.end(), star.border_beyond.begin(), star.border_beyond.end());
+  const BorderVerdict verdict = gate->covers_rim(change.before, after);
+  if (verdict.proven) return TargetVerdict{};
+  const auto nearest =
+      std::min_element(change.after.begin(), change.after.end(), [&](const Segment3& x, const Segment3& y) {
+        return distance_to(x, verdict.witness) < distance_to(y, verdict.witness);
+      });
+  if (nearest == change.after.end())
+    return Refusal{Reason::border_distance, verdict.distance, gate->delta(), verdict.witness};
+  const Vec3 foot = point_on(*nearest, closest_on_segment(verdict.witness, *nearest));
+  return learn_border(*nearest, foot, verdict.witness - foot, verdict, gate->delta());
 }
 
 TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationContext& context) {

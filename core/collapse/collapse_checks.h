@@ -8,6 +8,7 @@
 #include "mesh/junction.h"
 #include "tolerance/tolerance_volume.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,9 @@ std::vector<LabelledTriangle> zero_facets_before(const EdgeStar& star);
 TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const CriteriaParameters& criteria);
 /// Certified mode: every changed facet of Z proven inside Ω (core/README.md, N4).
 TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
+/// Border edges of Z that the collapse changes are proven within δ of the rim, and what those before covered
+/// of the rim stays covered (§4.1). Null where no border edge changes.
+std::optional<TargetVerdict> check_border(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
 /// Condition 3 is violated by no more tests than before (§2.4).
 TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationContext& context);
 /// The deepest point of every region inside the star keeps its side.

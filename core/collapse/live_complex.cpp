@@ -2,6 +2,7 @@
 #include "collapse/live_complex.h"
 
 #include "base/sort_unique.h"
+#include "mesh/strata.h"
 
 #include <algorithm>
 #include <array>
@@ -89,7 +90,7 @@ std::size_t LiveComplex::label_changes(const std::vector<TetRecord>& tets) const
   return edges.size() + facets.size() + junctions;
 }
 
-void LiveComplex::recount(const Delta& delta) {
+void LiveComplex::recount(const Delta& delta, std::size_t killed_on_zero_set) {
   alive_tets_ += delta.added.size();
   alive_tets_ -= delta.removed.size();
   if (delta.form || !delta.dropped.empty()) {
@@ -99,12 +100,16 @@ void LiveComplex::recount(const Delta& delta) {
     zero_set_vertices_ += label_changes(delta.added);
     zero_set_vertices_ -= label_changes(delta.removed);
   } else {
-    for (const VertexId v : delta.killed_vertices) zero_set_vertices_ -= complex_.value(v) == 0;
+    zero_set_vertices_ -= killed_on_zero_set;
     for (const Vertex& v : delta.added_vertices) zero_set_vertices_ += v.value == 0;
   }
 }
 
 void LiveComplex::apply(const Delta& delta) {
+  std::size_t killed_on_zero_set = 0;
+  if (complex_.form == ZeroForm::embedded && !delta.form)
+    for (const VertexId v : delta.killed_vertices)
+      killed_on_zero_set += on_zero_set(complex_, incidence_, v) ? 1u : 0u;
   complex_.apply(delta);
   incidence_.apply(delta);
   if (sets_ && delta.form) {
@@ -119,7 +124,7 @@ void LiveComplex::apply(const Delta& delta) {
       for (const VertexId v : t.v) changed_[v.index()] = clock_;
     }
   }
-  recount(delta);
+  recount(delta, killed_on_zero_set);
 }
 
 } // namespace isoscope

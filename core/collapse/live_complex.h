@@ -46,7 +46,7 @@ class LiveComplex {
   StepFigures step_figures() const;
 
  private:
-  void recount(const Delta& delta);
+  void recount(const Delta& delta, std::size_t killed_on_zero_set);
   std::size_t label_changes(const std::vector<TetRecord>& tets) const;
 
   Complex complex_;

@@ -32,7 +32,7 @@ constexpr std::array<GalleryEntry, 17> entries{{
      "The tolerance volume has two parts and four boundaries: labels follow the regions between them, not "
      "the nearest "
      "surface.",
-     2.0, 4},
+     2.0, 4, 0, 0, 0, true},
     {"rings", "Interlocked rings",
      "Two thin rings hook into each other without touching: their zero sets stay separate and stay linked.",
      1.0, 0},
@@ -57,10 +57,10 @@ constexpr std::array<GalleryEntry, 17> entries{{
     {"two-rooms", "Two rooms",
      "A wall divides a box: three regions have labels of their own, and their sheets meet in one closed "
      "curve.",
-     4.0, 3},
+     4.0, 3, 0, 0, 0, true},
     {"bubbles", "Soap bubbles",
      "Four bubbles share walls: sheets meet in curves of three, and the curves of four rooms in one point.",
-     4.0, 5},
+     4.0, 5, 0, 0, 0, true},
     {"density", "A ring of beads",
      "A grid of densities, as a scan is one: the zero set runs between two of its levels, and nothing else "
      "was ever a surface.",

@@ -19,6 +19,7 @@ struct GalleryEntry {
   long euler_characteristic;      ///< of the surface, or of what lies in Ω (all components together)
   double low = 0, high = 0;       ///< the levels of a grid
   std::size_t boundary_loops = 0; ///< closed curves of the border of an open surface
+  bool opened = false;            ///< its picture shows what is inside
 
   bool gives_volume() const { return tolerance_percent == 0; }
 };

@@ -269,6 +269,7 @@ enum class Reason : std::uint8_t {
   folded,              ///< a facet would turn over (without T)
   stays_above,         ///< the repair did not bring every facet below δ
   ineligible,          ///< the edge is not of the kind that the stage collapses
+  border_distance,     ///< the border of Z would leave the rim of the input, or lay it bare (§4.1)
   // Why an edge of Z was split along the rim (§4.1).
   wall_over_rim,  ///< the wall over the rim crosses it
   leaves_volume,  ///< a facet beside it is not proven inside Ω
@@ -279,7 +280,7 @@ constexpr int reason_count = static_cast<int>(Reason::rim_off_border) + 1;
 
 /// The first and the last reason for a collapse that was not made.
 constexpr Reason first_rejection = Reason::link_condition;
-constexpr Reason last_rejection = Reason::ineligible;
+constexpr Reason last_rejection = Reason::border_distance;
 constexpr bool rejects(Reason reason) {
   return reason >= first_rejection && reason <= last_rejection;
 }
@@ -386,6 +387,12 @@ inline constexpr std::array reason_table{
     ReasonWords{Reason::ineligible, "ineligible", "not eligible", ReasonRole::rejection,
                 "it is not of the kind that the stage collapses", "this stage collapses other edges",
                 "The edge is not of the kind that the stage collapses. §2.4", 0x7FA83C, MarkerShape::plus},
+    ReasonWords{Reason::border_distance, "border-distance", "border and rim", ReasonRole::rejection,
+                "the border of Z and the rim of the input would be {value δ} apart (limit {limit δ})",
+                "the border would leave the rim of the input",
+                "The border of Z would come to lie farther than δ from the rim, or leave a part of it bare. "
+                "§4.1",
+                0x2FA39A, MarkerShape::hollow_square},
     ReasonWords{Reason::wall_over_rim, "wall-over-rim", "wall over the rim", ReasonRole::place,
                 "the wall over the rim crosses it"},
     ReasonWords{Reason::leaves_volume, "leaves-volume", "facet leaves Ω", ReasonRole::place,

@@ -4,9 +4,11 @@
 #include "base/sort_unique.h"
 #include "mesh/junction.h"
 #include "mesh/predicates.h"
+#include "mesh/strata.h"
 #include "mesh/zero_set.h"
 
 #include <algorithm>
+#include <array>
 
 namespace isoscope {
 
@@ -38,6 +40,42 @@ void gather_embedded_facets(const Complex& complex, const Incidence& incidence,
   for (const auto& [t, k] : facets) {
     const auto f = complex.tet(t).facet(k);
     out.push_back({complex.position(f[0]), complex.position(f[1]), complex.position(f[2])});
+  }
+}
+
+std::vector<VertexId> border_neighbors(const Complex& complex, const Incidence& incidence, VertexId v) {
+  std::vector<VertexId> found;
+  if (complex.value(v) != 0) return found;
+  for (const std::uint32_t w : borders_from(link_arcs(complex, incidence, v))) found.push_back(VertexId(w));
+  return found;
+}
+
+/// The edges of the border at these vertices, each once.
+void gather_borders(const Complex& complex, const Incidence& incidence, const std::vector<VertexId>& around,
+                    std::vector<Segment3>& out) {
+  std::vector<std::array<VertexId, 2>> edges;
+  for (const VertexId v : around)
+    for (const VertexId w : border_neighbors(complex, incidence, v))
+      edges.push_back({std::min(v, w), std::max(v, w)});
+  sort_unique(edges);
+  for (const auto& [v, w] : edges) out.push_back({complex.position(v), complex.position(w)});
+}
+
+/// Follows the border from one end of an edge of it, away from the other, and adds what lies beyond the
+/// vertex next to that end.
+void follow_border(const Complex& complex, const Incidence& incidence, VertexId from, VertexId other,
+                   std::vector<Segment3>& out) {
+  // Edges may be much shorter than δ. Those left out make a check of the border stricter, not wrong.
+  constexpr int most_edges = 16;
+  VertexId before = other, v = from;
+  for (int i = 0; i <= most_edges; ++i) {
+    std::vector<VertexId> next = border_neighbors(complex, incidence, v);
+    if (next.size() != 2) return;
+    const VertexId after = next[0] == before ? next[1] : next[0];
+    if (after == other || after == from) return;
+    if (i > 0) out.push_back({complex.position(v), complex.position(after)});
+    before = v;
+    v = after;
   }
 }
 
@@ -139,17 +177,60 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
     s.side = tet.side;
     s.at_a = has(tet, a);
     s.at_b = has(tet, b);
+    s.dropped = tet.dropped;
   }
 
   std::vector<VertexId> around{a, b};
   if (ring == CostRing::two) around.insert(around.end(), others.begin(), others.end());
   if (complex.form == ZeroForm::embedded) {
     gather_embedded_facets(complex, incidence, around, star.cost_facets);
+    const bool may_end =
+        std::any_of(tets.begin(), tets.end(), [&](TetId t) { return complex.tet(t).dropped != 0; });
+    if (may_end) gather_borders(complex, incidence, around, star.cost_borders);
+    if (may_end && strata_of(star).border) {
+      follow_border(complex, incidence, a, b, star.border_beyond);
+      follow_border(complex, incidence, b, a, star.border_beyond);
+    }
   } else {
     gather_interpolated_facets(complex, incidence, around, star.cost_facets);
   }
   return star;
 }
+
+namespace {
+
+/// By tetrahedron of the star (ascending): which of its facets are dropped once the edge is gone. Where a
+/// tetrahedron vanishes two of its facets become one: it lies between two sides if one of them did.
+std::vector<std::uint8_t> dropped_after(const Complex& complex, const std::vector<TetId>& star, VertexId a,
+                                        VertexId b) {
+  std::vector<std::uint8_t> dropped(star.size());
+  for (std::size_t i = 0; i < star.size(); ++i) dropped[i] = complex.tet(star[i]).dropped;
+  if (std::none_of(dropped.begin(), dropped.end(), [](std::uint8_t bits) { return bits != 0; }))
+    return dropped;
+  for (const TetId t : star) {
+    const Tet& tet = complex.tet(t);
+    if (!has(tet, a) || !has(tet, b)) continue;
+    std::array<TetId, 2> beyond;
+    unsigned bit = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (tet.v[k] != a && tet.v[k] != b) continue;
+      beyond[tet.v[k] == a ? 0 : 1] = tet.neighbor[k];
+      bit |= tet.dropped >> k & 1u;
+    }
+    if (!beyond[0].valid() || !beyond[1].valid()) continue;
+    if (complex.tet(beyond[0]).side == complex.tet(beyond[1]).side) bit = 0;
+    for (const TetId n : beyond) {
+      const auto& around = complex.tet(n).neighbor;
+      const auto k = static_cast<unsigned>(std::find(around.begin(), around.end(), t) - around.begin());
+      std::uint8_t& bits =
+          dropped[static_cast<std::size_t>(std::lower_bound(star.begin(), star.end(), n) - star.begin())];
+      bits = static_cast<std::uint8_t>((bits & ~(1u << k)) | bit << k);
+    }
+  }
+  return dropped;
+}
+
+} // namespace
 
 Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
                      Vec3 target) {
@@ -159,15 +240,18 @@ Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexI
   std::vector<TetId> star(at_a.begin(), at_a.end());
   star.insert(star.end(), at_b.begin(), at_b.end());
   sort_unique(star);
-  for (const TetId t : star) {
+  const std::vector<std::uint8_t> dropped = dropped_after(complex, star, a, b);
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const TetId t = star[i];
     const Tet& tet = complex.tet(t);
-    delta.removed.push_back({t, tet.v, tet.side});
+    delta.removed.push_back({t, tet.v, tet.side, tet.dropped});
     const bool has_a = std::find(tet.v.begin(), tet.v.end(), a) != tet.v.end();
     std::array<VertexId, 4> v = tet.v;
     const auto b_at = std::find(v.begin(), v.end(), b);
     if (has_a && b_at != v.end()) continue;
     if (b_at != v.end()) *b_at = a;
-    delta.added.push_back({t, canonical_order(v), tet.side});
+    const std::array<VertexId, 4> order = canonical_order(v);
+    delta.added.push_back({t, order, tet.side, reordered_bits(dropped[i], v, order)});
   }
   delta.moves.push_back({a, complex.position(a), target});
   delta.killed_vertices.push_back(b);

@@ -19,7 +19,8 @@ bool changes_everything(const Delta& delta) {
 } // namespace
 
 ZeroTopology::Corner ZeroTopology::corner_of(std::array<VertexId, 4> around, std::size_t count) {
-  std::sort(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(count));
+  // Invalid ids are the largest: what is not used stays behind.
+  std::sort(around.begin(), around.end());
   const auto pack = [&](std::size_t i) {
     return i < count ? std::uint64_t{around[i].value} << 32 | around[std::min(i + 1, count - 1)].value : 0;
   };

@@ -43,6 +43,11 @@ SimplificationParameters RunParameters::simplification() const {
 
 Status check(const RunParameters& p) {
   if (Status each = check_fields(p); !each) return each;
+  if (p.sides == SidesMode::multi && (p.levels.given() || p.label))
+    return Error{ErrorCode::usage,
+                 std::string(p.label ? "--label" : "--levels") +
+                     " is given together with --sides multi, which takes all labels of a grid.",
+                 "Leave one of them out."};
   if (!p.inside.empty() && (p.levels.given() || p.label))
     return Error{ErrorCode::usage,
                  "--levels and --label are for a grid, --inside and --outside for two surfaces.",

@@ -78,11 +78,6 @@ Result<InputMesh> load(const RunParameters& parameters, const RunControl& contro
 
 /// Whether what is asked of a volume that the input gives fits the input.
 Status check_volume(const TriangleSoup& soup, const RunParameters& p) {
-  if (p.sides == SidesMode::multi && (p.levels.given() || p.label))
-    return Error{ErrorCode::usage,
-                 std::string(p.label ? "--label" : "--levels") +
-                     " is given together with --sides multi, which takes all labels of a grid.",
-                 "Leave one of them out."};
   if (!soup.grid && (p.levels.given() || p.label))
     return Error{ErrorCode::usage,
                  std::string(p.label ? "--label" : "--levels") + " is given, and the input is no grid.",
@@ -405,7 +400,6 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
     return m.refused(built.error(), *scene, options);
   }
   scene->volume_seconds = watch.seconds() - scene->input_seconds;
-  scene->input_topology = m.volume->input(); // where there are rooms, it tells so
 
   scene->default_sigma = default_sigma_ratio(m.kept_area, scene->delta);
   const CriteriaParameters criteria = parameters_.criteria(scene->delta, scene->default_sigma);

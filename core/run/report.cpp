@@ -226,7 +226,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"euler_characteristic", optional_number(scene.input_topology.euler_characteristic)},
         {"boundary_loops",
          scene.input_topology.boundary_loops ? Json(*scene.input_topology.boundary_loops) : Json(nullptr)},
-        {"sides_by", name(scene.input_topology.side_rule)},
+        {"sides_by", name(scene.volume ? scene.volume->sides().rule() : scene.input_topology.side_rule)},
         {"left_out", left_out_json(scene.left_out)}}},
       {"parameters",
        {{"tolerance", scene.delta},

@@ -7,6 +7,7 @@
 #include "improve/embedded_improvement.h"
 #include "improve/free_improvement.h"
 #include "journal/stage_log.h"
+#include "mesh/strata.h"
 #include "simplify/rim_cut.h"
 #include "simplify/tessellation.h"
 
@@ -48,8 +49,8 @@ struct Simplification::Impl {
   std::unique_ptr<LiveComplex> live; ///< null once Z has left T
   Complex free;                      ///< the state after that
   bool filled = false;               ///< holes are, as far as they can be
-  /// The stages after the tessellation know two sides only.
-  Stage last = context.volume.has_rooms() ? Stage::tessellation : Stage::improve;
+  /// The improver knows two sides only.
+  Stage last = context.volume.has_rooms() ? Stage::all : Stage::improve;
   std::size_t next = 0;  ///< into stage_order
   bool rejoined = false; ///< the journal has begun the next stage
 
@@ -59,8 +60,7 @@ struct Simplification::Impl {
       return false;
     if (context.volume.open_sides() == nullptr) return stage != Stage::rim;
     // What Z has beyond the rim, which fills holes, stays in T.
-    if (stage == Stage::improve && parameters.fill.rule != HoleChoice::Rule::none) return false;
-    return !comes_after(stage, Stage::rim);
+    return stage != Stage::improve || parameters.fill.rule == HoleChoice::Rule::none;
   }
 
   /// σ, δ and what decides containment stay: they belong to what was refined.
@@ -162,12 +162,6 @@ struct Simplification::Impl {
     log.operation(e, std::move(delta), live->step_figures());
   }
 
-  /// What was asked for and is not done yet.
-  void tell_what_is_left() {
-    if (context.volume.open_sides() != nullptr && comes_after(parameters.until, Stage::rim))
-      log.warn("Z has a border: it is cut along the rim, and not simplified.");
-  }
-
   /// A person's operation: as safe as those of the stages.
   Status collapse_by_hand(VertexId a, VertexId b, Vec3 target) {
     const auto is_alive = [&](VertexId v) {
@@ -175,7 +169,7 @@ struct Simplification::Impl {
     };
     if (a == b || !is_alive(a) || !is_alive(b) || !live->adjacent(a, b))
       return Error{ErrorCode::usage, "T has no such edge at this step.", ""};
-    const auto [stays, goes] = oriented_edge(live->complex(), a, b);
+    const auto [stays, goes] = oriented_edge(live->complex(), live->incidence(), a, b);
     const EdgeStar star = live->star(stays, goes, parameters.ring);
     CollapseSettings settings;
     settings.kind = star.kind();
@@ -264,7 +258,8 @@ Result<bool> Simplification::run() {
   }
   if (m.log.stopped()) return false;
   m.fill_holes();
-  if (m.next == stage_order.size()) m.tell_what_is_left();
+  if (comes_after(m.parameters.until, m.last))
+    m.log.warn("Z between rooms ends with the stage all: the improver knows two sides only.");
   m.next = std::min(m.next, stage_order.size() - 1);
   return true;
 }

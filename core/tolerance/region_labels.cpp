@@ -3,6 +3,7 @@
 
 #include "base/place.h"
 #include "tolerance/facet_turns.h"
+#include "tolerance/room_labels.h"
 
 #include <algorithm>
 #include <deque>
@@ -214,11 +215,16 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
   Sides sides = std::make_shared<const OpenSides>(volume.shared_index(), std::move(component), open, turns,
                                                   volume.thresholds().boundary, control);
   if (control.cancelled()) return Sides();
-  if (const auto fin = place_of_fin(volume, *sides, mesh, uses))
+  if (const auto fin = place_of_fin(volume, *sides, mesh, uses)) {
+    // Where the rest separates regions, what has one of them on both sides stands out.
+    const std::uint32_t c = volume.volume_component(index.closest(*fin).triangle);
+    const bool separates = regions_by_component(volume)[c].size() > 1;
+    const auto wall = separates ? one_sided_wall(volume, c, control) : std::nullopt;
     return Error{ErrorCode::unsupported,
                  "The input is not a manifold surface: an open sheet ends on another part of it near " +
-                     place(*fin, place_digits) + ".",
+                     place(wall.value_or(*fin), place_digits) + ".",
                  "Remove what stands out there, or choose a larger tolerance, which takes in short fins."};
+  }
   std::vector<std::uint8_t> rimmed(open.size(), 0);
   for (const RimPiece& piece : sides->rim().pieces())
     if (piece.open) rimmed[volume.volume_component(piece.triangle)] = 1;

@@ -24,6 +24,9 @@ constexpr double open_share = 0.98;
 constexpr double facing = -0.5;
 /// The cosine from which on a normal counts as that of a wall across the way.
 constexpr double across = 0.7;
+/// How far beside a sheet the wall that it stands on is looked for, and how near to it that is, in units of
+/// δ'.
+constexpr double beside = 0.25, on_wall = 0.05;
 /// A loop shorter than that many δ' surrounds nothing that Ω leaves open.
 constexpr double shortest_loop = 2;
 /// Ends of the open rim this near to each other, in units of δ', are those of one loop: Ω closes what is
@@ -52,6 +55,15 @@ std::vector<BorderEdge> border_edges(const WeldedMesh& mesh) {
 
 Vec3 conormal_of(const Triangle3& t, Vec3 a, Vec3 b) {
   return normalized(cross(b - a, cross(t[1] - t[0], t[2] - t[0])));
+}
+
+/// Whether a border lies on a wall that goes on to both sides of its sheet.
+bool stands_on_wall(const ClosestPointIndex& index, const RimPiece& piece, double boundary) {
+  const Triangle3& t = index.triangle(piece.triangle);
+  const Vec3 aside = beside * boundary * normalized(cross(t[1] - t[0], t[2] - t[0]));
+  const Vec3 middle = 0.5 * (piece.a + piece.b);
+  return index.distance(middle + aside) <= on_wall * boundary &&
+         index.distance(middle - aside) <= on_wall * boundary;
 }
 
 /// Edges as triangles without area.
@@ -119,6 +131,9 @@ void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> want
     const Triangle3& t = index.triangle(closest.triangle);
     const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
     piece.meets_wall = !piece.open && !at_border && std::abs(dot(normal, piece.conormal)) > across;
+    if (!piece.open || !stands_on_wall(index, piece, boundary_)) return;
+    piece.open = false;
+    piece.meets_wall = true;
   };
   parallel_until(pieces_.size(), 64, control, [&](std::size_t i) { judge(pieces_[i]); });
 }

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <optional>
 
 namespace isoscope {
 namespace {
@@ -44,29 +43,6 @@ std::vector<WallProbe> probes_on_walls(const ClosestPointIndex& index, double sp
       }
   }
   return probes;
-}
-
-/// A place on a wall with one region on both its sides: the first by triangle.
-std::optional<Vec3> fin_place(const ToleranceVolume& volume, const RunControl& control) {
-  const ClosestPointIndex& index = volume.index();
-  const double boundary = volume.thresholds().boundary;
-  const std::vector<WallProbe> probes = probes_on_walls(index, probe_spacing * volume.thresholds().delta);
-  std::vector<std::uint8_t> fin(probes.size(), 0);
-  parallel_until(probes.size(), probes_per_task, control, [&](std::size_t i) {
-    const Triangle3& t = index.triangle(probes[i].triangle);
-    const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
-    if (n == Vec3{}) return;
-    const auto region = [&](double reach) {
-      const Vec3 p = probes[i].point + reach * boundary * n;
-      const ClosestPoint closest = index.closest(p);
-      return closest.distance() > boundary ? volume.escape(p, closest).region : RegionId();
-    };
-    const RegionId above = region(side_reach);
-    fin[i] = above.valid() && region(-side_reach) == above;
-  });
-  const auto found = std::find(fin.begin(), fin.end(), 1);
-  if (found == fin.end()) return std::nullopt;
-  return probes[static_cast<std::size_t>(found - fin.begin())].point;
 }
 
 /// Numbers the deep regions; 0 stays with the others.
@@ -131,11 +107,35 @@ class RoomNumbers {
 
 } // namespace
 
+std::optional<Vec3> one_sided_wall(const ToleranceVolume& volume, std::optional<std::uint32_t> component,
+                                   const RunControl& control) {
+  const ClosestPointIndex& index = volume.index();
+  const double boundary = volume.thresholds().boundary;
+  const std::vector<WallProbe> probes = probes_on_walls(index, probe_spacing * volume.thresholds().delta);
+  std::vector<std::uint8_t> fin(probes.size(), 0);
+  parallel_until(probes.size(), probes_per_task, control, [&](std::size_t i) {
+    if (component && volume.volume_component(probes[i].triangle) != *component) return;
+    const Triangle3& t = index.triangle(probes[i].triangle);
+    const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
+    if (n == Vec3{}) return;
+    const auto region = [&](double reach) {
+      const Vec3 p = probes[i].point + reach * boundary * n;
+      const ClosestPoint closest = index.closest(p);
+      return closest.distance() > boundary ? volume.escape(p, closest).region : RegionId();
+    };
+    const RegionId above = region(side_reach);
+    fin[i] = above.valid() && region(-side_reach) == above;
+  });
+  const auto found = std::find(fin.begin(), fin.end(), 1);
+  if (found == fin.end()) return std::nullopt;
+  return probes[static_cast<std::size_t>(found - fin.begin())].point;
+}
+
 Result<DepthLabels> label_rooms(const ToleranceVolume& volume, const RunControl& control) {
   auto labels = RoomNumbers(volume).number();
   if (!labels) return labels.error();
   const bool rooms = *std::min_element(labels->begin(), labels->end()) < -1;
-  if (const auto fin = rooms ? fin_place(volume, control) : std::nullopt)
+  if (const auto fin = rooms ? one_sided_wall(volume, {}, control) : std::nullopt)
     return Error{ErrorCode::unsupported,
                  "A wall ends in the open near " + place(*fin, place_digits) +
                      ": one region is on both sides of it, and rooms cannot have fins.",

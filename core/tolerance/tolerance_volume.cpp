@@ -2,6 +2,7 @@
 #include "tolerance/tolerance_volume.h"
 
 #include "base/place.h"
+#include "tolerance/border_gate.h"
 #include "tolerance/boundary_topology.h"
 #include "tolerance/contacts.h"
 #include "tolerance/region_labels.h"
@@ -11,6 +12,7 @@
 #include "tolerance/volume_components.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -75,6 +77,13 @@ std::vector<RegionSummary> summarize(const Regions& octree, const RunControl& co
   return list;
 }
 
+std::vector<Segment3> open_segments(const Rim& rim) {
+  std::vector<Segment3> segments;
+  for (const RimPiece& p : rim.pieces())
+    if (p.open) segments.push_back({p.a, p.b});
+  return segments;
+}
+
 } // namespace
 
 ToleranceVolume::ToleranceVolume() = default;
@@ -86,12 +95,17 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   copy.sides_ = sides_;
   copy.open_sides_ = open_sides_;
   copy.thresholds_ = thresholds_;
+  copy.border_gate_ = border_gate_;
   copy.regions_ = regions_;
   copy.witnesses_ = witnesses_;
   copy.boundary_components_ = boundary_components_;
   copy.volume_components_ = volume_components_;
   copy.volume_component_count_ = volume_component_count_;
   return copy;
+}
+
+void ToleranceVolume::keep_border_to(std::vector<Segment3> rim) {
+  border_gate_ = std::make_shared<const BorderGate>(std::move(rim), thresholds_.delta);
 }
 
 ToleranceVolume::ToleranceVolume(ToleranceVolume&&) noexcept = default;
@@ -144,6 +158,7 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
     if (!found) return found.error();
     v.open_sides_ = std::move(*found);
     if (v.open_sides_ && !options.open_surfaces) return open_surface_near(v.open_sides_->rim().pieces()[0].a);
+    if (v.open_sides_) v.keep_border_to(open_segments(v.open_sides_->rim()));
   }
   const Status labelled = v.label_regions(control);
   if (control.cancelled()) return stopped;

@@ -4,6 +4,7 @@
 
 #include "base/ids.h"
 #include "base/run_control.h"
+#include "base/segment.h"
 #include "base/status.h"
 #include "input/triangle_soup.h"
 #include "tolerance/closest_point.h"
@@ -21,6 +22,7 @@
 
 namespace isoscope {
 
+class BorderGate;
 class Regions;
 struct DepthLabels;
 
@@ -128,6 +130,9 @@ class ToleranceVolume {
   const InputSides& sides() const { return sides_; }
   /// The sides of its open surfaces; null where there are none.
   const OpenSides* open_sides() const { return open_sides_.get(); }
+  /// The open rim of the input, to which the border of Z keeps (§4.1); null where Z is closed.
+  const BorderGate* border_gate() const { return border_gate_.get(); }
+  void keep_border_to(std::vector<Segment3> rim);
   /// The cube that holds Ω and the octree.
   Box3 domain() const;
 
@@ -223,6 +228,7 @@ class ToleranceVolume {
   InputSides sides_;
   std::shared_ptr<const OpenSides> open_sides_;
   ToleranceThresholds thresholds_;
+  std::shared_ptr<const BorderGate> border_gate_;
   std::unique_ptr<Regions> octree_;
   std::vector<Region> regions_;
   std::vector<Witness> witnesses_;

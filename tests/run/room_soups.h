@@ -28,6 +28,19 @@ inline void add_walls(TriangleSoup& soup, Vec3 lo, Vec3 hi, bool bottom = true) 
         add_square(soup, far ? lo + axis[k] : lo, axis[(k + 1) % 3], axis[(k + 2) % 3]);
 }
 
+/// Every triangle as four.
+inline TriangleSoup in_four(const TriangleSoup& soup) {
+  TriangleSoup fine;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    const auto [a, b, c] = soup.triangle(i);
+    const auto first = static_cast<std::uint32_t>(fine.points.size());
+    for (const Vec3 p : {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) fine.points.push_back(p);
+    const std::array<std::array<std::uint32_t, 3>, 4> parts{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
+    for (const auto& t : parts) fine.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  return fine;
+}
+
 /// So many unit cubes along each axis; each wall once.
 inline TriangleSoup cubes(int nx, int ny, int nz) {
   TriangleSoup soup;

@@ -197,6 +197,7 @@ bool speaks_of(const FieldFacts& f, const WindowState& m) {
   const auto is = [&](auto member) { return f.name == field_of(member).name; };
   if (is(&P::levels) || is(&P::label)) return grid;
   if (is(&P::robust) || is(&P::drop_small) || is(&P::drop_thin)) return !given;
+  if (is(&P::sides) && grid) return true; // all labels, not one
   if (is(&P::cover) || is(&P::sides)) return !given && (!known || m.run.scene->field->surface() != nullptr);
   return true;
 }
