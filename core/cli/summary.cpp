@@ -5,6 +5,7 @@
 #include "cli/exit_status.h"
 #include "cli/progress_line.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 
@@ -53,14 +54,27 @@ std::string point_words(const PointDistances::Quantiles& q, double delta) {
          " for 99 %, " + number("%.3g", q.most / delta) + " at most";
 }
 
-std::string holds_words(const Certificate& c, const Scene& scene) {
+std::string holds_words(const RunResult& result, const Scene& scene) {
   using Topology = Certificate::Topology;
-  std::string words =
-      "holds: closed, oriented, free of intersections, " + containment_words(c, scene) + ", sides separated";
+  const Certificate& c = result.certificate;
+  std::string words = c.border            ? "holds: with border, oriented"
+                      : c.regions.empty() ? "holds: closed, oriented"
+                                          : "holds: every region closed and oriented";
+  words += ", free of intersections, " + containment_words(c, scene) + ", sides separated";
+  if (c.border)
+    words += ", border and rim within " + number("%.4f", c.border->to_rim / scene.delta) + " and " +
+             number("%.4f", c.border->from_rim / scene.delta) + " δ of each other";
+  if (const auto filled = std::count(result.holes.facets.begin(), result.holes.facets.end(), 1); filled > 0)
+    words += ", but for " + counted(static_cast<std::size_t>(filled), "face") + " that fill holes";
   if (c.cover_limit && c.cover_note.empty() && scene.field->surface() != nullptr)
     words += ", the input covered within " + number("%.4g", *c.cover_limit) + " δ";
   if (c.topology == Topology::as_expected) words += ", topology as expected";
   return words;
+}
+
+/// ", 3 regions" where there are several insides.
+std::string region_words(const Certificate& c) {
+  return c.regions.empty() ? "" : ", " + counted(c.regions.size(), "region");
 }
 
 std::string end_words(RunResult::End end) {
@@ -90,17 +104,23 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                    "; δ = " + number("%.6g", scene.delta) + " (" +
                    (scene.input->gives_volume() ? "given" : parameters.tolerance.text()) +
                    "), σ = " + number("%.3g", parameters.sigma_ratio(scene.default_sigma)) + " δ");
-  text += line("Samples", grouped(scene.samples->size()) + " on " +
-                              counted(scene.boundary_components.size(), "boundary component") + ", " +
-                              number("%.2f", scene.sampling_seconds) + " s");
+  text += line("Samples",
+               grouped(scene.samples->size()) + " on " +
+                   counted(scene.boundary_components.size(), "boundary component") + ", " +
+                   (scene.samples->over_rim.empty()
+                        ? std::string()
+                        : grouped(scene.samples->over_rim.size()) + " more over the rim of " +
+                              counted(scene.volume->open_sides()->rim().loops().size(), "loop") + ", ") +
+                   number("%.2f", scene.sampling_seconds) + " s");
   for (const StageStatistics& stage : stages) text += line(name(stage.stage), stage_words(stage));
-  text += line("Output", counted(result.mesh.points.size(), "vertex", "vertices") + ", " +
-                             counted(result.mesh.triangles.size(), "face") + ", " +
-                             counted(c.components, "component") +
-                             ", χ = " + std::to_string(c.euler_characteristic) +
-                             (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
+  text += line("Output",
+               counted(result.mesh.points.size(), "vertex", "vertices") + ", " +
+                   counted(result.mesh.triangles.size(), "face") + ", " + counted(c.components, "component") +
+                   ", χ = " + std::to_string(c.euler_characteristic) +
+                   (c.boundary_loops > 0 ? ", " + counted(c.boundary_loops, "boundary loop") : "") +
+                   region_words(c) + (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
   if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));
-  text += line("Certificate", c.holds() ? holds_words(c, scene) : "does NOT hold");
+  text += line("Certificate", c.holds() ? holds_words(result, scene) : "does NOT hold");
   if (c.input_distance.upper < std::numeric_limits<double>::infinity()) {
     text += line("", "the input is at most " + number("%.4f", c.input_distance.upper / scene.delta) +
                          " δ away from it, somewhere " +

@@ -20,15 +20,16 @@ namespace isoscope {
 enum class CollapseCheck : std::uint8_t {
   eligible,       ///< the edge is of the stage's kind
   link,           ///< Lk(a) ∩ Lk(b) = Lk(ab) in T
-  zero_link,      ///< the same in Z, for edges of Z
+  zero_link,      ///< the same in Z and on its curves, for edges of Z
   kernel,         ///< some point sees the whole one-ring
   candidates,     ///< a target was found; what rejected the others is in `candidates`
   classification, ///< sampled mode: every sample keeps its class
   containment,    ///< certified mode: every facet of Z proven inside Ω
   normals,        ///< condition 3 is violated nowhere where it was not before
-  witness         ///< the deepest point of each region keeps its side
+  witness,        ///< the deepest point of each region keeps its side
+  border          ///< where the border of Z moves, it and the rim stay within δ of each other
 };
-constexpr std::size_t collapse_check_count = static_cast<std::size_t>(CollapseCheck::witness) + 1;
+constexpr std::size_t collapse_check_count = static_cast<std::size_t>(CollapseCheck::border) + 1;
 
 struct CheckWords {
   CollapseCheck value;
@@ -44,7 +45,7 @@ inline constexpr std::array check_table{
                "Lk(a) ∩ Lk(b) = Lk(ab) in T, or the collapse would pinch it. Figure 6",
                Reason::link_condition},
     CheckWords{CollapseCheck::zero_link, "zero-link", "link condition in Z",
-               "The same in Z, for edges of Z. §2.4", Reason::zero_link_condition},
+               "The same in Z and on its curves, for edges of Z. §2.4", Reason::zero_link_condition},
     CheckWords{
         CollapseCheck::kernel, "kernel", "kernel",
         "The points from which the whole one-ring is seen; its largest ball has this radius. Figures 7 "
@@ -63,6 +64,10 @@ inline constexpr std::array check_table{
                "Condition 3 is violated nowhere where it was not before. §2.4", Reason::normals},
     CheckWords{CollapseCheck::witness, "witness", "region witnesses",
                "The deepest point of each region stays on its side of Z.", Reason::witness_side},
+    CheckWords{
+        CollapseCheck::border, "border", "border and rim",
+        "Where the border of Z moves, it and the open rim of the input stay within δ of each other. §4.1",
+        Reason::border_distance},
 };
 static_assert(is_complete(check_table, static_cast<int>(collapse_check_count)));
 constexpr const CheckWords& words(CollapseCheck check) {

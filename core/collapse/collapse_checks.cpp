@@ -5,7 +5,9 @@
 #include "criteria/orientation.h"
 #include "mesh/predicates.h"
 #include "mesh/sample_sets.h"
+#include "mesh/strata.h"
 #include "mesh/zero_set.h"
+#include "tolerance/border_gate.h"
 #include "tolerance/facet_certificate.h"
 
 #include <algorithm>
@@ -42,6 +44,39 @@ void learn(const ZeroFacetAfter& facet, const FacetVerdict& found, double delta,
   verdict.invalid = invalid_region(facet.corners[k], weight, d - delta);
 }
 
+/// Edges of the border at the ends of the edge that a collapse changes: those it takes and those it leaves,
+/// the target first.
+struct BorderChange {
+  std::vector<Segment3> before, after;
+};
+
+BorderChange border_change(const EdgeStar& star, Vec3 target) {
+  BorderChange change;
+  const std::vector<StarFacet> facets = side_facets(star);
+  for (std::uint16_t end = 0; end < 2; ++end) {
+    const Vec3 at_end = star.vertices[end].position;
+    for (const std::uint32_t other : borders_from(link_arcs(facets, end))) {
+      const Vec3 p = star.vertices[other].position;
+      if (other < 2 && end == 1) continue; // the edge itself, met from its other end
+      change.before.push_back({at_end, p});
+      if (other >= 2) change.after.push_back({target, p});
+    }
+  }
+  return change;
+}
+
+/// What a border edge that is too far from the rim, or the rim from it, tells of other targets: the foot of
+/// the gap moves with the target's weight, and must come nearer by what is too much.
+TargetVerdict learn_border(const Segment3& edge, Vec3 foot, Vec3 gap, const BorderVerdict& found,
+                           double delta) {
+  TargetVerdict verdict = Refusal{Reason::border_distance, found.distance, delta, found.witness};
+  const double weight = 1 - closest_on_segment(foot, edge), d = length(gap);
+  if (weight < least_weight || !(d > 0)) return verdict;
+  const Vec3 inward = gap / d;
+  verdict.learnt = HalfSpace{inward, dot(inward, edge[0]) + (found.distance - delta) / weight};
+  return verdict;
+}
+
 std::size_t violated_tests(const OrientationVerdict& verdict) {
   return static_cast<std::size_t>(
       std::count_if(verdict.tests.begin(), verdict.tests.end(), [](const auto& t) { return !t.good(); }));
@@ -55,6 +90,7 @@ std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target)
     for (const StarFacet& f : zero_facets(star)) {
       if (f.ring()) continue;
       ZeroFacetAfter& after = facets.emplace_back();
+      after.labels = f.labels;
       for (std::size_t k = 0; k < 3; ++k) {
         const bool end = f.v[k] < 2;
         after.corners[k] = end ? target : star.vertices[f.v[k]].position;
@@ -63,26 +99,28 @@ std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target)
     }
     return facets;
   }
-  std::vector<Triangle3> triangles;
+  std::vector<LabelledTriangle> triangles;
   for (const EdgeStar::StarTet& t : star.tets) {
     if (!t.ring())
-      append_triangles(zero_polygon(star.positions_after(t, target), values_after(star, t)), triangles);
+      append_zero_triangles(star.positions_after(t, target), values_after(star, t), labels_after(star, t),
+                            vertices_after(star, t), triangles);
   }
-  for (const Triangle3& t : triangles) facets.push_back({t, -1});
+  for (const LabelledTriangle& t : triangles) facets.push_back({t.corners, -1, t.labels});
   return facets;
 }
 
-std::vector<Triangle3> zero_facets_before(const EdgeStar& star) {
-  std::vector<Triangle3> triangles;
+std::vector<LabelledTriangle> zero_facets_before(const EdgeStar& star) {
+  std::vector<LabelledTriangle> triangles;
   if (star.form == ZeroForm::embedded) {
     for (const StarFacet& f : zero_facets(star)) {
       triangles.push_back(
-          {star.vertices[f.v[0]].position, star.vertices[f.v[1]].position, star.vertices[f.v[2]].position});
+          {{star.vertices[f.v[0]].position, star.vertices[f.v[1]].position, star.vertices[f.v[2]].position},
+           f.labels});
     }
     return triangles;
   }
   for (const EdgeStar::StarTet& t : star.tets) {
-    append_triangles(zero_polygon(star.positions(t), star.values(t)), triangles);
+    append_zero_triangles(star.positions(t), star.values(t), star.labels(t), star.ids(t), triangles);
   }
   return triangles;
 }
@@ -92,15 +130,14 @@ TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const Crit
   for (const EdgeStar::StarSample& s : star.samples) {
     const StarLocation after = locate_after(star, target, s.position);
     if (after.tet == nullptr) continue; // on the star's boundary: its tetrahedron does not change
-    const double error = sample_error_at(star, after, values_after(star, *after.tet), s.position, s.label);
+    const double error = sample_error_at(star, after, s.position, s.label);
     const bool good = star.form == ZeroForm::embedded ? !is_bad(error) : error <= limit;
     if (good) continue;
     const StarLocation before = locate_before(star, s.position);
     // What was violated before, as refinement may leave it, must not get worse.
     double margin = criteria.alpha;
     if (before.tet != nullptr) {
-      const double error_before =
-          sample_error_at(star, before, star.values(*before.tet), s.position, s.label);
+      const double error_before = sample_error_at(star, before, s.position, s.label);
       if (error <= error_before) continue;
       margin = std::min(margin, 1 - error_before);
     }
@@ -115,6 +152,11 @@ TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const Crit
 TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
   const double delta = volume.thresholds().delta;
   const ToleranceField& field = volume.field();
+  // Before it is embedded, and then cut, Z goes on beyond the rim of open surfaces.
+  const PieceJudge judge = star.form == ZeroForm::interpolated ? outside_judge(volume) : PieceJudge();
+  FacetSearch search;
+  search.budget = piece_budget;
+  if (judge) search.judge = &judge;
   if (star.vertices[0].value == 0) {
     const ClosestPoint closest = field.closest(target);
     if (closest.distance() > delta) {
@@ -126,7 +168,7 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
     }
   }
   for (const ZeroFacetAfter& facet : zero_facets_after(star, target)) {
-    const FacetVerdict verdict = certify_facet(field, facet.corners, delta, delta, piece_budget);
+    const FacetVerdict verdict = certify_facet(field, facet.corners, delta, delta, search);
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     if (verdict.kind == FacetVerdict::Kind::undecided) {
       return Refusal{Reason::unproven, verdict.closest.distance(), delta, verdict.witness};
@@ -137,6 +179,31 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
     return outside;
   }
   return {};
+}
+
+std::optional<TargetVerdict> check_border(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
+  const BorderGate* gate = volume.border_gate();
+  if (gate == nullptr || star.cost_borders.empty()) return std::nullopt;
+  const BorderChange change = border_change(star, target);
+  if (change.before == change.after) return std::nullopt;
+  for (const Segment3& edge : change.after) {
+    const BorderVerdict verdict = gate->keeps_to_rim(edge);
+    if (verdict.proven) continue;
+    return learn_border(edge, verdict.witness, gate->rim().closest(verdict.witness).point - verdict.witness,
+                        verdict, gate->delta());
+  }
+  std::vector<Segment3> after = change.after;
+  after.insert(after.end(), star.border_beyond.begin(), star.border_beyond.end());
+  const BorderVerdict verdict = gate->covers_rim(change.before, after);
+  if (verdict.proven) return TargetVerdict{};
+  const auto nearest =
+      std::min_element(change.after.begin(), change.after.end(), [&](const Segment3& x, const Segment3& y) {
+        return distance_to(x, verdict.witness) < distance_to(y, verdict.witness);
+      });
+  if (nearest == change.after.end())
+    return Refusal{Reason::border_distance, verdict.distance, gate->delta(), verdict.witness};
+  const Vec3 foot = point_on(*nearest, closest_on_segment(verdict.witness, *nearest));
+  return learn_border(*nearest, foot, verdict.witness - foot, verdict, gate->delta());
 }
 
 TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationContext& context) {
@@ -150,35 +217,38 @@ TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationC
     verdict = {Reason::normals, agreement, 0, at};
   };
   if (star.form == ZeroForm::embedded) {
-    const auto count = [&](const Triangle3& t, bool note) {
+    const auto count = [&](const Triangle3& t, LabelPair labels, bool note) {
       std::size_t violated = 0;
-      for (const FacetOrientationTest& test : check_facet_orientation(t, shrink, reach, *context.nearest)) {
+      for (const FacetOrientationTest& test :
+           check_facet_orientation(t, shrink, reach, *context.nearest, labels)) {
         if (test.good()) continue;
         ++violated;
         if (note) note_worst(test.agreement, test.shrunk);
       }
       return violated;
     };
-    for (const ZeroFacetAfter& f : zero_facets_after(star, target)) after += count(f.corners, true);
+    for (const ZeroFacetAfter& f : zero_facets_after(star, target)) after += count(f.corners, f.labels, true);
     if (after > 0) {
-      for (const Triangle3& t : zero_facets_before(star)) before += count(t, false);
+      for (const LabelledTriangle& t : zero_facets_before(star)) before += count(t.corners, t.labels, false);
     }
   } else {
     const auto count = [&](const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
-                           bool note) -> std::size_t {
-      if (zero_polygon(p, f).count == 0) return 0;
-      const OrientationVerdict v = check_orientation(p, f, shrink, reach, *context.nearest);
+                           const TetLabels& labels, bool note) -> std::size_t {
+      if (label_count(labels) < 2) return 0;
+      const OrientationVerdict v = check_orientation(p, f, labels, shrink, reach, *context.nearest);
       if (note && v.misoriented) {
         const OrientationTest& worst = v.tests[static_cast<std::size_t>(v.worst)];
-        note_worst(worst.f * worst.label, worst.shrunk);
+        note_worst(worst.f, worst.shrunk);
       }
       return violated_tests(v);
     };
     for (const EdgeStar::StarTet& t : star.tets) {
-      if (!t.ring()) after += count(star.positions_after(t, target), values_after(star, t), true);
+      if (!t.ring())
+        after += count(star.positions_after(t, target), values_after(star, t), labels_after(star, t), true);
     }
     if (after > 0) {
-      for (const EdgeStar::StarTet& t : star.tets) before += count(star.positions(t), star.values(t), false);
+      for (const EdgeStar::StarTet& t : star.tets)
+        before += count(star.positions(t), star.values(t), star.labels(t), false);
     }
   }
   return after > before ? verdict : TargetVerdict{};
@@ -194,12 +264,11 @@ TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const Tolerance
       continue;
     const StarLocation after = locate_after(star, target, x);
     if (after.tet == nullptr) continue;
-    const double f = side_at(star, after, values_after(star, *after.tet), x);
-    if (f * witness.label > 0) continue;
+    const double f = side_at(star, after, x, witness.label);
+    if (f > 0) continue;
     const StarLocation before = locate_before(star, x);
-    const double f_before =
-        before.tet == nullptr ? witness.label : side_at(star, before, star.values(*before.tet), x);
-    if (f_before * witness.label > 0) return Refusal{Reason::witness_side, f * witness.label, 0, x};
+    const double f_before = before.tet == nullptr ? 1 : side_at(star, before, x, witness.label);
+    if (f_before > 0) return Refusal{Reason::witness_side, f, 0, x};
   }
   return {};
 }

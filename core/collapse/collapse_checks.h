@@ -5,8 +5,10 @@
 #include "criteria/nearest_sample.h"
 #include "journal/journal.h"
 #include "mesh/edge_star.h"
+#include "mesh/junction.h"
 #include "tolerance/tolerance_volume.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,16 +26,20 @@ struct EvaluationContext {
 struct ZeroFacetAfter {
   Triangle3 corners;
   int target_corner = -1; ///< which corner is the target; -1: none (interpolated)
+  LabelPair labels{+1, -1};
 };
 std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target);
 /// The same before the collapse.
-std::vector<Triangle3> zero_facets_before(const EdgeStar& star);
+std::vector<LabelledTriangle> zero_facets_before(const EdgeStar& star);
 
 /// Sampled mode: samples of the star keep their class: ε <= 1 − α where it held (§2.4.1), the tetrahedron of
 /// their own label once Z is embedded (§2.4.2).
 TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const CriteriaParameters& criteria);
 /// Certified mode: every changed facet of Z proven inside Ω (core/README.md, N4).
 TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
+/// Border edges of Z that the collapse changes are proven within δ of the rim, and what those before covered
+/// of the rim stays covered (§4.1). Null where no border edge changes.
+std::optional<TargetVerdict> check_border(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
 /// Condition 3 is violated by no more tests than before (§2.4).
 TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationContext& context);
 /// The deepest point of every region inside the star keeps its side.

@@ -6,6 +6,7 @@
 #include "criteria/collapse_cost.h"
 #include "criteria/kernel.h"
 #include "criteria/link.h"
+#include "mesh/strata.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +24,7 @@ bool eligible(EdgeKind kind, const CollapseSettings& settings) {
   return settings.kind == EdgeKind::mixed && !settings.halfedge && kind == EdgeKind::zero;
 }
 
-constexpr std::array<CollapseCheck, 4> target_checks{CollapseCheck::classification,
+constexpr std::array<CollapseCheck, 5> target_checks{CollapseCheck::border, CollapseCheck::classification,
                                                      CollapseCheck::containment, CollapseCheck::witness,
                                                      CollapseCheck::normals};
 
@@ -64,7 +65,8 @@ class Judge {
   }
   /// Outside the kernel T would be inverted: what asks for tetrahedra is not asked.
   void facets_only(Vec3 target) const {
-    for (const CollapseCheck check : {CollapseCheck::containment, CollapseCheck::normals}) {
+    for (const CollapseCheck check :
+         {CollapseCheck::border, CollapseCheck::containment, CollapseCheck::normals}) {
       if (check == CollapseCheck::normals && star_.form != ZeroForm::embedded) continue;
       const Stopwatch watch;
       if (const std::optional<TargetVerdict> verdict = ask(check, target))
@@ -81,6 +83,8 @@ class Judge {
 
   std::optional<TargetVerdict> ask(CollapseCheck check, Vec3 target) const {
     switch (check) {
+    case CollapseCheck::border:
+      return check_border(star_, target, context_.volume);
     case CollapseCheck::classification:
       if (context_.criteria.certified) return std::nullopt;
       return check_classification(star_, target, context_.criteria);
@@ -132,8 +136,8 @@ bool check_edge(const EdgeStar& star, const CollapseSettings& settings, Evaluati
     fail(attempt, CollapseCheck::link);
     if (!full) return false;
   }
-  if (attempt.kind == EdgeKind::zero) {
-    if (attempt.link.holds_in_zero_set) {
+  if (attempt.kind == EdgeKind::zero || !attempt.link.holds_in_strata()) {
+    if (attempt.link.holds_in_strata()) {
       pass(attempt, CollapseCheck::zero_link);
     } else {
       fail(attempt, CollapseCheck::zero_link);
@@ -157,10 +161,12 @@ bool check_edge(const EdgeStar& star, const CollapseSettings& settings, Evaluati
 TargetSearchResult search(const EdgeStar& star, const CollapseSettings& settings, const Kernel& kernel,
                           const CollapseCost& cost, const TargetJudge& judge, TargetSearchOptions options,
                           std::span<const Vec3> samples) {
-  if (settings.halfedge) {
+  const bool pinned = strata_of(star).pinned();
+  if (settings.halfedge || pinned) {
     const std::array<Vec3, 2> ends{star.vertices[0].position, star.vertices[1].position};
-    // A vertex of Γ goes to the vertex of Z: that leaves Z where it is.
-    const std::size_t allowed = settings.kind == EdgeKind::mixed ? 1 : 2;
+    // A vertex of Γ goes to the vertex of Z: that leaves Z where it is. So does what goes to a lower stratum
+    // with that stratum.
+    const std::size_t allowed = settings.kind == EdgeKind::mixed || pinned ? 1 : 2;
     return search_candidates(star, kernel, cost, std::span(ends).first(allowed), Reason::halfedge, judge,
                              options);
   }
@@ -241,6 +247,7 @@ CollapseAttempt evaluate_target(const EdgeStar& star, Vec3 target, const Collaps
 double collapse_priority(const EdgeStar& star, const CollapseSettings& settings) {
   if (!eligible(star.kind(), settings)) return std::numeric_limits<double>::infinity();
   const CollapseCost cost(star);
+  if (strata_of(star).pinned()) return cost(star.vertices[0].position);
   if (settings.halfedge || settings.kind == EdgeKind::gamma) {
     return std::min(cost(star.vertices[0].position), cost(star.vertices[1].position));
   }

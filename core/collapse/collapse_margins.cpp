@@ -9,10 +9,10 @@ namespace isoscope {
 
 namespace {
 
-std::vector<Triangle3> facets_of(const EdgeStar& star, const std::optional<Vec3>& target) {
+std::vector<LabelledTriangle> facets_of(const EdgeStar& star, const std::optional<Vec3>& target) {
   if (!target) return zero_facets_before(star);
-  std::vector<Triangle3> facets;
-  for (const ZeroFacetAfter& f : zero_facets_after(star, *target)) facets.push_back(f.corners);
+  std::vector<LabelledTriangle> facets;
+  for (const ZeroFacetAfter& f : zero_facets_after(star, *target)) facets.push_back({f.corners, f.labels});
   return facets;
 }
 
@@ -27,6 +27,9 @@ struct Moment {
   std::array<double, 4> values(const EdgeStar::StarTet& t) const {
     return target ? values_after(star, t) : star.values(t);
   }
+  TetLabels labels(const EdgeStar::StarTet& t) const {
+    return target ? labels_after(star, t) : star.labels(t);
+  }
   bool has(const EdgeStar::StarTet& t) const { return !target || !t.ring(); }
   std::array<Vec3, 4> positions(const EdgeStar::StarTet& t) const {
     return target ? star.positions_after(t, *target) : star.positions(t);
@@ -39,7 +42,7 @@ std::optional<CheckMargin> classification(const Moment& moment, const CriteriaPa
   for (const EdgeStar::StarSample& s : moment.star.samples) {
     const StarLocation at = moment.locate(s.position);
     if (at.tet == nullptr) continue;
-    const double error = sample_error_at(moment.star, at, moment.values(*at.tet), s.position, s.label);
+    const double error = sample_error_at(moment.star, at, s.position, s.label);
     if (!worst || error > worst->value) worst = CheckMargin{error, limit, s.position, s.id};
   }
   return worst;
@@ -47,8 +50,8 @@ std::optional<CheckMargin> classification(const Moment& moment, const CriteriaPa
 
 std::optional<CheckMargin> containment(const Moment& moment, const ToleranceVolume& volume) {
   std::optional<CheckMargin> worst;
-  for (const Triangle3& facet : facets_of(moment.star, moment.target)) {
-    const CheckMargin here = largest_distance(facet, volume);
+  for (const LabelledTriangle& facet : facets_of(moment.star, moment.target)) {
+    const CheckMargin here = largest_distance(facet.corners, volume);
     if (!worst || here.value > worst->value) worst = here;
   }
   return worst;
@@ -63,18 +66,19 @@ std::optional<CheckMargin> normals(const Moment& moment, const EvaluationContext
     if (sample.valid() && (!worst || agreement < worst->value)) worst = CheckMargin{agreement, 0, at, sample};
   };
   if (moment.star.form == ZeroForm::embedded) {
-    for (const Triangle3& facet : facets_of(moment.star, moment.target))
-      for (const FacetOrientationTest& t : check_facet_orientation(facet, shrink, reach, *context.nearest))
+    for (const auto& [facet, labels] : facets_of(moment.star, moment.target))
+      for (const FacetOrientationTest& t :
+           check_facet_orientation(facet, shrink, reach, *context.nearest, labels))
         note(t.agreement, t.shrunk, t.sample);
     return worst;
   }
   for (const EdgeStar::StarTet& t : moment.star.tets) {
     if (!moment.has(t)) continue;
-    const auto p = moment.positions(t);
-    const auto f = moment.values(t);
-    if (zero_polygon(p, f).count == 0) continue;
-    for (const OrientationTest& test : check_orientation(p, f, shrink, reach, *context.nearest).tests)
-      note(test.f * test.label, test.shrunk, test.sample);
+    const TetLabels labels = moment.labels(t);
+    if (label_count(labels) < 2) continue;
+    const OrientationVerdict verdict =
+        check_orientation(moment.positions(t), moment.values(t), labels, shrink, reach, *context.nearest);
+    for (const OrientationTest& test : verdict.tests) note(test.f, test.shrunk, test.sample);
   }
   return worst;
 }
@@ -90,7 +94,7 @@ std::optional<CheckMargin> witness(const Moment& moment, const ToleranceVolume& 
       continue;
     const StarLocation at = moment.locate(x);
     if (at.tet == nullptr) continue;
-    const double value = side_at(moment.star, at, moment.values(*at.tet), x) * w.label;
+    const double value = side_at(moment.star, at, x, w.label);
     if (!worst || value < worst->value) worst = CheckMargin{value, 0, x, {}};
   }
   return worst;

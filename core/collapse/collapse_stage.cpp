@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "mesh/strata.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,7 @@ bool CollapseStage::may_be_eligible(VertexId a, VertexId b) const {
   if (va.kind == VertexKind::box || vb.kind == VertexKind::box) return false;
   switch (settings_.kind) {
   case EdgeKind::gamma:
-    return va.value * vb.value > 0;
+    return va.value != 0 && va.label() == vb.label();
   case EdgeKind::zero:
     return va.value == 0 && vb.value == 0;
   case EdgeKind::mixed:
@@ -61,7 +62,7 @@ bool CollapseStage::may_be_eligible(VertexId a, VertexId b) const {
 }
 
 double CollapseStage::priority(VertexId a, VertexId b) const {
-  const auto [stays, goes] = oriented_edge(live_.complex(), a, b);
+  const auto [stays, goes] = oriented_edge(live_.complex(), live_.incidence(), a, b);
   return collapse_priority(live_.star(stays, goes, ring_), settings_);
 }
 
@@ -97,7 +98,7 @@ std::vector<CollapseStage::Candidate> CollapseStage::next_batch(CollapseQueue& q
     if (!live_.alive(e.a) || !live_.alive(e.b) || !live_.adjacent(e.a, e.b)) continue;
     const std::uint32_t last = changed(e.a, e.b);
     if (failures_.failed_since(e.a, e.b, last)) continue;
-    const auto [stays, goes] = oriented_edge(live_.complex(), e.a, e.b);
+    const auto [stays, goes] = oriented_edge(live_.complex(), live_.incidence(), e.a, e.b);
     Candidate candidate{e, live_.star(stays, goes, ring_), {}, {}};
     if (e.time < last) {
       const double error = collapse_priority(candidate.star, settings_);
@@ -129,6 +130,14 @@ void CollapseStage::evaluate(std::vector<Candidate>& batch) const {
   });
 }
 
+/// Whether the border beyond the star, on which the verdict rests, is no longer what it was when the batch
+/// was begun.
+bool CollapseStage::rests_on_changed_border(const Candidate& candidate) const {
+  const EdgeStar& star = candidate.star;
+  return !star.border_beyond.empty() &&
+         live_.star(star.a(), star.b(), ring_).border_beyond != star.border_beyond;
+}
+
 bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
   const CollapseAttempt& attempt = candidate.attempt;
   Event e;
@@ -146,6 +155,10 @@ bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
     }
     e.point = attempt.optimum;
     log_.event(e);
+    return false;
+  }
+  if (rests_on_changed_border(candidate)) {
+    queue.push(ordered(candidate.edge.a, candidate.edge.b, candidate.edge.error, live_.clock()));
     return false;
   }
   e.kind = EventKind::collapse;

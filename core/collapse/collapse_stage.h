@@ -31,6 +31,7 @@ class CollapseStage {
   std::vector<Candidate> next_batch(CollapseQueue& queue);
   void evaluate(std::vector<Candidate>& batch) const;
   bool commit(const Candidate& candidate, CollapseQueue& queue);
+  bool rests_on_changed_border(const Candidate& candidate) const;
   void push_around(VertexId v, CollapseQueue& queue);
   double priority(VertexId a, VertexId b) const;
   std::uint32_t changed(VertexId a, VertexId b) const { return std::max(live_.changed(a), live_.changed(b)); }

@@ -2,6 +2,7 @@
 #include "collapse/live_complex.h"
 
 #include "base/sort_unique.h"
+#include "mesh/strata.h"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,10 @@ Delta LiveComplex::collapse(VertexId a, VertexId b, Vec3 target) const {
   return collapse_delta(complex_, incidence_, a, b, target);
 }
 
+std::optional<Delta> LiveComplex::split(VertexId a, VertexId b, Vec3 point) const {
+  return split_delta(complex_, incidence_, a, b, point);
+}
+
 StepFigures LiveComplex::step_figures() const {
   StepFigures figures;
   figures.zero_set_vertices = static_cast<std::uint32_t>(zero_set_vertices_);
@@ -55,36 +60,56 @@ StepFigures LiveComplex::step_figures() const {
   return figures;
 }
 
-std::size_t LiveComplex::sign_changes(const std::vector<TetRecord>& tets) const {
+std::size_t LiveComplex::label_changes(const std::vector<TetRecord>& tets) const {
   std::vector<std::array<VertexId, 2>> edges;
+  std::vector<std::array<VertexId, 3>> facets;
+  std::size_t junctions = 0;
   for (const TetRecord& t : tets) {
+    const TetLabels l{complex_.label(t.v[0]), complex_.label(t.v[1]), complex_.label(t.v[2]),
+                      complex_.label(t.v[3])};
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
-        if (complex_.value(t.v[i]) * complex_.value(t.v[j]) < 0) {
+        if (l[i] != l[j] && l[i] != 0 && l[j] != 0) {
           edges.push_back({std::min(t.v[i], t.v[j]), std::max(t.v[i], t.v[j])});
         }
       }
     }
+    if (label_count(l) < 3) continue;
+    ++junctions;
+    for (std::size_t i = 0; i < 4; ++i) {
+      TetLabels rest = l;
+      rest[i] = 0;
+      if (label_count(rest) < 3) continue;
+      std::array<VertexId, 3> facet{t.v[(i + 1) & 3], t.v[(i + 2) & 3], t.v[(i + 3) & 3]};
+      std::sort(facet.begin(), facet.end());
+      facets.push_back(facet);
+    }
   }
-  std::sort(edges.begin(), edges.end());
-  return static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
+  sort_unique(edges);
+  sort_unique(facets);
+  return edges.size() + facets.size() + junctions;
 }
 
-void LiveComplex::recount(const Delta& delta) {
+void LiveComplex::recount(const Delta& delta, std::size_t killed_on_zero_set) {
   alive_tets_ += delta.added.size();
   alive_tets_ -= delta.removed.size();
-  if (delta.form) {
+  if (delta.form || !delta.dropped.empty()) {
     zero_set_vertices_ = extract_zero_set(complex_).vertices.size();
   } else if (complex_.form == ZeroForm::interpolated) {
     // The edges inside the star that change: those on its boundary count on both sides.
-    zero_set_vertices_ += sign_changes(delta.added);
-    zero_set_vertices_ -= sign_changes(delta.removed);
+    zero_set_vertices_ += label_changes(delta.added);
+    zero_set_vertices_ -= label_changes(delta.removed);
   } else {
-    for (const VertexId v : delta.killed_vertices) zero_set_vertices_ -= complex_.value(v) == 0;
+    zero_set_vertices_ -= killed_on_zero_set;
+    for (const Vertex& v : delta.added_vertices) zero_set_vertices_ += v.value == 0;
   }
 }
 
 void LiveComplex::apply(const Delta& delta) {
+  std::size_t killed_on_zero_set = 0;
+  if (complex_.form == ZeroForm::embedded && !delta.form)
+    for (const VertexId v : delta.killed_vertices)
+      killed_on_zero_set += on_zero_set(complex_, incidence_, v) ? 1u : 0u;
   complex_.apply(delta);
   incidence_.apply(delta);
   if (sets_ && delta.form) {
@@ -99,7 +124,7 @@ void LiveComplex::apply(const Delta& delta) {
       for (const VertexId v : t.v) changed_[v.index()] = clock_;
     }
   }
-  recount(delta);
+  recount(delta, killed_on_zero_set);
 }
 
 } // namespace isoscope

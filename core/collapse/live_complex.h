@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -33,18 +34,20 @@ class LiveComplex {
   std::vector<VertexId> neighbors(VertexId v) const;
   /// The delta of collapsing the edge ab to `target`; a stays.
   Delta collapse(VertexId a, VertexId b, Vec3 target) const;
+  /// The delta of splitting the edge ab at a point of it; nothing where a tetrahedron would turn over.
+  std::optional<Delta> split(VertexId a, VertexId b, Vec3 point) const;
   void apply(const Delta& delta);
 
   std::size_t alive_tets() const { return alive_tets_; }
-  /// Vertices of Z: zeros on edges, or vertices with F = 0 once it is embedded.
+  /// Vertices of Z: zeros on edges and junctions, or vertices with F = 0 once it is embedded.
   std::size_t zero_set_vertices() const { return zero_set_vertices_; }
 
   /// The figures of a step, but for its time.
   StepFigures step_figures() const;
 
  private:
-  void recount(const Delta& delta);
-  std::size_t sign_changes(const std::vector<TetRecord>& tets) const;
+  void recount(const Delta& delta, std::size_t killed_on_zero_set);
+  std::size_t label_changes(const std::vector<TetRecord>& tets) const;
 
   Complex complex_;
   Incidence incidence_;

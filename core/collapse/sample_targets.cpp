@@ -26,7 +26,7 @@ SampleTargets::Cell SampleTargets::cell_of(Vec3 p) const {
 std::vector<Vec3> SampleTargets::near(const EdgeStar& star) const {
   Box3 box;
   for (const auto& v : star.vertices) box.add(v.position);
-  const int label = star.vertices[0].value > 0 ? +1 : -1;
+  const int label = star.vertices[0].label();
   std::vector<std::uint32_t> found;
   const Cell lo = cell_of(box.lo), hi = cell_of(box.hi);
   for (std::int32_t x = lo[0]; x <= hi[0]; ++x) {

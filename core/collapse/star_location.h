@@ -11,16 +11,20 @@ namespace isoscope {
 struct StarLocation {
   const EdgeStar::StarTet* tet = nullptr;
   std::array<Vec3, 4> corners;
+  std::array<double, 4> values{};
+  TetLabels labels{};
 };
 
 StarLocation locate_before(const EdgeStar& star, Vec3 x);
 StarLocation locate_after(const EdgeStar& star, Vec3 target, Vec3 x);
-/// F at the corners after the collapse: both ends take that of the end that stays.
+/// F and labels of the corners after the collapse: both ends take those of the end that stays.
 std::array<double, 4> values_after(const EdgeStar& star, const EdgeStar::StarTet& t);
+TetLabels labels_after(const EdgeStar& star, const EdgeStar::StarTet& t);
+/// The vertices of the corners after the collapse.
+std::array<VertexId, 4> vertices_after(const EdgeStar& star, const EdgeStar::StarTet& t);
 /// ε of a sample at a located point.
-double sample_error_at(const EdgeStar& star, const StarLocation& at, const std::array<double, 4>& values,
-                       Vec3 x, int label);
-/// f·label at a located point; the side of the tetrahedron once Z is embedded.
-double side_at(const EdgeStar& star, const StarLocation& at, const std::array<double, 4>& values, Vec3 x);
+double sample_error_at(const EdgeStar& star, const StarLocation& at, Vec3 x, int label);
+/// f at a located point as a side sees it, + on it; once Z is embedded ±1, as the tetrahedron is on it.
+double side_at(const EdgeStar& star, const StarLocation& at, Vec3 x, int label);
 
 } // namespace isoscope

@@ -159,7 +159,7 @@ Refusal make_collapsible(TetPatch& patch, VertexId a, VertexId b, Kernel& kernel
       if (flips < most_flips && mend_link(patch, star)) continue;
       return {Reason::link_condition, 0, 0, {}};
     }
-    if (!link.holds_in_zero_set) return {Reason::zero_link_condition, 0, 0, {}};
+    if (!link.holds_in_strata()) return {Reason::zero_link_condition, 0, 0, {}};
     kernel = compute_kernel(star);
     if (!kernel.empty) return {};
     if (flips >= most_flips || !widen_kernel(patch, star, kernel))

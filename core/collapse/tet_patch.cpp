@@ -7,6 +7,17 @@
 
 namespace isoscope {
 
+namespace {
+
+/// The vertices of the facet opposite corner k, ascending.
+std::array<std::uint32_t, 3> facet_of(const std::array<std::uint32_t, 4>& v, std::size_t k) {
+  std::array<std::uint32_t, 3> facet{v[(k + 1) % 4], v[(k + 2) % 4], v[(k + 3) % 4]};
+  std::sort(facet.begin(), facet.end());
+  return facet;
+}
+
+} // namespace
+
 bool TetPatch::LocalTet::has(std::uint32_t vertex) const {
   return std::find(v.begin(), v.end(), vertex) != v.end();
 }
@@ -27,8 +38,19 @@ TetPatch::TetPatch(const Complex& complex, std::span<const TetId> tets) : slots_
   for (const TetId t : slots_) {
     const Tet& tet = complex.tet(t);
     add({{local(tet.v[0]), local(tet.v[1]), local(tet.v[2]), local(tet.v[3])}, tet.side});
+    start_dropped_.push_back(tet.dropped);
+    for (std::size_t k = 0; k < 4; ++k)
+      if ((tet.dropped >> k & 1u) != 0) dropped_.push_back(facet_of(tets_.back().v, k));
   }
+  sort_unique(dropped_);
   start_tets_ = tets_;
+}
+
+std::uint8_t TetPatch::dropped_of(const LocalTet& tet) const {
+  unsigned bits = 0;
+  for (std::size_t k = 0; !dropped_.empty() && k < 4; ++k)
+    if (std::binary_search(dropped_.begin(), dropped_.end(), facet_of(tet.v, k))) bits |= 1u << k;
+  return static_cast<std::uint8_t>(bits);
 }
 
 void TetPatch::add(const LocalTet& tet) {
@@ -69,7 +91,7 @@ EdgeStar TetPatch::star(VertexId a, VertexId b) const {
   EdgeStar star;
   star.form = ZeroForm::embedded;
   for (const std::uint32_t v : order)
-    star.vertices.push_back({vertices_[v], points_[v], start_[v].value, start_[v].kind});
+    star.vertices.push_back({vertices_[v], points_[v], start_[v].value, start_[v].kind, start_[v].room});
   const auto number = [&](std::uint32_t v) {
     if (v == stays || v == goes) return static_cast<std::uint16_t>(v == goes);
     return static_cast<std::uint16_t>(std::lower_bound(order.begin() + 2, order.end(), v) - order.begin());
@@ -81,7 +103,8 @@ EdgeStar TetPatch::star(VertexId a, VertexId b) const {
                          {number(v[0]), number(v[1]), number(v[2]), number(v[3])},
                          tet.side,
                          tet.has(stays),
-                         tet.has(goes)});
+                         tet.has(goes),
+                         dropped_of(tet)});
   }
   return star;
 }
@@ -103,6 +126,14 @@ void TetPatch::collapse(VertexId a, VertexId b, Vec3 to) {
   std::sort(at_[stays].begin(), at_[stays].end());
   points_[stays] = to;
   killed_.push_back(b);
+  std::erase_if(dropped_, [&](const auto& f) {
+    return std::find(f.begin(), f.end(), stays) != f.end() && std::find(f.begin(), f.end(), goes) != f.end();
+  });
+  for (auto& f : dropped_) {
+    std::replace(f.begin(), f.end(), goes, stays);
+    std::sort(f.begin(), f.end());
+  }
+  sort_unique(dropped_);
 }
 
 void TetPatch::replace(std::span<const std::uint32_t> removed, std::span<const LocalTet> added) {
@@ -117,14 +148,15 @@ std::optional<std::uint32_t> TetPatch::tet_between(const std::array<VertexId, 4>
   std::array<std::uint32_t, 4> wanted{};
   for (std::size_t k = 0; k < 4; ++k) wanted[k] = local(corners[k]);
   for (const std::uint32_t t : at_[wanted[0]])
-    if (std::is_permutation(wanted.begin(), wanted.end(), tets_[t].v.begin())) return t;
+    if (std::is_permutation(wanted.begin(), wanted.end(), tets_[t].v.begin()) && dropped_of(tets_[t]) == 0)
+      return t;
   return std::nullopt;
 }
 
 bool TetPatch::up_to_date(const Complex& complex) const {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Tet& tet = complex.tet(slots_[i]);
-    if (tet.side != start_tets_[i].side) return false;
+    if (tet.side != start_tets_[i].side || tet.dropped != start_dropped_[i]) return false;
     for (std::size_t k = 0; k < 4; ++k)
       if (tet.v[k] != vertices_[start_tets_[i].v[k]]) return false;
   }
@@ -138,17 +170,19 @@ bool TetPatch::moved(const LocalTet& tet) const {
                      [&](std::uint32_t v) { return points_[v] != start_[v].position; });
 }
 
-TetRecord TetPatch::record(TetId slot, const LocalTet& tet) const {
-  const auto& v = tet.v;
-  return {slot, canonical_order({vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]]}),
-          tet.side};
+TetRecord TetPatch::record(TetId slot, const LocalTet& tet, std::uint8_t dropped) const {
+  const std::array<VertexId, 4> v{vertices_[tet.v[0]], vertices_[tet.v[1]], vertices_[tet.v[2]],
+                                  vertices_[tet.v[3]]};
+  const std::array<VertexId, 4> order = canonical_order(v);
+  return {slot, order, tet.side, reordered_bits(dropped, v, order)};
 }
 
 /// By tetrahedron of the complex: whether the delta has it.
 std::vector<std::uint8_t> TetPatch::changed() const {
   std::vector<std::uint8_t> flags(slots_.size(), 0);
   for (std::uint32_t i = 0; i < slots_.size(); ++i) {
-    if (!(tets_[i] == start_tets_[i]) || moved(tets_[i])) flags[i] = 1;
+    if (!(tets_[i] == start_tets_[i]) || moved(tets_[i]) || dropped_of(tets_[i]) != start_dropped_[i])
+      flags[i] = 1;
     if (!tets_[i].alive || tets_[i].side == start_tets_[i].side) continue;
     // Each of its facets has one of any two of its corners.
     for (std::size_t k = 0; k < 2; ++k)
@@ -168,9 +202,9 @@ Delta TetPatch::delta(std::size_t slots) const {
   const std::vector<std::uint8_t> has = changed();
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (!has[i]) continue;
-    delta.removed.push_back(record(slots_[i], start_tets_[i]));
+    delta.removed.push_back(record(slots_[i], start_tets_[i], start_dropped_[i]));
     if (tets_[i].alive) {
-      delta.added.push_back(record(slots_[i], tets_[i]));
+      delta.added.push_back(record(slots_[i], tets_[i], dropped_of(tets_[i])));
     } else {
       vacant.insert(vacant.begin(), slots_[i]);
     }
@@ -179,7 +213,7 @@ Delta TetPatch::delta(std::size_t slots) const {
     if (!tets_[i].alive) continue;
     const TetId slot = vacant.empty() ? TetId(slots++) : vacant.back();
     if (!vacant.empty()) vacant.pop_back();
-    delta.added.push_back(record(slot, tets_[i]));
+    delta.added.push_back(record(slot, tets_[i], dropped_of(tets_[i])));
   }
   std::sort(delta.added.begin(), delta.added.end(),
             [](const TetRecord& x, const TetRecord& y) { return x.id < y.id; });
@@ -206,8 +240,8 @@ Delta difference(const Complex& before, const Complex& after) {
     if (was.side == is.side && std::none_of(is.v.begin(), is.v.end(), moved) &&
         std::none_of(is.neighbor.begin(), is.neighbor.end(), other_side))
       continue;
-    delta.removed.push_back({TetId(t), was.v, was.side});
-    delta.added.push_back({TetId(t), is.v, is.side});
+    delta.removed.push_back({TetId(t), was.v, was.side, was.dropped});
+    delta.added.push_back({TetId(t), is.v, is.side, is.dropped});
   }
   return delta;
 }

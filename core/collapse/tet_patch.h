@@ -41,7 +41,7 @@ class TetPatch {
   Kernel kernel(VertexId v) const;
   /// The star of an edge of Z, like gather_edge_star's, without the facets of its error.
   EdgeStar star(VertexId a, VertexId b) const;
-  /// The tetrahedron with these corners.
+  /// The tetrahedron with these corners; nothing where a facet of it is dropped: it cannot change sides.
   std::optional<std::uint32_t> tet_between(const std::array<VertexId, 4>& corners) const;
 
   void move(VertexId v, Vec3 to) { points_[local(v)] = to; }
@@ -60,15 +60,19 @@ class TetPatch {
  private:
   bool moved(const LocalTet& tet) const;
   std::vector<std::uint8_t> changed() const;
-  TetRecord record(TetId slot, const LocalTet& tet) const;
+  TetRecord record(TetId slot, const LocalTet& tet, std::uint8_t dropped) const;
   void add(const LocalTet& tet);
+  /// Its dropped facets, as in Tet.
+  std::uint8_t dropped_of(const LocalTet& tet) const;
 
   std::vector<VertexId> vertices_;
   std::vector<Vertex> start_; ///< by local vertex
   std::vector<Vec3> points_;
   std::vector<TetId> slots_; ///< of the first tetrahedra; those that were added have none yet
   std::vector<LocalTet> tets_, start_tets_;
-  std::vector<std::vector<std::uint32_t>> at_; ///< by local vertex
+  std::vector<std::uint8_t> start_dropped_;           ///< by tetrahedron of the complex
+  std::vector<std::array<std::uint32_t, 3>> dropped_; ///< the facets, their vertices and they ascending
+  std::vector<std::vector<std::uint32_t>> at_;        ///< by local vertex
   std::vector<VertexId> killed_;
 };
 

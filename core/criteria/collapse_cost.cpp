@@ -31,6 +31,17 @@ CollapseCost::CollapseCost(const EdgeStar& star) {
     b_ += d * n;
     c_ += d * d;
   }
+  for (const Segment3& line : star.cost_borders) {
+    const Vec3 t = normalized(line[1] - line[0]);
+    if (t == Vec3{}) continue;
+    // Two planes through the line, at right angles: I - ttᵀ.
+    const Vec3 p = (line[0] - middle_) / size_, off = p - dot(p, t) * t;
+    const std::array<double, 6> squares{1 - t.x * t.x, -t.x * t.y, -t.x * t.z,
+                                        1 - t.y * t.y, -t.y * t.z, 1 - t.z * t.z};
+    for (std::size_t i = 0; i < 6; ++i) a_[i] += squares[i];
+    b_ += -off;
+    c_ += squared_length(off);
+  }
   const double trace = a_[0] + a_[3] + a_[5], r = trace > 0 ? regularisation * trace : 1;
   // Every pivot is at least the regularisation, but for rounding.
   const auto root = [r](double pivot) { return std::sqrt(std::max(pivot, 0.5 * r)); };

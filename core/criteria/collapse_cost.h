@@ -12,8 +12,8 @@
 
 namespace isoscope {
 
-/// The sum of the squared distances to the planes of the star's cost facets, each with weight 1; facets
-/// without a plane are left out.
+/// The sum of the squared distances to the planes of the star's cost facets and to the lines of its border
+/// edges, each with weight 1; facets without a plane are left out.
 class CollapseCost {
  public:
   explicit CollapseCost(const EdgeStar& star);

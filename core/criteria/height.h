@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/geometry.h"
+#include "base/labels.h"
 
 #include <array>
 #include <cstdint>
@@ -18,7 +19,11 @@ struct Height {
   std::array<std::uint8_t, 4> order{0, 1, 2, 3};
 };
 
-/// Height of a tetrahedron with values of both signs; `none` when homogeneous.
+/// Height of a tetrahedron of several labels: the least of those between one label and the rest; `none` when
+/// homogeneous.
+Height tetrahedron_height(const std::array<Vec3, 4>& p, const std::array<double, 4>& values,
+                          const TetLabels& labels);
+/// The same with values of both signs.
 Height tetrahedron_height(const std::array<Vec3, 4>& p, const std::array<double, 4>& f);
 
 } // namespace isoscope

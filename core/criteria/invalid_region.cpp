@@ -41,7 +41,7 @@ InvalidRegion invalid_region(const EdgeStar& star, const EdgeStar::StarTet& tet,
   for (const std::uint16_t v : tet.v) {
     if (v < 2) continue;
     ray[n] = e - star.vertices[v].position;
-    deficit[n] = margin - sample.label * star.vertices[v].value;
+    deficit[n] = margin - seen_from(sample.label, star.vertices[v].value, star.vertices[v].label());
     ++n;
   }
   const double volume = dot(ray[0], cross(ray[1], ray[2]));
@@ -58,7 +58,9 @@ InvalidRegion invalid_region(const EdgeStar& star, const EdgeStar::StarTet& tet,
   if (star.form == ZeroForm::embedded) return region;
 
   const Vec3 g = deficit[0] * dual[0] + deficit[1] * dual[1] + deficit[2] * dual[2];
-  const double target_deficit = margin - sample.label * target_value, l = length(g);
+  const std::int8_t target_label = label_of(target_value, star.vertices[0].room);
+  const double target_deficit = margin - seen_from(sample.label, target_value, target_label);
+  const double l = length(g);
   // Σ deficit·coordinate + target_deficit >= 0
   if (l > 0) {
     region.half_spaces.push_back({g / l, dot(g, e) / l - target_deficit / l});

@@ -3,10 +3,13 @@
 #include "criteria/link.h"
 
 #include "base/sort_unique.h"
+#include "mesh/strata.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
+#include <span>
 
 namespace isoscope {
 
@@ -82,9 +85,9 @@ std::vector<Key> offenders_in_t(const EdgeStar& star, bool all) {
 }
 
 /// The same within the surface Z, for an edge of it.
-std::vector<Key> offenders_in_zero_set(const EdgeStar& star) {
+std::vector<Key> offenders_in_zero_set(std::span<const StarFacet> facets) {
   Links vertices, edges;
-  for (const StarFacet& f : zero_facets(star)) {
+  for (const StarFacet& f : facets) {
     std::array<std::uint16_t, 2> rest{};
     std::size_t n = 0;
     for (const std::uint16_t v : f.v) {
@@ -103,6 +106,19 @@ std::vector<Key> offenders_in_zero_set(const EdgeStar& star) {
   return offenders;
 }
 
+/// The same within the curves of Z: what both ends are joined to by curves. 0 stands for ab itself: it is no
+/// curve though both ends are on some, or both are points.
+std::vector<Key> offenders_on_curves(const EdgeStar& star, std::span<const StarFacet> facets) {
+  const EdgeStrata strata = strata_of(star);
+  if (strata.a > Stratum::curve || strata.b > Stratum::curve) return {};
+  if (strata.edge != Stratum::curve || (strata.a == Stratum::point && strata.b == Stratum::point)) return {0};
+  const std::vector<std::uint32_t> a = curves_from(link_arcs(facets, 0)),
+                                   b = curves_from(link_arcs(facets, 1));
+  std::vector<Key> common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  return common;
+}
+
 } // namespace
 
 LinkVerdict check_link(const EdgeStar& star, bool list_offenders) {
@@ -116,15 +132,23 @@ LinkVerdict check_link(const EdgeStar& star, bool list_offenders) {
   }
   const bool both_on_z = star.vertices[0].value == 0 && star.vertices[1].value == 0;
   if (star.form != ZeroForm::embedded || !both_on_z) return verdict;
-  if (star.kind() != EdgeKind::zero) {
+  const std::vector<StarFacet> facets = side_facets(star);
+  if (std::none_of(facets.begin(), facets.end(), [](const StarFacet& f) { return f.ring(); })) {
     verdict.holds_in_zero_set = false;
     if (list_offenders) verdict.offending_zero.push_back({star.a(), star.b()});
     return verdict;
   }
-  const std::vector<Key> in_zero_set = offenders_in_zero_set(star);
+  const std::vector<Key> in_zero_set = offenders_in_zero_set(facets);
   verdict.holds_in_zero_set = in_zero_set.empty();
   if (list_offenders) {
     for (const Key k : in_zero_set) verdict.offending_zero.push_back(vertices_of(star, k));
+  }
+  if (!verdict.holds_in_zero_set) return verdict;
+  const std::vector<Key> on_curves = offenders_on_curves(star, facets);
+  verdict.holds_on_curves = on_curves.empty();
+  if (list_offenders) {
+    for (const Key k : on_curves)
+      verdict.offending_zero.push_back(k == 0 ? std::vector{star.a(), star.b()} : vertices_of(star, k));
   }
   return verdict;
 }

@@ -46,16 +46,18 @@ struct NearestSample::Range {
 };
 
 NearestSample::NearestSample(std::span<const Vec3> positions, std::span<const std::int8_t> labels)
-    : positions_(positions) {
+    : positions_(positions), sides_(2) {
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    (labels[i] > 0 ? positive_ : negative_).order.push_back(i);
+    const std::size_t side = place_of(labels[i]);
+    if (side >= sides_.size()) sides_.resize(side + 1);
+    sides_[side].order.push_back(i);
   }
-  for (Tree* tree : {&positive_, &negative_}) {
+  for (Tree& tree : sides_) {
     std::size_t nodes = 1;
-    for (std::size_t size = tree->order.size(); size > leaf_size; size = size - size / 2)
+    for (std::size_t size = tree.order.size(); size > leaf_size; size = size - size / 2)
       nodes = 2 * nodes + 1;
-    tree->boxes.resize(nodes);
-    build(*tree, {0, 0, tree->order.size()});
+    tree.boxes.resize(nodes);
+    build(tree, {0, 0, tree.order.size()});
   }
 }
 
@@ -94,12 +96,13 @@ void NearestSample::search(const Tree& tree, const Range& range, Vec3 p, Best& b
 
 SampleId NearestSample::nearest(Vec3 p, double radius) const {
   Best best{radius * radius, SampleId::none};
-  for (const Tree* tree : {&positive_, &negative_}) search(*tree, {0, 0, tree->order.size()}, p, best);
+  for (const Tree& tree : sides_) search(tree, {0, 0, tree.order.size()}, p, best);
   return SampleId(best.sample);
 }
 
 SampleId NearestSample::nearest_of(Vec3 p, int label, double radius) const {
-  const Tree& tree = label > 0 ? positive_ : negative_;
+  if (!has(label)) return {};
+  const Tree& tree = sides_[place_of(label)];
   Best best{radius * radius, SampleId::none};
   search(tree, {0, 0, tree.order.size()}, p, best);
   return SampleId(best.sample);
@@ -107,8 +110,8 @@ SampleId NearestSample::nearest_of(Vec3 p, int label, double radius) const {
 
 std::size_t NearestSample::memory_bytes() const {
   std::size_t bytes = 0;
-  for (const Tree* tree : {&positive_, &negative_}) {
-    bytes += tree->order.capacity() * sizeof(std::uint32_t) + tree->boxes.capacity() * sizeof(Box3);
+  for (const Tree& tree : sides_) {
+    bytes += tree.order.capacity() * sizeof(std::uint32_t) + tree.boxes.capacity() * sizeof(Box3);
   }
   return bytes;
 }

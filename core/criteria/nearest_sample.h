@@ -3,7 +3,9 @@
 
 #include "base/geometry.h"
 #include "base/ids.h"
+#include "base/labels.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,9 +18,11 @@ class NearestSample {
   NearestSample(std::span<const Vec3> positions, std::span<const std::int8_t> labels);
   /// The nearest sample at most `radius` from p; invalid when there is none.
   SampleId nearest(Vec3 p, double radius = Box3::inf) const;
-  /// The same among the samples of one side.
+  /// The same among the samples of one side, told by its label.
   SampleId nearest_of(Vec3 p, int label, double radius = Box3::inf) const;
-  bool has(int label) const { return !(label > 0 ? positive_ : negative_).order.empty(); }
+  bool has(int label) const {
+    return place_of(label) < sides_.size() && !sides_[place_of(label)].order.empty();
+  }
   std::span<const Vec3> positions() const { return positions_; }
   std::size_t memory_bytes() const;
 
@@ -34,7 +38,7 @@ class NearestSample {
   void search(const Tree& tree, const Range& range, Vec3 p, Best& best) const;
 
   std::span<const Vec3> positions_;
-  Tree positive_, negative_; ///< a search over all of S asks both
+  std::vector<Tree> sides_; ///< by place_of their labels; a search over all of S asks each
 };
 
 } // namespace isoscope

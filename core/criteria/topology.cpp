@@ -4,6 +4,9 @@
 #include "tolerance/contacts.h"
 #include "tolerance/volume_components.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace isoscope {
 namespace {
 
@@ -41,12 +44,63 @@ void expect_nothing(ExpectedTopology& expected, const char* why) {
   expected.source = "nothing: " + expected.nothing;
 }
 
+/// Where there are open surfaces: half of χ of ∂Ω, as Z is what Ω shrinks to and χ(∂Ω) = 2 χ(Ω); a component
+/// of Z for each of Ω, a closed curve of its border for each loop of the open rim.
+ExpectedTopology expected_of_open(const ToleranceVolume& volume) {
+  ExpectedTopology expected;
+  long sum = 0;
+  for (const BoundaryComponent& c : volume.boundary_components()) sum += c.euler_characteristic;
+  const std::size_t loops = volume.open_sides()->rim().loops().size();
+  const InputTopology& input = volume.input();
+  const std::size_t components = volume.volume_component_count();
+  expected.components = components;
+  expected.boundary_loops = loops;
+  const bool keeps_input = input.manifold && sum == 2 * *input.euler_characteristic &&
+                           components == input.components && loops == *input.boundary_loops;
+  expected.required = keeps_input;
+  expected.source = keeps_input ? "the input" : "the boundary of Ω";
+  if (sum % 2 == 0) expected.euler_characteristic = sum / 2;
+  return expected;
+}
+
+/// Z is a deformation of Ω, and a compact part of space has half the χ of its boundary: sheets, curves and
+/// points where several rooms meet need not be known.
+void expect_of_rooms(const ToleranceVolume& volume, ExpectedTopology& expected) {
+  long sum = 0;
+  std::vector<std::size_t> sides(volume.volume_component_count());
+  for (const BoundaryComponent& component : volume.boundary_components()) {
+    if (volume.regions()[component.region.index()].shallow) continue;
+    sum += component.euler_characteristic;
+    ++sides[component.volume_component];
+  }
+  if (sum % 2 != 0) {
+    expected.required = false;
+    return expect_nothing(expected, "the boundaries of Ω are too close to each other to count");
+  }
+  expected.euler_characteristic = sum / 2;
+  expected.components = static_cast<std::size_t>(
+      std::count_if(sides.begin(), sides.end(), [](std::size_t n) { return n > 1; }));
+  expected.source = "all boundaries of Ω, by half";
+}
+
 } // namespace
+
+ExpectedTopology expected_before_the_cut(const ToleranceVolume& volume, const ExpectedTopology& expected) {
+  if (volume.open_sides() == nullptr) return expected;
+  ExpectedTopology none;
+  expect_nothing(none, "Z is not cut along the rim yet");
+  return none;
+}
 
 ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode mode) {
   ExpectedTopology expected;
   if (mode == TopologyMode::separate) {
     expected.source = "separation of the sides only";
+    return expected;
+  }
+  if (volume.open_sides() != nullptr) return expected_of_open(volume);
+  if (volume.has_rooms()) {
+    expect_of_rooms(volume, expected);
     return expected;
   }
   const InputTopology& input = volume.input();
@@ -98,9 +152,11 @@ TopologyVerdict check_topology(const ZeroSet& zero_set, const ExpectedTopology& 
   TopologyVerdict verdict;
   verdict.euler_characteristic = zero_set.euler_characteristic();
   verdict.components = zero_set.components.size();
+  verdict.boundary_loops = zero_set.boundary_loops();
   verdict.as_expected =
       (!expected.euler_characteristic || *expected.euler_characteristic == verdict.euler_characteristic) &&
-      (!expected.components || *expected.components == verdict.components);
+      (!expected.components || *expected.components == verdict.components) &&
+      (!expected.boundary_loops || *expected.boundary_loops == verdict.boundary_loops);
   return verdict;
 }
 

@@ -19,8 +19,12 @@ enum class TopologyMode : std::uint8_t {
 struct ExpectedTopology {
   std::optional<long> euler_characteristic;
   std::optional<std::size_t> components;
+  /// Closed curves of the border, once Z is cut along the rim; absent for closed surfaces, which have none.
+  std::optional<std::size_t> boundary_loops;
   std::string nothing; ///< why no number is given, where one was asked for
-  std::string source;  ///< in words: "both boundaries of Ω", "the input", "the boundary of smaller genus"
+  /// In words: "both boundaries of Ω", "the input", "the boundary of smaller genus", "all boundaries of Ω, by
+  /// half".
+  std::string source;
   /// Whether a surface inside Ω is known to have it. Where not, refinement aims at it, but a result without
   /// it is no failure: Ω is no thickening and the input no embedded surface.
   bool required = true;
@@ -29,11 +33,14 @@ struct ExpectedTopology {
   bool joined = false;
 };
 ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode mode);
+/// What refinement may be asked for: nothing where there are open surfaces, along whose rim Z is not cut yet.
+ExpectedTopology expected_before_the_cut(const ToleranceVolume& volume, const ExpectedTopology& expected);
 
 /// Z against the expectation.
 struct TopologyVerdict {
   long euler_characteristic = 0;
   std::size_t components = 0;
+  std::size_t boundary_loops = 0;
   bool as_expected = false;
 };
 TopologyVerdict check_topology(const ZeroSet& zero_set, const ExpectedTopology& expected);

@@ -35,7 +35,8 @@ std::optional<TetPatch> Embedding::tet_between(const std::array<std::uint32_t, 4
   std::array<VertexId, 4> wanted;
   for (std::size_t k = 0; k < 4; ++k) wanted[k] = vertices_[corners[k]];
   for (const TetId t : live_.incidence().tets_of(wanted[0]))
-    if (std::is_permutation(wanted.begin(), wanted.end(), complex().tet(t).v.begin()))
+    if (complex().tet(t).dropped == 0 &&
+        std::is_permutation(wanted.begin(), wanted.end(), complex().tet(t).v.begin()))
       return TetPatch(complex(), std::array{t});
   return std::nullopt;
 }

@@ -32,7 +32,8 @@ class Embedding {
 
   /// All tetrahedra around these vertices of the surface.
   TetPatch around(std::span<const std::uint32_t> surface_vertices) const;
-  /// The tetrahedron between four vertices of the surface, alone; nothing where they are not those of one.
+  /// The tetrahedron between four vertices of the surface, alone; nothing where they are not those of one, or
+  /// a facet of it is dropped.
   std::optional<TetPatch> tet_between(const std::array<std::uint32_t, 4>& surface_vertices) const;
   /// Whether T allows to merge the ends of an edge of Z (link conditions, kernel), perhaps after flips, and
   /// where: `kernel` is filled when it does.

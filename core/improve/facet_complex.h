@@ -1,4 +1,4 @@
-// Points, facets and stars of a closed surface, or of a piece of one: what collapses, flips and relocations
+// Points, facets, stars and border of a surface, or of a piece of one: what collapses, flips and relocations
 // work on.
 #pragma once
 
@@ -42,6 +42,20 @@ struct Facet {
   bool has(std::uint32_t vertex) const { return v[0] == vertex || v[1] == vertex || v[2] == vertex; }
 };
 
+/// An edge of the border, with its facet on the left, and what is known about its distance to the rim of the
+/// input. It is held at the vertex where it begins.
+struct BorderEdge {
+  static constexpr std::uint32_t none = 0xffffffffu, elsewhere = 0xfffffffeu;
+
+  std::uint32_t next = none; ///< where it ends; none: no border here; elsewhere: it is not in this piece
+  std::vector<Vec3> rim;     ///< samples of the rim that it has to be near
+  double energy = 0;         ///< mean of (d/δ)^12 over its own samples and those of the rim
+  double largest = 0;        ///< largest sampled d, either way
+  bool proven = false;       ///< within δ of the rim, by branch and bound
+
+  bool here() const { return next < elsewhere; }
+};
+
 /// One facet of a star in cyclic order: (centre, rim, next wedge's rim).
 struct Wedge {
   std::uint32_t rim = 0, next = 0;
@@ -54,13 +68,25 @@ struct FacetComplex {
   std::vector<Vec3> points;
   std::vector<Facet> facets;
   std::vector<std::vector<std::uint32_t>> stars; ///< facets of each vertex, in no particular order
+  std::vector<BorderEdge> border;                ///< by vertex; empty where the surface is closed
 
   Triangle3 triangle(const Facet& f) const { return {points[f.v[0]], points[f.v[1]], points[f.v[2]]}; }
   Triangle3 triangle(std::size_t f) const { return triangle(facets[f]); }
   bool alive_vertex(std::uint32_t v) const { return !stars[v].empty(); }
   /// Fills `stars` from `facets`.
   void build_stars();
-  /// Every edge once, its smaller end first, in the order of the facets; all facets must have neighbours.
+  /// Fills `border` from `facets` and `stars`.
+  void build_border();
+  bool on_border(std::uint32_t v) const { return !border.empty() && border[v].next != BorderEdge::none; }
+  /// Whether a border edge joins them, in either direction.
+  bool has_border_edge(std::uint32_t a, std::uint32_t b) const {
+    return !border.empty() && (border[a].next == b || border[b].next == a);
+  }
+  /// The vertex from which a border edge leads to v; v's star must be complete.
+  std::uint32_t border_before(std::uint32_t v) const;
+  /// A vertex needs more facets than this to lose one.
+  std::size_t fewest_facets(std::uint32_t v) const { return on_border(v) ? 1 : 3; }
+  /// Every edge once, its smaller end first, in the order of the facets.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges() const;
   /// Vertices that share a facet with v, ascending.
   std::vector<std::uint32_t> neighbors(std::uint32_t v) const;
@@ -70,15 +96,19 @@ struct FacetComplex {
   /// Gives a facet other corners (or none): keeps the stars, drops its extra samples.
   void replace_facet(std::uint32_t f, std::array<std::uint32_t, 3> v);
 
-  /// The star of v in cyclic order; v's star must be closed.
+  /// The star of v in cyclic order, from border to border where v is on it; v's star must be complete.
   std::vector<Wedge> star(std::uint32_t v) const;
   /// The star that the merged vertex of the edge ab would have; needs the link condition.
   std::vector<Wedge> merged_star(std::uint32_t a, std::uint32_t b) const;
-  /// Lk(a) ∩ Lk(b) = Lk(ab) on a closed surface, and not the last four facets of a component. The stars of a
-  /// and b must be complete.
+  /// The link conditions of a surface and of its border (core/README.md, N8), and not the last four facets of
+  /// a closed component. The stars of a and b must be complete.
   bool link_condition(std::uint32_t a, std::uint32_t b) const;
   /// Merges b into a; positions stay. The link condition must hold.
   void collapse(std::uint32_t a, std::uint32_t b);
+
+ private:
+  bool border_link_condition(std::uint32_t a, std::uint32_t b) const;
+  void merge_border(std::uint32_t a, std::uint32_t b);
 };
 
 } // namespace isoscope

@@ -60,7 +60,8 @@ class Improver {
            const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
            const RoomInT* room)
       : options_(options), control_(control), observer_(observer), room_(room),
-        input_(volume.field(), volume.thresholds().delta, mesh, control), rules_(make_rules(volume, samples)),
+        input_(volume.field(), volume.thresholds().delta, mesh, control, volume.border_gate()),
+        rules_(make_rules(volume, samples)),
         surface_(mesh, rules_, room != nullptr ? &room->embedding : nullptr, control) {}
 
   ImproverOutcome run() {

@@ -36,8 +36,8 @@ struct RoomInT {
   std::function<bool()> make; ///< collapses edges of T that leave Z where it is; false stops the improver
 };
 
-/// Improves `mesh`: a closed oriented 2-manifold without intersections, inside Ω, that separates the regions;
-/// an empty one stays so.
+/// Improves `mesh`: an oriented 2-manifold without intersections, inside Ω, that separates the regions; an
+/// empty one stays so. Its border keeps to the open rim that the volume knows.
 /// Every change keeps that, so the result holds at whatever moment it is cancelled. `samples` may be null:
 /// then normals are not preserved. With `room`, whose
 /// embedding has `mesh` as its Z, every change is one of T too, whose tetrahedra stay positively oriented.

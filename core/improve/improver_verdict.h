@@ -37,6 +37,7 @@ struct SurfaceChange {
 ///   normals              more failed tests of condition 3 (value) than before (limit)
 ///   witness_side         a region's witness would change side
 ///   intersection         two facets would meet, one of them at `witness`
+///   border_distance      the border and the input's rim would be value > δ = limit apart at `witness`
 ///   zero_link_condition  a vertex would be left with fewer than three facets, or two edges would join the
 ///   same
 ///                        ends

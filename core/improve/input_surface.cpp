@@ -29,8 +29,8 @@ DisjointSets consistent_pieces(const ClosestPointIndex& index) {
 } // namespace
 
 InputSurface::InputSurface(const ToleranceField& field, double delta, const TriangleMesh& surface,
-                           const RunControl& control)
-    : field_(&field), delta_(delta), on_surface_(1e-6 * delta), enough_(without_weight * delta),
+                           const RunControl& control, const BorderGate* gate)
+    : field_(&field), gate_(gate), delta_(delta), on_surface_(1e-6 * delta), enough_(without_weight * delta),
       normals_(field.size()) {
   const TriangleSoup soup{surface.points, surface.triangles, {}};
   const ClosestPointIndex near_surface(soup);

@@ -17,6 +17,8 @@ struct DistanceSample {
   TriangleId triangle;
 };
 
+class BorderGate;
+
 /// φ in units of the run, and the input's unit normals on the side of Z's.
 class InputSurface {
  public:
@@ -24,8 +26,9 @@ class InputSurface {
   /// the nearest facets of the surface, so that an input in any orientation serves. They stay as they are
   /// where the surface is empty, and are of no use once the control is cancelled. A field without triangles
   /// has the normals of the facets of the surface that are nearest to its sites.
+  /// `gate`: the open rim of the input; null where the surface is closed.
   InputSurface(const ToleranceField& field, double delta, const TriangleMesh& surface,
-               const RunControl& control = {});
+               const RunControl& control = {}, const BorderGate* gate = nullptr);
 
   /// φ at p, starting from a site that is likely close (or an invalid one). Where φ is far below δ, so that
   /// it has no weight in an energy, what that site gives may be returned instead.
@@ -40,6 +43,7 @@ class InputSurface {
   Vec3 normal(TriangleId t) const { return normals_[t.index()]; }
   double delta() const { return delta_; }
   const ToleranceField& field() const { return *field_; }
+  const BorderGate* gate() const { return gate_; }
 
  private:
   DistanceSample sample(Vec3 p, const ClosestPoint& c) const {
@@ -48,6 +52,7 @@ class InputSurface {
   }
 
   const ToleranceField* field_;
+  const BorderGate* gate_;
   double delta_, on_surface_, enough_;
   std::vector<Vec3> normals_; ///< by site; zero for degenerate triangles
 };

@@ -27,7 +27,7 @@ Box3 domain_of(const TriangleMesh& mesh, double delta) {
   return box.grown(4 * delta);
 }
 
-/// A fixed vertex of the patch that would be left with fewer than three facets, or from which two edges would
+/// A fixed vertex of the patch that would be left with too few facets, or from which two edges would
 /// lead to another fixed one. Free vertices have their whole star in the patch, whose moves see to them.
 std::optional<std::uint32_t> broken_connectivity(const FacetComplex& surface, const SurfacePatch& patch) {
   const FacetComplex& own = patch.complex;
@@ -48,7 +48,9 @@ std::optional<std::uint32_t> broken_connectivity(const FacetComplex& surface, co
   for (std::uint32_t v = 0; v < own.points.size(); ++v) {
     if (patch.free[v]) continue;
     const auto lost = facets_at(v, v) - static_cast<std::ptrdiff_t>(own.stars[v].size());
-    if (lost > 0 && static_cast<std::ptrdiff_t>(surface.stars[patch.vertices[v]].size()) - lost < 3) return v;
+    const auto fewest = static_cast<std::ptrdiff_t>(surface.fewest_facets(patch.vertices[v]));
+    if (lost > 0 && static_cast<std::ptrdiff_t>(surface.stars[patch.vertices[v]].size()) - lost < fewest)
+      return v;
   }
   return std::nullopt;
 }
@@ -68,12 +70,14 @@ void embed(const Embedding& embedding, TetPatch tets, SurfacePatch& patch) {
 
 LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding,
                          const RunControl& control)
-    : embedding_(embedding), octree_(domain_of(mesh, rules.input->delta())), stamps_(mesh.points.size(), 0),
-      collapse_stamps_(mesh.points.size(), 0) {
+    : embedding_(embedding), gate_(rules.input->gate()), octree_(domain_of(mesh, rules.input->delta())),
+      stamps_(mesh.points.size(), 0), collapse_stamps_(mesh.points.size(), 0) {
   complex_.points = mesh.points;
   complex_.facets.resize(mesh.triangles.size());
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) complex_.facets[f].v = mesh.triangles[f];
   complex_.build_stars();
+  complex_.build_border();
+  if (!complex_.border.empty()) share_rim(*rules.input);
   for (const auto& star : complex_.stars) vertex_count_ += star.empty() ? 0u : 1u;
   parallel_until(complex_.facets.size(), 64, control, [&](std::size_t f) {
     measure_facet(*rules.input, complex_, static_cast<std::uint32_t>(f));
@@ -84,6 +88,23 @@ LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Em
           static_cast<std::uint8_t>(rules.orientation->failures(complex_.triangle(facet)).size());
   });
   for (std::uint32_t f = 0; f < complex_.facets.size(); ++f) octree_.insert(f, box_of(complex_.triangle(f)));
+}
+
+void LiveSurface::share_rim(const InputSurface& input) {
+  std::vector<std::uint32_t> begins;
+  std::vector<Segment3> edges;
+  for (std::uint32_t v = 0; v < complex_.border.size(); ++v) {
+    if (!complex_.on_border(v)) continue;
+    begins.push_back(v);
+    edges.push_back({complex_.points[v], complex_.points[complex_.border[v].next]});
+  }
+  const SegmentIndex index(std::move(edges));
+  for (const Vec3 r : gate_->rim_samples())
+    complex_.border[begins[index.closest(r).segment]].rim.push_back(r);
+  for (const std::uint32_t v : begins) {
+    measure_border(input, complex_, v);
+    complex_.border[v].proven = true;
+  }
 }
 
 SurfacePatch LiveSurface::patch(std::span<const std::uint32_t> free_vertices) const {
@@ -119,6 +140,7 @@ Refusal LiveSurface::check(const SurfacePatch& patch) const {
   const FacetComplex& own = patch.complex;
   if (const auto where = broken_connectivity(complex_, patch))
     return {Reason::zero_link_condition, 0, 0, own.points[*where]};
+  if (Refusal bare = check_rim(patch); !bare.accepted()) return bare;
   if (patch.in_t) return {}; // facets of T do not meet
   for (std::uint32_t f = 0; f < own.facets.size(); ++f) {
     if (!own.facets[f].alive() || !patch.changed(f)) continue;
@@ -140,6 +162,36 @@ Refusal LiveSurface::check(const SurfacePatch& patch) const {
     if (found) return met;
   }
   return {};
+}
+
+Refusal LiveSurface::check_rim(const SurfacePatch& patch) const {
+  const FacetComplex& own = patch.complex;
+  std::vector<Segment3> before, after;
+  Box3 box;
+  for (std::uint32_t v = 0; v < own.border.size(); ++v) {
+    if (!patch.border_changed(v)) continue;
+    if (const std::uint32_t next = patch.start_border[v]; next < BorderEdge::elsewhere) {
+      before.push_back({patch.start_points[v], patch.start_points[next]});
+      for (const Vec3 p : before.back()) box.add(p);
+    }
+    if (own.border[v].here()) after.push_back({own.points[v], own.points[own.border[v].next]});
+  }
+  if (before.empty()) return {};
+  const auto in_patch = [&](std::uint32_t v) {
+    const std::uint32_t local = patch.local_vertex(v);
+    return local < patch.vertices.size() && patch.vertices[local] == v && patch.border_changed(local);
+  };
+  octree_.visit(box.grown(2 * gate_->delta()), [&](std::uint32_t slot) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = complex_.facets[slot].v[k], to = complex_.facets[slot].v[(k + 1) % 3];
+      if (complex_.border[from].next == to && !in_patch(from))
+        after.push_back({complex_.points[from], complex_.points[to]});
+    }
+    return false;
+  });
+  const BorderVerdict verdict = gate_->covers_rim(before, after);
+  if (verdict.proven) return {};
+  return {Reason::border_distance, verdict.distance, gate_->delta(), verdict.witness};
 }
 
 bool LiveSurface::up_to_date(const SurfacePatch& patch) const {
@@ -172,6 +224,12 @@ SurfaceChange LiveSurface::commit(const SurfacePatch& patch, EventKind kind) {
     if (patch.complex.points[v] == patch.start_points[v] || !patch.complex.alive_vertex(v)) continue;
     change.moves.push_back({patch.vertices[v], patch.start_points[v], patch.complex.points[v]});
     complex_.points[patch.vertices[v]] = patch.complex.points[v];
+  }
+  for (std::uint32_t v = 0; v < patch.complex.border.size(); ++v) {
+    if (!patch.border_changed(v)) continue;
+    BorderEdge edge = patch.complex.border[v];
+    if (edge.here()) edge.next = patch.vertices[edge.next];
+    complex_.border[patch.vertices[v]] = std::move(edge);
   }
   for (const std::uint32_t f : changed) {
     const std::uint32_t slot = patch.slots[f];

@@ -14,9 +14,10 @@ namespace isoscope {
 /// The whole surface. Reading is thread-safe; commits are for one thread.
 class LiveSurface {
  public:
-  /// Copies a closed oriented 2-manifold without intersections, inside Ω, and measures its facets. With an
-  /// embedding, whose Z the mesh is, patches hold their part of T, and commits reach it. Once the control is
-  /// cancelled facets are not measured: then only what the mesh was is of use.
+  /// Copies an oriented 2-manifold without intersections, inside Ω, and measures its facets. Its border keeps
+  /// to the input's rim, if it has one. With an embedding, whose Z the mesh is, patches hold their part of T,
+  /// and commits reach it. Once the control is cancelled facets are not measured: then only what the mesh was
+  /// is of use.
   LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding = nullptr,
               const RunControl& control = {});
 
@@ -35,8 +36,8 @@ class LiveSurface {
   std::optional<SurfacePatch> flip_patch(const FlipPlan& plan) const;
 
   /// Why a patch cannot be committed as the surface is now: a facet elsewhere that would be met (exact), or a
-  /// vertex that would be left with fewer than three facets. The patch's own facets must be as they were
-  /// taken.
+  /// vertex that would be left with too few facets, or a part of the rim that the border would leave. The
+  /// patch's own facets must be as they were taken.
   Refusal check(const SurfacePatch& patch) const;
   /// Whether the patch's facets and vertices are still as they were taken.
   bool up_to_date(const SurfacePatch& patch) const;
@@ -49,7 +50,12 @@ class LiveSurface {
   TriangleMesh compacted() const;
 
  private:
+  /// Gives the samples of the rim to the nearest border edges, and measures these.
+  void share_rim(const InputSurface& input);
+  Refusal check_rim(const SurfacePatch& patch) const;
+
   Embedding* embedding_;
+  const BorderGate* gate_; ///< null where the surface is closed
   FacetComplex complex_;
   FacetOctree octree_;
   std::vector<std::uint32_t> stamps_, collapse_stamps_; ///< by vertex

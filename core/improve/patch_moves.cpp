@@ -23,6 +23,12 @@ void store(FacetComplex& complex, std::span<const Wedge> wedges, const Placement
   }
 }
 
+/// Where the merged vertex of an edge has to lie, as one end alone is on the border.
+std::optional<Vec3> pinned_target(const FacetComplex& complex, std::uint32_t a, std::uint32_t b) {
+  if (complex.on_border(a) == complex.on_border(b)) return std::nullopt;
+  return complex.points[complex.on_border(a) ? a : b];
+}
+
 /// What failed checks have added to a facet goes to that of the flip's new facets onto which it projects.
 void carry_samples(const FacetComplex& complex, const Facet& from, const std::array<Triangle3, 2>& to,
                    FlipPlan& plan) {
@@ -59,10 +65,19 @@ std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, c
                                                     const PlacementEffort& effort, const Kernel* kernel) {
   if (!complex.link_condition(a, b)) return std::nullopt;
   const std::vector<Wedge> wedges = complex.merged_star(a, b);
-  const Star star = make_star(complex, wedges, false);
+  Star star = make_star(complex, wedges, false);
+  const auto candidate = [&](const Placement& placed) {
+    return CollapseCandidate{placed.point,
+                             placed.largest + (placed.folded ? effort.folded_surcharge * input.delta() : 0)};
+  };
+  const auto allowed = [&](Vec3 p) { return kernel == nullptr || kernel->contains(p); };
+  if (const std::optional<Vec3> pinned = pinned_target(complex, a, b)) {
+    if (!allowed(*pinned)) return std::nullopt;
+    return candidate(StarEvaluator(input, star).evaluate(*pinned));
+  }
+  if (complex.on_border(a)) move_border(input, complex, a, b, star);
   StarEvaluator evaluator(input, star);
   const Vec3 pa = complex.points[a], pb = complex.points[b];
-  const auto allowed = [&](Vec3 p) { return kernel == nullptr || kernel->contains(p); };
   const Vec3 middle = 0.5 * (pa + pb);
   Placement best = evaluator.evaluate(allowed(middle) ? middle : kernel->center);
   if (effort.three_starts) {
@@ -73,8 +88,7 @@ std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, c
     best = evaluator.evaluate(best.point);
   }
   evaluator.improve(best, effort.rounds, kernel);
-  return CollapseCandidate{best.point,
-                           best.largest + (best.folded ? effort.folded_surcharge * input.delta() : 0)};
+  return candidate(best);
 }
 
 void collapse_to(const InputSurface& input, SurfacePatch& patch, std::uint32_t a, std::uint32_t b,
@@ -86,8 +100,10 @@ void collapse_to(const InputSurface& input, SurfacePatch& patch, std::uint32_t a
     make_collapsible(patch.in_t->tets, stays, goes, kernel);
     patch.in_t->tets.collapse(stays, goes, target);
   }
+  const bool border_moves = complex.on_border(a) && complex.on_border(b);
   complex.collapse(a, b);
   complex.points[a] = target;
+  if (border_moves) measure_border_at(input, complex, a);
   const std::vector<Wedge> wedges = complex.star(a);
   for (const Wedge& w : wedges) complex.facets[w.facet].extra.clear(), complex.facets[w.facet].sides.clear();
   const Star star = make_star(complex, wedges, false);
@@ -97,7 +113,8 @@ void collapse_to(const InputSurface& input, SurfacePatch& patch, std::uint32_t a
 bool relocate(const InputSurface& input, SurfacePatch& patch, std::uint32_t v, int rounds) {
   FacetComplex& complex = patch.complex;
   const std::vector<Wedge> wedges = complex.star(v);
-  const Star star = make_star(complex, wedges, true);
+  Star star = make_star(complex, wedges, true);
+  if (complex.on_border(v)) move_border(input, complex, v, v, star);
   StarEvaluator evaluator(input, star);
   Placement placement = evaluator.evaluate(complex.points[v]);
   const double before = placement.energy;
@@ -111,6 +128,7 @@ bool relocate(const InputSurface& input, SurfacePatch& patch, std::uint32_t v, i
   complex.points[v] = placement.point;
   if (patch.in_t) patch.in_t->tets.move(patch.in_t->vertices[v], placement.point);
   store(complex, wedges, placement);
+  if (complex.on_border(v)) measure_border_at(input, complex, v);
   return true;
 }
 
@@ -152,7 +170,7 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
 std::optional<FlipPlan> force_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t a,
                                    std::uint32_t b, double most_distance) {
   FacetComplex& complex = patch.complex;
-  if (patch.valence(a) <= 3 || patch.valence(b) <= 3) return std::nullopt;
+  if (!patch.may_lose_facet(a) || !patch.may_lose_facet(b)) return std::nullopt;
   const std::uint32_t f = complex.facet_left_of(a, b);
   if (f == Facet::none) return std::nullopt;
   std::optional<FlipPlan> plan = flip_corners(complex, f, complex.facets[f].corner(a));
@@ -190,7 +208,7 @@ std::optional<FlipPlan> try_flip(const InputSurface& input, SurfacePatch& patch,
   const auto corners = flip_corners(patch.complex, f, k);
   if (!corners) return std::nullopt;
   const auto [a, b, c, d] = std::array{corners->a, corners->b, corners->c, corners->d};
-  if (patch.valence(a) <= 3 || patch.valence(b) <= 3) return std::nullopt;
+  if (!patch.may_lose_facet(a) || !patch.may_lose_facet(b)) return std::nullopt;
   if (a > b && !patch.complex.facets[corners->g].proven) return std::nullopt;
   // Between two fixed vertices there may be an edge outside of the patch.
   if (!patch.free[c] && !patch.free[d]) return std::nullopt;

@@ -22,7 +22,7 @@ struct PlacementEffort {
 };
 
 /// Places the merged vertex of ab, within the kernel if one is given; nothing where the link condition fails.
-/// The stars of a and b must be complete.
+/// Where one end alone is on the border it stays where it is. The stars of a and b must be complete.
 std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, const FacetComplex& complex,
                                                     std::uint32_t a, std::uint32_t b,
                                                     const PlacementEffort& effort,
@@ -49,7 +49,7 @@ struct FlipPlan {
 std::optional<FlipPlan> flip_corners(const FacetComplex& complex, std::uint32_t f, std::size_t k);
 /// Whether flipping the edge of f from its k-th to its next corner lowers the energy; asked only where a
 /// facet comes near the limit or is folded. Connectivity is the caller's: c and d must not be joined, a and b
-/// must keep three facets.
+/// must keep three facets, one on the border.
 std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
                                   std::size_t k);
 void apply_flip(FacetComplex& complex, const FlipPlan& plan);

@@ -66,12 +66,19 @@ Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool 
     if (with_extra) wedge.extra = f.extra, wedge.sides = f.sides;
     star.wedges.push_back(wedge);
   }
+  if (wedges.back().next != wedges.front().rim) star.last = complex.points[wedges.back().next];
   return star;
+}
+
+void move_border(const InputSurface& input, const FacetComplex& complex, std::uint32_t a, std::uint32_t b,
+                 Star& star) {
+  star.gate = input.gate();
+  star.rim = rim_around(complex, std::array{a, b});
 }
 
 StarEvaluator::StarEvaluator(const InputSurface& input, const Star& star)
     : input_(&input), star_(&star), fixed_(star.wedges.size()), rim_steps_(star.wedges.size()),
-      spokes_(star.wedges.size()) {
+      spokes_(spokes()) {
   const std::size_t n = star.wedges.size();
   TriangleId guess = star.wedges.front().seed;
   center_guess_ = guess;
@@ -80,8 +87,7 @@ StarEvaluator::StarEvaluator(const InputSurface& input, const Star& star)
     if (wedge.seed.valid()) guess = wedge.seed;
     const DistanceSample corner = input_->sample(wedge.rim, guess);
     guess = corner.triangle;
-    fixed_[i].add(corner, input);
-    fixed_[(i + n - 1) % n].add(corner, input);
+    beside(i, [&](std::size_t w) { fixed_[w].add(corner, input); });
     const Vec3 along = rim(i + 1) - wedge.rim;
     rim_steps_[i] = sampling_steps(length(along), input.delta());
     for (int j = 1; j < rim_steps_[i]; ++j) {
@@ -94,6 +100,10 @@ StarEvaluator::StarEvaluator(const InputSurface& input, const Star& star)
     spokes_[i].inner.fill(guess);
     spokes_[i].extra.assign(wedge.extra.size(), guess);
   }
+  if (closed()) return;
+  const DistanceSample corner = input_->sample(*star.last, guess);
+  fixed_[n - 1].add(corner, input);
+  spokes_[n].edge.fill(corner.triangle);
 }
 
 DistanceSample StarEvaluator::sample(Vec3 p, double weight, TriangleId& guess) {
@@ -111,16 +121,18 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   result.seeds.resize(n);
   linear_.clear();
   sums_ = fixed_;
-  spoke_steps_.resize(n);
+  spoke_steps_.resize(spokes());
   counts_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) spoke_steps_[i] = sampling_steps(distance(rim(i), x), input_->delta());
+  for (std::size_t i = 0; i < spokes(); ++i)
+    spoke_steps_[i] = sampling_steps(distance(rim(i), x), input_->delta());
   // What is summed so far, over the final number of samples, never exceeds the energy.
   double energy = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Star::Wedge& wedge = star_->wedges[i];
     const auto inner = inner_samples(longest_steps(i)).size();
-    counts_[i] = static_cast<double>(fixed_[i].count + spoke_steps_[i] + spoke_steps_[(i + 1) % n] - 1) +
-                 static_cast<double>(inner + wedge.extra.size() + wedge.sides.size());
+    counts_[i] =
+        static_cast<double>(fixed_[i].count + spoke_steps_[i] + spoke_steps_[(i + 1) % spokes()] - 1) +
+        static_cast<double>(inner + wedge.extra.size() + wedge.sides.size());
     energy += fixed_[i].energy / counts_[i];
   }
   const auto add = [&](std::size_t wedge, const DistanceSample& s) {
@@ -129,14 +141,13 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   const auto give_up = [&] { result.energy = energy; };
   const DistanceSample center = sample(x, 1, center_guess_);
   for (std::size_t i = 0; i < n; ++i) add(i, center);
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < spokes(); ++i) {
     if (energy > most_energy) return give_up(), result;
     const Vec3 along = rim(i) - x;
     for (int j = 1; j < spoke_steps_[i]; ++j) {
       const double t = j / static_cast<double>(spoke_steps_[i]);
       const DistanceSample s = sample(x + t * along, 1 - t, spokes_[i].edge[static_cast<std::size_t>(j - 1)]);
-      add(i, s);
-      add((i + n - 1) % n, s);
+      beside(i, [&](std::size_t w) { add(w, s); });
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -164,7 +175,31 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
     result.largest = std::max(result.largest, result.facets[i].largest);
     result.folded = result.folded || result.facets[i].folded;
   }
+  if (star_->gate != nullptr) add_border(x, result);
   return result;
+}
+
+void StarEvaluator::add_border(Vec3 x, Placement& placement) {
+  const std::array<Segment3, 2> edges{Segment3{x, rim(0)}, Segment3{x, rim(star_->wedges.size())}};
+  std::array<FacetSums, 2> sums;
+  const auto add = [&](std::size_t edge, const BorderSample& s) {
+    sums[edge].add(s.distance, *input_);
+    linear_.push_back({s.weight, {s.distance, s.direction, {}}});
+  };
+  for (std::size_t e = 0; e < 2; ++e) {
+    const int steps = border_steps(edges[e], input_->delta());
+    for (int j = 0; j <= steps; ++j)
+      add(e, sample_of_border(*star_->gate, edges[e], static_cast<double>(j) / steps));
+  }
+  for (const Vec3 r : star_->rim) {
+    const std::array<BorderSample, 2> to{sample_of_rim(r, edges[0]), sample_of_rim(r, edges[1])};
+    const std::size_t nearer = to[0].distance <= to[1].distance ? 0 : 1;
+    add(nearer, to[nearer]);
+  }
+  for (const FacetSums& s : sums) {
+    placement.energy += s.energy / s.count;
+    placement.largest = std::max(placement.largest, s.largest);
+  }
 }
 
 int StarEvaluator::longest_steps(std::size_t i) const {

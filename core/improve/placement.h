@@ -2,14 +2,17 @@
 #pragma once
 
 #include "criteria/kernel.h"
+#include "improve/border_energy.h"
 #include "improve/facet_energy.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace isoscope {
 
-/// A fan of facets around a vertex that may move: wedge i is (vertex, rim i, rim i + 1).
+/// A fan of facets around a vertex that may move: wedge i is (vertex, rim i, rim i + 1). It closes up, or
+/// lies between two edges of the border.
 struct Star {
   struct Wedge {
     Vec3 rim;
@@ -19,11 +22,18 @@ struct Star {
     TriangleId seed;
   };
   std::vector<Wedge> wedges;
+  std::optional<Vec3> last; ///< the rim behind the last wedge, where the fan is open
+  /// Where both border edges of an open fan move with the vertex: what they have to keep to.
+  const BorderGate* gate = nullptr;
+  std::vector<Vec3> rim; ///< samples of the input's rim that one of them has to be near
 };
 
 /// The star of wedges found in a complex; `with_extra` false leaves out what failed checks
 /// have added to the facets.
 Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool with_extra);
+/// Lets the border edges of an open fan move, whose vertex these were, of which the second may be the same.
+void move_border(const InputSurface& input, const FacetComplex& complex, std::uint32_t a, std::uint32_t b,
+                 Star& star);
 
 /// A place for the vertex and what the star is like there.
 struct Placement {
@@ -62,8 +72,22 @@ class StarEvaluator {
 
   Vec3 minimax_step(double trust) const;
   DistanceSample sample(Vec3 p, double weight, TriangleId& guess);
+  /// Adds the border edges with their vertex at x.
+  void add_border(Vec3 x, Placement& placement);
   int longest_steps(std::size_t wedge) const;
-  Vec3 rim(std::size_t i) const { return star_->wedges[i % star_->wedges.size()].rim; }
+  bool closed() const { return !star_->last; }
+  /// The edges from the vertex: one more than wedges where the fan is open.
+  std::size_t spokes() const { return star_->wedges.size() + (closed() ? 0 : 1); }
+  Vec3 rim(std::size_t i) const {
+    const std::size_t n = star_->wedges.size();
+    return i == n && star_->last ? *star_->last : star_->wedges[i % n].rim;
+  }
+  /// Calls add(wedge) for the wedges on both sides of a spoke.
+  template <class Add> void beside(std::size_t spoke, const Add& add) const {
+    const std::size_t n = star_->wedges.size();
+    if (spoke < n) add(spoke);
+    if (spoke > 0 || closed()) add((spoke + n - 1) % n);
+  }
 
   const InputSurface* input_;
   const Star* star_;
@@ -73,7 +97,7 @@ class StarEvaluator {
   TriangleId center_guess_;
   std::vector<FacetSums> sums_;  ///< by wedge, of the last evaluation
   std::vector<double> counts_;   ///< by wedge: its samples
-  std::vector<int> spoke_steps_; ///< by wedge: parts of the edge to its rim
+  std::vector<int> spoke_steps_; ///< by spoke: its parts
   std::vector<Linear> linear_, best_linear_;
 };
 

@@ -72,8 +72,10 @@ Proposal propose_flip(const LiveSurface& surface, const SurfaceRules& rules, std
   for (std::size_t k = 0; k < 3; ++k) {
     if (complex.facets[f].v[k] > complex.facets[f].v[(k + 1) % 3]) continue;
     const auto plan = plan_flip(*rules.input, complex, f, k);
-    if (!plan || complex.stars[plan->a].size() <= 3 || complex.stars[plan->b].size() <= 3 ||
-        complex.has_edge(plan->c, plan->d))
+    const auto may_lose_facet = [&](std::uint32_t v) {
+      return complex.stars[v].size() > complex.fewest_facets(v);
+    };
+    if (!plan || !may_lose_facet(plan->a) || !may_lose_facet(plan->b) || complex.has_edge(plan->c, plan->d))
       continue;
     std::optional<SurfacePatch> patch = surface.flip_patch(*plan);
     if (!patch) continue;

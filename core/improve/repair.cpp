@@ -57,6 +57,20 @@ Proof prove(const InputSurface& input, FacetComplex& complex) {
   return proof;
 }
 
+/// Proves the unproven border edges of a patch to keep to the rim.
+PatchVerdict prove_border(const InputSurface& input, FacetComplex& complex) {
+  for (std::uint32_t v = 0; v < complex.border.size(); ++v) {
+    BorderEdge& edge = complex.border[v];
+    if (!edge.here() || edge.proven) continue;
+    const BorderVerdict verdict = input.gate()->keeps_to_rim({complex.points[v], complex.points[edge.next]});
+    if (!verdict.proven)
+      return {Refusal{Reason::border_distance, verdict.distance, input.delta(), verdict.witness},
+              complex.facets[complex.facet_left_of(v, edge.next)].v};
+    edge.proven = true;
+  }
+  return {};
+}
+
 /// Condition 3 of the changed facets. Where more tests fail than before, the failed ones become samples of
 /// their facets.
 PatchVerdict check_orientation(const SurfaceRules& rules, SurfacePatch& patch) {
@@ -128,12 +142,18 @@ struct Level {
 
 Level measure(const SurfacePatch& patch) {
   Level level;
-  for (const Facet& f : patch.complex.facets) {
-    if (!f.alive()) continue;
-    if (f.largest > level.largest)
-      level.largest = f.largest, level.worst = f.v, level.place = patch.complex.triangle(f),
+  const auto add = [&](const Facet& f, double largest, double energy) {
+    if (largest > level.largest)
+      level.largest = largest, level.worst = f.v, level.place = patch.complex.triangle(f),
       level.where = level.place[0];
-    level.energy += f.energy;
+    level.energy += energy;
+  };
+  for (const Facet& f : patch.complex.facets)
+    if (f.alive()) add(f, f.largest, f.energy);
+  for (std::uint32_t v = 0; v < patch.complex.border.size(); ++v) {
+    const BorderEdge& edge = patch.complex.border[v];
+    if (edge.here())
+      add(patch.complex.facets[patch.complex.facet_left_of(v, edge.next)], edge.largest, edge.energy);
   }
   level.fold = find_fold(patch);
   return level;
@@ -142,6 +162,9 @@ Level measure(const SurfacePatch& patch) {
 double worst_energy(const FacetComplex& complex, std::uint32_t v) {
   double worst = 0;
   for (const std::uint32_t f : complex.stars[v]) worst = std::max(worst, complex.facets[f].energy);
+  if (complex.on_border(v))
+    for (const std::uint32_t w : {v, complex.border_before(v)})
+      worst = std::max(worst, complex.border[w].energy);
   return worst;
 }
 
@@ -291,7 +314,10 @@ std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePa
 
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch) {
   const Proof proof = prove(*rules.input, patch.complex);
-  if (proof.failures == 0) return check_shape(rules, patch);
+  if (proof.failures == 0) {
+    const PatchVerdict border = prove_border(*rules.input, patch.complex);
+    return border.accepted() ? check_shape(rules, patch) : border;
+  }
   PatchVerdict verdict{{Reason::outside_tolerance, proof.distance, rules.input->delta(), proof.witness},
                        proof.facet};
   verdict.points_added = proof.failures;

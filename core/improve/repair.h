@@ -48,17 +48,17 @@ struct PatchVerdict : Refusal {
 };
 
 /// Merges b into a (local ids) at the target and repairs the patch until it is proven inside Ω. Everything is
-/// checked but intersections with facets outside of the patch, which need the whole surface.
+/// checked but what needs the whole surface: intersections with facets outside of the patch, and whether the
+/// rim stays covered.
 PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
                                   std::uint32_t b, Vec3 target, const RepairOptions& options);
 /// Flips the edge ab (local ids) against the energy and repairs the patch without flipping it back; nothing
-/// where the flip cannot be made or begins too far above δ. Everything is checked but intersections, as
-/// above.
+/// where the flip cannot be made or begins too far above δ. Everything is checked but the same.
 std::optional<PatchVerdict> flip_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
                                              std::uint32_t b, const RepairOptions& options);
 /// Relocates a free vertex (local id) and checks the patch; nothing when it is at its best place.
 std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v);
-/// Certificates, fold, orientation and witnesses of the patch's changed facets.
+/// Certificates of the patch's changed facets and border edges, fold, orientation and witnesses.
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch);
 
 } // namespace isoscope

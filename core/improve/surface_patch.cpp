@@ -8,6 +8,27 @@
 namespace isoscope {
 namespace {
 
+/// The border edges of the patch's facets.
+void take_border(const FacetComplex& surface, SurfacePatch& patch) {
+  FacetComplex& own = patch.complex;
+  own.border.resize(own.points.size());
+  patch.start_border.resize(own.points.size());
+  for (std::uint32_t v = 0; v < own.points.size(); ++v) {
+    const BorderEdge& edge = surface.border[patch.vertices[v]];
+    if (edge.here()) {
+      const std::uint32_t next = patch.local_vertex(edge.next);
+      const bool has_vertex = next < own.points.size() && patch.vertices[next] == edge.next;
+      if (has_vertex && own.facet_left_of(v, next) != Facet::none) {
+        own.border[v] = edge;
+        own.border[v].next = next;
+      } else {
+        own.border[v].next = BorderEdge::elsewhere;
+      }
+    }
+    patch.start_border[v] = own.border[v].next;
+  }
+}
+
 SurfacePatch take(const FacetComplex& surface, std::vector<std::uint32_t> slots,
                   std::span<const std::uint32_t> free_vertices) {
   SurfacePatch patch;
@@ -31,6 +52,7 @@ SurfacePatch take(const FacetComplex& surface, std::vector<std::uint32_t> slots,
     patch.complex.facets.push_back(std::move(facet));
   }
   patch.complex.build_stars();
+  if (!surface.border.empty()) take_border(surface, patch);
   patch.start_points = patch.complex.points;
   patch.outside.reserve(patch.vertices.size());
   for (std::size_t i = 0; i < patch.vertices.size(); ++i)
@@ -55,6 +77,13 @@ bool SurfacePatch::changed(std::size_t f) const {
   if (!complex.facets[f].alive()) return false;
   return std::any_of(start_facets[f].begin(), start_facets[f].end(),
                      [&](std::uint32_t v) { return complex.points[v] != start_points[v]; });
+}
+
+bool SurfacePatch::border_changed(std::uint32_t v) const {
+  const std::uint32_t before = start_border[v], now = complex.border[v].next;
+  if (before != now) return true;
+  return complex.border[v].here() &&
+         (complex.points[v] != start_points[v] || complex.points[now] != start_points[now]);
 }
 
 double SurfacePatch::largest_distance(double delta) const {

@@ -18,8 +18,9 @@ struct SurfacePatch {
   std::vector<std::uint32_t> outside;  ///< by local vertex: facets of it that are not here
   std::vector<Vec3> start_points;      ///< as they were taken from the surface
   std::vector<std::array<std::uint32_t, 3>> start_facets;
-  std::uint32_t start_misoriented = 0; ///< failed tests of all facets
-  std::uint32_t start_folded = 0;      ///< folded facets
+  std::vector<std::uint32_t> start_border; ///< by local vertex: where its border edge led; empty if none did
+  std::uint32_t start_misoriented = 0;     ///< failed tests of all facets
+  std::uint32_t start_folded = 0;          ///< folded facets
 
   /// What it holds of T, where Z is improved inside it.
   struct InT {
@@ -32,9 +33,12 @@ struct SurfacePatch {
   std::uint32_t local_vertex(std::uint32_t surface_vertex) const;
   bool has_slot(std::uint32_t slot) const;
   std::size_t valence(std::uint32_t local) const { return complex.stars[local].size() + outside[local]; }
+  bool may_lose_facet(std::uint32_t local) const { return valence(local) > complex.fewest_facets(local); }
   /// Whether the facet is not what was taken from the surface: other corners, or the same at other places.
   bool changed(std::size_t local_facet) const;
   Triangle3 start_triangle(std::size_t local_facet) const;
+  /// The same for the border edge that begins, or began, at a vertex.
+  bool border_changed(std::uint32_t local) const;
   /// The largest sampled d of the changed facets; at most `delta`, which is proven of them.
   double largest_distance(double delta) const;
   std::array<std::uint32_t, 3> surface_corners(const std::array<std::uint32_t, 3>& local) const;

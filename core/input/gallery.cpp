@@ -9,7 +9,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<GalleryEntry, 13> entries{{
+constexpr std::array<GalleryEntry, 17> entries{{
     {"bracket", "Angle bracket",
      "Long thin triangles, sharp edges and drilled holes do not matter: only the volume around them does, "
      "and refinement "
@@ -32,7 +32,7 @@ constexpr std::array<GalleryEntry, 13> entries{{
      "The tolerance volume has two parts and four boundaries: labels follow the regions between them, not "
      "the nearest "
      "surface.",
-     2.0, 4},
+     2.0, 4, 0, 0, 0, true},
     {"rings", "Interlocked rings",
      "Two thin rings hook into each other without touching: their zero sets stay separate and stay linked.",
      1.0, 0},
@@ -54,10 +54,25 @@ constexpr std::array<GalleryEntry, 13> entries{{
      "The volume itself is given, by its two walls: wide on one side and narrow on the other, and the zero "
      "set takes the room that there is.",
      0, 0},
+    {"two-rooms", "Two rooms",
+     "A wall divides a box: three regions have labels of their own, and their sheets meet in one closed "
+     "curve.",
+     4.0, 3, 0, 0, 0, true},
+    {"bubbles", "Soap bubbles",
+     "Four bubbles share walls: sheets meet in curves of three, and the curves of four rooms in one point.",
+     4.0, 5, 0, 0, 0, true},
     {"density", "A ring of beads",
      "A grid of densities, as a scan is one: the zero set runs between two of its levels, and nothing else "
      "was ever a surface.",
      0, 0, density_low, density_high},
+    {"hemisphere", "Hemisphere",
+     "An open surface: samples over its rim belong to no side, and the zero set, which goes on beyond it, is "
+     "cut there.",
+     3.0, 1, 0, 0, 1},
+    {"range-scan", "Scan from one side",
+     "What a scanner sees of a bumpy blob from above, with three holes: each stays open, or is filled where "
+     "you say so.",
+     2.0, -2, 0, 0, 4},
 }};
 
 TriangleSoup make_nested_spheres() {
@@ -93,6 +108,17 @@ TriangleSoup make_blob() {
     p = (1 + 0.13 * bumps + 0.1 * p.x * p.y) * p;
   }
   return model;
+}
+
+/// The blob from above; dark spots give the scanner nothing.
+TriangleSoup make_blob_from_above() {
+  const auto in_spot = [](Vec3 p) {
+    const auto near = [&](double x, double y, double radius) {
+      return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y) < radius * radius;
+    };
+    return near(0.35, 0.3, 0.12) || near(-0.4, 0.25, 0.1) || near(0, -0.45, 0.22);
+  };
+  return make_range_scan(make_blob(), 96, in_spot);
 }
 
 } // namespace
@@ -137,8 +163,16 @@ Result<TriangleSoup> make_gallery_model(std::string_view name) {
     model = make_torn_scan();
   else if (name == "nested-tori")
     model = make_nested_tori();
+  else if (name == "two-rooms")
+    model = make_two_rooms();
+  else if (name == "bubbles")
+    model = make_bubbles();
   else if (name == "density")
     model = make_density();
+  else if (name == "hemisphere")
+    model = make_hemisphere(24);
+  else if (name == "range-scan")
+    model = make_blob_from_above();
   else {
     std::string names;
     for (const GalleryEntry& e : entries) names += (names.empty() ? "" : ", ") + std::string(e.name);

@@ -16,8 +16,10 @@ struct GalleryEntry {
   std::string_view title;   ///< what a card shows: "Torus"
   std::string_view lesson;  ///< one sentence on what it teaches
   double tolerance_percent; ///< the δ it is best opened with, in percent of the longest edge; 0: it gives Ω
-  long euler_characteristic; ///< of the surface, or of what lies in Ω (all components together)
-  double low = 0, high = 0;  ///< the levels of a grid
+  long euler_characteristic;      ///< of the surface, or of what lies in Ω (all components together)
+  double low = 0, high = 0;       ///< the levels of a grid
+  std::size_t boundary_loops = 0; ///< closed curves of the border of an open surface
+  bool opened = false;            ///< its picture shows what is inside
 
   bool gives_volume() const { return tolerance_percent == 0; }
 };

@@ -1,4 +1,4 @@
-// The shapes that the bundled models are made of: closed, oriented outwards, the same bits everywhere.
+// The shapes that the bundled models are made of: oriented outwards but for rooms, the same bits everywhere.
 #pragma once
 
 #include "input/triangle_soup.h"
@@ -41,6 +41,14 @@ TriangleSoup make_defective(const TriangleSoup& model, double noise);
 TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, std::size_t outliers,
                        const std::function<bool(Vec3)>& missing);
 
+/// The upper half of the unit sphere, its border in the plane z = 0, as so many rings of triangles.
+TriangleSoup make_hemisphere(int rings);
+
+/// What one sees of a model from far above: a square grid of heights with so many columns, without the places
+/// for which `missing` holds, in triangles where neighbours are not too steep.
+TriangleSoup make_range_scan(const TriangleSoup& model, int columns,
+                             const std::function<bool(Vec3)>& missing);
+
 /// The levels of make_density(), between which its ring of six beads is whole.
 constexpr double density_low = 0.25, density_high = 0.5;
 
@@ -50,6 +58,12 @@ TriangleSoup make_nested_tori();
 /// A grid: the density of six round beads that run into each other along a ring. With triangles of both
 /// levels.
 TriangleSoup make_density();
+
+/// A box of two cubes with the wall between them: 11 squares that share no vertices.
+TriangleSoup make_two_rooms();
+
+/// Four equal soap bubbles that share walls.
+TriangleSoup make_bubbles();
 
 void append(TriangleSoup& to, const TriangleSoup& part);
 void turn_inside_out(TriangleSoup& model);

@@ -19,7 +19,8 @@ bool is_named_as_points(const std::filesystem::path& file);
 
 /// Writes by the extension: .off, .obj, .ply (binary) or .stl (binary). Goes through a temporary file in the
 /// same folder, so that a full disk leaves no half-written file behind. OFF and OBJ keep every bit of the
-/// coordinates.
+/// coordinates. Labels, where the mesh has them, are properties of faces, "front" and "back", in PLY and
+/// groups in OBJ; OFF and STL have no place for them.
 Status write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh);
 
 /// Whether write_mesh could write there now: known extension, folder exists and is writable. To be asked

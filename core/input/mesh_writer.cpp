@@ -10,8 +10,11 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace isoscope {
 
@@ -53,21 +56,37 @@ void write_off(PendingFile& out, const TriangleMesh& mesh) {
 
 void write_obj(PendingFile& out, const TriangleMesh& mesh) {
   for (const Vec3 p : mesh.points) out.append("v " + coordinates(p));
-  for (const auto& [a, b, c] : mesh.triangles)
+  // A group for each two labels, the larger one, which facets are seen from, first.
+  std::vector<std::size_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto pair = [&](std::size_t i) { return std::pair(-mesh.labels[i].front, -mesh.labels[i].back); };
+  if (!mesh.labels.empty())
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return pair(i) < pair(j); });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::size_t i = order[k];
+    if (!mesh.labels.empty() && (k == 0 || pair(i) != pair(order[k - 1])))
+      out.append("g front_" + std::to_string(mesh.labels[i].front) + "_back_" +
+                 std::to_string(mesh.labels[i].back) + '\n');
+    const auto& [a, b, c] = mesh.triangles[i];
     out.append("f " + std::to_string(std::uint64_t{a} + 1) + ' ' + std::to_string(std::uint64_t{b} + 1) +
                ' ' + std::to_string(std::uint64_t{c} + 1) + '\n');
+  }
 }
 
 void write_ply(PendingFile& out, const TriangleMesh& mesh) {
   out.append("ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.points.size()) +
              "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-             std::to_string(mesh.triangles.size()) +
-             "\nproperty list uchar int vertex_indices\nend_header\n");
+             std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\n" +
+             (mesh.labels.empty() ? "" : "property char front\nproperty char back\n") + "end_header\n");
   for (const Vec3 p : mesh.points)
     for (int i = 0; i < 3; ++i) append_little_endian(out, p[i]);
-  for (const auto& t : mesh.triangles) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     append_little_endian(out, std::uint8_t{3});
-    for (const std::uint32_t v : t) append_little_endian(out, v);
+    for (const std::uint32_t v : mesh.triangles[i]) append_little_endian(out, v);
+    if (mesh.labels.empty()) continue;
+    append_little_endian(out, mesh.labels[i].front);
+    append_little_endian(out, mesh.labels[i].back);
   }
 }
 

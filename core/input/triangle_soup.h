@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/geometry.h"
+#include "base/labels.h"
 #include "input/scalar_grid.h"
 
 #include <array>
@@ -51,7 +52,10 @@ struct TriangleSoup {
 /// An indexed triangle mesh that we made: the zero set as it is written to a file.
 struct TriangleMesh {
   std::vector<Vec3> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from outside (label +1)
+  /// Counter-clockwise seen from outside (label +1), or from the larger one of their labels.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// What each triangle lies between, where there is more than one inside.
+  std::vector<LabelPair> labels = {};
 };
 
 } // namespace isoscope

@@ -34,12 +34,14 @@ void Digest::add(const RepairSweep& s) {
 
 void Digest::add(const Vertex& v) {
   add(v.position, v.value, v.kind, v.sample_set, v.sample);
+  if (v.room != 1) add(v.room); // two labels keep the digests that they had without it
 }
 
 void Digest::add(const TetRecord& t) {
   add(t.id);
   each(t.v);
   add(t.side);
+  if (t.dropped != 0) add(t.dropped); // closed surfaces keep the digests that they had without it
 }
 
 void Digest::add(const FacetRecord& f) {
@@ -55,6 +57,7 @@ void Digest::add(const Delta& d) {
   each(d.removed);
   each(d.added);
   for (const auto& s : d.sides) add(s.tet, s.before, s.after);
+  for (const auto& c : d.dropped) add(c.tet, c.before, c.after);
   each(d.removed_facets);
   each(d.added_facets);
   if (d.sample_set) add(d.sample_set->before, d.sample_set->after);
@@ -67,6 +70,7 @@ void Digest::add(const Complex& c) {
     each(t.v);
     each(t.neighbor);
     add(t.side);
+    if (t.dropped != 0) add(t.dropped);
   }
   for (const ZeroFacet& f : c.facets) each(f.v);
   add(c.form);

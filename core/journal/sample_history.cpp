@@ -47,7 +47,7 @@ class Follower {
  private:
   Complex complex_;
   std::vector<Vec3> place_;
-  double label_;
+  int label_;
   SampleSets set_;
   double error_ = nowhere;
 
@@ -57,9 +57,7 @@ class Follower {
       error_ = nowhere;
       return;
     }
-    const double f = interpolate(complex_.positions(t), complex_.values(t))(place_[0]);
-    const int side = complex_.tet(t).side;
-    error_ = side == 0 ? sample_error(f, label_) : embedded_sample_error(f, label_, side);
+    error_ = sample_error_at(complex_, t, place_[0], label_);
   }
 };
 
@@ -81,7 +79,7 @@ HistoryRow change(HistoryRow::Kind kind, const Journal& journal, Step step, doub
 /// A sample with its place and its label.
 struct Followed {
   Vec3 place;
-  double label = 0;
+  int label = 0;
 };
 
 /// Nothing where the set in force at `at` has no such sample.
@@ -98,7 +96,7 @@ std::optional<Followed> sample_at(const Journal& journal, SampleId sample, Step 
   if (set >= journal.sample_sets().size() || !journal.sample_sets()[set]) return std::nullopt;
   const BoundarySamples& samples = *journal.sample_sets()[set];
   if (sample.index() >= samples.size()) return std::nullopt;
-  return Followed{samples.positions[sample.index()], static_cast<double>(samples.labels[sample.index()])};
+  return Followed{samples.positions[sample.index()], samples.labels[sample.index()]};
 }
 
 /// Hands every change, away from `at`, to `visit` until that returns false or the set changes.

@@ -26,7 +26,7 @@ enum class MarkerShape : std::uint8_t {
   hollow_triangle
 };
 
-/// The stages of a run, in the paper's order.
+/// The stages of a run.
 enum class Stage : std::uint8_t {
   setup,
   refinement,
@@ -34,9 +34,23 @@ enum class Stage : std::uint8_t {
   tessellation, ///< Z into T (§2.4.2)
   zero_set,     ///< collapses of edges of Z (§2.4.3)
   all,          ///< collapses of edges between Z and Γ, and of Z again (§2.4.4)
-  improve       ///< minimax placement, flips, collapses with repair (core/README.md, N6)
+  improve,      ///< minimax placement, flips, collapses with repair (core/README.md, N6)
+  rim           ///< Z is cut along the rim of open surfaces, after the tessellation (§4.1)
 };
-constexpr int stage_count = static_cast<int>(Stage::improve) + 1;
+constexpr int stage_count = static_cast<int>(Stage::rim) + 1;
+
+/// The order of the stages in a run; their numbers are those of recordings.
+inline constexpr std::array<Stage, stage_count> stages_in_order{
+    Stage::setup, Stage::refinement, Stage::gamma, Stage::tessellation,
+    Stage::rim,   Stage::zero_set,   Stage::all,   Stage::improve};
+/// Whether a stage comes after another one in a run.
+constexpr bool comes_after(Stage stage, Stage other) {
+  for (const Stage s : stages_in_order) {
+    if (s == stage) return false;
+    if (s == other) return true;
+  }
+  return false;
+}
 
 struct StageWords {
   Stage value;
@@ -57,6 +71,8 @@ inline constexpr std::array stage_table{
                "simplifying around Z"},
     StageWords{Stage::improve, "improve", "improve",
                "Takes Z out of T, relocates its vertices, flips, and collapses with repair.", "improvement"},
+    StageWords{Stage::rim, "rim", "rim", "Cuts Z along the wall over the rim of open surfaces. §4.1",
+               "cutting along the rim"},
 };
 
 /// What kind of decision.
@@ -76,9 +92,12 @@ enum class EventKind : std::uint8_t {
   departure,        ///< Z left T: its facets are free from here on (an operation)
   relaxation,       ///< a sweep of relocations and flips over Z (an operation)
   repair,           ///< an edge was collapsed and its neighbourhood repaired (an operation)
-  shake             ///< edges of Z were flipped against the energy, with repair (an operation)
+  shake,            ///< edges of Z were flipped against the energy, with repair (an operation)
+  split,            ///< an edge of Z was split to cut it along the rim (an operation)
+  cut,              ///< facets of Z beyond the rim were dropped (an operation)
+  fill              ///< dropped facets that close a hole became part of Z again (an operation)
 };
-constexpr int event_kind_count = static_cast<int>(EventKind::shake) + 1;
+constexpr int event_kind_count = static_cast<int>(EventKind::fill) + 1;
 
 /// What gives the mark of a kind its colour in lists.
 enum class ColorRole : std::uint8_t { condition, stage, reason, good, warning, accent };
@@ -147,6 +166,17 @@ inline constexpr std::array kind_table{
               "Z shaken: edges flipped against the energy and {n} vertices relocated around them, "
               "largest d = {value δ}",
               "edges of Z are turned to make room for further collapses"},
+    KindWords{EventKind::split, "split", "edge splits", "edge split",
+              "Edges of Z that were split to cut it along the rim. §4.1", ColorRole::accent,
+              MarkerShape::disc, 0x44AA99, "{edge} is split: {place}",
+              "an edge is split so that the border follows the rim"},
+    KindWords{EventKind::cut, "cut", "cut", "cut along the rim", "What lies beyond the rim was dropped. §4.1",
+              ColorRole::stage, MarkerShape::square, 0, "Z is cut along the rim: {n} facets beyond it go",
+              "{n|facet|facets} beyond the rim fall away"},
+    KindWords{EventKind::fill, "fill", "filling", "filling of holes",
+              "Dropped facets that close holes became part of Z again. §4.1", ColorRole::stage,
+              MarkerShape::square, 0, "holes are filled with {n} facets, outside of Ω by intent",
+              "holes are filled with {n|facet|facets}"},
 };
 
 /// Which criterion asked for it (§2.3).
@@ -238,13 +268,19 @@ enum class Reason : std::uint8_t {
   intersection,        ///< Z would intersect itself (without T)
   folded,              ///< a facet would turn over (without T)
   stays_above,         ///< the repair did not bring every facet below δ
-  ineligible           ///< the edge is not of the kind that the stage collapses
+  ineligible,          ///< the edge is not of the kind that the stage collapses
+  border_distance,     ///< the border of Z would leave the rim of the input, or lay it bare (§4.1)
+  // Why an edge of Z was split along the rim (§4.1).
+  wall_over_rim,  ///< the wall over the rim crosses it
+  leaves_volume,  ///< a facet beside it is not proven inside Ω
+  border_off_rim, ///< it is on the border of Z and not within δ of the rim
+  rim_off_border  ///< a place of the rim is farther than δ from the border of Z
 };
-constexpr int reason_count = static_cast<int>(Reason::ineligible) + 1;
+constexpr int reason_count = static_cast<int>(Reason::rim_off_border) + 1;
 
 /// The first and the last reason for a collapse that was not made.
 constexpr Reason first_rejection = Reason::link_condition;
-constexpr Reason last_rejection = Reason::ineligible;
+constexpr Reason last_rejection = Reason::border_distance;
 constexpr bool rejects(Reason reason) {
   return reason >= first_rejection && reason <= last_rejection;
 }
@@ -351,6 +387,20 @@ inline constexpr std::array reason_table{
     ReasonWords{Reason::ineligible, "ineligible", "not eligible", ReasonRole::rejection,
                 "it is not of the kind that the stage collapses", "this stage collapses other edges",
                 "The edge is not of the kind that the stage collapses. §2.4", 0x7FA83C, MarkerShape::plus},
+    ReasonWords{Reason::border_distance, "border-distance", "border and rim", ReasonRole::rejection,
+                "the border of Z and the rim of the input would be {value δ} apart (limit {limit δ})",
+                "the border would leave the rim of the input",
+                "The border of Z would come to lie farther than δ from the rim, or leave a part of it bare. "
+                "§4.1",
+                0x2FA39A, MarkerShape::hollow_square},
+    ReasonWords{Reason::wall_over_rim, "wall-over-rim", "wall over the rim", ReasonRole::place,
+                "the wall over the rim crosses it"},
+    ReasonWords{Reason::leaves_volume, "leaves-volume", "facet leaves Ω", ReasonRole::place,
+                "a facet beside it is not proven inside Ω"},
+    ReasonWords{Reason::border_off_rim, "border-off-rim", "border off the rim", ReasonRole::place,
+                "it is on the border of Z and not within δ of the rim"},
+    ReasonWords{Reason::rim_off_border, "rim-off-border", "rim off the border", ReasonRole::place,
+                "a place of the rim is farther than δ from the border of Z"},
 };
 
 /// Whether a table has one row for each of so many values, in their order.

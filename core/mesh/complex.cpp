@@ -86,6 +86,7 @@ void exchange(std::vector<Tet>& tets, const std::vector<TetRecord>& out, const s
     assert(!tets[r.id.index()].alive());
     tets[r.id.index()].v = r.v;
     tets[r.id.index()].side = r.side;
+    tets[r.id.index()].dropped = r.dropped;
     for (int i = 0; i < 4; ++i) sides.push_back(facet_side(r.v, r.id, i));
   }
   if (connect(tets, sides) > 0 && !in.empty()) connect_hull(tets);
@@ -115,9 +116,18 @@ std::array<VertexId, 4> canonical_order(std::array<VertexId, 4> v) {
   return v;
 }
 
+std::uint8_t reordered_bits(std::uint8_t bits, const std::array<VertexId, 4>& from,
+                            const std::array<VertexId, 4>& to) {
+  unsigned result = 0;
+  for (std::size_t i = 0; bits != 0 && i < 4; ++i) {
+    if ((bits >> i & 1u) != 0) result |= 1u << (std::find(to.begin(), to.end(), from[i]) - to.begin());
+  }
+  return static_cast<std::uint8_t>(result);
+}
+
 bool Delta::empty() const {
   return added_vertices.empty() && killed_vertices.empty() && values.empty() && moves.empty() &&
-         removed.empty() && added.empty() && sides.empty() && removed_facets.empty() &&
+         removed.empty() && added.empty() && sides.empty() && dropped.empty() && removed_facets.empty() &&
          added_facets.empty() && !sample_set && !form;
 }
 
@@ -125,7 +135,7 @@ std::size_t Delta::memory_bytes() const {
   return sizeof(Delta) + added_vertices.capacity() * sizeof(Vertex) +
          killed_vertices.capacity() * sizeof(VertexId) + values.capacity() * sizeof(ValueChange) +
          moves.capacity() * sizeof(Move) + (removed.capacity() + added.capacity()) * sizeof(TetRecord) +
-         sides.capacity() * sizeof(SideChange) +
+         sides.capacity() * sizeof(SideChange) + dropped.capacity() * sizeof(DroppedChange) +
          (removed_facets.capacity() + added_facets.capacity()) * sizeof(FacetRecord);
 }
 
@@ -139,19 +149,23 @@ std::array<double, 4> Complex::values(TetId t) const {
   return {value(v[0]), value(v[1]), value(v[2]), value(v[3])};
 }
 
+TetLabels Complex::labels(TetId t) const {
+  const auto& v = tet(t).v;
+  return {label(v[0]), label(v[1]), label(v[2]), label(v[3])};
+}
+
 bool Complex::heterogeneous(TetId t) const {
-  bool negative = false, positive = false;
-  for (const double f : values(t)) {
-    negative |= f < 0;
-    positive |= f > 0;
-  }
-  return negative && positive;
+  return label_count(labels(t)) > 1;
+}
+
+bool Complex::on_zero_set(TetId t, std::size_t i) const {
+  const TetId n = tet(t).neighbor[i];
+  return n.valid() && tet(t).side != tet(n).side && (tet(t).dropped >> i & 1u) == 0;
 }
 
 bool Complex::in_gamma(TetId t) const {
-  if (heterogeneous(t)) return true;
-  const std::array<double, 4> f = values(t);
-  return std::any_of(f.begin(), f.end(), [](double value) { return value == 0; });
+  const TetLabels l = labels(t);
+  return label_count(l) > 1 || std::find(l.begin(), l.end(), 0) != l.end();
 }
 
 std::size_t Complex::alive_tets() const {
@@ -170,6 +184,7 @@ void Complex::apply(const Delta& delta) {
   for (const auto& c : delta.values) vertices[c.vertex.index()].value = c.after;
   for (const auto& m : delta.moves) vertices[m.vertex.index()].position = m.after;
   for (const auto& s : delta.sides) tets[s.tet.index()].side = s.after;
+  for (const auto& d : delta.dropped) tets[d.tet.index()].dropped = d.after;
   if (delta.form) form = delta.form->after;
   exchange_facets(facets, delta.removed_facets, delta.added_facets);
   if (delta.removed.empty() && delta.added.empty()) return;
@@ -190,6 +205,7 @@ void Complex::undo(const Delta& delta) {
     facets.resize(delta.facet_slots_before);
   }
   if (delta.form) form = delta.form->before;
+  for (const auto& d : delta.dropped) tets[d.tet.index()].dropped = d.before;
   for (const auto& s : delta.sides) tets[s.tet.index()].side = s.before;
   for (auto m = delta.moves.rbegin(); m != delta.moves.rend(); ++m) {
     vertices[m->vertex.index()].position = m->before;

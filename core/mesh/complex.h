@@ -4,6 +4,7 @@
 
 #include "base/geometry.h"
 #include "base/ids.h"
+#include "base/labels.h"
 
 #include <array>
 #include <cstdint>
@@ -22,7 +23,8 @@ enum class VertexKind : std::uint8_t {
   zero         ///< a vertex of Z, F = 0 (§2.4.2)
 };
 
-/// A vertex of T. `value` is F at the vertex: the label, scaled by the distance at box corners (§5).
+/// A vertex of T. `value` is F at the vertex: + outside and - in any inside, scaled by the distance at box
+/// corners (§5).
 struct Vertex {
   Vec3 position;
   double value = 0;
@@ -30,6 +32,9 @@ struct Vertex {
   bool alive = true;
   std::uint16_t sample_set = 0; ///< which sample set `sample` belongs to
   SampleId sample;              ///< valid when kind is sample
+  std::int8_t room = 1;         ///< which inside it is in, where value < 0 (§4.2)
+  /// +1 outside, -1, -2, … in the insides, 0 on Z.
+  constexpr std::int8_t label() const { return label_of(value, room); }
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
@@ -50,7 +55,10 @@ enum class ZeroForm : std::uint8_t {
 struct Tet {
   std::array<VertexId, 4> v;
   std::array<TetId, 4> neighbor;
-  std::int8_t side = 0; ///< the label ±1 of its side once Z is embedded (§2.4.2), 0 before
+  std::int8_t side = 0; ///< the label of its side once Z is embedded (§2.4.2), 0 before
+  /// Bit i: the facet opposite vertex i lies between two sides but is no part of Z (§4.1). Both tetrahedra of
+  /// a facet say the same.
+  std::uint8_t dropped = 0;
   bool alive() const { return v[0].valid(); }
   /// The facet opposite vertex i, counter-clockwise seen from outside.
   std::array<VertexId, 3> facet(std::size_t i) const {
@@ -62,6 +70,9 @@ struct Tet {
 
 /// The same tetrahedron with its vertices in the order of Tet.
 std::array<VertexId, 4> canonical_order(std::array<VertexId, 4> v);
+/// Bits of the facets opposite vertices in one order, for the same vertices in another.
+std::uint8_t reordered_bits(std::uint8_t bits, const std::array<VertexId, 4>& from,
+                            const std::array<VertexId, 4>& to);
 
 /// A facet of Z that has left T, counter-clockwise seen from the positive side. A dead slot has invalid
 /// vertices.
@@ -78,11 +89,12 @@ struct FacetRecord {
   friend bool operator==(const FacetRecord&, const FacetRecord&) = default;
 };
 
-/// A tetrahedron of a delta: its slot, vertices and side.
+/// A tetrahedron of a delta: its slot, vertices, side and dropped facets.
 struct TetRecord {
   TetId id;
   std::array<VertexId, 4> v;
   std::int8_t side = 0;
+  std::uint8_t dropped = 0;
   friend bool operator==(const TetRecord&, const TetRecord&) = default;
 };
 
@@ -106,6 +118,10 @@ struct Delta {
     TetId tet;
     std::int8_t before = 0, after = 0;
   };
+  struct DroppedChange {
+    TetId tet;
+    std::uint8_t before = 0, after = 0;
+  };
   struct FormChange {
     ZeroForm before = ZeroForm::interpolated, after = ZeroForm::interpolated;
   };
@@ -117,7 +133,8 @@ struct Delta {
   /// Length of the slot array before a delta with `removed` or `added`: what undo restores. Slots added
   /// beyond it are new.
   std::uint32_t slots_before = 0;
-  std::vector<SideChange> sides; ///< of tetrahedra that are neither removed nor added
+  std::vector<SideChange> sides;      ///< of tetrahedra that are neither removed nor added
+  std::vector<DroppedChange> dropped; ///< the same for their dropped facets
   std::vector<FacetRecord> removed_facets, added_facets;
   std::uint32_t facet_slots_before = 0; ///< the same for facets
   std::optional<SampleSetChange> sample_set;
@@ -136,11 +153,16 @@ struct Complex {
 
   const Vec3& position(VertexId v) const { return vertices[v.index()].position; }
   double value(VertexId v) const { return vertices[v.index()].value; }
+  std::int8_t label(VertexId v) const { return vertices[v.index()].label(); }
   const Tet& tet(TetId t) const { return tets[t.index()]; }
   std::array<Vec3, 4> positions(TetId t) const;
   std::array<double, 4> values(TetId t) const;
-  /// Whether t carries Z: it has vertices of both signs (F = 0 counts as neither).
+  TetLabels labels(TetId t) const;
+  /// Whether t carries Z: it has vertices of several labels (those on Z count as none).
   bool heterogeneous(TetId t) const;
+  /// Whether the facet opposite vertex i of t is part of an embedded Z: it lies between two sides and is not
+  /// dropped.
+  bool on_zero_set(TetId t, std::size_t i) const;
   /// Whether t is part of Γ: it carries Z, or has a vertex on it.
   bool in_gamma(TetId t) const;
   std::size_t alive_tets() const;

@@ -2,9 +2,13 @@
 #include "mesh/incidence.h"
 
 #include "base/sort_unique.h"
+#include "mesh/junction.h"
+#include "mesh/predicates.h"
+#include "mesh/strata.h"
 #include "mesh/zero_set.h"
 
 #include <algorithm>
+#include <array>
 
 namespace isoscope {
 
@@ -14,16 +18,14 @@ bool has(const Tet& t, VertexId v) {
   return std::find(t.v.begin(), t.v.end(), v) != t.v.end();
 }
 
-/// Facets of Z at one vertex of an embedded Z, each once: seen from its positive side's tetrahedron.
+/// Facets of Z at one vertex of an embedded Z, each once: seen from the tetrahedron of its larger label.
 void add_facets_at(const Complex& complex, std::span<const TetId> tets, VertexId v,
                    std::vector<std::pair<TetId, std::size_t>>& facets) {
   for (const TetId t : tets) {
     const Tet& tet = complex.tet(t);
-    if (tet.side <= 0) continue;
     for (std::size_t k = 0; k < 4; ++k) {
-      const TetId n = tet.neighbor[k];
-      if (tet.v[k] == v || !n.valid() || complex.tet(n).side >= 0) continue;
-      facets.emplace_back(t, k);
+      if (tet.v[k] == v || !complex.on_zero_set(t, k)) continue;
+      if (complex.tet(tet.neighbor[k]).side < tet.side) facets.emplace_back(t, k);
     }
   }
 }
@@ -41,6 +43,42 @@ void gather_embedded_facets(const Complex& complex, const Incidence& incidence,
   }
 }
 
+std::vector<VertexId> border_neighbors(const Complex& complex, const Incidence& incidence, VertexId v) {
+  std::vector<VertexId> found;
+  if (complex.value(v) != 0) return found;
+  for (const std::uint32_t w : borders_from(link_arcs(complex, incidence, v))) found.push_back(VertexId(w));
+  return found;
+}
+
+/// The edges of the border at these vertices, each once.
+void gather_borders(const Complex& complex, const Incidence& incidence, const std::vector<VertexId>& around,
+                    std::vector<Segment3>& out) {
+  std::vector<std::array<VertexId, 2>> edges;
+  for (const VertexId v : around)
+    for (const VertexId w : border_neighbors(complex, incidence, v))
+      edges.push_back({std::min(v, w), std::max(v, w)});
+  sort_unique(edges);
+  for (const auto& [v, w] : edges) out.push_back({complex.position(v), complex.position(w)});
+}
+
+/// Follows the border from one end of an edge of it, away from the other, and adds what lies beyond the
+/// vertex next to that end.
+void follow_border(const Complex& complex, const Incidence& incidence, VertexId from, VertexId other,
+                   std::vector<Segment3>& out) {
+  // Edges may be much shorter than δ. Those left out make a check of the border stricter, not wrong.
+  constexpr int most_edges = 16;
+  VertexId before = other, v = from;
+  for (int i = 0; i <= most_edges; ++i) {
+    std::vector<VertexId> next = border_neighbors(complex, incidence, v);
+    if (next.size() != 2) return;
+    const VertexId after = next[0] == before ? next[1] : next[0];
+    if (after == other || after == from) return;
+    if (i > 0) out.push_back({complex.position(v), complex.position(after)});
+    before = v;
+    v = after;
+  }
+}
+
 void gather_interpolated_facets(const Complex& complex, const Incidence& incidence,
                                 const std::vector<VertexId>& around, std::vector<Triangle3>& out) {
   std::vector<TetId> tets;
@@ -49,9 +87,18 @@ void gather_interpolated_facets(const Complex& complex, const Incidence& inciden
     tets.insert(tets.end(), at.begin(), at.end());
   }
   sort_unique(tets);
+  std::vector<LabelledTriangle> triangles;
   for (const TetId t : tets) {
-    const ZeroPolygon polygon = zero_polygon(complex.positions(t), complex.values(t));
-    if (polygon.count >= 3) out.push_back({polygon.corner[0], polygon.corner[1], polygon.corner[2]});
+    const TetLabels labels = complex.labels(t);
+    if (label_count(labels) < 3) {
+      const ZeroPolygon polygon = zero_polygon(
+          complex.positions(t), seen_from(outer_labels(labels).front, complex.values(t), labels));
+      if (polygon.count >= 3) out.push_back({polygon.corner[0], polygon.corner[1], polygon.corner[2]});
+      continue;
+    }
+    triangles.clear();
+    append_zero_triangles(complex.positions(t), complex.values(t), labels, complex.tet(t).v, triangles);
+    for (const LabelledTriangle& triangle : triangles) out.push_back(triangle.corners);
   }
 }
 
@@ -111,7 +158,7 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
   star.vertices.reserve(others.size() + 2);
   const auto add_vertex = [&](VertexId v) {
     const Vertex& vertex = complex.vertices[v.index()];
-    star.vertices.push_back({v, vertex.position, vertex.value, vertex.kind});
+    star.vertices.push_back({v, vertex.position, vertex.value, vertex.kind, vertex.room});
   };
   add_vertex(a);
   add_vertex(b);
@@ -130,17 +177,60 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
     s.side = tet.side;
     s.at_a = has(tet, a);
     s.at_b = has(tet, b);
+    s.dropped = tet.dropped;
   }
 
   std::vector<VertexId> around{a, b};
   if (ring == CostRing::two) around.insert(around.end(), others.begin(), others.end());
   if (complex.form == ZeroForm::embedded) {
     gather_embedded_facets(complex, incidence, around, star.cost_facets);
+    const bool may_end =
+        std::any_of(tets.begin(), tets.end(), [&](TetId t) { return complex.tet(t).dropped != 0; });
+    if (may_end) gather_borders(complex, incidence, around, star.cost_borders);
+    if (may_end && strata_of(star).border) {
+      follow_border(complex, incidence, a, b, star.border_beyond);
+      follow_border(complex, incidence, b, a, star.border_beyond);
+    }
   } else {
     gather_interpolated_facets(complex, incidence, around, star.cost_facets);
   }
   return star;
 }
+
+namespace {
+
+/// By tetrahedron of the star (ascending): which of its facets are dropped once the edge is gone. Where a
+/// tetrahedron vanishes two of its facets become one: it lies between two sides if one of them did.
+std::vector<std::uint8_t> dropped_after(const Complex& complex, const std::vector<TetId>& star, VertexId a,
+                                        VertexId b) {
+  std::vector<std::uint8_t> dropped(star.size());
+  for (std::size_t i = 0; i < star.size(); ++i) dropped[i] = complex.tet(star[i]).dropped;
+  if (std::none_of(dropped.begin(), dropped.end(), [](std::uint8_t bits) { return bits != 0; }))
+    return dropped;
+  for (const TetId t : star) {
+    const Tet& tet = complex.tet(t);
+    if (!has(tet, a) || !has(tet, b)) continue;
+    std::array<TetId, 2> beyond;
+    unsigned bit = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (tet.v[k] != a && tet.v[k] != b) continue;
+      beyond[tet.v[k] == a ? 0 : 1] = tet.neighbor[k];
+      bit |= tet.dropped >> k & 1u;
+    }
+    if (!beyond[0].valid() || !beyond[1].valid()) continue;
+    if (complex.tet(beyond[0]).side == complex.tet(beyond[1]).side) bit = 0;
+    for (const TetId n : beyond) {
+      const auto& around = complex.tet(n).neighbor;
+      const auto k = static_cast<unsigned>(std::find(around.begin(), around.end(), t) - around.begin());
+      std::uint8_t& bits =
+          dropped[static_cast<std::size_t>(std::lower_bound(star.begin(), star.end(), n) - star.begin())];
+      bits = static_cast<std::uint8_t>((bits & ~(1u << k)) | bit << k);
+    }
+  }
+  return dropped;
+}
+
+} // namespace
 
 Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
                      Vec3 target) {
@@ -150,18 +240,60 @@ Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexI
   std::vector<TetId> star(at_a.begin(), at_a.end());
   star.insert(star.end(), at_b.begin(), at_b.end());
   sort_unique(star);
-  for (const TetId t : star) {
+  const std::vector<std::uint8_t> dropped = dropped_after(complex, star, a, b);
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const TetId t = star[i];
     const Tet& tet = complex.tet(t);
-    delta.removed.push_back({t, tet.v, tet.side});
+    delta.removed.push_back({t, tet.v, tet.side, tet.dropped});
     const bool has_a = std::find(tet.v.begin(), tet.v.end(), a) != tet.v.end();
     std::array<VertexId, 4> v = tet.v;
     const auto b_at = std::find(v.begin(), v.end(), b);
     if (has_a && b_at != v.end()) continue;
     if (b_at != v.end()) *b_at = a;
-    delta.added.push_back({t, canonical_order(v), tet.side});
+    const std::array<VertexId, 4> order = canonical_order(v);
+    delta.added.push_back({t, order, tet.side, reordered_bits(dropped[i], v, order)});
   }
   delta.moves.push_back({a, complex.position(a), target});
   delta.killed_vertices.push_back(b);
+  return delta;
+}
+
+std::optional<Delta> split_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
+                                 Vec3 point) {
+  Delta delta;
+  delta.slots_before = static_cast<std::uint32_t>(complex.tets.size());
+  Vertex fresh;
+  fresh.position = point;
+  fresh.value = 0;
+  fresh.kind = VertexKind::zero;
+  delta.added_vertices = {fresh};
+  const VertexId middle(complex.vertices.size());
+  std::vector<TetId> around;
+  for (const TetId t : incidence.tets_of(a))
+    if (has(complex.tet(t), b)) around.push_back(t);
+  std::sort(around.begin(), around.end());
+  std::size_t slots = complex.tets.size();
+  const auto position = [&](VertexId v) { return v == middle ? point : complex.position(v); };
+  for (const TetId t : around) {
+    const Tet& tet = complex.tet(t);
+    delta.removed.push_back({t, tet.v, tet.side, tet.dropped});
+    for (const VertexId end : {a, b}) {
+      std::array<VertexId, 4> v = tet.v;
+      const auto at = static_cast<std::size_t>(std::find(v.begin(), v.end(), end) - v.begin());
+      const VertexId other = end == a ? b : a;
+      v[at] = middle;
+      if (orientation(position(v[0]), position(v[1]), position(v[2]), position(v[3])) <= 0)
+        return std::nullopt;
+      // The facet opposite the end that stays is the new one between the halves.
+      const auto inner = static_cast<std::size_t>(std::find(v.begin(), v.end(), other) - v.begin());
+      const auto dropped = static_cast<std::uint8_t>(tet.dropped & ~(1u << inner));
+      const std::array<VertexId, 4> ordered = canonical_order(v);
+      const TetId slot = end == a ? t : TetId(slots++);
+      delta.added.push_back({slot, ordered, tet.side, reordered_bits(dropped, v, ordered)});
+    }
+  }
+  std::sort(delta.added.begin(), delta.added.end(),
+            [](const TetRecord& x, const TetRecord& y) { return x.id < y.id; });
   return delta;
 }
 

@@ -4,6 +4,7 @@
 #include "mesh/complex.h"
 #include "mesh/edge_star.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,5 +35,11 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
 
 /// What collapsing the edge ab of T changes: a stays and goes to `target`, the tetrahedra at both vanish.
 Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b, Vec3 target);
+
+/// What splitting the edge ab of an embedded T at a point of it changes: a vertex of Z comes, each
+/// tetrahedron at both falls into two, which keep its side and its dropped facets. Nothing where one would
+/// turn over, by exact orientations.
+std::optional<Delta> split_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
+                                 Vec3 point);
 
 } // namespace isoscope

@@ -2,6 +2,7 @@
 #include "mesh/sample_sets.h"
 
 #include "base/parallel.h"
+#include "mesh/label_functions.h"
 #include "mesh/predicates.h"
 
 #include <algorithm>
@@ -211,6 +212,10 @@ std::vector<TetId> walk_among(const Complex& complex, std::span<const TetRecord>
 }
 
 } // namespace
+
+double sample_error_at(const Complex& complex, TetId t, Vec3 place, int label) {
+  return sample_error_in(complex.tet(t), LabelFunctions(complex, t).of(label)(place), label);
+}
 
 SampleSets::SampleSets(std::span<const Vec3> positions)
     : positions_(positions), tet_of_(positions.size()), next_(positions.size(), SampleId::none) {}

@@ -17,13 +17,19 @@ constexpr double sample_error(double f, double label) {
 constexpr bool is_bad(double error) {
   return error >= 1.0;
 }
-/// The same once Z is embedded (§2.4.2): what counts is the side of the tetrahedron that holds the sample. On
-/// its own side f may vanish on a whole tetrahedron between zero vertices; that leaves the sample good.
-constexpr double embedded_sample_error(double f, double label, int side) {
-  const double error = sample_error(f, label);
-  if (side * label > 0) return error < 1.0 ? error : 1.0 - 0x1p-20;
+/// The same once Z is embedded (§2.4.2): what counts is whether the tetrahedron that holds the sample is on
+/// its side. There f may vanish on a whole tetrahedron between zero vertices; that leaves the sample good.
+constexpr double embedded_sample_error(double error, bool own_side) {
+  if (own_side) return error < 1.0 ? error : 1.0 - 0x1p-20;
   return error > 1.0 ? error : 1.0;
 }
+/// ε at a place in a tetrahedron with this f_i, of a sample of label i (§4.2).
+constexpr double sample_error_in(const Tet& tet, double f_i, int label) {
+  const double error = sample_error(f_i, 1);
+  return tet.side == 0 ? error : embedded_sample_error(error, tet.side == label);
+}
+/// The same of a sample in T or Γ, by its label.
+double sample_error_at(const Complex& complex, TetId t, Vec3 place, int label);
 
 /// Per-tetrahedron sample lists over a fixed sample array. A sample on a shared face belongs to the
 /// tetrahedron that holds s + t·e for a fixed generic direction e and all small t > 0 (exact predicates

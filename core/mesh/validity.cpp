@@ -54,6 +54,9 @@ void check_neighbors(const Complex& complex, TetId t, std::vector<Defect>& defec
       continue;
     }
     const auto j = static_cast<std::size_t>(back - other.neighbor.begin());
+    if ((tet.dropped >> i & 1) != (other.dropped >> j & 1)) {
+      defects.push_back({name(t) + " and " + name(n) + " differ on whether their facet is dropped", t});
+    }
     if (sorted(tet.facet(i)) != sorted(other.facet(j))) {
       defects.push_back({name(t) + " and its neighbour " + name(n) + " do not share that facet", t});
     }

@@ -11,31 +11,39 @@
 
 namespace isoscope {
 
-/// The zero set of f: one triangle or quad per tetrahedron that carries it, or the facets that form it once
-/// it is embedded or free.
+/// The zero set of f: one triangle or quad per tetrahedron that carries it, several triangles where it has
+/// three labels or more, or the facets that form it once it is embedded or free.
 struct ZeroSet {
   struct ZeroVertex {
     Vec3 position;
-    VertexId negative, positive; ///< the ends of the edge of T it lies on; both the vertex itself where F = 0
+    /// The ends of the edge of T it lies on, that of the smaller label first; both the vertex itself where
+    /// F = 0. Of a junction: corners of its facet or tetrahedron.
+    VertexId negative, positive;
+    bool junction = false; ///< inside a facet or tetrahedron of three labels or more (§4.2)
   };
   struct Polygon {
-    TetId tet; ///< that carries it; embedded: the one on its positive side; free: invalid
-    std::array<std::uint32_t, 4> v; ///< counter-clockwise seen from the positive side
+    TetId tet; ///< that carries it; embedded: the one on the side of its larger label; free: invalid
+    std::array<std::uint32_t, 4> v; ///< counter-clockwise seen from the larger of its labels
     std::uint8_t count = 3;         ///< 3 or 4
     std::uint32_t component = 0;
-    FacetId facet; ///< its slot when Z is free, else invalid
+    FacetId facet;            ///< its slot when Z is free, else invalid
+    LabelPair labels{+1, -1}; ///< what it lies between
   };
   struct Component {
     std::size_t vertices = 0, edges = 0, polygons = 0;
+    std::size_t loops = 0; ///< closed curves of its border: those of edges with one polygon
     long euler_characteristic() const {
       return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(polygons);
     }
-    long genus() const { return (2 - euler_characteristic()) / 2; }
+    long genus() const { return (2 - euler_characteristic() - static_cast<long>(loops)) / 2; }
   };
   std::vector<ZeroVertex> vertices;
   std::vector<Polygon> polygons;     ///< ascending by tetrahedron or facet slot
   std::vector<Component> components; ///< by smallest tetrahedron slot
   long euler_characteristic() const;
+  std::size_t boundary_loops() const;
+  /// Whether there is more than one inside.
+  bool has_rooms() const;
 };
 
 /// The zero polygon of one positively oriented tetrahedron: its corners in order (3 or 4), counter-clockwise
@@ -57,12 +65,11 @@ struct PolygonSplit {
   std::size_t count = 0; ///< 1 or 2; 0 for a polygon without corners
 };
 PolygonSplit split_polygon(const std::array<Vec3, 4>& corner, int count);
-/// Appends the triangles of a zero polygon, split like those of the mesh.
-void append_triangles(const ZeroPolygon& polygon, std::vector<Triangle3>& out);
 
 /// Z of the whole triangulation.
 ZeroSet extract_zero_set(const Complex& complex);
-/// Z as an oriented triangle mesh, quads split along their shorter diagonal; outward is the positive side.
+/// Z as an oriented triangle mesh, quads split along their shorter diagonal; outward is the side of the
+/// larger label. With the labels of each triangle where there is more than one inside.
 TriangleMesh triangulate(const ZeroSet& zero_set);
 
 /// A facet of ∂Γ: between a tetrahedron of Γ (Complex::in_gamma) and one that is not (or the hull). `tet` is

@@ -111,9 +111,11 @@ double Evaluation::of_topology(Quantity quantity) const {
   if (!watch_->has_topology() || watch_->components() == 0) return unknown;
   const auto components = static_cast<double>(watch_->components());
   const auto euler = static_cast<double>(watch_->euler_characteristic());
+  const auto loops = static_cast<double>(watch_->boundary_loops());
   return quantity == Quantity::components ? components
          : quantity == Quantity::euler    ? euler
-                                          : components - euler / 2;
+         : quantity == Quantity::loops    ? loops
+                                          : components - (euler + loops) / 2;
 }
 
 double Evaluation::quantity(Quantity quantity) const {
@@ -156,6 +158,7 @@ double Evaluation::quantity(Quantity quantity) const {
   case Quantity::expected:
   case Quantity::components:
   case Quantity::euler:
+  case Quantity::loops:
     return of_topology(quantity);
   }
   return unknown;

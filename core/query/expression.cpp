@@ -32,7 +32,8 @@ Expression::Expression(std::string text, std::vector<Node> nodes)
     switch (n.op) {
     case Op::quantity:
       needs_.topology |= n.quantity == Quantity::genus || n.quantity == Quantity::components ||
-                         n.quantity == Quantity::euler || n.quantity == Quantity::expected;
+                         n.quantity == Quantity::euler || n.quantity == Quantity::expected ||
+                         n.quantity == Quantity::loops;
       break;
     case Op::near:
     case Op::edge_near:

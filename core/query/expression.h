@@ -50,9 +50,10 @@ enum class Quantity : std::uint8_t {
   genus,
   expected,
   components,
-  euler
+  euler,
+  loops
 };
-constexpr int quantity_count = 25;
+constexpr int quantity_count = 26;
 std::string_view name(Quantity quantity); ///< "bad_samples"
 std::string_view help(Quantity quantity); ///< one sentence with the unit
 

@@ -35,10 +35,11 @@ constexpr std::array<QuantityWords, quantity_count> quantities{
      {"alpha", "α in force."},
      {"delta", "δ, a length."},
      {"shrink", "The factor of the shrunk copy in force."},
-     {"genus", "Of Z: components − χ / 2."},
+     {"genus", "Of Z: components − (χ + loops) / 2."},
      {"expected", "The genus that Z should have."},
      {"components", "Of Z."},
-     {"euler", "χ of Z."}}};
+     {"euler", "χ of Z."},
+     {"loops", "Closed curves of the border of Z."}}};
 
 /// Names with what the screen calls the same.
 template <class Table> std::vector<NameAndTitle> rows(const Table& table) {

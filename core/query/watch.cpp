@@ -100,9 +100,7 @@ SampleClass JournalWatch::judge(std::size_t i, Step step) const {
   if (!sets_ || labels_[i] == 0) return SampleClass::outside;
   const TetId t = sets_->tet_of(SampleId(i));
   if (!t.valid()) return SampleClass::outside;
-  const double f = interpolate(complex_.positions(t), complex_.values(t))(positions_[i]);
-  const int side = complex_.tet(t).side;
-  const double error = side == 0 ? sample_error(f, labels_[i]) : embedded_sample_error(f, labels_[i], side);
+  const double error = sample_error_at(complex_, t, positions_[i], labels_[i]);
   if (is_bad(error)) return SampleClass::bad;
   return error > journal_->parameters_at(step).error_limit() ? SampleClass::margin : SampleClass::good;
 }

@@ -32,6 +32,7 @@ class JournalWatch {
   bool has_topology() const { return topology_known_; }
   long euler_characteristic() const { return topology_.euler_characteristic(); }
   std::size_t components() const { return topology_.components(); }
+  std::size_t boundary_loops() const { return topology_.boundary_loops(); }
   std::size_t component_recounts() const { return topology_.recounts(); }
   /// The genus that Z should have: as told, else by the topology check seen last; NaN before both.
   double expected_genus() const { return expected_genus_; }

@@ -3,7 +3,7 @@
 
 #include "collapse/sample_targets.h"
 #include "criteria/collapse_cost.h"
-#include "mesh/incidence.h"
+#include "mesh/strata.h"
 #include "questions/star_at.h"
 
 #include <algorithm>
@@ -156,7 +156,7 @@ std::optional<EdgeXray> edge_xray(const StateSnapshot& state, const EdgeQuestion
   const Incidence incidence(complex);
   if (!incidence.adjacent(complex, question.a, question.b)) return std::nullopt;
 
-  auto [a, b] = oriented_edge(complex, question.a, question.b);
+  auto [a, b] = oriented_edge(complex, incidence, question.a, question.b);
   if (event != nullptr && event->vertex.valid()) a = event->vertex, b = event->other;
   out.star = gather_edge_star(complex, incidence, a, b, context.parameters.cost_ring);
   out.criteria = context.criteria ? *context.criteria

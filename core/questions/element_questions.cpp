@@ -53,14 +53,16 @@ std::optional<TetInspection> inspect_tet(const StateSnapshot& state, TetId t, do
   if (!carries(state, t)) return std::nullopt;
   const auto p = state.complex.positions(t);
   const auto f = state.complex.values(t);
+  const TetLabels labels = state.complex.labels(t);
   TetInspection out;
-  out.height = tetrahedron_height(p, f);
+  out.height = tetrahedron_height(p, f, labels);
   if (out.height.split != Height::Split::none) out.gap = gap_of(p, out.height);
   out.shrink = shrink;
   const Vec3 center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
   for (std::size_t i = 0; i < 4; ++i) out.shrunk[i] = center + shrink * (p[i] - center);
   if (nearest != nullptr && state.samples) {
-    out.orientation = check_orientation(p, f, shrink, orientation_reach * state.criteria.delta, *nearest);
+    out.orientation =
+        check_orientation(p, f, labels, shrink, orientation_reach * state.criteria.delta, *nearest);
     out.candidate = circumcenter_sample(p, *nearest);
     out.candidate_is_vertex = out.candidate.valid() && is_vertex(state, out.candidate);
   }
@@ -91,7 +93,7 @@ std::optional<SampleInspection> inspect_sample(const StateSnapshot& s, SampleId 
   SampleInspection out;
   out.tet = s.sample_tets[id];
   out.error = static_cast<double>(s.errors[id]);
-  out.f = (1 - out.error) * s.samples->labels[id];
+  out.f = (1 - out.error) * (s.samples->labels[id] > 0 ? 1 : -1);
   out.bad = is_bad(out.error);
   out.within_margin = out.error <= s.criteria.error_limit();
   using Remedy = SampleInspection::Remedy;
@@ -137,10 +139,11 @@ ParameterAdvice advise_error(double error, const CriteriaParameters& criteria) {
 
 /// The largest factor below the present one with which the tetrahedron is oriented well.
 std::optional<double> largest_good_shrink(const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
-                                          const CriteriaParameters& criteria, const NearestSample& nearest) {
+                                          const TetLabels& labels, const CriteriaParameters& criteria,
+                                          const NearestSample& nearest) {
   const double reach = orientation_reach * criteria.delta;
   const auto good = [&](double shrink) {
-    return !check_orientation(p, f, shrink, reach, nearest).misoriented;
+    return !check_orientation(p, f, labels, shrink, reach, nearest).misoriented;
   };
   constexpr double grain = 0.01;
   constexpr int halvings = 12;
@@ -174,7 +177,8 @@ std::vector<ParameterAdvice> advise_tet(const StateSnapshot& s, TetId t, const N
   if (!carries(s, t)) return out;
   const auto p = s.complex.positions(t);
   const auto f = s.complex.values(t);
-  const double height = tetrahedron_height(p, f).value;
+  const TetLabels labels = s.complex.labels(t);
+  const double height = tetrahedron_height(p, f, labels).value;
   const bool high = height >= s.criteria.height_limit();
   ParameterAdvice alpha{Parameter::alpha, Condition::height, s.criteria.alpha, high, {}, true};
   if (!high && 2 * s.criteria.sigma < height) alpha.works = 2 * s.criteria.sigma / height;
@@ -184,9 +188,9 @@ std::vector<ParameterAdvice> advise_tet(const StateSnapshot& s, TetId t, const N
   out.push_back(sigma);
   if (nearest == nullptr) return out;
   ParameterAdvice shrink{Parameter::shrink, Condition::orientation, s.criteria.shrink, true, {}, false};
-  shrink.holds =
-      !check_orientation(p, f, s.criteria.shrink, orientation_reach * s.criteria.delta, *nearest).misoriented;
-  if (!shrink.holds) shrink.works = largest_good_shrink(p, f, s.criteria, *nearest);
+  const double reach = orientation_reach * s.criteria.delta;
+  shrink.holds = !check_orientation(p, f, labels, s.criteria.shrink, reach, *nearest).misoriented;
+  if (!shrink.holds) shrink.works = largest_good_shrink(p, f, labels, s.criteria, *nearest);
   out.push_back(shrink);
   return out;
 }

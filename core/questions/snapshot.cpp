@@ -5,6 +5,7 @@
 #include "base/sort_unique.h"
 #include "criteria/height.h"
 #include "criteria/orientation.h"
+#include "mesh/label_functions.h"
 
 #include <algorithm>
 #include <atomic>
@@ -29,6 +30,7 @@ std::optional<std::vector<std::uint32_t>> touched_slots(const Journal& journal, 
     // Changed values reach tetrahedra that the delta does not name.
     if (!delta.values.empty() || delta.sample_set || delta.form) return std::nullopt;
     for (const Delta::SideChange& side : delta.sides) touched.push_back(side.tet.value);
+    for (const Delta::DroppedChange& change : delta.dropped) touched.push_back(change.tet.value);
     for (const TetRecord& t : delta.removed) touched.push_back(t.id.value);
     for (const TetRecord& t : delta.added) touched.push_back(t.id.value);
     if (touched.size() > slots) return std::nullopt;
@@ -83,12 +85,12 @@ void judge_samples(StateSnapshot& s, const SampleSets& sets, const std::vector<s
   parallel_for(slots.size(), tets_per_task, [&](std::size_t i) {
     const TetId t(slots[i]);
     if (!s.complex.tet(t).alive()) return;
-    const AffineFunction f = interpolate(s.complex.positions(t), s.complex.values(t));
+    LabelFunctions functions(s.complex, t);
     const int side = s.complex.tet(t).side;
     sets.for_each(t, [&](SampleId id) {
-      const double value = f(samples.positions[id.index()]);
       const int label = samples.labels[id.index()];
-      const double error = side == 0 ? sample_error(value, label) : embedded_sample_error(value, label, side);
+      const double f = functions.of(label)(samples.positions[id.index()]);
+      const double error = sample_error_in(s.complex.tet(t), f, label);
       s.errors[id.index()] = static_cast<float>(error);
       s.sample_tets[id.index()] = t;
       if (side == 0 ? error > limit : is_bad(error)) s.tet_flags[t.index()] |= tet_violates_1;
@@ -112,10 +114,12 @@ void judge_tets(StateSnapshot& s, const NearestSample* nearest, const std::vecto
     if (s.complex.form != ZeroForm::interpolated) return; // heights are those of the function before
     const auto p = s.complex.positions(t);
     const auto f = s.complex.values(t);
-    const double height = tetrahedron_height(p, f).value;
+    const TetLabels labels = s.complex.labels(t);
+    const double height = tetrahedron_height(p, f, labels).value;
     s.heights[t.index()] = static_cast<float>(height);
     if (height < limit) flags |= tet_violates_2;
-    if (s.orientation_judged && check_orientation(p, f, s.criteria.shrink, reach, *nearest).misoriented) {
+    if (s.orientation_judged &&
+        check_orientation(p, f, labels, s.criteria.shrink, reach, *nearest).misoriented) {
       flags |= tet_violates_3;
     }
   });
@@ -139,14 +143,17 @@ void count_violations(StateSnapshot& s) {
   }
 }
 
-/// Facets of Z among the tetrahedra of a list: between two of them of different sides, by sorted corners.
+/// Facets of Z among the tetrahedra of a list: between two of them of different sides and not dropped, by
+/// sorted corners.
 using FacetKey = std::array<VertexId, 3>;
 
 std::vector<FacetKey> embedded_facets(const std::vector<TetRecord>& tets) {
   std::vector<std::pair<FacetKey, int>> sides;
   for (const TetRecord& t : tets) {
     if (t.side == 0) continue;
-    for (const auto& local : outward_facets) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((t.dropped >> i & 1) != 0) continue;
+      const auto& local = outward_facets[i];
       FacetKey key{t.v[local[0]], t.v[local[1]], t.v[local[2]]};
       std::sort(key.begin(), key.end());
       sides.emplace_back(key, t.side);
@@ -251,8 +258,8 @@ ViolationPreview preview_violations(const StateSnapshot& state, const CriteriaPa
     parallel_for(state.tet_flags.size(), tets_per_task, [&](std::size_t i) {
       if (!(state.tet_flags[i] & tet_heterogeneous)) return;
       const TetId t(i);
-      if (check_orientation(state.complex.positions(t), state.complex.values(t), criteria.shrink, reach,
-                            *nearest)
+      if (check_orientation(state.complex.positions(t), state.complex.values(t), state.complex.labels(t),
+                            criteria.shrink, reach, *nearest)
               .misoriented) {
         misoriented.fetch_add(1, std::memory_order_relaxed);
       }

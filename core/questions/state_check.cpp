@@ -36,6 +36,13 @@ bool refined(const Journal& journal, Step step) {
   return e.stage > Stage::refinement;
 }
 
+/// Whether Z ends where open surfaces do: before the cut along the rim it goes on beyond it.
+bool is_cut(const StateSnapshot& s, const Scene& scene) {
+  return scene.volume->open_sides() == nullptr || s.complex.form == ZeroForm::free ||
+         std::any_of(s.complex.tets.begin(), s.complex.tets.end(),
+                     [](const Tet& t) { return t.dropped != 0; });
+}
+
 void check_samples_anew(const StateSnapshot& s, StateReport& report) {
   InvariantVerdict& held = report.verdicts[static_cast<std::size_t>(Invariant::samples)];
   InvariantVerdict& classes = report.verdicts[static_cast<std::size_t>(Invariant::classification)];
@@ -53,10 +60,7 @@ void check_samples_anew(const StateSnapshot& s, StateReport& report) {
       continue;
     }
     if (!t.valid()) continue;
-    const double f = interpolate(s.complex.positions(t), s.complex.values(t))(p);
-    const int side = s.complex.tet(t).side;
-    const double label = s.samples->labels[i];
-    const double error = side == 0 ? sample_error(f, label) : embedded_sample_error(f, label, side);
+    const double error = sample_error_at(s.complex, t, p, s.samples->labels[i]);
     const auto shown = static_cast<double>(s.errors[i]);
     if (std::abs(error - shown) <= rounding * std::max(1.0, std::abs(error))) continue;
     if (wrong++ == 0) classes.place = p;
@@ -71,16 +75,18 @@ void check_samples_anew(const StateSnapshot& s, StateReport& report) {
   }
 }
 
-void check_zero_set(const StateSnapshot& s, const Scene& scene, bool due, bool certified, StateReport& report,
-                    const RunControl& control) {
+void check_zero_set(const Journal& journal, const StateSnapshot& s, const Scene& scene, bool due,
+                    bool certified, StateReport& report, const RunControl& control) {
   const TriangleMesh mesh = triangulate(s.zero_set);
   if (mesh.triangles.empty()) return;
-  const Certificate c = certify(mesh, *scene.volume, scene.expected, control, {std::nullopt, false, false});
+  const FilledHoles holes = filled_holes(journal, s.step, s.complex, s.zero_set);
+  const Certificate c = certify(mesh, *scene.volume, with_filled_holes(scene.expected, holes, mesh), control,
+                                {std::nullopt, false, false}, holes);
   const auto set = [&](Invariant invariant, bool good, bool goal) {
     InvariantVerdict& v = report.verdicts[static_cast<std::size_t>(invariant)];
     v.state = good ? State::holds : goal && !due ? State::not_due : State::broken;
   };
-  set(Invariant::closed, c.closed_manifold, false);
+  set(Invariant::closed, c.manifold, false);
   set(Invariant::oriented, c.oriented, false);
   set(Invariant::embedded, c.intersection_free, false);
   set(Invariant::contained, c.within_tolerance, true);
@@ -102,7 +108,8 @@ void check_zero_set(const StateSnapshot& s, const Scene& scene, bool due, bool c
   if (!holds(Invariant::contained)) words(Invariant::contained) = text;
   if (!holds(Invariant::separating))
     words(Invariant::separating) = "Z winds around a region's deepest point on the wrong side.";
-  std::snprintf(text, sizeof text, "Z has χ = %ld and %zu components.", c.euler_characteristic, c.components);
+  std::snprintf(text, sizeof text, "Z has χ = %ld, %zu components and %zu boundary loops.",
+                c.euler_characteristic, c.components, c.boundary_loops);
   if (!holds(Invariant::topology)) words(Invariant::topology) = text;
 }
 
@@ -138,7 +145,7 @@ StateReport check_state(const Journal& journal, const StateSnapshot& s, const Sc
     if (!sound) return report; // Z of a broken T means nothing
   }
   if (scene != nullptr && scene->volume && !control.cancelled())
-    check_zero_set(s, *scene, later, s.criteria.certified, report, control);
+    check_zero_set(journal, s, *scene, later && is_cut(s, *scene), s.criteria.certified, report, control);
   return report;
 }
 

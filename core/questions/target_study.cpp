@@ -32,7 +32,7 @@ TargetStudy study_target(const EdgeXray& xray, Vec3 target, const XrayContext& c
   study.target = target;
   study.attempt = evaluate_target(xray.star, target, xray.settings, evaluation);
   if (!study.attempt.kernel) return study;
-  study.before = zero_facets_before(xray.star);
+  for (const LabelledTriangle& t : zero_facets_before(xray.star)) study.before.push_back(t.corners);
   const double delta = volume.thresholds().delta;
   for (const ZeroFacetAfter& f : zero_facets_after(xray.star, target)) {
     constexpr std::size_t budget = 4000;

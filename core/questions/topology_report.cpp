@@ -1,6 +1,7 @@
 // Boundary components belong to the component of Z nearest to most of their samples.
 #include "questions/topology_report.h"
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -66,19 +67,24 @@ std::string words_of(const TopologyReport& r) {
             " and χ = " + std::to_string(r.verdict.euler_characteristic) + "; none is expected (" +
             r.expected.source + ").";
   } else if (r.verdict.as_expected) {
-    words = "Components and χ of Z are those" + source + ".";
+    words = (r.expected.boundary_loops ? "Components, χ and boundary loops of Z are those"
+                                       : "Components and χ of Z are those") +
+            source + ".";
   } else {
     words = "Z has " + std::to_string(r.verdict.components) +
             " components and χ = " + std::to_string(r.verdict.euler_characteristic);
+    if (r.expected.boundary_loops) words += " with " + counted(r.verdict.boundary_loops, "boundary loop");
     if (r.expected.components && r.expected.euler_characteristic)
       words += "; expected are " + std::to_string(*r.expected.components) + " and " +
-               std::to_string(*r.expected.euler_characteristic) + ", those" + source;
+               std::to_string(*r.expected.euler_characteristic) +
+               (r.expected.boundary_loops ? " with " + counted(*r.expected.boundary_loops, "loop") : "") +
+               ", those" + source;
     words += ".";
   }
   if (r.wrong_components > 0)
     words += " " + std::to_string(r.wrong_components) +
              (r.wrong_components == 1 ? " component has" : " components have") +
-             " another genus than the boundaries beside.";
+             " another topology than the boundaries beside.";
   if (!r.thickening)
     words += " The boundaries of Ω differ: Ω is no thickening of a surface, and the guarantee of §3 does not "
              "hold here.";
@@ -105,11 +111,20 @@ TopologyReport report_topology(const StateSnapshot& state, const Scene& scene, s
                                                   scene.boundary_components[b].label,
                                                   scene.boundary_components[b].euler_characteristic});
   }
+  const bool rooms = scene.volume != nullptr && scene.volume->has_rooms();
   for (std::size_t c = 0; c < report.components.size(); ++c) {
     ComponentReport& component = report.components[c];
-    component.expected_genus = agreed_genus(component.sides);
+    if (rooms) {
+      long sum = 0;
+      for (const BoundarySide& side : component.sides)
+        if (!scene.regions[scene.boundary_components[side.boundary].region.index()].shallow)
+          sum += side.euler_characteristic;
+      component.expected_characteristic = sum / 2;
+    } else {
+      component.expected_genus = agreed_genus(component.sides);
+    }
     report.wrong_components += !component.as_expected();
-    if (component.counts.euler_characteristic() < 2 && !control.cancelled())
+    if (!rooms && component.counts.euler_characteristic() < 2 && !control.cancelled())
       component.loop = shortest_handle_loop(state.zero_set, static_cast<std::uint32_t>(c), bases, control);
   }
   report.words = words_of(report);

@@ -28,9 +28,14 @@ struct BoundarySide {
 struct ComponentReport {
   ZeroSet::Component counts;
   std::vector<BoundarySide> sides;
-  /// What the boundaries beside it say; absent where they disagree or there is none.
+  /// What the boundaries beside it say; absent where they disagree, there is none, or rooms meet.
   std::optional<long> expected_genus;
-  bool as_expected() const { return !expected_genus || *expected_genus == counts.genus(); }
+  /// Of rooms: half the sum of those beside it.
+  std::optional<long> expected_characteristic;
+  bool as_expected() const {
+    return expected_genus.value_or(counts.genus()) == counts.genus() &&
+           expected_characteristic.value_or(counts.euler_characteristic()) == counts.euler_characteristic();
+  }
   std::optional<SurfaceLoop> loop; ///< around or through a handle, where there is one
 };
 

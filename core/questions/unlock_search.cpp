@@ -3,7 +3,7 @@
 
 #include "base/sort_unique.h"
 #include "collapse/sample_targets.h"
-#include "mesh/incidence.h"
+#include "mesh/strata.h"
 #include "questions/star_at.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class Bench {
     return a != b && alive(a) && alive(b) && incidence_.adjacent(complex_, a, b);
   }
   EdgeStar star(VertexId a, VertexId b) const {
-    const auto [stays, goes] = oriented_edge(complex_, a, b);
+    const auto [stays, goes] = oriented_edge(complex_, incidence_, a, b);
     return gather_edge_star(complex_, incidence_, stays, goes, context_.parameters.cost_ring);
   }
   /// As the stages do it: the ends first, then the search.

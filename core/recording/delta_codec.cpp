@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t part_vertices = 1, part_killed = 2, part_values = 4, part_moves = 8,
                         part_removed = 16, part_added = 32, part_slots = 64, part_sides = 128,
                         part_removed_facets = 256, part_added_facets = 512, part_facet_slots = 1024,
-                        part_sample_set = 2048, part_form = 4096;
+                        part_sample_set = 2048, part_form = 4096, part_dropped = 8192;
 
 /// Slots are handed out densely and each is told with some bytes: what lies beyond this many and so many more
 /// a byte is damage, and must not ask for memory.
@@ -106,6 +106,28 @@ template <class Io> void pass_value(Io& io, Shown<Io, double>& value, std::uint6
     value = tag == 0 ? 1 : tag == 1 ? -1 : 0;
 }
 
+/// Two labels without dropped facets are the rule: two bits then.
+constexpr unsigned side_bits = 2;
+constexpr std::uint64_t other_side = 3;
+std::uint64_t side_tag(const TetRecord& record) {
+  const std::uint64_t folded = fold_sign(record.side);
+  return folded < other_side && record.dropped == 0 ? folded : other_side;
+}
+
+template <class Io> void pass_dropped(Io& io, Shown<Io, std::uint8_t>& dropped) {
+  io.byte(dropped);
+  if (dropped > 15) io.fail();
+}
+
+template <class Io> void pass_side(Io& io, Shown<Io, TetRecord>& record, std::uint64_t tag) {
+  if (tag == other_side) {
+    io.signed_number(record.side);
+    pass_dropped(io, record.dropped);
+  } else if constexpr (!Io::writes) {
+    record.side = static_cast<std::int8_t>(unfold_sign(tag));
+  }
+}
+
 template <class Io, class Corners> void pass_corners(Io& io, Corners& v, VertexId& last) {
   std::uint32_t before = last.value;
   for (auto& corner : v) {
@@ -118,14 +140,17 @@ template <class Io, class Corners> void pass_corners(Io& io, Corners& v, VertexI
   last = v[0];
 }
 
+/// Above the kind in a vertex's first byte.
+constexpr unsigned alive_bit = 8, room_bit = 64;
+
 template <class Io> void pass_vertices(Io& io, Shown<Io, std::vector<Vertex>>& vertices) {
   io.length(vertices, 27);
   for (auto& v : vertices) {
     std::uint8_t head = 0;
     std::uint32_t sample = 0;
     if constexpr (Io::writes) {
-      head = static_cast<std::uint8_t>(static_cast<unsigned>(v.kind) | (v.alive ? 8u : 0u) |
-                                       value_tag(v.value) << 4);
+      head = static_cast<std::uint8_t>(static_cast<unsigned>(v.kind) | (v.alive ? alive_bit : 0) |
+                                       value_tag(v.value) << 4 | (v.room != 1 ? room_bit : 0));
       sample = v.sample.value + 1u;
     }
     io.byte(head);
@@ -133,9 +158,11 @@ template <class Io> void pass_vertices(Io& io, Shown<Io, std::vector<Vertex>>& v
     pass_value(io, v.value, head >> 4 & 3);
     io.number(v.sample_set);
     io.number(sample);
+    if ((head & room_bit) != 0) io.signed_number(v.room);
     if constexpr (!Io::writes) {
       v.kind = static_cast<VertexKind>(head & 7);
-      v.alive = (head & 8) != 0;
+      v.alive = (head & alive_bit) != 0;
+      if (v.room < 1) io.fail();
       v.sample = SampleId(sample - 1u);
       if ((head & 7) > static_cast<int>(VertexKind::zero)) io.fail();
     }
@@ -214,6 +241,26 @@ void pass_sides(Io& io, Shown<Io, std::vector<Delta::SideChange>>& sides, DeltaM
   }
 }
 
+template <class Io>
+void pass_dropped_changes(Io& io, Shown<Io, std::vector<Delta::DroppedChange>>& changes,
+                          DeltaMirror& mirror) {
+  io.length(changes, 2);
+  Ids ids(io);
+  for (auto& c : changes) {
+    std::uint64_t known = 0;
+    if constexpr (Io::writes) known = mirror.cells[c.tet.index()].dropped == c.before ? 1 : 0;
+    ids.pass(c.tet, 1, known);
+    DeltaMirror::Cell* const held = held_at(io, mirror.cells, c.tet);
+    if (held == nullptr) return;
+    if (known == 0)
+      pass_dropped(io, c.before);
+    else if constexpr (!Io::writes)
+      c.before = held->dropped;
+    pass_dropped(io, c.after);
+    held->dropped = c.after;
+  }
+}
+
 /// Of tetrahedra and of facets.
 template <class Io, class List> void pass_removed(Io& io, List& removed, const DeltaMirror& mirror) {
   io.length(removed, 1);
@@ -225,7 +272,7 @@ template <class Io, class List> void pass_removed(Io& io, List& removed, const D
     ids.pass(record.id, 1, known);
     if (known == 0) {
       pass_corners(io, record.v, last);
-      if constexpr (has_side<typename List::value_type>) io.signed_number(record.side);
+      if constexpr (has_side<typename List::value_type>) pass_side(io, record, other_side);
     } else if constexpr (!Io::writes) {
       if (!mirror.recall(record)) return io.fail();
     }
@@ -236,15 +283,14 @@ template <class Io, class List> void pass_removed(Io& io, List& removed, const D
 template <class Io, class List>
 void pass_added(Io& io, List& added, DeltaMirror& mirror, std::size_t least, std::size_t slots) {
   constexpr bool sided = has_side<typename List::value_type>;
-  constexpr unsigned side_bits = sided ? 2 : 0;
   io.length(added, least);
   Ids ids(io);
   VertexId last(0u);
   for (auto& record : added) {
     std::uint64_t side = 0;
-    if constexpr (Io::writes && sided) side = fold_sign(record.side);
-    ids.pass(record.id, side_bits, side);
-    if constexpr (!Io::writes && sided) record.side = static_cast<std::int8_t>(unfold_sign(side));
+    if constexpr (Io::writes && sided) side = side_tag(record);
+    ids.pass(record.id, sided ? side_bits : 0, side);
+    if constexpr (sided) pass_side(io, record, side);
     pass_corners(io, record.v, last);
     if (io.failed() || record.id.value >= slots) return io.fail();
     mirror.put(record);
@@ -259,7 +305,7 @@ std::uint64_t parts_of(const Delta& d) {
          (d.removed_facets.empty() ? 0 : part_removed_facets) |
          (d.added_facets.empty() ? 0 : part_added_facets) |
          (d.facet_slots_before == 0 ? 0 : part_facet_slots) | (d.sample_set ? part_sample_set : 0) |
-         (d.form ? part_form : 0);
+         (d.form ? part_form : 0) | (d.dropped.empty() ? 0 : part_dropped);
 }
 
 template <class Io> void pass_form(Io& io, Shown<Io, ZeroForm>& form) {
@@ -280,6 +326,7 @@ template <class Io> void pass(Io& io, Shown<Io, Delta>& d, DeltaMirror& mirror, 
   if (has(part_values)) pass_values(io, d.values, mirror);
   if (has(part_moves)) pass_moves(io, d.moves, mirror);
   if (has(part_sides)) pass_sides(io, d.sides, mirror);
+  if (has(part_dropped)) pass_dropped_changes(io, d.dropped, mirror);
   if (has(part_removed)) pass_removed(io, d.removed, mirror);
   if (has(part_added)) pass_added(io, d.added, mirror, 5, slots);
   if (has(part_slots)) io.number(d.slots_before);
@@ -309,7 +356,7 @@ void DeltaMirror::add(const std::vector<Vertex>& vertices) {
 
 void DeltaMirror::put(const TetRecord& record) {
   if (record.id.index() >= cells.size()) cells.resize(record.id.index() + 1);
-  cells[record.id.index()] = {record.v, record.side};
+  cells[record.id.index()] = {record.v, record.side, record.dropped};
 }
 
 void DeltaMirror::put(const FacetRecord& record) {
@@ -318,7 +365,8 @@ void DeltaMirror::put(const FacetRecord& record) {
 }
 
 bool DeltaMirror::holds(const TetRecord& record) const {
-  return record.id.index() < cells.size() && cells[record.id.index()] == Cell{record.v, record.side};
+  return record.id.index() < cells.size() &&
+         cells[record.id.index()] == Cell{record.v, record.side, record.dropped};
 }
 
 bool DeltaMirror::holds(const FacetRecord& record) const {
@@ -329,6 +377,7 @@ bool DeltaMirror::recall(TetRecord& record) const {
   if (record.id.index() >= cells.size()) return false;
   record.v = cells[record.id.index()].v;
   record.side = cells[record.id.index()].side;
+  record.dropped = cells[record.id.index()].dropped;
   return true;
 }
 

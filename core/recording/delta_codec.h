@@ -15,6 +15,7 @@ class DeltaMirror {
   struct Cell {
     std::array<VertexId, 4> v;
     std::int8_t side = 0;
+    std::uint8_t dropped = 0;
     friend bool operator==(const Cell&, const Cell&) = default;
   };
   std::vector<Vec3> positions;

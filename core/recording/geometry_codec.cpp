@@ -212,6 +212,9 @@ std::string encode(const BoundarySamples& samples) {
   for (const std::int8_t label : samples.labels) out.byte(static_cast<std::uint8_t>(label));
   out.number(samples.components.size());
   for (const std::uint16_t component : samples.components) out.number(component);
+  out.number(samples.over_rim.size());
+  for (const Vec3& p : samples.over_rim)
+    for (int a = 0; a < 3; ++a) out.real(p[a]);
   return out.take();
 }
 
@@ -240,6 +243,9 @@ std::optional<BoundarySamples> decode_samples(std::string_view bytes) {
   for (std::int8_t& label : samples.labels) label = static_cast<std::int8_t>(in.byte());
   samples.components.resize(in.count(1));
   for (std::uint16_t& component : samples.components) component = static_cast<std::uint16_t>(in.number());
+  samples.over_rim.resize(in.count(24));
+  for (Vec3& p : samples.over_rim)
+    for (int a = 0; a < 3; ++a) p[a] = in.real();
   if (!in.exhausted() || samples.labels.size() != samples.positions.size()) return std::nullopt;
   return samples;
 }

@@ -17,7 +17,7 @@ namespace isoscope {
 /// In the file's head: `file RUN.isorun` and sqlite3's PRAGMA application_id tell it. "ISOR".
 constexpr std::int64_t recording_application_id = 0x49534f52;
 /// Grows with every change of the tables; other versions are refused.
-constexpr std::int64_t recording_version = 3;
+constexpr std::int64_t recording_version = 4;
 
 /// What is known when a run begins.
 struct RecordingHeader {

@@ -2,7 +2,7 @@
 #include "refine/containment.h"
 
 #include "base/parallel.h"
-#include "mesh/zero_set.h"
+#include "mesh/junction.h"
 
 namespace isoscope {
 namespace {
@@ -14,15 +14,22 @@ constexpr double march_precision = 1e-6;
 
 } // namespace
 
+ContainmentCondition::ContainmentCondition(RefinementContext& context)
+    : context_(context), judge_(outside_judge(context.volume())) {
+  context.follow(checklist_);
+}
+
 FacetVerdict::Kind ContainmentCondition::certify(TetId t, Violation* violation) const {
   const Complex& complex = context_.live().complex();
   const ToleranceThresholds& limits = context_.volume().thresholds();
   auto worst = FacetVerdict::Kind::inside;
-  std::vector<Triangle3> facets;
-  append_triangles(zero_polygon(complex.positions(t), complex.values(t)), facets);
-  for (const Triangle3& facet : facets) {
-    const FacetVerdict verdict =
-        certify_facet(context_.volume().field(), facet, limits.delta, std::min(limits.reject, limits.delta));
+  std::vector<LabelledTriangle> facets;
+  append_zero_triangles(complex.positions(t), complex.values(t), complex.labels(t), complex.tet(t).v, facets);
+  FacetSearch search;
+  if (judge_) search.judge = &judge_;
+  for (const LabelledTriangle& facet : facets) {
+    const FacetVerdict verdict = certify_facet(context_.volume().field(), facet.corners, limits.delta,
+                                               std::min(limits.reject, limits.delta), search);
     if (verdict.kind == FacetVerdict::Kind::inside) continue;
     worst = verdict.kind;
     if (verdict.kind != FacetVerdict::Kind::outside) continue;
@@ -89,7 +96,8 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
 
 Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event) {
   checklist_.set(t, state);
-  if (!open_at_ && context_.volume().has_surface() && !context_.volume().sides().known())
+  if (!open_at_ && context_.volume().has_surface() && !context_.volume().sides().known() &&
+      context_.volume().open_sides() == nullptr)
     open_at_ = both_sides_meet(t);
   event.kind = EventKind::exhausted;
   if (event.reason != Reason::budget) event.reason = Reason::too_close;
@@ -105,7 +113,7 @@ std::optional<Vec3> ContainmentCondition::both_sides_meet(TetId t) const {
   };
   for (const VertexId a : complex.tet(t).v) {
     for (const VertexId b : complex.tet(t).v) {
-      if (!(complex.value(a) < 0) || !(complex.value(b) > 0)) continue;
+      if (complex.label(a) >= complex.label(b)) continue;
       const Vec3 p = complex.position(a), q = complex.position(b);
       const double room_p = clearance(p), room_q = clearance(q);
       if (room_p > 0 && room_q > 0 && distance(p, q) < room_p + room_q) return 0.5 * (p + q);
@@ -123,11 +131,19 @@ ContainmentCondition::candidate(TetId t, const Violation& violation, int label) 
   if (projected && context_.spacing(context_.snapped(*projected), t) >= spacing) {
     return Candidate{*projected, Reason::projected};
   }
-  if (const auto traced = traced_candidate(t, violation, label)) return traced;
+  if (const auto traced = traced_candidate(t, violation, label); traced && on_side(traced->point, label))
+    return traced;
   // The input may be so thin that all these places coincide with vertices; beyond δ the side is known as
   // well.
   if (has_room(violation.witness, t)) return Candidate{violation.witness, Reason::violating_point};
   return std::nullopt;
+}
+
+bool ContainmentCondition::on_side(Vec3 p, int label) const {
+  const OpenSides* sides = context_.volume().open_sides();
+  if (sides == nullptr) return true;
+  const ClosestPoint closest = context_.volume().field().closest(p);
+  return !sides->is_open(closest.triangle) || sides->side(p, closest) == label;
 }
 
 bool ContainmentCondition::has_room(Vec3 p, TetId t) const {
@@ -145,7 +161,7 @@ ContainmentCondition::traced_candidate(TetId t, const Violation& violation, int 
     const Complex& complex = context_.live().complex();
     double farthest = -1;
     for (const VertexId v : complex.tet(t).v) {
-      if (complex.value(v) * label > 0) continue;
+      if (complex.label(v) == label) continue;
       const auto q = first_boundary_point(center, complex.position(v));
       if (!q || distance(*q, complex.position(v)) <= farthest) continue;
       farthest = distance(*q, complex.position(v));

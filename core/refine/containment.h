@@ -12,9 +12,7 @@ namespace isoscope {
 /// Replaces condition 2 in certified mode.
 class ContainmentCondition {
  public:
-  explicit ContainmentCondition(RefinementContext& context) : context_(context) {
-    context.follow(checklist_);
-  }
+  explicit ContainmentCondition(RefinementContext& context);
   Turn turn();
   /// Polygons that are not proven inside Ω, among those judged.
   std::size_t unproven() const {
@@ -36,6 +34,7 @@ class ContainmentCondition {
   };
 
   RefinementContext& context_;
+  PieceJudge judge_; ///< empty where every piece of Z has to be inside Ω
   Checklist checklist_;
   std::optional<Vec3> open_at_;
 
@@ -51,6 +50,8 @@ class ContainmentCondition {
   std::optional<Candidate> candidate(TetId t, const Violation& violation, int label) const;
   std::optional<Candidate> traced_candidate(TetId t, const Violation& violation, int label) const;
   bool has_room(Vec3 p, TetId t) const;
+  /// Whether a place outside of Ω' is on a side: round the rim of an open surface a way leads to the other.
+  bool on_side(Vec3 p, int label) const;
   std::optional<Vec3> first_boundary_point(Vec3 from, Vec3 to) const;
 };
 

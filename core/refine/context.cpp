@@ -38,7 +38,8 @@ Vec3 RefinementContext::snapped(Vec3 p) const {
 Vertex RefinementContext::free_vertex(Vec3 p, int label, VertexKind kind) const {
   Vertex vertex;
   vertex.position = snapped(p);
-  vertex.value = label;
+  vertex.value = label > 0 ? +1 : -1;
+  vertex.room = room_of(label);
   vertex.kind = kind;
   return vertex;
 }
@@ -46,7 +47,9 @@ Vertex RefinementContext::free_vertex(Vec3 p, int label, VertexKind kind) const 
 Vertex RefinementContext::sample_vertex(SampleId s) const {
   Vertex vertex;
   vertex.position = samples_->positions[s.index()];
-  vertex.value = samples_->labels[s.index()];
+  const std::int8_t label = samples_->labels[s.index()];
+  vertex.value = label > 0 ? +1 : -1;
+  vertex.room = room_of(label);
   vertex.kind = VertexKind::sample;
   vertex.sample_set = live_.sample_set();
   vertex.sample = s;

@@ -38,7 +38,7 @@ class RefinementContext {
   bool cancelled() const { return control_.cancelled(); }
   const RunControl& control() const { return control_; }
 
-  /// A vertex with F = ±1 on the grid of S, of a kind other than sample.
+  /// A vertex of this label with |F| = 1 on the grid of S, of a kind other than sample.
   Vertex free_vertex(Vec3 p, int label, VertexKind kind) const;
   Vertex sample_vertex(SampleId s) const;
   /// Rounded to the grid on which zeros of f are representable.

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "criteria/height.h"
+#include "mesh/label_functions.h"
 
 #include <algorithm>
 
@@ -36,7 +37,7 @@ LiveTriangulation::LiveTriangulation(std::shared_ptr<const BoundarySamples> samp
 Delta LiveTriangulation::start(std::span<const Vertex> corners) {
   Delta delta = delaunay_.start(corners);
   complex_.apply(delta);
-  add(count_sign_changes(delta.added), +1);
+  add(count_zero_cells(delta.added), +1);
   reassign_all();
   return delta;
 }
@@ -60,9 +61,9 @@ void LiveTriangulation::reassign_all() {
 std::optional<Delta> LiveTriangulation::insert(const Vertex& vertex, TetId hint) {
   std::optional<Delta> delta = delaunay_.insert(vertex, hint);
   if (!delta) return std::nullopt;
-  add(count_sign_changes(delta->removed), -1);
+  add(count_zero_cells(delta->removed), -1);
   complex_.apply(*delta);
-  add(count_sign_changes(delta->added), +1);
+  add(count_zero_cells(delta->added), +1);
   gone_.clear();
   changed_.clear();
   for (const TetRecord& t : delta->removed) {
@@ -93,9 +94,9 @@ Delta LiveTriangulation::relabel(std::span<const VertexId> vertices) {
       star.push_back({TetId(i), tet.v});
     }
   }
-  add(count_sign_changes(star), -1);
+  add(count_zero_cells(star), -1);
   complex_.apply(delta);
-  add(count_sign_changes(star), +1);
+  add(count_zero_cells(star), +1);
   gone_.clear();
   changed_.clear();
   for (const TetRecord& t : star) {
@@ -118,42 +119,55 @@ Delta LiveTriangulation::replace_samples(std::shared_ptr<const BoundarySamples> 
   return delta;
 }
 
-LiveTriangulation::SignChanges LiveTriangulation::count_sign_changes(std::span<const TetRecord> tets) {
-  SignChanges changes;
+LiveTriangulation::ZeroCells LiveTriangulation::count_zero_cells(std::span<const TetRecord> tets) {
+  ZeroCells cells;
   edge_scratch_.clear();
   facet_scratch_.clear();
+  junction_scratch_.clear();
   for (const TetRecord& t : tets) {
-    std::array<bool, 4> positive{};
-    int positives = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      positive[i] = complex_.value(t.v[i]) > 0;
-      positives += positive[i] ? 1 : 0;
-    }
-    if (positives == 0 || positives == 4) continue;
-    ++changes.polygons;
+    const TetLabels label{complex_.label(t.v[0]), complex_.label(t.v[1]), complex_.label(t.v[2]),
+                          complex_.label(t.v[3])};
+    const int labels = label_count(label);
+    if (labels < 2) continue;
+    long corners = 0, segments = 0; // of what Z has on the facets
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
-        if (positive[i] != positive[j]) edge_scratch_.push_back(pack(t.v[i], t.v[j]));
+        if (label[i] == label[j]) continue;
+        edge_scratch_.push_back(pack(t.v[i], t.v[j]));
+        ++corners;
       }
-      const int others = positives - (positive[i] ? 1 : 0);
-      if (others == 0 || others == 3) continue;
+      TetLabels rest = label;
+      rest[i] = 0;
+      const int on_facet = label_count(rest);
+      if (on_facet < 2) continue;
       std::array<std::uint32_t, 3> facet{};
       for (std::size_t j = 0, k = 0; j < 4; ++j) {
         if (j != i) facet[k++] = t.v[j].value;
       }
       std::sort(facet.begin(), facet.end());
-      facet_scratch_.push_back(facet);
+      (on_facet == 2 ? facet_scratch_ : junction_scratch_).push_back(facet);
+      segments += on_facet == 2 ? 1 : 3;
+      corners += on_facet == 2 ? 0 : 1;
     }
+    if (labels == 2) {
+      ++cells.polygons;
+      continue;
+    }
+    // A cone from a vertex inside.
+    ++cells.vertices;
+    cells.edges += corners;
+    cells.polygons += segments;
   }
-  changes.vertices = count_distinct(edge_scratch_);
-  changes.edges = count_distinct(facet_scratch_);
-  return changes;
+  const long middles = count_distinct(junction_scratch_);
+  cells.vertices += count_distinct(edge_scratch_) + middles;
+  cells.edges += count_distinct(facet_scratch_) + 3 * middles;
+  return cells;
 }
 
-void LiveTriangulation::add(const SignChanges& changes, long factor) {
-  zero_.vertices += factor * changes.vertices;
-  zero_.edges += factor * changes.edges;
-  zero_.polygons += factor * changes.polygons;
+void LiveTriangulation::add(const ZeroCells& cells, long factor) {
+  zero_.vertices += factor * cells.vertices;
+  zero_.edges += factor * cells.edges;
+  zero_.polygons += factor * cells.polygons;
 }
 
 void LiveTriangulation::leave(TetId t) {
@@ -177,14 +191,12 @@ void LiveTriangulation::measure_all(std::span<const TetId> tets, std::size_t sam
 }
 
 TetFigures LiveTriangulation::measure(TetId t) const {
-  const auto p = complex_.positions(t);
-  const auto f = complex_.values(t);
-  const Height height = tetrahedron_height(p, f);
+  const Height height = tetrahedron_height(complex_.positions(t), complex_.values(t), complex_.labels(t));
   TetFigures figures;
   figures.height = height.split == Height::Split::none ? Box3::inf : height.value;
-  const AffineFunction function = interpolate(p, f);
+  LabelFunctions functions(complex_, t);
   sets_->for_each(t, [&](SampleId s) {
-    double error = sample_error(function(samples_->positions[s.index()]), samples_->labels[s.index()]);
+    double error = sample_error(functions.of(samples_->labels[s.index()])(samples_->positions[s.index()]), 1);
     if (!std::isfinite(error)) error = unknown_error;
     if (is_bad(error)) ++figures.bad;
     if (blocked_[s.index()]) return;

@@ -69,12 +69,12 @@ class LiveTriangulation {
   void set_delta(double delta) { delta_ = delta; }
 
  private:
-  /// Simplices that change sign: vertices, edges and polygons of Z.
-  struct SignChanges {
+  struct ZeroCells {
     long vertices = 0, edges = 0, polygons = 0;
   };
-  SignChanges count_sign_changes(std::span<const TetRecord> tets);
-  void add(const SignChanges& changes, long factor);
+  /// The cells of Z in some tetrahedra.
+  ZeroCells count_zero_cells(std::span<const TetRecord> tets);
+  void add(const ZeroCells& cells, long factor);
   void leave(TetId t);
   void measure_all(std::span<const TetId> tets, std::size_t samples_in_them);
   TetFigures measure(TetId t) const;
@@ -92,10 +92,10 @@ class LiveTriangulation {
   SteinerQueue errors_, flatness_;
   std::vector<TetId> gone_, changed_;
   std::size_t bad_ = 0, alive_ = 0, moves_ = 0;
-  SignChanges zero_;
+  ZeroCells zero_;
   double delta_ = 1;
   std::vector<std::uint64_t> edge_scratch_;
-  std::vector<std::array<std::uint32_t, 3>> facet_scratch_;
+  std::vector<std::array<std::uint32_t, 3>> facet_scratch_, junction_scratch_;
 };
 
 } // namespace isoscope

@@ -104,8 +104,8 @@ Turn HeightCondition::turn() {
 OrientationVerdict OrientationCondition::check(TetId t) const {
   const Complex& complex = context_.live().complex();
   const double reach = orientation_reach * context_.volume().thresholds().delta;
-  return check_orientation(complex.positions(t), complex.values(t), context_.criteria().shrink, reach,
-                           context_.nearest());
+  return check_orientation(complex.positions(t), complex.values(t), complex.labels(t),
+                           context_.criteria().shrink, reach, context_.nearest());
 }
 
 void OrientationCondition::judge_pending() {
@@ -136,7 +136,7 @@ Turn OrientationCondition::turn() {
   Event event;
   event.condition = Condition::orientation;
   event.witness = context_.nearest().positions()[worst.sample.index()];
-  event.value = worst.f * worst.label;
+  event.value = worst.f;
   event.limit = 0;
   return refine_at_circumcenter(context_, checklist_, t, event);
 }

@@ -1,6 +1,7 @@
 // Checks Z against the expected topology and inserts where it can be mended.
 #include "refine/topology_repair.h"
 
+#include "mesh/label_functions.h"
 #include "refine/sample_conditions.h"
 
 #include <algorithm>
@@ -188,7 +189,7 @@ void TopologyCondition::collect_points() {
 
 bool TopologyCondition::misclassified(Vec3 p, int label, TetId t) const {
   const Complex& complex = context_.live().complex();
-  return interpolate(complex.positions(t), complex.values(t))(p) * label <= 0;
+  return LabelFunctions(complex, t).of(label)(p) <= 0;
 }
 
 bool TopologyCondition::insert_point(const MisclassifiedPoint& candidate) {

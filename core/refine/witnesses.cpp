@@ -1,6 +1,8 @@
 // Keeps the tetrahedron of every witness and inserts the witnesses that Z has on the wrong side.
 #include "refine/witnesses.h"
 
+#include "mesh/label_functions.h"
+
 namespace isoscope {
 
 bool WitnessCondition::good(std::size_t witness) {
@@ -14,8 +16,7 @@ bool WitnessCondition::good(std::size_t witness) {
     return place.good;
   }
   place.generation = live.generation(place.tet);
-  const AffineFunction f = interpolate(live.complex().positions(place.tet), live.complex().values(place.tet));
-  place.good = f(where.point) * where.label > 0;
+  place.good = LabelFunctions(live.complex(), place.tet).of(where.label)(where.point) > 0;
   return place.good;
 }
 

@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/place.h"
+#include "base/sort_unique.h"
 #include "run/exposed_input.h"
 #include "run/topology_places.h"
 #include "tolerance/facet_certificate.h"
@@ -43,8 +44,8 @@ struct DirectedEdge {
   friend auto operator<=>(const DirectedEdge&, const DirectedEdge&) = default;
 };
 
-/// Closedness, orientation, single fans, components and χ.
-void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
+/// Closedness, orientation, single fans, components, loops and χ. `open`: a border is allowed.
+void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
   std::vector<DirectedEdge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
@@ -60,12 +61,12 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     return std::pair(first, last);
   };
 
-  c.closed_manifold = !mesh.triangles.empty();
-  c.oriented = c.closed_manifold;
+  c.closed_manifold = c.manifold = !mesh.triangles.empty();
+  c.oriented = c.manifold;
   if (mesh.triangles.empty()) c.failures.emplace_back("The mesh is empty.");
   for (const auto& t : mesh.triangles) {
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) continue;
-    c.closed_manifold = c.oriented = false;
+    c.closed_manifold = c.manifold = c.oriented = false;
     c.failures.push_back("A facet at " + place(mesh.points[t[0]], place_digits) + " has a vertex twice.");
     break;
   }
@@ -75,12 +76,15 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     const auto [same, same_end] = facets_of(e.from, e.to);
     const auto [twin, twin_end] = facets_of(e.to, e.from);
     const auto along = same_end - same, against = twin_end - twin;
+    const bool on_border = along == 1 && against == 0;
     if (along + against != 2) c.closed_manifold = false;
-    if (along != 1 || against != 1) {
+    if (along + against != 2 && !(open && on_border)) c.manifold = false;
+    if (along != 1 || (against != 1 && !(open && on_border))) {
       if (c.oriented) {
         c.failures.push_back("The edge from " + place(mesh.points[e.from], place_digits) + " to " +
                              place(mesh.points[e.to], place_digits) +
-                             " has not exactly two facets of opposite direction.");
+                             " has not exactly two facets of opposite direction" +
+                             (open ? ", nor is it on a border." : "."));
       }
       c.oriented = false;
     }
@@ -90,7 +94,8 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     }
   }
 
-  // Around a manifold vertex the facets form one cycle: walking from facet to facet meets all of them.
+  // Around a manifold vertex the facets form one cycle, or one fan from border to border: walking from facet
+  // to facet meets all of them.
   std::vector<std::uint32_t> degree(mesh.points.size(), 0);
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t v : t) ++degree[v];
@@ -100,23 +105,30 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
     if (degree[v] == 0) continue;
     ++used;
     if (!c.oriented) continue;
-    const auto first = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{v, 0, 0});
+    auto first = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{v, 0, 0});
+    for (auto e = first; open && e != edges.end() && e->from == v; ++e) {
+      const auto [twin, twin_end] = facets_of(e->to, v);
+      if (twin == twin_end) first = e; // the fan begins here
+    }
     std::uint32_t to = first->to;
     std::uint32_t length = 0;
     do {
-      const auto& t = mesh.triangles[facets_of(v, to).first->facet];
+      const auto [next, next_end] = facets_of(v, to);
+      if (next == next_end) break;
+      const auto& t = mesh.triangles[next->facet];
       const std::size_t k = t[0] == v ? 0 : (t[1] == v ? 1 : 2);
       to = t[(k + 2) % 3];
       ++length;
     } while (to != first->to && length <= degree[v]);
     if (length != degree[v]) {
-      if (c.closed_manifold) {
+      if (c.manifold) {
         c.failures.push_back("The facets around the vertex " + place(mesh.points[v], place_digits) +
                              " form more than one fan.");
       }
-      c.closed_manifold = false;
+      c.closed_manifold = c.manifold = false;
     }
   }
+  if (!c.closed_manifold) c.boundary_loops = count_loops(border_edges(mesh), mesh.points.size());
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     if (pieces.find(f) == f) ++c.components;
   }
@@ -124,11 +136,47 @@ void check_connectivity(const TriangleMesh& mesh, Certificate& c) {
       static_cast<long>(used) - static_cast<long>(undirected) + static_cast<long>(mesh.triangles.size());
 }
 
+std::string name_of_region(int label) {
+  return label > 0 ? "the outside" : "room " + std::to_string(-label);
+}
+
+/// The same for a mesh between several rooms, region by region.
+void check_regions(const TriangleMesh& mesh, Certificate& c) {
+  c.regions = certify_regions(mesh);
+  c.closed_manifold = c.oriented = true;
+  for (const RegionCertificate& r : c.regions) {
+    c.closed_manifold = c.closed_manifold && r.closed_manifold;
+    c.oriented = c.oriented && r.oriented;
+    if (!r.failure.empty())
+      c.failures.push_back("The boundary of " + name_of_region(r.label) + ' ' + r.failure + '.');
+  }
+  c.manifold = c.closed_manifold;
+  DisjointSets pieces(mesh.points.size());
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<bool> used(mesh.points.size(), false);
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      pieces.unite(a, b);
+      edges.push_back({std::min(a, b), std::max(a, b)});
+      used[a] = true;
+    }
+  sort_unique(edges);
+  for (std::uint32_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    ++c.euler_characteristic;
+    c.components += pieces.find(v) == v ? 1 : 0;
+  }
+  c.euler_characteristic += static_cast<long>(mesh.triangles.size()) - static_cast<long>(edges.size());
+}
+
 /// False when it was stopped, as with those below.
 bool check_intersections(const TriangleMesh& mesh, Certificate& c, const Stop& stop) {
-  if (!c.closed_manifold || !c.oriented) {
+  if (!c.manifold || !c.oriented) {
     c.failures.emplace_back(
-        "Intersections were not tested because the mesh is no closed oriented 2-manifold.");
+        c.regions.empty() ? "Intersections were not tested because the mesh is no closed oriented 2-manifold."
+                          : "Intersections were not tested because a region's boundary is no closed oriented "
+                            "2-manifold.");
     return true;
   }
   const auto pairs = self_intersections(mesh.points, mesh.triangles, stop);
@@ -161,15 +209,17 @@ void check_sides_exactly(const TriangleMesh& mesh, const ToleranceField& field, 
   }
 }
 
-bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
-                       const Stop& stop) {
+bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, const FilledHoles& holes,
+                       Certificate& c, const Stop& stop) {
   const double delta = volume.thresholds().delta;
   std::vector<FacetVerdict> verdicts(mesh.triangles.size());
   const FacetSearch search{piece_budget, {}, nullptr, 0, &stop};
   const bool complete =
       parallel_until(mesh.triangles.size(), 64, stop,
                      [&](std::size_t f) {
-                       verdicts[f] = certify_facet(volume.field(), corners(mesh, f), delta, delta, search);
+                       verdicts[f].kind = FacetVerdict::Kind::inside;
+                       if (!holes.fills(f))
+                         verdicts[f] = certify_facet(volume.field(), corners(mesh, f), delta, delta, search);
                      }) &&
       !stop();
   c.within_tolerance = complete && !mesh.triangles.empty();
@@ -303,12 +353,75 @@ bool check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, C
   return true;
 }
 
+/// Every witness lies inside the boundary of its own room and outside of all others.
+bool check_room_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
+                           const Stop& stop) {
+  const auto witnesses = volume.witnesses();
+  std::vector<std::vector<double>> winding(witnesses.size());
+  const bool complete = parallel_until(witnesses.size(), 1, stop,
+                                       [&](std::size_t i) {
+                                         winding[i] = winding_numbers(mesh, c.regions, witnesses[i].point);
+                                       }) &&
+                        !stop();
+  if (!complete) return false;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < witnesses.size(); ++i) {
+    bool found = witnesses[i].label > 0;
+    const RegionCertificate* odd = nullptr;
+    double times = 0;
+    for (std::size_t r = 0; r < c.regions.size(); ++r) {
+      if (c.regions[r].label > 0) continue; // around the outside nothing winds
+      const bool own = c.regions[r].label == witnesses[i].label;
+      found = found || own;
+      if (std::abs(winding[i][r] - (own ? 1 : 0)) < 0.01) continue;
+      odd = &c.regions[r];
+      times = winding[i][r];
+    }
+    if ((found && odd == nullptr) || wrong++ > 0) continue;
+    const std::string there =
+        "the point " + place(witnesses[i].point, place_digits) + " of " + name_of_region(witnesses[i].label);
+    c.failures.push_back(odd == nullptr ? "The mesh has no boundary around " + there + '.'
+                                        : "The boundary of " + name_of_region(odd->label) + " winds " +
+                                              general(times, 3) + " times around " + there + '.');
+  }
+  if (wrong > 1) c.failures.push_back("So it is with " + std::to_string(wrong - 1) + " other points.");
+  c.separates = wrong == 0;
+  return true;
+}
+
+/// Winding numbers tell closed parts, segments open ones.
+bool check_all_sides(const TriangleMesh& mesh, const ToleranceVolume& volume, const FilledHoles& holes,
+                     Certificate& c, const Stop& stop) {
+  if (volume.open_sides() == nullptr) return check_separation(mesh, volume, c, stop);
+  if (!check_separation(closed_parts(mesh, holes), volume, c, stop)) return false;
+  const auto failure = unseparated_sheet(mesh, volume, stop);
+  if (!failure) return c.separates = false;
+  if (!failure->empty()) {
+    c.separates = false;
+    c.failures.push_back(*failure);
+  }
+  return true;
+}
+
+bool check_border(const TriangleMesh& mesh, const ToleranceVolume& volume, const FilledHoles& holes,
+                  Certificate& c, const Stop& stop) {
+  if (volume.open_sides() == nullptr) return true;
+  c.border = prove_border(mesh, volume, holes, stop);
+  if (!c.border) {
+    c.border.emplace().failures.emplace_back("The distance of the border to the rim was not found out.");
+    return false;
+  }
+  c.failures.insert(c.failures.end(), c.border->failures.begin(), c.border->failures.end());
+  return true;
+}
+
 void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expected, Certificate& c,
                        const RunControl& control) {
   using Topology = Certificate::Topology;
   const bool asked = expected.euler_characteristic || expected.components;
   const bool met = expected.euler_characteristic.value_or(c.euler_characteristic) == c.euler_characteristic &&
-                   expected.components.value_or(c.components) == c.components;
+                   expected.components.value_or(c.components) == c.components &&
+                   expected.boundary_loops.value_or(c.boundary_loops) == c.boundary_loops;
   c.topology = !asked              ? Topology::not_asked
                : met               ? Topology::as_expected
                : expected.required ? Topology::wrong
@@ -327,8 +440,11 @@ void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expecte
                       (c.components == 1 ? " component" : " components") + ", ";
     if (expected.euler_characteristic)
       c.topology_note += "χ = " + std::to_string(*expected.euler_characteristic) + " in ";
-    c.topology_note += std::to_string(expected.components.value_or(c.components)) + " from " +
-                       expected.source + " was aimed at.";
+    c.topology_note += std::to_string(expected.components.value_or(c.components)) +
+                       (expected.boundary_loops ? " with " + counted(*expected.boundary_loops, "loop") +
+                                                      " (" + std::to_string(c.boundary_loops) + " found)"
+                                                : std::string()) +
+                       " from " + expected.source + " was aimed at.";
     return;
   case Topology::wrong:
     break;
@@ -340,7 +456,10 @@ void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expecte
   if (expected.components && *expected.components != c.components)
     c.failures.push_back("There are " + std::to_string(c.components) + " components instead of " +
                          std::to_string(*expected.components) + ".");
-  if (!c.closed_manifold || !c.oriented) return;
+  if (expected.boundary_loops && *expected.boundary_loops != c.boundary_loops)
+    c.failures.push_back("Its border has " + counted(c.boundary_loops, "loop") + " instead of " +
+                         std::to_string(*expected.boundary_loops) + ".");
+  if (!c.closed_manifold || !c.oriented || !c.regions.empty()) return;
   if (const std::string places = topology_places(mesh, control); !places.empty())
     c.failures.back() += " " + places;
 }
@@ -352,21 +471,35 @@ std::string_view name(Certificate::Topology topology) {
   return names[static_cast<std::size_t>(topology)];
 }
 
-Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
-                    const RunControl& control, const CoverTest& cover) {
+Certificate certify(const TriangleMesh& given, const ToleranceVolume& volume,
+                    const ExpectedTopology& expected, const RunControl& control, const CoverTest& cover,
+                    const FilledHoles& holes) {
+  // Of rooms a mesh between two sides may be left where all others were lost.
+  const bool rooms = volume.has_rooms() || !given.labels.empty();
+  TriangleMesh labelled;
+  if (rooms && given.labels.empty()) {
+    labelled = given;
+    labelled.labels.assign(given.triangles.size(), {+1, -1});
+  }
+  const TriangleMesh& mesh = labelled.labels.empty() ? given : labelled;
   const Stop stop = [&control] { return control.out_of_grace(); };
   Certificate c;
   control.report("certificate", 0);
-  check_connectivity(mesh, c);
+  if (rooms && !mesh.triangles.empty())
+    check_regions(mesh, c);
+  else
+    check_connectivity(mesh, volume.open_sides() != nullptr, c);
   if (mesh.triangles.empty()) return c;
   std::string open;
   const auto note = [&](bool found_out, const char* what) {
     if (!found_out) open += (open.empty() ? "" : ", ") + std::string(what);
   };
   note(check_intersections(mesh, c, stop), "freedom from intersections");
-  note(check_separation(mesh, volume, c, stop), "separation of the sides");
+  note(rooms ? check_room_separation(mesh, volume, c, stop) : check_all_sides(mesh, volume, holes, c, stop),
+       "separation of the sides");
   control.report("certificate", 0.3);
-  note(check_containment(mesh, volume, c, stop), "containment");
+  note(check_containment(mesh, volume, holes, c, stop), "containment");
+  note(check_border(mesh, volume, holes, c, stop), "distance of the border");
   control.report("certificate", 0.7);
   note(check_coverage(mesh, volume, cover, c, control), "coverage of the input");
   check_expectation(mesh, expected, c, control);

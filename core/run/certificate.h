@@ -4,8 +4,10 @@
 #include "base/run_control.h"
 #include "criteria/topology.h"
 #include "input/triangle_soup.h"
+#include "run/border_certificate.h"
 #include "run/coverage.h"
 #include "run/reverse_distance.h"
+#include "run/room_certificate.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <cstdint>
@@ -33,13 +35,16 @@ struct Certificate {
     missed,      ///< they are not what was aimed at where nothing is known to have it: Ω is no thickening
     not_asked    ///< nothing is aimed at
   };
-  bool closed_manifold = false;
+  bool closed_manifold = false; ///< without border; of rooms: the boundary of each region is
+  bool manifold = false;        ///< the same, or with a border where the input is an open surface
   bool oriented = false;
-  bool intersection_free = false; ///< exact predicates
-  bool within_tolerance = false;  ///< every facet proven inside Ω, rounded outward
+  std::vector<RegionCertificate> regions; ///< of rooms: each region's boundary; else empty
+  bool intersection_free = false;         ///< exact predicates
+  bool within_tolerance = false;          ///< every facet proven inside Ω, rounded outward
   double max_distance =
       0; ///< proven upper bound of d over the mesh, absolute; of the failing facet when it fails
-  DistanceBounds input_distance; ///< of the input without inner walls and closed gaps to the mesh, to 1 % of δ
+  DistanceBounds
+      input_distance; ///< of the input without inner walls and closed gaps to the mesh, to 1 % of δ
   /// Every point of the input is proven to be within cover_limit δ of the mesh, or need not be.
   bool covers = false;
   std::optional<double> cover_limit;     ///< that it was judged by, in δ
@@ -47,7 +52,11 @@ struct Certificate {
   std::size_t uncovered_count = 0;       ///< of all such places
   std::string cover_note;                ///< where it is exceeded and need not hold: why; else empty
   std::string gap_note; ///< where walls are left out of that, as Ω closes the gap before them; else empty
-  bool separates = false; ///< winding number at the witness of every region is that of its side
+  /// The winding number at the witness of every region is that of its side, of rooms for every boundary;
+  /// beside open surfaces segments from one side to the other cross the mesh an odd number of times.
+  bool separates = false;
+  std::size_t boundary_loops = 0;
+  std::optional<BorderProof> border; ///< of open surfaces
   Topology topology = Topology::wrong;
   bool topology_as_expected() const {
     return topology == Topology::as_expected || topology == Topology::not_asked;
@@ -58,8 +67,8 @@ struct Certificate {
   long euler_characteristic = 0;
   std::vector<std::string> failures; ///< one sentence each: which, where
   bool holds() const {
-    return closed_manifold && oriented && intersection_free && within_tolerance && covers && separates &&
-           topology != Topology::wrong;
+    return manifold && oriented && intersection_free && within_tolerance && covers && separates &&
+           topology != Topology::wrong && (!border || border->holds());
   }
 };
 
@@ -69,6 +78,6 @@ std::string_view name(Certificate::Topology topology);
 /// When the control is cancelled, its grace bounds the time that this may take: what is not proven by then
 /// does not hold, and a failure says that it was not found out. An abandoned control ends it at once.
 Certificate certify(const TriangleMesh& mesh, const ToleranceVolume& volume, const ExpectedTopology& expected,
-                    const RunControl& control, const CoverTest& cover = {});
+                    const RunControl& control, const CoverTest& cover = {}, const FilledHoles& holes = {});
 
 } // namespace isoscope

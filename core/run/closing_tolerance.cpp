@@ -73,6 +73,7 @@ class Trials {
   Result<ToleranceVolume> build(double delta) const {
     ToleranceVolume::Options options = input_->options;
     options.delta = delta;
+    options.open_surfaces = false;
     auto volume = ToleranceVolume::build(input_->field, input_->topology, options, *control_);
     if (!volume) return volume;
     const std::vector<ThinPart> thin = find_thin_parts(*volume);
@@ -103,7 +104,6 @@ std::string percent_text(double percent) {
 
 Error with_closing_tolerance(Error open, const OpenInput& input, const RunParameters& parameters,
                              const RunControl& control) {
-  const std::string later = " approximating open surfaces comes with a later version.";
   Trials trials(input, parameters, control);
   const double edge = trials.longest_edge();
   double tried = largest_share * edge; // the smallest so far
@@ -140,11 +140,10 @@ Error with_closing_tolerance(Error open, const OpenInput& input, const RunParame
     const Tolerance tolerance{*percent, true};
     open.remedy =
         (smallest ? "The smallest tolerance that closes it is about " : "It is closed by a tolerance of ") +
-        percent_text(*percent) + " of the longest edge (" + general(tolerance.absolute(edge), 4) + ");" +
-        later;
+        percent_text(*percent) + " of the longest edge (" + general(tolerance.absolute(edge), 4) + ").";
   } else {
     open.remedy = "No tolerance " + (all ? std::string("up") : "from " + percent_text(100 * tried / edge)) +
-                  " to " + percent_text(100 * largest_share) + " of the longest edge closes it;" + later;
+                  " to " + percent_text(100 * largest_share) + " of the longest edge closes it.";
   }
   return open;
 }

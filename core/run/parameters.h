@@ -6,6 +6,7 @@
 #include "base/status.h"
 #include "criteria/topology.h"
 #include "journal/journal.h"
+#include "run/parameter_values.h"
 #include "simplify/simplification.h"
 
 #include <array>
@@ -20,57 +21,6 @@ enum class Containment : std::uint8_t {
   certified, ///< coarse S, facet certificate (default)
   sampled    ///< the paper to the letter: dense S, α margin, condition 2
 };
-
-/// δ as given: a percentage of the longest edge of the input's bounding box, or an absolute length, or left
-/// to the run.
-struct Tolerance {
-  double value = 0.6;
-  bool percent = true;
-  bool automatic = false; ///< found from the input; the value does not count
-  /// Not of an automatic one.
-  double absolute(double longest_edge) const { return percent ? value / 100.0 * longest_edge : value; }
-  std::string text() const; ///< "0.6%", "0.012" or "auto"
-  /// Reads that; nothing where the text is no positive finite number.
-  static std::optional<Tolerance> read(std::string_view text);
-  Status check(const FieldFacts& field, const std::string& asked) const;
-  friend bool operator==(const Tolerance&, const Tolerance&) = default;
-};
-
-constexpr auto fields_of(const Tolerance*) {
-  return std::tuple{field(&Tolerance::value, {.name = "", .help = ""}),
-                    field(&Tolerance::percent, {.name = "percent", .help = ""}),
-                    field(&Tolerance::automatic, {.name = "auto", .help = ""})};
-}
-
-/// How many neighbours make a point robust: the k of the witnessed k-distance.
-struct Robust {
-  static constexpr int automatic = 0, off = 1;
-  int neighbors = automatic;
-  std::string text() const; ///< "12", "auto" or "off"
-  static std::optional<Robust> read(std::string_view text);
-  Status check(const FieldFacts& field, const std::string& asked) const;
-  friend bool operator==(const Robust&, const Robust&) = default;
-};
-
-constexpr auto fields_of(const Robust*) {
-  return std::tuple{field(&Robust::neighbors, {.name = "", .help = ""})};
-}
-
-/// The values of a grid between which Ω lies; both 0: not given.
-struct Levels {
-  double low = 0, high = 0;
-  bool given() const { return low != high; }
-  std::string text() const; ///< "0.8 1.2", or "none"
-  /// Reads that; nothing where the text is no two finite numbers, the smaller first.
-  static std::optional<Levels> read(std::string_view text);
-  Status check(const FieldFacts& field, const std::string& asked) const;
-  friend bool operator==(const Levels&, const Levels&) = default;
-};
-
-constexpr auto fields_of(const Levels*) {
-  return std::tuple{field(&Levels::low, {.name = "low", .help = ""}),
-                    field(&Levels::high, {.name = "high", .help = ""})};
-}
 
 struct RunParameters {
   std::string input;  ///< a file, or gallery:NAME
@@ -91,6 +41,7 @@ struct RunParameters {
   /// Of points; of triangles, where it is a number, that a sample of their area is taken for them.
   Robust robust;
   SidesMode sides = SidesMode::automatic;                 ///< what tells inside from outside
+  Fill fill;                                              ///< holes of open surfaces that are closed
   std::array<bool, 4> conditions{true, true, true, true}; ///< 1 to 4 of §2.3
   std::array<bool, stage_count> skipped{}; ///< stages to leave out: gamma, zero_set, all or improve
   TargetStrategy target = TargetStrategy::constraints; ///< how targets of general collapses are looked for
@@ -122,7 +73,7 @@ namespace parameter_words {
 
 inline constexpr std::array<Choice, 2> containment{{{"certified"}, {"sampled"}}};
 inline constexpr std::array<Choice, 2> topology{{{"keep"}, {"separate"}}};
-inline constexpr std::array<Choice, 3> sides{{{"auto"}, {"winding"}, {"parity"}}};
+inline constexpr std::array<Choice, 4> sides{{{"auto"}, {"winding"}, {"parity"}, {"multi"}}};
 inline constexpr std::array<Choice, 2> drop_thin{{{.name = "off", .shown = "refuse", .told = "refused"},
                                                   {.name = "on", .shown = "leave out", .told = "left out"}}};
 inline constexpr std::array<Choice, 4> target{{{"optimum"}, {"constraints"}, {"sampling"}, {"octree"}}};
@@ -162,7 +113,7 @@ constexpr std::array<Choice, stage_count> stages(bool (*is_offered)(Stage)) {
 }
 inline constexpr auto until = stages([](Stage s) { return s != Stage::setup; });
 inline constexpr auto skipped =
-    stages([](Stage s) { return s != Stage::setup && s != Stage::refinement && s != Stage::tessellation; });
+    stages([](Stage s) { return comes_after(s, Stage::tessellation) ? s != Stage::rim : s == Stage::gamma; });
 
 } // namespace parameter_words
 
@@ -355,13 +306,30 @@ constexpr auto fields_of(const RunParameters*) {
             {.name = "sides",
              .symbol = "sides",
              .help = "what tells inside from outside: auto (parity; where closed parts meet, the winding "
-                     "number), winding or parity",
+                     "number; several insides where walls are shared), winding, parity, or multi (every "
+                     "region is an inside of its own; of a grid all labels)",
              .words = "what tells inside from outside",
              .choices = parameter_words::sides,
              .place = 15,
              .title = "What tells inside from outside",
              .tip = "Auto: parity where closed parts do not meet, and the winding number where they overlap "
-                    "or touch, so that what lies in several parts is inside. Needs a restart."}),
+                    "or touch, so that what lies in several parts is inside. Multi: every region that walls "
+                    "enclose is an inside of its own, §4.2. Needs a restart."}),
+      field(
+          &P::fill,
+          {.name = "fill",
+           .symbol = "filled holes",
+           .help = "holes of an open surface that are closed with what Z has there, outside of Ω by intent: "
+                   "none, all, flat, or numbers of the loops that the report lists (1,3); the run ends "
+                   "inside T then",
+           .words = "holes of an open surface that are filled: none, all, flat or numbers of loops",
+           .unreadable = "not none, all, flat or numbers of loops",
+           .unreadable_remedy = "Loops are numbered from 1 on, as the report lists them: 1,3.",
+           .place = 8,
+           .title = "Holes to be filled",
+           .tip = "Holes of an open surface that are closed with what Z has there: none, all, those in a "
+                  "plane, or by the numbers of their loops, as 1,3. What fills lies outside of Ω by intent, "
+                  "and the run ends before Z leaves T. Needs a restart. §4.1"}),
       field(&P::conditions, {.name = "conditions",
                              .option = "--no-condition",
                              .symbol = "conditions",
@@ -477,8 +445,8 @@ constexpr auto fields_of(const RunParameters*) {
       field(&P::until,
             {.name = "until",
              .symbol = "until",
-             .help = "the last stage to run: refinement, gamma, tessellation, zero-set, all or improve; "
-                     "default improve, sampled mode all",
+             .help = "the last stage to run: refinement, gamma, tessellation, rim (of open surfaces), "
+                     "zero-set, all or improve; default improve, sampled mode all",
              .words = "the last stage; default: improve in certified mode, all in sampled mode",
              .choices = parameter_words::until,
              .absent = "default",

@@ -7,6 +7,7 @@
 #include "input/gallery_shapes.h"
 #include "input/grid_readers.h"
 #include "input/input_mesh.h"
+#include "input/label_walls.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
 #include "run/closing_tolerance.h"
@@ -64,6 +65,11 @@ Result<InputMesh> load(const RunParameters& parameters, const RunControl& contro
   if (!is_grid_file(input)) return read_input_mesh(input, control);
   auto grid = read_grid(input, control);
   if (!grid) return grid.error();
+  if (parameters.sides == SidesMode::multi) {
+    auto walls = walls_between_labels(*grid);
+    if (!walls) return walls.error();
+    return InputMesh{std::move(*walls), {}};
+  }
   InputMesh mesh;
   mesh.soup.name = grid->name;
   mesh.soup.grid = std::make_shared<const ScalarGrid>(std::move(*grid));
@@ -111,7 +117,8 @@ class ResamplingGate : public Gate {
 std::optional<double> expected_genus(const Scene& scene) {
   const ExpectedTopology& e = scene.expected;
   if (!e.euler_characteristic || !e.components) return std::nullopt;
-  return static_cast<double>(*e.components) - static_cast<double>(*e.euler_characteristic) / 2;
+  const auto loops = static_cast<double>(e.boundary_loops.value_or(0));
+  return static_cast<double>(*e.components) - (static_cast<double>(*e.euler_characteristic) + loops) / 2;
 }
 
 std::string tolerance_text(const RunParameters& parameters, const Scene& scene) {
@@ -436,7 +443,8 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
 
   m.resampling.emplace(*m.gate, criteria.sigma);
   m.recorder.emplace(*m.journal, *m.resampling);
-  m.refinement = std::make_unique<Refinement>(*m.volume, scene->samples, criteria, scene->expected,
+  m.refinement = std::make_unique<Refinement>(*m.volume, scene->samples, criteria,
+                                              expected_before_the_cut(*m.volume, scene->expected),
                                               RefinementLimits{}, *m.recorder, *m.control);
   m.scene = scene;
   m.current_samples = scene->samples;
@@ -493,9 +501,12 @@ Result<RunResult> Pipeline::run() {
   result.branch = m.branched;
   result.last_stage = m.last_stage();
   result.form = m.complex().form;
-  result.mesh = triangulate(extract_zero_set(m.complex()));
-  result.certificate = certify(result.mesh, *m.volume, m.scene->expected, *m.control,
-                               {parameters_.cover, parameters_.topology == TopologyMode::separate, true});
+  const ZeroSet zero_set = extract_zero_set(m.complex());
+  result.mesh = triangulate(zero_set);
+  result.holes = filled_holes(*m.journal, m.journal->steps(), m.complex(), zero_set);
+  result.certificate = certify(
+      result.mesh, *m.volume, with_filled_holes(m.scene->expected, result.holes, result.mesh), *m.control,
+      {parameters_.cover, parameters_.topology == TopologyMode::separate, true}, result.holes);
   result.crumbs = count_small_parts(result.mesh, crumb_size * m.scene->delta);
   if (m.volume->has_surface()) result.normals = measure_normal_deviation(result.mesh, *m.volume, *m.control);
   if (m.scene->points) result.points = measure_points(*m.scene->points, result.mesh, *m.control);

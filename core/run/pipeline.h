@@ -63,6 +63,7 @@ struct RunResult {
   TriangleMesh mesh;                      ///< Z
   Stage last_stage = Stage::refinement;   ///< the stage that was reached
   ZeroForm form = ZeroForm::interpolated; ///< free: the last stage ran on Z alone
+  FilledHoles holes;                      ///< of the mesh
   Certificate certificate;
   NormalDeviation normals;
   SmallParts crumbs;                    ///< of Z, smaller than crumb_size δ

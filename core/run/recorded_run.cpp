@@ -45,7 +45,14 @@ void read_coverage(const Json& json, Certificate& c) {
 
 void read_certificate(const Json& json, Certificate& c) {
   c.closed_manifold = json.at("closed_manifold").get<bool>();
+  c.manifold = json.value("manifold", c.closed_manifold);
   c.oriented = json.at("oriented").get<bool>();
+  if (const Json border = json.value("border", Json()); border.is_object()) {
+    c.border.emplace();
+    c.border->to_rim = border.at("to_rim").get<double>();
+    c.border->from_rim = border.at("from_rim").get<double>();
+    c.border->failures = border.at("failures").get<std::vector<std::string>>();
+  }
   c.intersection_free = json.at("intersection_free").get<bool>();
   c.within_tolerance = json.at("within_tolerance").get<bool>();
   // JSON has no infinity: no bound is null.
@@ -83,6 +90,7 @@ void read_normals(const Json& json, NormalDeviation& n) {
 void read_report(const Json& json, RunResult& result) {
   read_certificate(json.at("certificate"), result.certificate);
   result.certificate.components = whole<std::size_t>(json.at("output").at("components"));
+  result.certificate.boundary_loops = whole<std::size_t>(json.at("output").value("boundary_loops", Json(0)));
   result.certificate.euler_characteristic = whole<long>(json.at("output").at("euler_characteristic"));
   read_normals(json.at("normals"), result.normals);
   result.refinement.unmet_height = whole<std::size_t>(json.at("unmet").at("height"));

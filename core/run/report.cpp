@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace isoscope {
 
 namespace {
@@ -55,6 +57,28 @@ Json left_out_json(const std::vector<ThinPart>& parts) {
                     {"thickness", part.thickness},
                     {"size", part.box.longest_edge()},
                     {"triangles", part.triangles}});
+  }
+  return list;
+}
+
+/// The regions of several rooms, the outside first; null where there is one inside.
+Json regions_json(const Scene& scene, const Certificate& certificate) {
+  if (certificate.regions.empty()) return nullptr;
+  Json list = Json::array();
+  for (const RegionCertificate& r : certificate.regions) {
+    Json places = Json::array();
+    for (const Region& region : scene.regions)
+      if (region.label == r.label && !region.shallow && !region.unbounded)
+        places.push_back(point_json(region.deepest));
+    list.push_back({{"label", r.label},
+                    {"places", places},
+                    {"vertices", r.vertices},
+                    {"faces", r.facets},
+                    {"components", r.components},
+                    {"euler_characteristic", r.euler_characteristic},
+                    {"closed_manifold", r.closed_manifold},
+                    {"oriented", r.oriented},
+                    {"volume", r.volume}});
   }
   return list;
 }
@@ -134,6 +158,24 @@ Json points_json(const Scene& scene, const RunResult& result) {
   return json;
 }
 
+/// Of open surfaces; null where there are none.
+Json border_json(const Certificate& c) {
+  if (!c.border) return nullptr;
+  return {{"to_rim", c.border->to_rim}, {"from_rim", c.border->from_rim}, {"failures", c.border->failures}};
+}
+
+Json rim_json(const Scene& scene) {
+  const OpenSides* sides = scene.volume ? scene.volume->open_sides() : nullptr;
+  if (sides == nullptr) return nullptr;
+  Json loops = Json::array();
+  for (const RimLoop& loop : sides->rim().loops())
+    loops.push_back({{"center", point_json(loop.center)},
+                     {"length", loop.length},
+                     {"diameter", loop.diameter},
+                     {"flatness", loop.flatness}});
+  return {{"samples", scene.samples->over_rim.size()}, {"loops", loops}};
+}
+
 } // namespace
 
 std::string_view name(RunResult::End end) {
@@ -182,7 +224,9 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"self_intersection_free", scene.input_topology.self_intersection_free},
         {"consistently_oriented", scene.input_topology.consistently_oriented},
         {"euler_characteristic", optional_number(scene.input_topology.euler_characteristic)},
-        {"sides_by", name(scene.input_topology.side_rule)},
+        {"boundary_loops",
+         scene.input_topology.boundary_loops ? Json(*scene.input_topology.boundary_loops) : Json(nullptr)},
+        {"sides_by", name(scene.volume ? scene.volume->sides().rule() : scene.input_topology.side_rule)},
         {"left_out", left_out_json(scene.left_out)}}},
       {"parameters",
        {{"tolerance", scene.delta},
@@ -195,6 +239,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"drop_thin", p.drop_thin},
         {"cover", p.cover ? Json(*p.cover) : Json(nullptr)},
         {"sides", word_of(&RunParameters::sides, p)},
+        {"fill", p.fill.text()},
         {"conditions", p.conditions},
         {"until", name(p.last_stage())},
         {"improver", word_of(&RunParameters::improver, p)},
@@ -210,8 +255,11 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
       {"expected",
        {{"euler_characteristic", optional_number(scene.expected.euler_characteristic)},
         {"components", scene.expected.components ? Json(*scene.expected.components) : Json(nullptr)},
+        {"boundary_loops",
+         scene.expected.boundary_loops ? Json(*scene.expected.boundary_loops) : Json(nullptr)},
         {"required", scene.expected.required},
         {"source", scene.expected.source}}},
+      {"rim", rim_json(scene)},
       {"points", points_json(scene, result)},
       {"tolerances", study_json(scene)},
       {"warnings", warnings},
@@ -229,7 +277,13 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"faces", result.mesh.triangles.size()},
         {"components", c.components},
         {"euler_characteristic", chi},
-        {"genus", static_cast<long>(c.components) - chi / 2},
+        {"boundary_loops", c.boundary_loops},
+        {"filled_faces", std::count(result.holes.facets.begin(), result.holes.facets.end(), 1)},
+        {"genus",
+         c.regions.empty()
+             ? Json((2 * static_cast<long>(c.components) - chi - static_cast<long>(c.boundary_loops)) / 2)
+             : Json(nullptr)},
+        {"regions", regions_json(scene, c)},
         {"crumbs", {{"components", result.crumbs.components}, {"vertices", result.crumbs.vertices}}},
         {"embedding", result.form == ZeroForm::free ? "Z alone" : "T"},
         {"empty", result.mesh.triangles.empty()}}},
@@ -237,7 +291,9 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
       {"certificate",
        {{"holds", c.holds()},
         {"closed_manifold", c.closed_manifold},
+        {"manifold", c.manifold},
         {"oriented", c.oriented},
+        {"border", border_json(c)},
         {"intersection_free", c.intersection_free},
         {"within_tolerance", c.within_tolerance},
         {"max_distance", c.max_distance},

@@ -7,6 +7,8 @@
 #include "improve/embedded_improvement.h"
 #include "improve/free_improvement.h"
 #include "journal/stage_log.h"
+#include "mesh/strata.h"
+#include "simplify/rim_cut.h"
 #include "simplify/tessellation.h"
 
 #include <algorithm>
@@ -24,8 +26,8 @@ constexpr int most_rounds = 10;
 /// ones bring nothing that it does not find too.
 constexpr int most_exchanges = 8, exchanges_before_improver = 1;
 
-constexpr std::array<Stage, 5> stage_order{Stage::gamma, Stage::tessellation, Stage::zero_set, Stage::all,
-                                           Stage::improve};
+constexpr std::array<Stage, 6> stage_order{Stage::gamma,    Stage::tessellation, Stage::rim,
+                                           Stage::zero_set, Stage::all,          Stage::improve};
 
 } // namespace
 
@@ -43,13 +45,22 @@ struct Simplification::Impl {
   EvaluationContext context;
   SimplificationParameters parameters;
   StageLog log;
+  std::optional<RimCut> rim_cut;     ///< once it has begun
   std::unique_ptr<LiveComplex> live; ///< null once Z has left T
   Complex free;                      ///< the state after that
-  std::size_t next = 0;              ///< into stage_order
-  bool rejoined = false;             ///< the journal has begun the next stage
+  bool filled = false;               ///< holes are, as far as they can be
+  /// The improver knows two sides only.
+  Stage last = context.volume.has_rooms() ? Stage::all : Stage::improve;
+  std::size_t next = 0;  ///< into stage_order
+  bool rejoined = false; ///< the journal has begun the next stage
 
   bool wanted(Stage stage) const {
-    return stage <= parameters.until && !parameters.skipped[static_cast<std::size_t>(stage)];
+    if (comes_after(stage, parameters.until) || comes_after(stage, last) ||
+        parameters.skipped[static_cast<std::size_t>(stage)])
+      return false;
+    if (context.volume.open_sides() == nullptr) return stage != Stage::rim;
+    // What Z has beyond the rim, which fills holes, stays in T.
+    return stage != Stage::improve || parameters.fill.rule == HoleChoice::Rule::none;
   }
 
   /// σ, δ and what decides containment stay: they belong to what was refined.
@@ -94,6 +105,11 @@ struct Simplification::Impl {
     return {};
   }
 
+  void cut_along_rim() {
+    if (!rim_cut) rim_cut.emplace(*live, context.volume, log);
+    rim_cut->run();
+  }
+
   void leave() {
     Delta delta = departure(live->complex());
     live->apply(delta);
@@ -115,6 +131,37 @@ struct Simplification::Impl {
     if (!log.stopped()) improve_free_zero_set(free, context, parameters.effort, log);
   }
 
+  /// Closes the holes that are to be filled, once; says of those that cannot be why.
+  void fill_holes() {
+    if (std::exchange(filled, true) || context.volume.open_sides() == nullptr || !live ||
+        parameters.fill.rule == HoleChoice::Rule::none)
+      return;
+    const auto loops = context.volume.open_sides()->rim().loops();
+    std::vector<CapFacet> facets;
+    std::string loop_names;
+    for (const Cap& cap : find_caps(live->complex(), context.volume)) {
+      const bool wanted = std::any_of(cap.loops.begin(), cap.loops.end(), [&](std::uint32_t loop) {
+        return parameters.fill.wants(loop, loops[loop]);
+      });
+      if (!wanted) continue;
+      if (!cap.fills()) {
+        log.warn("The hole of loop " + std::to_string(cap.loops.front() + 1) +
+                 " is not filled: what Z has beyond it is no disc along that loop alone.");
+        continue;
+      }
+      facets.insert(facets.end(), cap.facets.begin(), cap.facets.end());
+      loop_names += (loop_names.empty() ? "" : ", ") + std::to_string(cap.loops.front() + 1);
+    }
+    if (facets.empty()) return;
+    Delta delta = fill_delta(live->complex(), facets);
+    live->apply(delta);
+    Event e;
+    e.kind = EventKind::fill;
+    e.count = static_cast<std::uint32_t>(facets.size());
+    e.text = log.journal().add_text("loops " + loop_names);
+    log.operation(e, std::move(delta), live->step_figures());
+  }
+
   /// A person's operation: as safe as those of the stages.
   Status collapse_by_hand(VertexId a, VertexId b, Vec3 target) {
     const auto is_alive = [&](VertexId v) {
@@ -122,7 +169,7 @@ struct Simplification::Impl {
     };
     if (a == b || !is_alive(a) || !is_alive(b) || !live->adjacent(a, b))
       return Error{ErrorCode::usage, "T has no such edge at this step.", ""};
-    const auto [stays, goes] = oriented_edge(live->complex(), a, b);
+    const auto [stays, goes] = oriented_edge(live->complex(), live->incidence(), a, b);
     const EdgeStar star = live->star(stays, goes, parameters.ring);
     CollapseSettings settings;
     settings.kind = star.kind();
@@ -156,6 +203,9 @@ struct Simplification::Impl {
       break;
     case Stage::tessellation:
       if (Status made = tessellate(); !made) return made;
+      break;
+    case Stage::rim:
+      cut_along_rim();
       break;
     case Stage::zero_set:
       collapse(EdgeKind::zero, true, most_rounds);
@@ -207,6 +257,9 @@ Result<bool> Simplification::run() {
     if (m.log.stopped()) break;
   }
   if (m.log.stopped()) return false;
+  m.fill_holes();
+  if (comes_after(m.parameters.until, m.last))
+    m.log.warn("Z between rooms ends with the stage all: the improver knows two sides only.");
   m.next = std::min(m.next, stage_order.size() - 1);
   return true;
 }

@@ -6,6 +6,7 @@
 #include "collapse/target_search.h"
 #include "journal/recorder.h"
 #include "mesh/incidence.h"
+#include "simplify/hole_filling.h"
 #include "tolerance/boundary_sampler.h"
 #include "tolerance/tolerance_volume.h"
 
@@ -28,6 +29,7 @@ struct SimplificationParameters {
   CostRing ring = CostRing::one;                       ///< whose planes make the error
   int effort = 2;                                      ///< of the improver, 0 to 3
   ImproverPlace improver = ImproverPlace::free;
+  HoleChoice fill; ///< of open surfaces: what is filled, once the last stage inside T is done
   friend bool operator==(const SimplificationParameters&, const SimplificationParameters&) = default;
 };
 

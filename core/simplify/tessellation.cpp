@@ -1,17 +1,21 @@
-// Splits edges on a list of tetrahedra of its own and reports the difference as one delta.
+// Splits tetrahedra, facets and edges on a list of tetrahedra of its own and reports the difference as one
+// delta.
 #include "simplify/tessellation.h"
 
-#include "mesh/incidence.h"
+#include "mesh/junction.h"
 #include "mesh/predicates.h"
 #include "mesh/zero_set.h"
 
 #include <algorithm>
+#include <map>
+#include <span>
+#include <string>
 
 namespace isoscope {
 
 namespace {
 
-/// Γ while its edges are split: tetrahedra by number, dead ones marked, with lists by vertex.
+/// Γ while it is split: tetrahedra by number, dead ones marked, with lists by vertex.
 class Splitting {
  public:
   explicit Splitting(const Complex& complex) : at_(complex.vertices.size()) {
@@ -23,22 +27,30 @@ class Splitting {
     }
   }
 
-  /// False when a tetrahedron would turn over.
-  bool split(VertexId n, VertexId p, Vec3 zero) {
+  /// Puts a vertex inside the simplex of these vertices and joins it to all around. False, with nothing
+  /// changed, when a tetrahedron would turn over.
+  bool split(std::span<const VertexId> simplex, Vec3 point) {
     const VertexId z(positions_.size());
-    positions_.push_back(zero);
-    at_.emplace_back();
-    const std::vector<std::uint32_t> around = at_[n.index()];
-    for (const std::uint32_t t : around) {
-      if (!alive_[t] || !has(t, p)) continue;
-      alive_[t] = false;
-      for (const VertexId end : {n, p}) {
-        std::array<VertexId, 4> half = tets_[t];
-        std::replace(half.begin(), half.end(), end, z);
-        if (!positive(half)) return false;
-        add(half);
+    positions_.push_back(point);
+    std::vector<std::uint32_t> around;
+    std::vector<std::array<VertexId, 4>> parts;
+    bool good = true;
+    for (const std::uint32_t t : at_[simplex.front().index()]) {
+      if (!alive_[t] || !has_all(t, simplex)) continue;
+      around.push_back(t);
+      for (const VertexId corner : simplex) {
+        std::array<VertexId, 4>& part = parts.emplace_back(tets_[t]);
+        std::replace(part.begin(), part.end(), corner, z);
+        good = good && positive(part);
       }
     }
+    if (!good) {
+      positions_.pop_back();
+      return false;
+    }
+    at_.emplace_back();
+    for (const std::uint32_t t : around) alive_[t] = false;
+    for (const auto& part : parts) add(part);
     return true;
   }
 
@@ -63,8 +75,10 @@ class Splitting {
     tets_.push_back(v);
     alive_.push_back(true);
   }
-  bool has(std::uint32_t t, VertexId v) const {
-    return std::find(tets_[t].begin(), tets_[t].end(), v) != tets_[t].end();
+  bool has_all(std::uint32_t t, std::span<const VertexId> simplex) const {
+    return std::all_of(simplex.begin(), simplex.end(), [&](VertexId v) {
+      return std::find(tets_[t].begin(), tets_[t].end(), v) != tets_[t].end();
+    });
   }
   bool positive(const std::array<VertexId, 4>& v) const {
     return orientation(positions_[v[0].index()], positions_[v[1].index()], positions_[v[2].index()],
@@ -75,10 +89,48 @@ class Splitting {
 std::int8_t side_of(const Complex& complex, const std::array<VertexId, 4>& v) {
   for (const VertexId corner : v) {
     if (corner.index() >= complex.vertices.size()) continue; // a new zero
-    const double f = complex.value(corner);
-    if (f != 0) return f > 0 ? 1 : -1;
+    if (const std::int8_t label = complex.label(corner); label != 0) return label;
   }
   return 0;
+}
+
+Error turned_over(std::span<const VertexId> simplex) {
+  std::string names;
+  for (const VertexId v : simplex) names += (names.empty() ? "" : ", ") + std::to_string(v.value);
+  return {ErrorCode::internal,
+          "Mutual tessellation would turn a tetrahedron over between the vertices " + names + ".",
+          "Take a larger tolerance."};
+}
+
+/// A tetrahedron of three labels or more, or a facet of three: where its zeros are joined.
+struct Meeting {
+  std::vector<VertexId> simplex;
+  Vec3 center;
+};
+
+/// Tetrahedra first, then their facets: afterwards no tetrahedron has more than two labels.
+std::vector<Meeting> meetings(const Complex& complex) {
+  std::vector<Meeting> tets;
+  std::map<std::array<VertexId, 3>, Vec3> facets;
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    const TetId t(i);
+    if (!complex.tets[i].alive()) continue;
+    const TetLabels labels = complex.labels(t);
+    if (label_count(labels) < 3) continue;
+    const Tet& tet = complex.tets[i];
+    const Junction junction = make_junction(complex.positions(t), complex.values(t), labels, tet.v);
+    tets.push_back({{tet.v.begin(), tet.v.end()}, junction.center()});
+    for (std::size_t k = 0; k < 4; ++k) {
+      TetLabels rest = labels;
+      rest[k] = 0;
+      if (label_count(rest) < 3) continue;
+      std::array<VertexId, 3> facet = tet.facet(k);
+      std::sort(facet.begin(), facet.end());
+      facets.emplace(facet, junction.position[Junction::first_facet + k]);
+    }
+  }
+  for (const auto& [facet, center] : facets) tets.push_back({{facet.begin(), facet.end()}, center});
+  return tets;
 }
 
 } // namespace
@@ -88,19 +140,32 @@ Result<Delta> mutual_tessellation(const Complex& complex) {
   delta.slots_before = static_cast<std::uint32_t>(complex.tets.size());
   delta.form = {ZeroForm::interpolated, ZeroForm::embedded};
   Splitting splitting(complex);
-  for (const ZeroSet::ZeroVertex& zero : extract_zero_set(complex).vertices) {
-    if (!splitting.split(zero.negative, zero.positive, zero.position)) {
-      return Error{ErrorCode::internal,
-                   "Mutual tessellation would turn a tetrahedron over at the edge of the vertices " +
-                       std::to_string(zero.negative.value) + " and " + std::to_string(zero.positive.value) +
-                       ".",
-                   "Take a larger tolerance."};
-    }
+  const auto add_vertex = [&](Vec3 position) {
     Vertex vertex;
-    vertex.position = zero.position;
+    vertex.position = position;
     vertex.value = 0;
     vertex.kind = VertexKind::zero;
     delta.added_vertices.push_back(vertex);
+  };
+  for (const Meeting& meeting : meetings(complex)) {
+    Vec3 middle;
+    for (const VertexId v : meeting.simplex)
+      middle = middle + complex.position(v) / static_cast<double>(meeting.simplex.size());
+    // Rounding may put the centre of a thin simplex on a facet: towards the middle there is more room.
+    Vec3 center = meeting.center;
+    bool split = splitting.split(meeting.simplex, center);
+    for (int k = 1; k <= 2 && !split; ++k) {
+      center = meeting.center + 0.5 * k * (middle - meeting.center);
+      split = splitting.split(meeting.simplex, center);
+    }
+    if (!split) return turned_over(meeting.simplex);
+    add_vertex(center);
+  }
+  for (const ZeroSet::ZeroVertex& zero : extract_zero_set(complex).vertices) {
+    if (zero.junction) continue;
+    const std::array<VertexId, 2> edge{zero.negative, zero.positive};
+    if (!splitting.split(edge, zero.position)) return turned_over(edge);
+    add_vertex(zero.position);
   }
 
   delta.removed = splitting.removed();
@@ -125,7 +190,7 @@ Delta departure(const Complex& complex) {
   delta.form = {ZeroForm::embedded, ZeroForm::free};
   for (std::size_t i = 0; i < complex.tets.size(); ++i) {
     const Tet& tet = complex.tets[i];
-    if (tet.alive()) delta.removed.push_back({TetId(i), tet.v, tet.side});
+    if (tet.alive()) delta.removed.push_back({TetId(i), tet.v, tet.side, tet.dropped});
   }
   const ZeroSet z = extract_zero_set(complex);
   std::vector<bool> on_zero_set(complex.vertices.size(), false);

@@ -6,10 +6,12 @@
 
 namespace isoscope {
 
-/// The delta that splits every edge of T with ends of different sign at its zero, one edge after another in
-/// ascending order of (negative end, positive end), and labels all tetrahedra. Each split is conformal, so
-/// neighbours agree on the diagonals of quads. Fails with internal when a split would turn a tetrahedron
-/// over, which exact orientations decide (zeros are representable on the grid of S, so none does).
+/// The delta that splits every edge of T with ends of different labels at its zero, one edge after another in
+/// ascending order of (end of the smaller label, other end), and labels all tetrahedra. Where three labels or
+/// more meet, tetrahedra and then their facets get a vertex inside first (§4.2, core/README.md, N3). Each
+/// split is conformal, so neighbours agree on the diagonals of quads. Fails with internal when a split would
+/// turn a tetrahedron over, which exact orientations decide (zeros are representable on the grid of S, so
+/// none does).
 Result<Delta> mutual_tessellation(const Complex& complex);
 
 /// The delta by which Z leaves T: its facets become free, all tetrahedra and the vertices off Z go.

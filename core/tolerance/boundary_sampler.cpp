@@ -1,6 +1,7 @@
 // Covers ∂Ω' block by block: candidates in parallel, the choice among them in order.
 #include "tolerance/boundary_sampler.h"
 
+#include "base/labels.h"
 #include "base/parallel.h"
 #include "tolerance/regions.h"
 #include "tolerance/sample_candidates.h"
@@ -8,7 +9,6 @@
 #include "tolerance/sample_units.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <span>
 #include <utility>
@@ -42,6 +42,9 @@ class Sampler {
     options_.smallest_side = sigma / 8;
     options_.snap_unit = samples_.snap_unit;
     options_.one_region_a_cell = one_region_a_side();
+    std::size_t labels = 2;
+    for (const Region& r : volume.regions()) labels = std::max(labels, place_of(r.label) + 1);
+    coverable_.resize(labels + (volume.open_sides() != nullptr ? 1 : 0));
   }
 
   Status run(const RunControl& control) {
@@ -70,7 +73,10 @@ class Sampler {
     return {};
   }
 
-  BoundarySamples take() { return std::move(samples_); }
+  BoundarySamples take() {
+    set_boundary_samples_apart();
+    return std::move(samples_);
+  }
 
  private:
   bool one_region_a_side() const {
@@ -79,6 +85,23 @@ class Sampler {
     const double cell_diagonal = 1.7321 * volume_.octree().side(volume_.octree().main_level());
     return volume_.sides().known() && volume_.regions().size() == 2 && inside == 1 &&
            cell_diagonal < 1.9 * volume_.thresholds().boundary;
+  }
+
+  /// Refinement ignores B: what is over the rim is on no side.
+  void set_boundary_samples_apart() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (samples_.labels[i] == 0) {
+        samples_.over_rim.push_back(samples_.positions[i]);
+        continue;
+      }
+      samples_.positions[kept] = samples_.positions[i];
+      samples_.labels[kept] = samples_.labels[i];
+      samples_.components[kept++] = samples_.components[i];
+    }
+    samples_.positions.resize(kept);
+    samples_.labels.resize(kept);
+    samples_.components.resize(kept);
   }
 
   void sample_block(const SampleUnitFinder& finder, std::span<const Regions::CellIndex> block,
@@ -147,8 +170,8 @@ class Sampler {
       const SampleCandidate& c = unit.cells[i];
       const std::uint64_t bit = std::uint64_t{1} << i % 64;
       open_[i / 64] |= bit;
-      for (const int label : {-1, +1})
-        if (!c.has_point || c.label == label) coverable_[label > 0][i / 64] |= bit;
+      for (std::size_t side = 0; side < coverable_.size(); ++side)
+        if (!c.has_point || slot_of(c.label) == side) coverable_[side][i / 64] |= bit;
     }
     near_.clear();
     grid_.gather(unit.box().grown(samples_.sigma), near_);
@@ -190,6 +213,8 @@ class Sampler {
     return static_cast<std::size_t>(found - unit.cells.begin());
   }
 
+  /// Where a label has its bits: what is over the rim, on no side, in the last place.
+  std::size_t slot_of(int label) const { return label == 0 ? coverable_.size() - 1 : place_of(label); }
   bool is_open(std::size_t cell) const { return open_[cell / 64] >> cell % 64 & 1u; }
 
   /// The candidate point that covers the most open cells; the number of offers when none covers any.
@@ -202,7 +227,7 @@ class Sampler {
       const auto row = unit.row(i);
       std::size_t n = 0;
       for (std::size_t w = 0; w < row.size(); ++w)
-        n += static_cast<std::size_t>(std::popcount(row[w] & open_[w] & coverable_[c.label > 0][w]));
+        n += static_cast<std::size_t>(std::popcount(row[w] & open_[w] & coverable_[slot_of(c.label)][w]));
       bounds_[i] = n;
       if (n > most) most = n, best = i;
     }
@@ -222,7 +247,7 @@ class Sampler {
   /// Marks the open cells of a sample's row as covered, as far as they are of its side or of none.
   void close(const SampleUnit& unit, std::span<const std::uint64_t> row, Vec3 p, int label) {
     for (std::size_t w = 0; w < row.size(); ++w) {
-      const std::uint64_t covered = row[w] & open_[w] & coverable_[label > 0][w];
+      const std::uint64_t covered = row[w] & open_[w] & coverable_[slot_of(label)][w];
       open_[w] &= ~covered;
       for (std::uint64_t rest = covered; rest != 0; rest &= rest - 1) {
         const SampleCandidate& cell = unit.cells[64 * w + static_cast<std::size_t>(std::countr_zero(rest))];
@@ -261,8 +286,9 @@ class Sampler {
   std::vector<OrphanCell> orphans_;
   std::vector<std::uint32_t> near_; ///< samples around the cells at hand
   // Of the unit at hand:
-  std::vector<std::uint64_t> open_;                     ///< bits of the cells that no sample covers yet
-  std::array<std::vector<std::uint64_t>, 2> coverable_; ///< bits of the cells that - and + samples may cover
+  std::vector<std::uint64_t> open_; ///< bits of the cells that no sample covers yet
+  std::vector<std::vector<std::uint64_t>>
+      coverable_; ///< bits of the cells that each label's samples may cover
   std::vector<std::uint64_t> row_;
   std::vector<std::size_t> bounds_; ///< by offer: it covers at most so many open cells
 };

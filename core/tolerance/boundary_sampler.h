@@ -14,9 +14,10 @@ namespace isoscope {
 /// spatially coherent.
 struct BoundarySamples {
   std::vector<Vec3> positions;     ///< on d = δ' up to rounding, snapped to the grid of snap_unit
-  std::vector<std::int8_t> labels; ///< F(s) = ±1
+  std::vector<std::int8_t> labels; ///< of their sides
   std::vector<std::uint16_t>
       components;             ///< index into ToleranceVolume::boundary_components(), 0xffff unknown
+  std::vector<Vec3> over_rim; ///< the boundary samples B: over the open rim, on no side (§4.1)
   double sigma = 0;           ///< what was asked for
   double covering_radius = 0; ///< proven: every point of ∂Ω outside undecided cells has a sample this near
   std::size_t undecided_cells =

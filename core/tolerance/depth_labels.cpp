@@ -47,8 +47,13 @@ std::vector<int> label_deep_regions(const ToleranceVolume& volume) {
 } // namespace
 
 DepthLabels label_by_depth(const ToleranceVolume& volume, const RunControl& control) {
+  return spread_labels(volume, label_deep_regions(volume), control);
+}
+
+DepthLabels spread_labels(const ToleranceVolume& volume, std::vector<int> of_regions,
+                          const RunControl& control) {
   DepthLabels labels;
-  labels.of_regions = label_deep_regions(volume);
+  labels.of_regions = std::move(of_regions);
   for (const int label : labels.of_regions) labels.shallow.push_back(label == 0);
 
   // Leaves are joined in the order in which {φ > r} joins them as r shrinks, but for those of deep regions,
@@ -81,7 +86,7 @@ DepthLabels label_by_depth(const ToleranceVolume& volume, const RunControl& cont
     int& label = labels.of_regions[r];
     if (label != 0) continue;
     const Regions::CellIndex at = octree.locate(volume.regions()[r].deepest);
-    label = at != Regions::none && labels.of_cells[at] < 0 ? -1 : +1;
+    label = at != Regions::none && labels.of_cells[at] < 0 ? labels.of_cells[at] : +1;
   }
   return labels;
 }

@@ -102,7 +102,17 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
     const Vec3 center = centroid(t);
     const ClosestPoint closest = field.closest_near(center, piece.guess);
     const double d = closest.distance();
+    double radius2 = 0;
+    for (const Vec3 p : t) radius2 = std::max(radius2, squared_length(p - center));
     if (d - rounding > reject) {
+      if (search.judge != nullptr) {
+        const PieceVerdict judged = (*search.judge)(t, center, closest, std::sqrt(radius2));
+        if (judged == PieceVerdict::passes) continue;
+        if (judged == PieceVerdict::divide) {
+          push_halves(piece, closest.triangle, stack);
+          continue;
+        }
+      }
       if (verdict.kind != Kind::outside || closest.squared_distance > verdict.closest.squared_distance) {
         verdict.witness = center;
         verdict.closest = closest;
@@ -113,8 +123,6 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
       if (search.witnesses->size() >= search.most_witnesses) return verdict;
       continue;
     }
-    double radius2 = 0;
-    for (const Vec3 p : t) radius2 = std::max(radius2, squared_length(p - center));
     double bound = d + std::sqrt(radius2) + rounding;
     // The convexity bound is the tighter one in flat places; it costs three distances to one triangle.
     bound = std::min(bound, field.convex_bound(t, closest.triangle) + rounding);

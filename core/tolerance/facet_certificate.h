@@ -19,6 +19,16 @@ struct FacetVerdict {
   std::size_t pieces = 0;  ///< pieces looked at
 };
 
+/// What a piece of a facet with a point beyond the limit counts for, where not all do.
+enum class PieceVerdict {
+  violates, ///< the point shows that the facet is outside
+  passes,   ///< the piece need not be inside
+  divide    ///< its parts may differ
+};
+/// Judges a piece by its corners, its centre with the closest point there, and a radius around it.
+using PieceJudge = std::function<PieceVerdict(const Triangle3& piece, Vec3 center,
+                                              const ClosestPoint& closest, double radius)>;
+
 /// How a certificate is made.
 struct FacetSearch {
   std::size_t budget = 20000; ///< pieces
@@ -29,6 +39,7 @@ struct FacetSearch {
   std::size_t most_witnesses = 6;
   /// Asked now and then; once true the facet stays undecided, unless it was found outside.
   const std::function<bool()>* stop = nullptr;
+  const PieceJudge* judge = nullptr; ///< absent: every point beyond the limit violates
 };
 
 /// Accepts when d <= accept is proven everywhere (rounded outward), rejects at a point found with d > reject
@@ -38,7 +49,7 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
                            const FacetSearch& search);
 inline FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, double accept,
                                   double reject, std::size_t budget = 20000) {
-  return certify_facet(field, facet, accept, reject, FacetSearch{budget, {}, nullptr, 0, nullptr});
+  return certify_facet(field, facet, accept, reject, FacetSearch{budget, {}, nullptr, 0, nullptr, nullptr});
 }
 
 } // namespace isoscope

@@ -321,4 +321,11 @@ FacetTurns find_facet_turns(const WeldedMesh& mesh, const std::vector<EdgeUse>& 
   return result;
 }
 
+PatchTurns orient_patches(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses) {
+  const std::vector<Copies> copies = find_copies(mesh);
+  PatchTurns result{once_each(mesh, copies), {}};
+  result.one_sided = Orienter(mesh, uses, copies, result.turns).run();
+  return result;
+}
+
 } // namespace isoscope

@@ -33,4 +33,11 @@ struct FacetTurns {
 /// or inwards inside an odd number of other parts.
 FacetTurns find_facet_turns(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses);
 
+/// How the triangles of a surface that need not be closed run: each patch of neighbours one way.
+struct PatchTurns {
+  std::vector<std::int8_t> turns; ///< by triangle, as in FacetTurns
+  std::optional<Vec3> one_sided;  ///< where a patch cannot be oriented; `turns` are of no use then
+};
+PatchTurns orient_patches(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses);
+
 } // namespace isoscope

@@ -43,7 +43,8 @@ unsigned votes_for_inside(const ClosestPointIndex& index, Vec3 p) {
 } // namespace
 
 std::string_view name(SideRule rule) {
-  constexpr std::array<std::string_view, 5> names{"colouring", "parity", "winding", "given", "depth"};
+  constexpr std::array<std::string_view, 6> names{"colouring", "parity", "winding",
+                                                  "given",     "depth",  "rooms"};
   return names[static_cast<std::size_t>(rule)];
 }
 
@@ -58,6 +59,7 @@ bool InputSides::inside(Vec3 p) const {
   case SideRule::depth:
     return false;
   case SideRule::colouring:
+  case SideRule::rooms:
     break;
   }
   const unsigned votes = votes_for_inside(*index_, p);
@@ -77,7 +79,7 @@ std::optional<bool> InputSides::unanimous_parity(Vec3 p) const {
 }
 
 int InputSides::label_across(Vec3 a, int label, Vec3 b) const {
-  if (rule_ == SideRule::given || rule_ == SideRule::depth) return label;
+  if (rule_ == SideRule::given || rule_ == SideRule::depth || rule_ == SideRule::rooms) return label;
   const std::size_t crossings = index_->crossings(a, b).size();
   if (crossings == 0) return label;
   if (rule_ == SideRule::winding || (rule_ == SideRule::parity && turns_)) return this->label(b);

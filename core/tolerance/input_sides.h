@@ -17,7 +17,8 @@ namespace isoscope {
 enum class SidesMode : std::uint8_t {
   automatic, ///< parity where closed parts do not meet, else the winding number where it is defined
   winding,   ///< the winding number
-  parity     ///< parity
+  parity,    ///< parity
+  multi      ///< every region that walls enclose is an inside of its own (§4.2)
 };
 
 /// What tells sides.
@@ -26,10 +27,11 @@ enum class SideRule : std::uint8_t {
   parity,    ///< the number of layers around a point: odd is inside
   winding,   ///< how often the input winds around a point: 0 is outside
   given,     ///< the field itself, which knows what lies behind its boundaries
-  depth      ///< what is deep and not joined to the outside is inside (points)
+  depth,     ///< what is deep and not joined to the outside is inside (points)
+  rooms      ///< several insides: regions are told apart by the walls between them
 };
 
-/// "colouring", "parity", "winding", "given" or "depth".
+/// "colouring", "parity", "winding", "given", "depth" or "rooms".
 std::string_view name(SideRule rule);
 
 /// The sides of the input. Const and thread-safe.
@@ -48,7 +50,9 @@ class InputSides {
 
   SideRule rule() const { return rule_; }
   /// Whether every point off the input has a side that is known.
-  bool known() const { return rule_ != SideRule::colouring && rule_ != SideRule::depth; }
+  bool known() const {
+    return rule_ != SideRule::colouring && rule_ != SideRule::depth && rule_ != SideRule::rooms;
+  }
 
   /// Whether p, which is outside of Ω where the field gives the sides, is inside. Of soups only a guess: what
   /// many rays say; where they disagree, the winding number if there are turns and it is near a whole number,

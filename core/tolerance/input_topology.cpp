@@ -113,25 +113,40 @@ InputTopology analyse_input(const TriangleSoup& soup, SidesMode mode, const RunC
   if (control.cancelled()) return topology;
   topology.components = count_components(mesh);
 
-  std::size_t edges = 0;
+  std::size_t edges = 0, border_edges = 0;
+  bool crowded = false; // an edge of three triangles
+  DisjointSets border(mesh.points.size());
+  std::vector<std::uint8_t> on_border(mesh.points.size(), 0);
   for (std::size_t i = 0, end = 0; i < uses.size(); i = end, ++edges) {
     while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
-    if (end - i != 2 && !topology.border && uses[i].low != uses[i].high)
+    if (end - i == 2) continue;
+    crowded = crowded || end - i > 2;
+    ++border_edges;
+    border.unite(uses[i].low, uses[i].high);
+    on_border[uses[i].low] = on_border[uses[i].high] = 1;
+    if (!topology.border && uses[i].low != uses[i].high)
       topology.border = 0.5 * (mesh.points[uses[i].low] + mesh.points[uses[i].high]);
   }
   if (control.cancelled()) return topology;
   const bool collapsed = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), is_collapsed);
-  if (!collapsed && !topology.border && !vertex_of_two_fans(mesh, uses)) {
-    topology.closed_manifold = true;
-    topology.consistently_oriented = consistently_oriented(uses);
+  topology.manifold = !collapsed && !crowded && !vertex_of_two_fans(mesh, uses);
+  if (topology.manifold) {
     topology.euler_characteristic = static_cast<long>(mesh.points.size()) - static_cast<long>(edges) +
                                     static_cast<long>(mesh.triangles.size());
+    std::size_t loops = 0;
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) loops += on_border[v] != 0 && border.find(v) == v;
+    topology.boundary_loops = loops;
+  }
+  if (topology.manifold && border_edges == 0) {
+    topology.closed_manifold = true;
+    topology.consistently_oriented = consistently_oriented(uses);
     std::vector<IndexTriangle> oriented = mesh.triangles;
     topology.self_intersection_free =
         !control.cancelled() && orient(oriented, uses) && !self_intersects(mesh, control);
   }
   if (control.cancelled()) return topology;
-  choose_side_rule(mesh, uses, mode, topology);
+  topology.every_region = mode == SidesMode::multi;
+  choose_side_rule(mesh, uses, topology.every_region ? SidesMode::automatic : mode, topology);
   return topology;
 }
 

@@ -2,6 +2,8 @@
 #include "tolerance/region_labels.h"
 
 #include "base/place.h"
+#include "tolerance/facet_turns.h"
+#include "tolerance/room_labels.h"
 
 #include <algorithm>
 #include <deque>
@@ -20,6 +22,12 @@ constexpr int most_steps = 200; ///< of a climb
 /// region on both sides from which on the surface counts as open.
 constexpr std::size_t side_probes = 4000;
 constexpr double side_reach = 1.2, open_share = 0.05;
+/// The same of one component of Ω' among others that separate.
+constexpr double open_component_share = 0.5;
+/// The share of the sides of a component's triangles that must have a neighbour for its border to mean
+/// something: in a soup of triangles every edge is one.
+constexpr double sheet_share = 0.3;
+constexpr double shortest_fin = 2; ///< in units of δ'
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -43,20 +51,6 @@ std::optional<Vec3> border_in(const ToleranceVolume& volume, std::uint32_t compo
   return std::nullopt;
 }
 
-Error open_surface(const ToleranceVolume& volume, std::uint32_t component) {
-  const auto border = border_in(volume, component);
-  return open_surface_near(
-      border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
-}
-
-Error non_manifold(Vec3 where) {
-  return {ErrorCode::unsupported,
-          "The input is not a manifold surface: more than two regions meet one connected part of it, one of "
-          "them around " +
-              place(where, place_digits) + ".",
-          "Remove inner walls, or split the input into its closed parts."};
-}
-
 /// Whether both sides of the surface at its known border are in one region.
 bool is_open_at_border(const ToleranceVolume& volume) {
   if (!volume.input().border) return false;
@@ -72,18 +66,19 @@ bool is_open_at_border(const ToleranceVolume& volume) {
   return above.valid() && above == below;
 }
 
-/// A triangle with the same region on both sides, where so many are so that the surface does not separate:
-/// pockets along an open surface would pass for its other side.
-/// Thin parts, by component of Ω', have one region all around them and count neither way.
-std::optional<Vec3> one_sided_place(const ToleranceVolume& volume, const std::vector<bool>& thin,
-                                    const RunControl& control) {
+/// Adds the components whose triangles have the same region on both sides, where so many do that the surface
+/// does not separate: pockets along an open surface would pass for its other side. Thin parts have one region
+/// all around them and count neither way.
+void add_one_sided(const ToleranceVolume& volume, const std::vector<bool>& thin,
+                   std::vector<std::uint8_t>& open, const RunControl& control) {
   const ClosestPointIndex& index = volume.index();
   const double reach = side_reach * volume.thresholds().boundary;
   const std::size_t stride = index.size() / side_probes + 1;
-  std::size_t compared = 0, same = 0;
-  std::optional<Vec3> first;
+  std::vector<std::size_t> compared(open.size(), 0), same(open.size(), 0);
+  std::size_t all_compared = 0, all_same = 0;
   for (std::size_t i = 0; i < index.size() && !control.cancelled(); i += stride) {
-    if (thin[volume.volume_component(TriangleId(i))]) continue;
+    const std::uint32_t component = volume.volume_component(TriangleId(i));
+    if (thin[component]) continue;
     const Triangle3& t = index.triangle(TriangleId(i));
     const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
     if (n == Vec3{}) continue;
@@ -94,12 +89,16 @@ std::optional<Vec3> one_sided_place(const ToleranceVolume& volume, const std::ve
       if (closest.distance() > volume.thresholds().boundary) sides[k] = volume.escape(p, closest).region;
     }
     if (!sides[0].valid() || !sides[1].valid()) continue;
-    ++compared;
-    if (sides[0] != sides[1]) continue;
-    ++same;
-    if (!first) first = centroid(t);
+    const bool alike = sides[0] == sides[1];
+    ++compared[component], ++all_compared;
+    same[component] += alike, all_same += alike;
   }
-  return static_cast<double>(same) > open_share * static_cast<double>(compared) ? first : std::nullopt;
+  const auto exceeds = [](std::size_t part, double share, std::size_t whole) {
+    return static_cast<double>(part) > share * static_cast<double>(whole);
+  };
+  const double share = exceeds(all_same, open_share, all_compared) ? open_share : open_component_share;
+  for (std::size_t c = 0; c < open.size(); ++c)
+    if (exceeds(same[c], share, compared[c])) open[c] = 1;
 }
 
 /// Whether a component of Ω' with one region around it is a closed part that is thinner than Ω is thick, and
@@ -118,13 +117,120 @@ bool is_thin_part(const ToleranceVolume& volume, std::uint32_t component) {
   return first_inside != probes.end() && first_inside->distance <= volume.thresholds().reject;
 }
 
+/// What is said of an open component without a rim.
+Error open_component_error(const ToleranceVolume& volume, std::uint32_t component) {
+  const auto border = border_in(volume, component);
+  return open_surface_near(
+      border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
+}
+
+/// Where three sheets or more meet along some way, two δ' of it in one open component: at edges of three
+/// triangles, or where the rim of one ends on another.
+std::optional<Vec3> place_of_fin(const ToleranceVolume& volume, const OpenSides& sides,
+                                 const WeldedMesh& mesh, const std::vector<EdgeUse>& uses) {
+  std::vector<double> length(volume.volume_component_count(), 0);
+  const double enough = shortest_fin * volume.thresholds().boundary;
+  const auto long_enough = [&](TriangleId t, Vec3 a, Vec3 b) {
+    return sides.is_open(t) && (length[volume.volume_component(t)] += distance(a, b)) >= enough;
+  };
+  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
+    const Vec3 a = mesh.points[uses[i].low], b = mesh.points[uses[i].high];
+    if (end - i > 2 && long_enough(TriangleId(uses[i].triangle), a, b)) return 0.5 * (a + b);
+  }
+  for (const RimPiece& piece : sides.rim().pieces())
+    if (piece.meets_wall && long_enough(piece.triangle, piece.a, piece.b)) return 0.5 * (piece.a + piece.b);
+  return std::nullopt;
+}
+
+/// A component among the open ones whose triangles are no sheet.
+std::optional<std::uint32_t> open_soup(const ToleranceVolume& volume, const std::vector<std::uint8_t>& open,
+                                       const std::vector<EdgeUse>& uses) {
+  std::vector<std::size_t> sides(open.size(), 0), linked(open.size(), 0);
+  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
+    for (std::size_t k = i; k < end; ++k) {
+      const std::uint32_t component = volume.volume_component(TriangleId(uses[k].triangle));
+      ++sides[component];
+      linked[component] += end - i > 1;
+    }
+  }
+  for (std::uint32_t c = 0; c < open.size(); ++c)
+    if (open[c] != 0 && static_cast<double>(linked[c]) < sheet_share * static_cast<double>(sides[c]))
+      return c;
+  return std::nullopt;
+}
+
+/// A 1 by component for those that are open.
+std::vector<std::uint8_t> find_open_components(const ToleranceVolume& volume, const RunControl& control) {
+  const auto sides = regions_by_component(volume);
+  std::vector<std::uint8_t> open(sides.size(), 0);
+  std::vector<bool> thin(sides.size());
+  for (std::size_t c = 0; c < sides.size(); ++c) {
+    if (sides[c].size() > 1) continue;
+    if (control.cancelled()) return open;
+    thin[c] = is_thin_part(volume, static_cast<std::uint32_t>(c));
+    open[c] = thin[c] ? 0 : 1;
+  }
+  add_one_sided(volume, thin, open, control);
+  return open;
+}
+
 } // namespace
 
 Error open_surface_near(Vec3 p) {
+  return {
+      ErrorCode::open_surface,
+      "The input is an open surface near " + place(p, place_digits) +
+          ": both its sides are connected outside of the tolerance volume, and its triangles are not joined "
+          "to a sheet with a rim there.",
+      "A larger tolerance closes gaps."};
+}
+
+Error one_sided_near(Vec3 p) {
   return {ErrorCode::open_surface,
-          "The input is an open surface near " + place(p, place_digits) +
-              ": both its sides are connected outside of the tolerance volume.",
-          "A larger tolerance closes gaps; approximating open surfaces comes with a later version."};
+          "The input has one side only, like a Möbius strip: near " + place(p, place_digits) +
+              " the sides of neighbouring triangles do not agree, however they are turned.",
+          "Cut the surface there."};
+}
+
+Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& volume,
+                                                         const RunControl& control) {
+  using Sides = std::shared_ptr<const OpenSides>;
+  std::vector<std::uint8_t> open = find_open_components(volume, control);
+  if (control.cancelled() || std::find(open.begin(), open.end(), 1) == open.end()) return Sides();
+  const ClosestPointIndex& index = volume.index();
+  const WeldedMesh mesh = weld(index);
+  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
+  if (const auto soup = open_soup(volume, open, uses)) return open_component_error(volume, *soup);
+  const PatchTurns patches = orient_patches(mesh, uses);
+  if (patches.one_sided) {
+    const TriangleId at = index.closest(*patches.one_sided).triangle;
+    if (open[volume.volume_component(at)] != 0) return one_sided_near(*patches.one_sided);
+  }
+  // Patches before a one-sided one may be without turns: then all run as they are given.
+  const std::vector<std::int8_t> turns = patches.one_sided ? std::vector<std::int8_t>() : patches.turns;
+  std::vector<std::uint32_t> component(index.size());
+  for (std::uint32_t t = 0; t < component.size(); ++t) component[t] = volume.volume_component(TriangleId(t));
+  Sides sides = std::make_shared<const OpenSides>(volume.shared_index(), std::move(component), open, turns,
+                                                  volume.thresholds().boundary, control);
+  if (control.cancelled()) return Sides();
+  if (const auto fin = place_of_fin(volume, *sides, mesh, uses)) {
+    // Where the rest separates regions, what has one of them on both sides stands out.
+    const std::uint32_t c = volume.volume_component(index.closest(*fin).triangle);
+    const bool separates = regions_by_component(volume)[c].size() > 1;
+    const auto wall = separates ? one_sided_wall(volume, c, control) : std::nullopt;
+    return Error{ErrorCode::unsupported,
+                 "The input is not a manifold surface: an open sheet ends on another part of it near " +
+                     place(wall.value_or(*fin), place_digits) + ".",
+                 "Remove what stands out there, or choose a larger tolerance, which takes in short fins."};
+  }
+  std::vector<std::uint8_t> rimmed(open.size(), 0);
+  for (const RimPiece& piece : sides->rim().pieces())
+    if (piece.open) rimmed[volume.volume_component(piece.triangle)] = 1;
+  for (std::uint32_t c = 0; c < open.size(); ++c)
+    if (open[c] != 0 && rimmed[c] == 0) return open_component_error(volume, c);
+  return sides;
 }
 
 std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component,
@@ -184,22 +290,25 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, c
   std::vector<std::vector<std::uint32_t>> components(volume.regions().size());
   for (const BoundaryComponent& c : volume.boundary_components())
     components[c.region.index()].push_back(c.volume_component);
-  std::vector<bool> thin(sides.size());
-  for (std::size_t c = 0; c < sides.size(); ++c) {
-    if (sides[c].size() > 1) continue;
-    if (control.cancelled()) break;
-    thin[c] = is_thin_part(volume, static_cast<std::uint32_t>(c));
-    if (!thin[c]) return open_surface(volume, static_cast<std::uint32_t>(c));
-  }
-  if (const auto p = one_sided_place(volume, thin, control)) return open_surface_near(*p);
-
   std::vector<int> labels(volume.regions().size(), 0);
   labels[0] = +1;
   std::deque<RegionId> queue{RegionId(0)};
-  while (!queue.empty() && !control.cancelled()) {
+  std::size_t pockets = 0; // regions before this one have a label, or none leads to them
+  while (!control.cancelled()) {
+    if (queue.empty()) {
+      while (pockets < labels.size() && labels[pockets] != 0) ++pockets;
+      if (volume.open_sides() == nullptr || pockets == labels.size()) break;
+      const Vec3 p = volume.regions()[pockets].deepest;
+      const ClosestPoint closest = volume.index().closest(p);
+      const int side =
+          volume.open_sides()->is_open(closest.triangle) ? volume.open_sides()->side(p, closest) : +1;
+      labels[pockets] = side == 0 ? +1 : side;
+      queue.push_back(RegionId(pockets));
+    }
     const RegionId from = queue.front();
     queue.pop_front();
     for (const std::uint32_t c : components[from.index()]) {
+      if (volume.open_sides() != nullptr && volume.open_sides()->is_open_component(c)) continue;
       for (const RegionId to : sides[c]) {
         if (labels[to.index()] != 0) continue;
         int sign = -1;
@@ -207,8 +316,8 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, c
           const auto here = volume.sides().unanimous_parity(volume.regions()[from.index()].deepest);
           const auto there = volume.sides().unanimous_parity(volume.regions()[to.index()].deepest);
           if (!here || !there) {
-            if (is_open_at_border(volume)) return open_surface(volume, c);
-            return non_manifold(volume.regions()[to.index()].deepest);
+            if (is_open_at_border(volume)) return open_component_error(volume, c);
+            return std::vector<int>();
           }
           sign = *here == *there ? +1 : -1;
         }

@@ -14,9 +14,16 @@ namespace isoscope {
 /// Of no use once the control is cancelled.
 std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl& control);
 
+/// The sides of the components of Ω' that do not separate two regions: open surfaces, as far as they are no
+/// closed parts that are thinner than Ω. Null where there are none. Each needs a rim, and an orientation of
+/// its triangles that tells two sides: fails with open_surface. Of no use once the control is cancelled.
+Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& volume,
+                                                         const RunControl& control);
+
 /// Labels for soups: alternating sides from the unbounded region. Where three regions or more meet a
-/// component of Ω', as they do at pockets, rays decide if they agree. Fails with open_surface or unsupported
-/// on open and non-manifold surfaces, with anything once the control is cancelled.
+/// component of Ω', as they do at pockets, rays decide if they agree; where they do not there are none: the
+/// input has rooms. Regions that lie behind open surfaces only are pockets along these and have the side that
+/// they are on. Fails with open_surface, with anything once the control is cancelled.
 Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, const RunControl& control);
 
 /// Labels for points, which nothing but Ω tells the sides of. Deep regions, which reach beyond deep_enough δ,
@@ -29,6 +36,9 @@ struct DepthLabels {
 };
 /// Of no use once the control is cancelled.
 DepthLabels label_by_depth(const ToleranceVolume& volume, const RunControl& control);
+/// The labels of deep regions, and those of shallow ones, which are 0 before, after them.
+DepthLabels spread_labels(const ToleranceVolume& volume, std::vector<int> of_regions,
+                          const RunControl& control);
 
 /// A point midway between a wall of the input and the next one along the normal.
 struct ThicknessProbe {

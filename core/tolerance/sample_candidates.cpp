@@ -95,6 +95,15 @@ class Subdivision {
   void find_side(SampleCandidate& candidate, const ClosestPoint& closest) {
     if (!volume_.field().is_distance()) return find_side_from_the_point(candidate, closest.triangle);
     candidate.volume_component = volume_.volume_component(closest.triangle);
+    if (volume_.open_sides() != nullptr && volume_.open_sides()->is_open(closest.triangle)) {
+      // On the way to the boundary point the closest point stays what it is.
+      const ClosestPoint own{closest.point, squared_length(candidate.point - closest.point),
+                             closest.triangle};
+      set_label(candidate, volume_.open_sides()->side(candidate.point, own));
+      candidate.region = volume_.escape(candidate.point, own).region;
+      known_region_ = {};
+      return;
+    }
     if (!known_region_.valid() || !(options_.one_region_a_cell || meets_known_ball(candidate, closest))) {
       // From outside the way to the boundary point is straight, so the centre is a start as good and farther
       // away.

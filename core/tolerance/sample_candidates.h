@@ -17,7 +17,7 @@ struct SampleCandidate {
   Vec3 reached;    ///< where its side may be asked for when `region` is unknown and `ask_octree` is set
   RegionId region; ///< behind the point; invalid while not known
   std::uint32_t volume_component = 0;
-  std::int8_t label = 0;
+  std::int8_t label = 0; ///< 0 with a point: over the open rim (§4.1)
   bool has_point = false;
   bool ask_octree = false;
 };

@@ -1,11 +1,9 @@
-// Distances to the walls, with signs by the normal of whatever is nearest: a face, an edge or a vertex
-// (Bærentzen and Aanæs 2005).
+// Distances to the walls, with signs by the normal of whatever is nearest: a face, an edge or a vertex.
 #include "tolerance/surface_pair_field.h"
 
 #include "tolerance/exact_position.h"
 #include "tolerance/index_building.h"
 #include "tolerance/separation.h"
-#include "tolerance/welded_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +12,6 @@
 namespace isoscope {
 namespace {
 
-/// A point this near to an edge, relative to the triangle's height over it, counts as on it.
-constexpr double on_edge = 1e-9;
 /// The sine under which a direction lies in a plane as far as anybody can tell: then rays decide.
 constexpr double least_sine = 1e-7;
 
@@ -42,7 +38,7 @@ Result<std::shared_ptr<const SurfacePairField>> SurfacePairField::make(SurfacePa
     return Error{ErrorCode::cancelled, "Stopped while the surfaces were compared.", ""};
   field->delta_ = 0.5 * separation.distance;
   field->narrowest_ = centroid(outer->triangle(separation.triangle));
-  field->collect_normals();
+  field->normals_ = PseudoNormals(walls.points, walls.triangles);
   return std::shared_ptr<const SurfacePairField>(std::move(field));
 }
 
@@ -51,42 +47,9 @@ Vec3 SurfacePairField::normal(TriangleId t) const {
   return normalized(cross(c[1] - c[0], c[2] - c[0]));
 }
 
-void SurfacePairField::collect_normals() {
-  const auto& triangles = pair_.walls.triangles;
-  vertex_normals_.assign(pair_.walls.points.size(), {});
-  edge_normals_.resize(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const Triangle3 c = pair_.walls.triangle(t);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 u = normalized(c[(i + 1) % 3] - c[i]), v = normalized(c[(i + 2) % 3] - c[i]);
-      const double angle = std::atan2(length(cross(u, v)), dot(u, v));
-      vertex_normals_[triangles[t][i]] += angle * normal(TriangleId(t));
-    }
-  }
-  const std::vector<EdgeUse> uses = sorted_edge_uses(triangles);
-  for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
-    const Vec3 sum = normal(TriangleId(uses[i].triangle)) + normal(TriangleId(uses[i + 1].triangle));
-    for (const EdgeUse& use : {uses[i], uses[i + 1]}) {
-      const IndexTriangle& t = triangles[use.triangle];
-      for (std::size_t k = 0; k < 3; ++k)
-        if (std::min(t[k], t[(k + 1) % 3]) == use.low && std::max(t[k], t[(k + 1) % 3]) == use.high)
-          edge_normals_[use.triangle][k] = sum;
-    }
-  }
-}
-
 bool SurfacePairField::is_outside(Vec3 p, const ClosestPoint& nearest) const {
-  const Triangle3& c = walls().triangle(nearest.triangle);
-  const IndexTriangle& corners = pair_.walls.triangles[nearest.triangle.index()];
-  const Vec3 q = nearest.point, across = cross(c[1] - c[0], c[2] - c[0]);
-  Vec3 n = normalized(across);
-  bool at_vertex = false;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (q == c[i]) n = normalized(vertex_normals_[corners[i]]), at_vertex = true;
-  for (std::size_t i = 0; i < 3 && !at_vertex; ++i) {
-    const double height = dot(across, cross(c[(i + 1) % 3] - c[i], q - c[i])) / squared_length(across);
-    if (height < on_edge) n = normalized(edge_normals_[nearest.triangle.index()][i]);
-  }
+  const Vec3 q = nearest.point;
+  const Vec3 n = normals_.at(nearest.triangle, walls().triangle(nearest.triangle), q);
   const double rise = dot(n, p - q);
   if (std::abs(rise) <= least_sine * nearest.distance() && nearest.squared_distance > 0)
     return !walls().inside_by_parity(p); // the volume is inside an odd number of walls
@@ -146,8 +109,7 @@ VolumeComponents SurfacePairField::components(double r, const RunControl& contro
 
 std::size_t SurfacePairField::memory_bytes() const {
   return walls().memory_bytes() + pair_.walls.points.capacity() * sizeof(Vec3) +
-         pair_.walls.triangles.capacity() * sizeof(IndexTriangle) +
-         vertex_normals_.capacity() * sizeof(Vec3) + edge_normals_.capacity() * sizeof(edge_normals_[0]) +
+         pair_.walls.triangles.capacity() * sizeof(IndexTriangle) + normals_.memory_bytes() +
          pair_.component.capacity() * sizeof(std::uint32_t);
 }
 

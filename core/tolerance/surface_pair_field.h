@@ -2,9 +2,8 @@
 #pragma once
 
 #include "tolerance/field.h"
+#include "tolerance/pseudo_normals.h"
 #include "tolerance/surface_pair.h"
-
-#include <array>
 
 namespace isoscope {
 
@@ -48,15 +47,13 @@ class SurfacePairField final : public ToleranceField {
   const ClosestPointIndex& walls() const { return *pair_.index; }
   std::size_t wall_of(TriangleId t) const { return t.index() < pair_.outer ? 0 : 1; }
   Vec3 normal(TriangleId t) const;
-  void collect_normals();
   bool is_outside(Vec3 p, const ClosestPoint& nearest) const;
   ClosestPoint answer(Vec3 p, const ClosestPoint& nearest) const;
 
   SurfacePair pair_;
   double delta_ = 0;
   Vec3 narrowest_;
-  std::vector<Vec3> vertex_normals_;              ///< by point of the walls, weighted by the angles there
-  std::vector<std::array<Vec3, 3>> edge_normals_; ///< by triangle, from its corner i to the next
+  PseudoNormals normals_;
 };
 
 } // namespace isoscope

@@ -108,6 +108,7 @@ std::vector<ThinPart> find_thin_parts(const ToleranceVolume& volume) {
   std::vector<std::uint32_t> part_of(has.size(), 0);
   for (std::uint32_t c = 0; c < has.size(); ++c) {
     if (has[c][0] && has[c][1]) continue;
+    if (volume.open_sides() != nullptr && volume.open_sides()->is_open_component(c)) continue;
     parts.emplace_back().volume_component = c;
     parts.back().lost = has[c][0] ? +1 : -1;
     part_of[c] = static_cast<std::uint32_t>(parts.size());

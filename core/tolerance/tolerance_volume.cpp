@@ -2,14 +2,17 @@
 #include "tolerance/tolerance_volume.h"
 
 #include "base/place.h"
+#include "tolerance/border_gate.h"
 #include "tolerance/boundary_topology.h"
 #include "tolerance/contacts.h"
 #include "tolerance/region_labels.h"
 #include "tolerance/regions.h"
+#include "tolerance/room_labels.h"
 #include "tolerance/thin_parts.h"
 #include "tolerance/volume_components.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -74,6 +77,13 @@ std::vector<RegionSummary> summarize(const Regions& octree, const RunControl& co
   return list;
 }
 
+std::vector<Segment3> open_segments(const Rim& rim) {
+  std::vector<Segment3> segments;
+  for (const RimPiece& p : rim.pieces())
+    if (p.open) segments.push_back({p.a, p.b});
+  return segments;
+}
+
 } // namespace
 
 ToleranceVolume::ToleranceVolume() = default;
@@ -83,13 +93,19 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   copy.field_ = field_;
   copy.input_ = input_;
   copy.sides_ = sides_;
+  copy.open_sides_ = open_sides_;
   copy.thresholds_ = thresholds_;
+  copy.border_gate_ = border_gate_;
   copy.regions_ = regions_;
   copy.witnesses_ = witnesses_;
   copy.boundary_components_ = boundary_components_;
   copy.volume_components_ = volume_components_;
   copy.volume_component_count_ = volume_component_count_;
   return copy;
+}
+
+void ToleranceVolume::keep_border_to(std::vector<Segment3> rim) {
+  border_gate_ = std::make_shared<const BorderGate>(std::move(rim), thresholds_.delta);
 }
 
 ToleranceVolume::ToleranceVolume(ToleranceVolume&&) noexcept = default;
@@ -136,6 +152,14 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
   // coloured.
   if (v.has_surface() && !v.sides_.known()) v.find_thin_regions(control);
   if (control.cancelled()) return stopped;
+  if (v.has_surface() && !v.sides_.known()) {
+    auto found = find_open_sides(v, control);
+    if (control.cancelled()) return stopped;
+    if (!found) return found.error();
+    v.open_sides_ = std::move(*found);
+    if (v.open_sides_ && !options.open_surfaces) return open_surface_near(v.open_sides_->rim().pieces()[0].a);
+    if (v.open_sides_) v.keep_border_to(open_segments(v.open_sides_->rim()));
+  }
   const Status labelled = v.label_regions(control);
   if (control.cancelled()) return stopped;
   if (!labelled) return labelled.error();
@@ -338,28 +362,54 @@ std::optional<std::uint16_t> ToleranceVolume::boundary_component(RegionId region
 
 Status ToleranceVolume::label_regions(const RunControl& control) {
   if (sides_.rule() == SideRule::depth) {
-    DepthLabels labels = label_by_depth(*this, control);
-    if (control.cancelled()) return {};
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-      regions_[i].label = labels.of_regions[i];
-      regions_[i].shallow = labels.shallow[i];
-    }
-    basins_ = std::move(labels.of_cells);
+    adopt(label_by_depth(*this, control));
     return {};
+  }
+  if (has_surface() && input_.every_region) {
+    const auto rooms = label_rooms_of_input(control);
+    if (!rooms) return rooms.error();
+    if (*rooms) return {};
   }
   auto labels = sides_.known() ? label_by_sides(*this, control) : label_by_two_colouring(*this, control);
   if (control.cancelled()) return {};
   if (!labels.ok()) return labels.error();
+  if (labels->empty()) {
+    const auto rooms = label_rooms_of_input(control);
+    return rooms ? Status() : rooms.error();
+  }
   for (std::size_t i = 0; i < regions_.size(); ++i) regions_[i].label = (*labels)[i];
   if (winds())
     for (Region& r : regions_) r.winding_number = r.unbounded ? 0 : sides_.winding_number(r.deepest);
   return {};
 }
 
+void ToleranceVolume::adopt(DepthLabels labels) {
+  for (std::size_t i = 0; i < regions_.size(); ++i) {
+    regions_[i].label = labels.of_regions[i];
+    regions_[i].shallow = labels.shallow[i];
+  }
+  basins_ = std::move(labels.of_cells);
+}
+
+Result<bool> ToleranceVolume::label_rooms_of_input(const RunControl& control) {
+  auto labels = label_rooms(*this, control);
+  if (!labels) return labels.error();
+  const auto& of = labels->of_regions;
+  if (input_.every_region && *std::min_element(of.begin(), of.end()) >= -1) return false;
+  adopt(std::move(*labels));
+  input_.side_rule = SideRule::rooms;
+  sides_ = InputSides(shared_index(), SideRule::rooms, input_.turns);
+  return true;
+}
+
 Status ToleranceVolume::check_passages() const {
-  for (const Regions::Passage& p : octree_->passages())
-    if (regions_[p.numbers[0]].label != regions_[p.numbers[1]].label)
-      return open_surface_near(octree_->center(octree_->cell(p.cell)));
+  for (const Regions::Passage& p : octree_->passages()) {
+    if (regions_[p.numbers[0]].label == regions_[p.numbers[1]].label) continue;
+    const Vec3 where = octree_->center(octree_->cell(p.cell));
+    // A pocket along an open surface has the side that it is on, whatever it is joined to.
+    if (open_sides_ && open_sides_->is_open(field_->closest(where).triangle)) continue;
+    return open_surface_near(where);
+  }
   return {};
 }
 
@@ -422,20 +472,27 @@ RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget, const RunControl
   const double side = octree_->side(c.level);
   const RegionId id = add_region(i, octree_->center(c), static_cast<double>(c.distance), side * side * side);
   Region& region = regions_.back();
-  region.shallow = sides_.rule() == SideRule::depth;
+  region.shallow = sides_.rule() == SideRule::depth || has_rooms();
   region.label = region.shallow ? basin_at(region.deepest) : sides_.label(region.deepest);
+  const TriangleId site = open_sides_ ? field_->closest(region.deepest).triangle : TriangleId();
+  const bool beside_sheet = open_sides_ && open_sides_->is_open(site);
   if (winds()) region.winding_number = sides_.winding_number(region.deepest);
-  if (region.depth > thresholds_.delta) witnesses_.push_back({region.deepest, region.label, region.depth});
+  if (region.depth > thresholds_.delta && !beside_sheet)
+    witnesses_.push_back({region.deepest, region.label, region.depth});
   return id;
 }
 
 int ToleranceVolume::basin_at(Vec3 p) const {
   const Regions::CellIndex leaf = octree_->locate_among(p, basins_.size());
-  return leaf != Regions::none && basins_[leaf] < 0 ? -1 : +1;
+  return leaf != Regions::none && basins_[leaf] < 0 ? basins_[leaf] : +1;
 }
 
 int ToleranceVolume::label_at(Vec3 p, const RunControl& control) {
   if (sides_.rule() == SideRule::given && field_->distance(p) > thresholds_.boundary) return field_->side(p);
+  if (open_sides_) {
+    const ClosestPoint closest = field_->closest(p);
+    if (open_sides_->is_open(closest.triangle)) return open_sides_->side(p, closest);
+  }
   const RegionId region = region_at(p, thin_region_budget, control);
   return region.valid() ? regions_[region.index()].label : 0;
 }
@@ -461,10 +518,16 @@ bool ToleranceVolume::thickening() const {
   if (std::any_of(regions_.begin(), regions_.end(),
                   [&](const Region& r) { return !r.shallow && is_uncounted(r); }))
     return false;
+  if (has_rooms()) return true;
   std::vector<std::vector<long>> sides(volume_component_count_);
   for (const BoundaryComponent& c : boundary_components_)
     if (!regions_[c.region.index()].shallow) sides[c.volume_component].push_back(c.euler_characteristic);
-  return std::all_of(sides.begin(), sides.end(), [](const auto& s) { return s.size() == 2 && s[0] == s[1]; });
+  for (std::uint32_t c = 0; c < sides.size(); ++c) {
+    // That of an open surface has one boundary, which goes round its rim.
+    const std::size_t boundaries = open_sides_ && open_sides_->is_open_component(c) ? 1 : 2;
+    if (sides[c].size() != boundaries || sides[c].front() != sides[c].back()) return false;
+  }
+  return true;
 }
 
 std::string ToleranceVolume::thickening_note(const RunControl& control) const {
@@ -545,7 +608,7 @@ std::vector<std::string> ToleranceVolume::side_notes() const {
 }
 
 std::size_t ToleranceVolume::memory_bytes() const {
-  return octree_->memory_bytes() + basins_.capacity() +
+  return octree_->memory_bytes() + basins_.capacity() + (open_sides_ ? open_sides_->memory_bytes() : 0) +
          volume_components_.capacity() * sizeof(std::uint32_t) + regions_.capacity() * sizeof(Region) +
          boundary_components_.capacity() * sizeof(BoundaryComponent);
 }

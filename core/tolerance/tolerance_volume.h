@@ -4,10 +4,12 @@
 
 #include "base/ids.h"
 #include "base/run_control.h"
+#include "base/segment.h"
 #include "base/status.h"
 #include "input/triangle_soup.h"
 #include "tolerance/closest_point.h"
 #include "tolerance/input_sides.h"
+#include "tolerance/open_sides.h"
 #include "tolerance/witnesses.h"
 
 #include <cstdint>
@@ -20,19 +22,21 @@
 
 namespace isoscope {
 
+class BorderGate;
 class Regions;
+struct DepthLabels;
 
 using RegionId = Id<struct RegionTag>;
 
 /// A connected component of the complement of Ω' = {φ <= δ'}: what lies behind one boundary component.
 struct Region {
   RegionId id;
-  int label = +1; ///< F of its side: +1 outside, -1 inside (§2.2)
+  int label = +1; ///< of its side: +1 outside, -1 inside (§2.2), or -1, -2, … in several insides (§4.2)
   bool unbounded = false;
   Vec3 deepest;      ///< a point of the region far from the input: the witness of its side
   double depth = 0;  ///< φ(deepest), same units as δ
   double volume = 0; ///< lower bound from the octree; infinite for the unbounded region
-  /// Points: it is a pocket in Ω, and on the side of the deep region that it is joined to first.
+  /// Of points and rooms: it is a pocket in Ω, and on the side of the deep region that it is joined to first.
   bool shallow = false;
   /// How often the input winds around it, where that is what tells its side.
   int winding_number = 0;
@@ -63,12 +67,15 @@ struct ToleranceThresholds {
 struct InputTopology {
   bool closed_manifold =
       false; ///< after merging equal points: every edge has two triangles, every vertex one fan
-  bool self_intersection_free = false;      ///< only tested when closed_manifold
-  bool consistently_oriented = false;       ///< closed_manifold, and neighbours agree on their sides
-  std::optional<long> euler_characteristic; ///< when closed_manifold
-  std::size_t components = 0;               ///< connected components of the input triangles
+  bool self_intersection_free = false; ///< only tested when closed_manifold
+  bool consistently_oriented = false;  ///< closed_manifold, and neighbours agree on their sides
+  bool manifold = false; ///< the same, but edges may have one triangle: a surface with or without border
+  std::optional<long> euler_characteristic;  ///< when manifold
+  std::optional<std::size_t> boundary_loops; ///< closed curves that its border consists of; when manifold
+  std::size_t components = 0;                ///< connected components of the input triangles
   std::optional<Vec3> border; ///< a point of an edge that does not have two triangles, if there is one
   SideRule side_rule = SideRule::colouring; ///< what tells the sides
+  bool every_region = false;                ///< asked for: each region that walls enclose is an inside
   std::shared_ptr<const std::vector<std::int8_t>>
       turns;                      ///< how each triangle counts for that; null: as it is
   std::vector<std::string> notes; ///< what the user should know about the sides, one sentence each
@@ -78,12 +85,15 @@ struct InputTopology {
   /// Whether the side of every point of the input's surface is told, also where Ω has no boundary, and is
   /// what the user means: parity does not say it where parts intersect each other.
   bool sides_known() const {
-    return side_rule == SideRule::winding || (closed_manifold && (self_intersection_free || components == 1));
+    return side_rule != SideRule::rooms && (side_rule == SideRule::winding ||
+                                            (closed_manifold && (self_intersection_free || components == 1)));
   }
 };
 
-/// What is said where a region of the complement of Ω' lies on both sides of the input.
+/// What is said where a region of the complement of Ω' lies on both sides of an input that has no rim there.
 Error open_surface_near(Vec3 p);
+/// What is said of an open surface that has one side only.
+Error one_sided_near(Vec3 p);
 
 /// Ω with everything the algorithm asks of it. Distance queries are const and thread-safe; label_at may
 /// refine the octree and is for one thread only.
@@ -93,13 +103,14 @@ class ToleranceVolume {
     double delta = 0;                                            ///< absolute, > 0
     double boundary_ratio = 0.95;                                ///< δ'/δ in (0, 1]
     double most_bytes = std::numeric_limits<double>::infinity(); ///< that the octree's main cells may take
+    bool open_surfaces = true; ///< false: they are refused, as by those who look for a δ that closes them
   };
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
-  /// Fails with open_surface (a component of Ω touches one region only), with unsupported on non-manifold
-  /// surfaces (three regions or more), naming the place, and where the octree takes too much memory; with
-  /// cancelled when told to. Parts that are thinner than 2δ' everywhere are built: find_thin_parts()
-  /// tells them.
+  /// A component of Ω that does not separate two regions is an open surface, where it has a rim (§4.1); fails
+  /// with open_surface where it has none or one side only, with unsupported on rooms with fins, naming the
+  /// place, and where the octree takes too much memory; with cancelled when told to. Parts that are thinner
+  /// than 2δ' everywhere are built: find_thin_parts() tells them.
   static Result<ToleranceVolume> build(std::shared_ptr<const ToleranceField> field,
                                        const InputTopology& input, const Options& options,
                                        const RunControl& control);
@@ -117,6 +128,11 @@ class ToleranceVolume {
   const InputTopology& input() const { return input_; }
   /// Which side of the input a point is on.
   const InputSides& sides() const { return sides_; }
+  /// The sides of its open surfaces; null where there are none.
+  const OpenSides* open_sides() const { return open_sides_.get(); }
+  /// The open rim of the input, to which the border of Z keeps (§4.1); null where Z is closed.
+  const BorderGate* border_gate() const { return border_gate_.get(); }
+  void keep_border_to(std::vector<Segment3> rim);
   /// The cube that holds Ω and the octree.
   Box3 domain() const;
 
@@ -126,8 +142,10 @@ class ToleranceVolume {
   /// Points that decide whether Z separates the sides. Grows with regions().
   std::span<const Witness> witnesses() const { return witnesses_; }
   std::span<const BoundaryComponent> boundary_components() const { return boundary_components_; }
+  /// Whether regions are told apart by the walls between them: there may be more than one inside (§4.2).
+  bool has_rooms() const { return sides_.rule() == SideRule::rooms; }
   /// Whether the boundary components of each side have the same Euler characteristic, so that Ω may be a
-  /// thickening (§1.2).
+  /// thickening (§1.2); of rooms whether nothing deep goes uncounted.
   bool thickening() const;
   /// Regions that no boundary component counts: they were too small to be seen before somebody asked for a
   /// point in them.
@@ -148,7 +166,8 @@ class ToleranceVolume {
   std::vector<std::string> side_notes() const;
 
   /// F of the region that holds p, or 0 when p lies in Ω' or in a crevice too thin to tell. φ(p) > δ_r always
-  /// has a label, unless the control is cancelled before it is known: then it is 0 too.
+  /// has a label, unless the control is cancelled before it is known: then it is 0 too. Near open surfaces it
+  /// is the side of theirs that p is on, 0 over their rim.
   int label_at(Vec3 p, const RunControl& control = {});
   /// The region that holds p, invalid where label_at would be 0, visiting at most `budget` cells before what
   /// was found counts as a region of its own.
@@ -192,6 +211,9 @@ class ToleranceVolume {
   bool touches(Vec3 p, double d, std::uint32_t component) const;
   void deepen(Region& region) const;
   Status label_regions(const RunControl& control);
+  /// Several insides, where there are some: whether there are.
+  Result<bool> label_rooms_of_input(const RunControl& control);
+  void adopt(DepthLabels labels);
   bool is_uncounted(const Region& r) const;
   /// Whether winding numbers mean something: the triangles cancel along every edge.
   bool winds() const { return sides_.rule() == SideRule::winding || input_.consistently_oriented; }
@@ -204,15 +226,28 @@ class ToleranceVolume {
   std::shared_ptr<const ToleranceField> field_;
   InputTopology input_;
   InputSides sides_;
+  std::shared_ptr<const OpenSides> open_sides_;
   ToleranceThresholds thresholds_;
+  std::shared_ptr<const BorderGate> border_gate_;
   std::unique_ptr<Regions> octree_;
   std::vector<Region> regions_;
   std::vector<Witness> witnesses_;
   std::vector<BoundaryComponent> boundary_components_; ///< ascending by region, then component of Ω'
   std::vector<std::uint32_t> volume_components_;       ///< by site
   std::size_t volume_component_count_ = 0;
-  std::vector<std::int8_t> basins_; ///< where sides go with depth, by leaf: the side of a pocket there
+  std::vector<std::int8_t> basins_; ///< where pockets go with deep regions, by leaf: the side of one there
 };
+
+/// What pieces of Z beyond Ω count for until Z is cut along the rim of open surfaces; empty where there are
+/// none. The volume must outlive it.
+inline PieceJudge outside_judge(const ToleranceVolume& volume) {
+  const OpenSides* sides = volume.open_sides();
+  if (sides == nullptr) return {};
+  return [sides, delta = volume.thresholds().delta](const Triangle3& piece, Vec3 center,
+                                                    const ClosestPoint& closest, double radius) {
+    return sides->judge_outside(piece, center, closest, radius, delta);
+  };
+}
 
 /// Connectivity of a soup after merging bitwise equal points, and what tells its sides; the self-intersection
 /// test is exact (CGAL). What was not found out before the control was cancelled is false.

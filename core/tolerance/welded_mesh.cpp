@@ -71,9 +71,11 @@ std::optional<std::uint32_t> vertex_of_two_fans(const WeldedMesh& mesh, const st
     const auto& tri = mesh.triangles[t];
     return 3 * t + (tri[0] == v ? 0u : (tri[1] == v ? 1u : 2u));
   };
-  for (std::size_t i = 0; i + 1 < uses.size(); i += 2)
+  for (std::size_t i = 0; i + 1 < uses.size(); ++i) {
+    if (uses[i].low != uses[i + 1].low || uses[i].high != uses[i + 1].high) continue;
     for (const auto v : {uses[i].low, uses[i].high})
       corners.unite(corner(uses[i].triangle, v), corner(uses[i + 1].triangle, v));
+  }
   std::vector<char> has_fan(mesh.points.size(), 0);
   for (std::uint32_t c = 0; c < 3 * mesh.triangles.size(); ++c) {
     if (corners.find(c) != c) continue;

@@ -32,7 +32,7 @@ struct EdgeUse {
 /// neighbours.
 std::vector<EdgeUse> sorted_edge_uses(const std::vector<IndexTriangle>& triangles);
 
-/// A vertex whose triangles are joined across edges into more than one fan, where every edge has two.
+/// A vertex whose triangles are joined across edges into more than one fan, where no edge has more than two.
 std::optional<std::uint32_t> vertex_of_two_fans(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses);
 
 /// Whether a triangle has a vertex twice.

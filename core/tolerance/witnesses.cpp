@@ -123,8 +123,13 @@ int label_of(const ToleranceVolume& volume, Vec3 p) {
 std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunControl& control) {
   const double delta = volume.thresholds().delta;
   std::vector<Witness> witnesses;
+  // Beside open surfaces no region decides.
+  const auto beside_sheet = [&](Vec3 p) {
+    return volume.open_sides() != nullptr && volume.open_sides()->is_open(volume.field().closest(p).triangle);
+  };
   for (const Region& r : volume.regions()) {
-    if (r.depth > delta * (1 + offset_margin)) witnesses.push_back({r.deepest, r.label, r.depth});
+    if (r.depth > delta * (1 + offset_margin) && !beside_sheet(r.deepest))
+      witnesses.push_back({r.deepest, r.label, r.depth});
   }
   const DeepCells cells(volume.octree(), delta, control);
   for (const CellIndex i : cells.deepest(control)) {
@@ -132,7 +137,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
     const Regions::Cell& c = volume.octree().cell(i);
     const Vec3 p = volume.octree().center(c);
     const double depth = volume.field().distance(p);
-    if (depth <= delta * (1 + offset_margin)) continue;
+    if (depth <= delta * (1 + offset_margin) || beside_sheet(p)) continue;
     if (const int label = label_of(volume, p); label != 0) witnesses.push_back({p, label, depth});
   }
   if (!volume.sides().known() || !volume.has_surface()) return witnesses;

@@ -93,7 +93,7 @@ int run(const Options& options) {
   for (const Case& asked : *cases) {
     Measured theirs =
         measure([&] { return run_theirs(asked, CollapseFilter::certificate); }, options.kill_after);
-    if (options.all && !theirs.outcome.good) continue; // no closed manifold
+    if (options.all && !theirs.outcome.good) continue; // no oriented manifold
     rows.push_back(run_case(asked, std::move(theirs), options));
     std::fputs(table.line(rows.back()).c_str(), stdout);
     std::fflush(stdout);
@@ -113,7 +113,7 @@ int main(int argc, char** argv) {
   app.add_option("MODEL", options.model,
                  "a mesh file or gallery:NAME; without it the models that have targets");
   app.add_option("TOLERANCES", options.tolerances, "percentages of the longest edge (0.6%) or lengths");
-  app.add_flag("--all", options.all, "every closed manifold of libcgal-demo, at 0.4, 1 and 2.5 %");
+  app.add_flag("--all", options.all, "every oriented manifold of libcgal-demo, at 0.4, 1 and 2.5 %");
   app.add_option("--at", options.tolerances, "tolerances for --all");
   app.add_flag("--quick", options.quick, "only a few models, for seconds");
   app.add_flag("--long", options.complete, "the longest model too");

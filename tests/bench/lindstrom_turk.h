@@ -19,7 +19,7 @@ struct Simplified {
 };
 
 /// Collapses edges of the input until the filter lets none pass. `delta` is absolute. Fails with unsupported
-/// where the soup is no closed 2-manifold after merging equal points.
+/// where the soup is no oriented 2-manifold, with or without border, after merging equal points.
 Result<Simplified> lindstrom_turk(const TriangleSoup& input, double delta, CollapseFilter filter);
 
 } // namespace isoscope::bench

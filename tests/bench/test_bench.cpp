@@ -5,6 +5,7 @@
 #include "bench/measure.h"
 #include "bench/table.h"
 
+#include "tolerance/border_gate.h"
 #include "tolerance/facet_certificate.h"
 #include "tolerance/tolerance_volume.h"
 
@@ -105,11 +106,43 @@ TEST_CASE("The envelope is the stricter filter, an input's order and copies of i
   REQUIRE(merged.ok());
   CHECK(facets_outside(merged->mesh, sphere, delta) == 0);
 
-  TriangleSoup open = sphere;
-  open.triangles.pop_back();
-  const auto refused = lindstrom_turk(open, delta, CollapseFilter::certificate);
+  TriangleSoup fin = sphere;
+  fin.points.push_back({0, 0, 2});
+  fin.triangles.push_back(
+      {fin.triangles[0][0], fin.triangles[0][1], static_cast<std::uint32_t>(fin.points.size() - 1)});
+  const auto refused = lindstrom_turk(fin, delta, CollapseFilter::certificate);
   REQUIRE(!refused.ok());
   CHECK(refused.error().code == ErrorCode::unsupported);
+}
+
+TEST_CASE("An open surface keeps its border within δ of the input's, both ways") {
+  TriangleSoup half = icosphere(3);
+  std::erase_if(half.triangles, [&](const auto& t) {
+    return half.points[t[0]].z < 0 || half.points[t[1]].z < 0 || half.points[t[2]].z < 0;
+  });
+  const double delta = 0.05;
+  const auto result = lindstrom_turk(half, delta, CollapseFilter::certificate);
+  REQUIRE(result.ok());
+  const TriangleMesh& mesh = result->mesh;
+  CHECK(facets_outside(mesh, half, delta) == 0);
+  CHECK(mesh.points.size() * 4 < half.points.size());
+  const auto border_of = [](const std::vector<Vec3>& points, const auto& triangles) {
+    std::vector<Segment3> border;
+    for (const auto& t : triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto from = t[k], to = t[(k + 1) % 3];
+        const bool inner = std::any_of(triangles.begin(), triangles.end(), [&](const auto& o) {
+          return (o[0] == to && o[1] == from) || (o[1] == to && o[2] == from) || (o[2] == to && o[0] == from);
+        });
+        if (!inner) border.push_back({points[from], points[to]});
+      }
+    return border;
+  };
+  const std::vector<Segment3> rim = border_of(half.points, half.triangles),
+                              border = border_of(mesh.points, mesh.triangles);
+  CHECK(border.size() * 2 < rim.size());
+  for (const Segment3& edge : border) CHECK(BorderGate(rim, delta).keeps_to_rim(edge).proven);
+  for (const Segment3& edge : rim) CHECK(BorderGate(border, delta).keeps_to_rim(edge).proven);
 }
 
 TEST_CASE("Work in a process of its own is measured, whatever becomes of it") {

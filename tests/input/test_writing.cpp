@@ -95,3 +95,22 @@ TEST_CASE("links are followed, and what a format cannot hold is refused") {
   mesh.triangles[0][2] = 3;
   CHECK_FALSE(write_mesh(folder / "b.off", mesh).ok());
 }
+
+TEST_CASE("labels of facets are properties in PLY and groups in OBJ") {
+  const TemporaryFolder folder;
+  TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}}};
+  mesh.labels = {{+1, -2}, {-1, -2}, {+1, -2}};
+  REQUIRE(write_mesh(folder / "a.obj", mesh).ok());
+  const std::string text = bytes_of(folder / "a.obj");
+  CHECK(text.ends_with("g front_1_back_-2\nf 1 2 3\nf 1 3 4\ng front_-1_back_-2\nf 1 4 2\n"));
+  REQUIRE(write_mesh(folder / "a.ply", mesh).ok());
+  const std::string bytes = bytes_of(folder / "a.ply");
+  CHECK(bytes.find("property char front\nproperty char back\nend_header") != std::string::npos);
+  CHECK(bytes.ends_with(std::string("\x01\xfe", 2)));
+  for (const char* name : {"a.obj", "a.ply"}) {
+    const auto back = read_mesh(folder / name);
+    REQUIRE(back.ok());
+    CHECK(back->triangles.size() == 3);
+    CHECK(back->points.size() == 4);
+  }
+}

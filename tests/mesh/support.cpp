@@ -90,4 +90,28 @@ Grown grow(const Box3& box, const std::vector<Vec3>& points, const std::function
   return g;
 }
 
+Complex lattice_with_sides(int n, const std::function<int(Vec3)>& side,
+                           const std::function<bool(Vec3)>& is_dropped) {
+  const double end = n - 1 + 9;
+  Complex c = grow({{-9, -9, -9}, {end, end, end}}, lattice_points(n, 3)).complex;
+  c.form = ZeroForm::embedded;
+  for (Vertex& v : c.vertices) v.value = 1;
+  for (std::size_t t = 0; t < c.tets.size(); ++t) {
+    if (!c.tets[t].alive()) continue;
+    const auto p = c.positions(TetId(t));
+    c.tets[t].side = static_cast<std::int8_t>(side(0.25 * (p[0] + p[1] + p[2] + p[3])));
+  }
+  for (Tet& t : c.tets) {
+    if (!t.alive()) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!t.neighbor[k].valid() || c.tet(t.neighbor[k]).side == t.side) continue;
+      const auto f = t.facet(k);
+      for (const VertexId v : f) c.vertices[v.index()].value = 0;
+      if (is_dropped(centroid({c.position(f[0]), c.position(f[1]), c.position(f[2])})))
+        t.dropped = static_cast<std::uint8_t>(t.dropped | 1u << k);
+    }
+  }
+  return c;
+}
+
 } // namespace isoscope::test

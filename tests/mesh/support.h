@@ -31,6 +31,11 @@ std::vector<Vec3> lattice_points(int n, std::uint64_t seed);
 /// Points with integer coordinates on the sphere of radius 25 about 0: exactly cospherical, in random order.
 std::vector<Vec3> cospherical_points(std::uint64_t seed);
 
+/// A grid of n³ points in T, embedded by hand: each tetrahedron has the side that `side` gives to its
+/// centroid, and facets between two sides are dropped where `is_dropped` says so of theirs.
+Complex lattice_with_sides(int n, const std::function<int(Vec3)>& side,
+                           const std::function<bool(Vec3)>& is_dropped);
+
 /// A triangulation with the deltas that made it.
 struct Grown {
   Delaunay delaunay;

@@ -1,6 +1,7 @@
 // Deltas on hand-made stars: neighbours, undo as the identity, growth from nothing and back.
 #include "mesh/complex.h"
 #include "mesh/validity.h"
+#include "mesh/zero_set.h"
 
 #include <doctest/doctest.h>
 
@@ -124,6 +125,52 @@ TEST_CASE("values and moves go there and back, also when one vertex changes twic
   CHECK(c.tets == before.tets);
   c.undo(d);
   CHECK(c == before);
+}
+
+TEST_CASE("a dropped facet is no part of Z, goes there and back, and keeps its vertex in any order") {
+  Complex c;
+  c.apply(one_tet());
+  Delta sided = split();
+  sided.added[0].side = +1;
+  for (int i = 1; i < 4; ++i) sided.added[static_cast<std::size_t>(i)].side = -1;
+  sided.form = {ZeroForm::interpolated, ZeroForm::embedded};
+  c.apply(sided);
+  CHECK(extract_zero_set(c).polygons.size() == 3);
+  const Complex before = c;
+
+  // The facet 0-1-4, opposite vertex 2 of the first and vertex 3 of the second.
+  REQUIRE(c.tet(tet(0)).neighbor[2] == tet(1));
+  REQUIRE(c.tet(tet(1)).neighbor[3] == tet(0));
+  Delta drop;
+  drop.dropped = {{tet(0), 0, 4}, {tet(1), 0, 8}};
+  CHECK_FALSE(drop.empty());
+  c.apply(drop);
+  CHECK(check_complex(c).empty());
+  CHECK_FALSE(c.on_zero_set(tet(0), 2));
+  CHECK_FALSE(c.on_zero_set(tet(1), 3));
+  CHECK(c.on_zero_set(tet(0), 1));
+  CHECK(extract_zero_set(c).polygons.size() == 2);
+  c.undo(drop);
+  CHECK(c == before);
+
+  // The same by tetrahedra that are replaced.
+  Delta replaced;
+  replaced.slots_before = 4;
+  replaced.removed = {{tet(0), c.tet(tet(0)).v, 1, 0}, {tet(1), c.tet(tet(1)).v, -1, 0}};
+  replaced.added = {{tet(0), c.tet(tet(0)).v, 1, 4}, {tet(1), c.tet(tet(1)).v, -1, 8}};
+  c.apply(replaced);
+  CHECK(extract_zero_set(c).polygons.size() == 2);
+  c.tets[1].dropped = 0;
+  CHECK(check_complex(c).size() == 2); // said once from each side
+  c.tets[1].dropped = 8;
+  c.undo(replaced);
+  CHECK(c == before);
+
+  const std::array<VertexId, 4> from{vertex(7), vertex(3), vertex(5), vertex(1)};
+  CHECK(reordered_bits(1, from, canonical_order(from)) == (from[0] == canonical_order(from)[3] ? 8 : 4));
+  CHECK(reordered_bits(0, from, canonical_order(from)) == 0);
+  CHECK(reordered_bits(15, from, canonical_order(from)) == 15);
+  CHECK(reordered_bits(reordered_bits(6, from, canonical_order(from)), canonical_order(from), from) == 6);
 }
 
 TEST_CASE("the checks find what is wrong") {

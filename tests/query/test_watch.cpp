@@ -31,7 +31,8 @@ SampleClass class_of(Playback& playback, SampleId s) {
   if (!t.valid()) return SampleClass::outside;
   const double f = interpolate(complex.positions(t), complex.values(t))(samples->positions[s.index()]);
   const int label = samples->labels[s.index()], side = complex.tet(t).side;
-  const double error = side == 0 ? sample_error(f, label) : embedded_sample_error(f, label, side);
+  const double error =
+      side == 0 ? sample_error(f, label) : embedded_sample_error(sample_error(f, label), side == label);
   return is_bad(error)                                 ? SampleClass::bad
          : error > playback.parameters().error_limit() ? SampleClass::margin
                                                        : SampleClass::good;

@@ -2,6 +2,7 @@
 // runs that go on from there.
 #include "criteria/collapse_cost.h"
 #include "journal/digest.h"
+#include "mesh/strata.h"
 #include "questions/edge_advice.h"
 #include "questions/target_study.h"
 #include "questions/unlock_search.h"
@@ -206,7 +207,7 @@ TEST_CASE("a collapse that another one unlocks is possible after it") {
       Complex copy = state->complex;
       copy.apply(collapse_delta(copy, Incidence(copy), t.a, t.b, t.target));
       const Incidence incidence(copy);
-      const auto [a, b] = oriented_edge(copy, e.vertex, e.other);
+      const auto [a, b] = oriented_edge(copy, incidence, e.vertex, e.other);
       const EdgeStar star = gather_edge_star(copy, incidence, a, b, bench.run->parameters.cost_ring);
       CollapseSettings settings;
       const EvaluationContext context{*bench.run->scene->volume, bench.nearest.get(),

@@ -97,13 +97,16 @@ TEST_CASE("What the state does not hold, and odd numbers, come back too") {
   odd.kind = VertexKind::zero;
   odd.alive = false;
   odd.sample_set = 65535;
+  odd.room = 127;
   delta.added_vertices = {odd, Vertex{}};
   delta.killed_vertices = {VertexId(1u), VertexId(0u)};
   delta.values = {{VertexId(1u), 7.5, -0.0}, {VertexId(1u), -0.0, 1}};
   delta.moves = {{VertexId(0u), {1, 2, 3}, {4, 5, 6}}, {VertexId(0u), {4, 5, 6}, {-0.0, 0, 0}}};
   delta.removed = {{TetId(5u), {VertexId(0u), VertexId(9u), VertexId(), VertexId(3u)}, -1}};
   delta.added = {{TetId(7u), {VertexId(4u), VertexId(1u), VertexId(2u), VertexId(3u)}, 1},
-                 {TetId(2u), {}, 0}};
+                 {TetId(2u), {}, 0},
+                 {TetId(3u), {VertexId(4u), VertexId(1u), VertexId(2u), VertexId(3u)}, -1, 5},
+                 {TetId(1u), {VertexId(4u), VertexId(1u), VertexId(2u), VertexId(3u)}, -127}};
   delta.slots_before = 3;
   delta.sides = {};
   delta.removed_facets = {{FacetId(3u), {VertexId(2u), VertexId(1u), VertexId(0u)}}};
@@ -118,14 +121,26 @@ TEST_CASE("What the state does not hold, and odd numbers, come back too") {
   REQUIRE(decoder.decode(bytes, back));
   CHECK(digest_of(back) == digest_of(delta));
   CHECK(back.added_vertices[0].alive == false);
+  CHECK(back.added_vertices[0].room == 127);
+  CHECK(back.added_vertices[1].room == 1);
   CHECK(back.facet_slots_before == 8);
 
-  // A side that the state holds and one that it does not.
+  CHECK(back.added[2].dropped == 5);
+  CHECK(back.added[3].side == -127);
+
+  // Sides and dropped facets that the state holds and such that it does not.
   Delta second;
   second.sides = {{TetId(7u), 1, -1}, {TetId(2u), 1, 0}};
+  second.dropped = {{TetId(3u), 5, 15}, {TetId(2u), 1, 0}};
+  second.removed = {{TetId(1u), {VertexId(4u), VertexId(1u), VertexId(2u), VertexId(3u)}, -127},
+                    {TetId(7u), {VertexId(4u), VertexId(1u), VertexId(2u), VertexId(3u)}, 100, 2}};
   const std::string more(encoder.encode(second));
   REQUIRE(decoder.decode(more, back));
   CHECK(digest_of(back) == digest_of(second));
+  REQUIRE(back.dropped.size() == 2);
+  CHECK(back.dropped[0].before == 5);
+  CHECK(back.dropped[0].after == 15);
+  CHECK(back.removed[1].dropped == 2);
 
   // Every shorter text is refused, and a longer one.
   for (std::size_t n = 0; n < bytes.size(); ++n) {

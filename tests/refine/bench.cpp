@@ -44,8 +44,7 @@ std::size_t Bench::count_errors_above(double limit) const {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < samples->size(); ++i) {
     const TetId t = sets.tet_of(SampleId(i));
-    const AffineFunction f = interpolate(complex().positions(t), complex().values(t));
-    count += sample_error(f(samples->positions[i]), samples->labels[i]) > limit ? 1u : 0u;
+    count += sample_error_at(complex(), t, samples->positions[i], samples->labels[i]) > limit ? 1u : 0u;
   }
   return count;
 }
@@ -78,7 +77,8 @@ void check_figures(const Bench& bench, const ZeroSet& zero_set) {
   double smallest = Box3::inf;
   for (const ZeroSet::Polygon& polygon : zero_set.polygons) {
     const Complex& complex = bench.complex();
-    const Height h = tetrahedron_height(complex.positions(polygon.tet), complex.values(polygon.tet));
+    const Height h = tetrahedron_height(complex.positions(polygon.tet), complex.values(polygon.tet),
+                                        complex.labels(polygon.tet));
     smallest = std::min(smallest, h.value);
   }
   CHECK(figures.smallest_height == doctest::Approx(smallest / bench.criteria.delta));

@@ -137,17 +137,41 @@ TEST_CASE("a gap barely wide enough for the reject distance is joined to the out
   CHECK(v->regions().size() == 3);
 }
 
-TEST_CASE("open surfaces are named with a place on their border") {
+TEST_CASE("open surfaces have a rim and sides by orientation, or are named where they are not wanted") {
   TriangleSoup soup;
   testing::add_sphere(soup, {0, 0, 0}, 1, 24);
   std::erase_if(soup.triangles, [&](const auto& t) {
     return soup.points[t[0]].z > 0.8 || soup.points[t[1]].z > 0.8 || soup.points[t[2]].z > 0.8;
   });
-  const auto v = build(soup, 0.05);
-  REQUIRE_FALSE(v.ok());
-  CHECK(v.error().code == ErrorCode::open_surface);
-  CHECK(v.error().message.find("open surface near") != std::string::npos);
-  CHECK_FALSE(v.error().remedy.empty());
+  auto v = build(soup, 0.05);
+  REQUIRE(v.ok());
+  REQUIRE(v->open_sides() != nullptr);
+  CHECK(v->thickening());
+  const Rim& rim = v->open_sides()->rim();
+  REQUIRE(rim.loops().size() == 1);
+  const RimLoop& loop = rim.loops().front();
+  CHECK(loop.flatness < 0.01);
+  CHECK(std::abs(loop.normal.z) > 0.99);
+  double lowest = 1;
+  for (const RimPiece& piece : rim.pieces()) {
+    CHECK(piece.open);
+    CHECK(piece.conormal.z > 0);
+    lowest = std::min(lowest, piece.a.z);
+  }
+  CHECK(lowest == doctest::Approx(loop.center.z));
+  CHECK(v->label_at({0, 0, -1.07}) == +1);
+  CHECK(v->label_at({0, 0, -0.93}) == -1);
+  const double radius = std::sqrt(1 - lowest * lowest);
+  CHECK(v->label_at({radius, 0, lowest + 0.06}) == 0);
+
+  const auto index = std::make_shared<const ClosestPointIndex>(soup);
+  ToleranceVolume::Options closed{0.05, 0.95};
+  closed.open_surfaces = false;
+  const auto refused = ToleranceVolume::build(index, analyse_input(soup), closed, RunControl());
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().code == ErrorCode::open_surface);
+  CHECK(refused.error().message.find("open surface near") != std::string::npos);
+  CHECK_FALSE(refused.error().remedy.empty());
 }
 
 TEST_CASE("a soup with gaps closes under a large tolerance and is open under a small one") {
@@ -166,17 +190,35 @@ TEST_CASE("a soup with gaps closes under a large tolerance and is open under a s
   CHECK(open.error().message.find("open surface") != std::string::npos);
 }
 
-TEST_CASE("an inner wall makes a soup non-manifold") {
+TEST_CASE("an inner wall makes two rooms of a soup") {
   TriangleSoup soup;
   testing::add_box(soup, {0, 0, 0}, {2, 1, 1});
   const auto base = static_cast<std::uint32_t>(soup.points.size());
   for (const Vec3 p : {Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{1, 1, 1}, Vec3{1, 0, 1}}) soup.points.push_back(p);
   soup.triangles.push_back({base, base + 1, base + 2});
   soup.triangles.push_back({base, base + 2, base + 3});
-  const auto v = build(soup, 0.05);
-  REQUIRE_FALSE(v.ok());
-  CHECK(v.error().code == ErrorCode::unsupported);
-  CHECK(v.error().message.find("not a manifold") != std::string::npos);
+  auto v = build(soup, 0.05);
+  REQUIRE(v.ok());
+  CHECK(v->has_rooms());
+  CHECK(v->sides().rule() == SideRule::rooms);
+  CHECK(v->regions().size() == 3);
+  CHECK(v->label_at({-1, 0.5, 0.5}) == +1);
+  const int left = v->label_at({0.5, 0.5, 0.5}), right = v->label_at({1.5, 0.5, 0.5});
+  CHECK(std::min(left, right) == -2);
+  CHECK(std::max(left, right) == -1);
+  CHECK(v->label_at({1, 0.5, 0.5}) == 0);
+  for (const BoundaryComponent& c : v->boundary_components()) CHECK(c.euler_characteristic == 2);
+
+  // A wall that stands out is no wall between rooms.
+  const auto fin = static_cast<std::uint32_t>(soup.points.size());
+  for (const Vec3 p : {Vec3{1, 0, 1}, Vec3{1, 1, 1}, Vec3{1, 1, 1.4}, Vec3{1, 0, 1.4}})
+    soup.points.push_back(p);
+  soup.triangles.push_back({fin, fin + 1, fin + 2});
+  soup.triangles.push_back({fin, fin + 2, fin + 3});
+  const auto refused = build(soup, 0.05);
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().code == ErrorCode::unsupported);
+  CHECK(refused.error().message.find("near (1, ") != std::string::npos);
 }
 
 TEST_CASE("bad options and cancellation come back as errors") {

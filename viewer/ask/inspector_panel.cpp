@@ -91,10 +91,13 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
                    : is_bad(error) ? "bad: f has the wrong sign here (§2.2)"
                                    : "good: f has its sign (§2.2)");
   widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
-  widgets::value_row(ui, "side F(s)", label > 0 ? "+1  outer" : "−1  inner",
+  widgets::value_row(ui, "side F(s)",
+                     label > 0     ? "+1  outer"
+                     : label == -1 ? "−1  inner"
+                                   : "−" + std::to_string(-label) + "  room",
                      label > 0 ? ui.colors.accent_text : ui.colors.inner);
   if (classified) {
-    widgets::value_row(ui, "f(s)", short_number((1 - error) * label));
+    widgets::value_row(ui, "f(s)", short_number((1 - error) * (label > 0 ? 1 : -1)));
     widgets::limit_bar(ui, "error ε(s)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(),
                        "", true);
   } else {
@@ -111,12 +114,16 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   sample_questions(ui, s, id);
 }
 
+std::string side_text(int label) {
+  return label > 0 ? "outer" : label == -1 ? "inner" : "room " + std::to_string(-label);
+}
+
 void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
-                         const CriteriaParameters& criteria) {
+                         const TetLabels& labels, const CriteriaParameters& criteria) {
   const auto index = ui.window.sample_index();
   if (!index) return widgets::quiet_text(ui, "Condition 3 is judged when the play head rests.", true);
   const OrientationVerdict verdict =
-      check_orientation(p, f, criteria.shrink, orientation_reach * criteria.delta, index->nearest);
+      check_orientation(p, f, labels, criteria.shrink, orientation_reach * criteria.delta, index->nearest);
   widgets::value_row(ui, "condition 3, orientation", verdict.misoriented ? "misoriented" : "holds",
                      verdict.misoriented ? ui.colors.bad_text : ui.colors.good_text);
   for (std::size_t i = 0; i < verdict.tests.size(); ++i) {
@@ -129,11 +136,11 @@ void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<
     widgets::verdict_glyph(ui, test.good());
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({at.x + ui.px(20), at.y});
-    const std::string name = "vertex " + std::to_string(i / 2) + ", " + (test.label > 0 ? "outer" : "inner") +
-                             " sample " + grouped(test.sample.value);
+    const std::string name = "vertex " + std::to_string(i / 2) + ", " + side_text(test.label) + " sample " +
+                             grouped(test.sample.value);
     if (widgets::link_row(ui, "test", name, "f " + short_number(test.f),
-                          "f at the nearest sample of that side to the shrunk vertex must have the side's "
-                          "sign. Click selects the sample."))
+                          "f, + on that side, must be positive at its sample nearest to the shrunk vertex. "
+                          "Click selects the sample."))
       pick(ui, "sample", test.sample.value);
     ImGui::SetCursorScreenPos({at.x, ImGui::GetCursorScreenPos().y});
     ImGui::PopID();
@@ -141,8 +148,8 @@ void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<
 }
 
 void height_details(Ui& ui, const StateSnapshot& s, const std::array<Vec3, 4>& p,
-                    const std::array<double, 4>& f, const Tet& tet) {
-  const Height height = tetrahedron_height(p, f);
+                    const std::array<double, 4>& f, const TetLabels& labels, const Tet& tet) {
+  const Height height = tetrahedron_height(p, f, labels);
   if (height.split == Height::Split::none) return;
   const double delta = s.criteria.unit();
   const double limit = s.criteria.height_limit() / delta;
@@ -201,8 +208,9 @@ void tet_details(Ui& ui, Investigation& asked, const StateSnapshot& s, std::uint
       pick(ui, "sample", worst);
   }
   if (!carries || s.complex.form != ZeroForm::interpolated) return;
-  height_details(ui, s, p, f, tet);
-  orientation_details(ui, p, f, s.criteria);
+  const TetLabels labels = s.complex.labels(TetId(id));
+  height_details(ui, s, p, f, labels, tet);
+  orientation_details(ui, p, f, labels, s.criteria);
   tet_questions(ui, asked, s, id);
 }
 

@@ -154,6 +154,17 @@ void control(Ui& ui, P& p, const Field<P, Levels>& f) {
   ImGui::PopFont();
 }
 
+/// None, all, flat, or numbers of loops.
+void control(Ui& ui, P& p, const Field<P, Fill>& f) {
+  Fill& fill = p.*(f.member);
+  std::array<char, 64> typed{};
+  std::snprintf(typed.data(), typed.size(), "%s", fill.holes.c_str());
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputText("##fill", typed.data(), typed.size()))
+    if (const auto read = Fill::read(typed.data())) fill = *read;
+  widgets::tip(ui, f.title, f.tip);
+}
+
 void control(Ui& ui, P& p, const Field<P, std::optional<int>>& f) {
   std::optional<int>& value = p.*(f.member);
   constexpr std::array<const char*, 2> kinds{"label", "none"};
@@ -186,6 +197,7 @@ bool speaks_of(const FieldFacts& f, const WindowState& m) {
   const auto is = [&](auto member) { return f.name == field_of(member).name; };
   if (is(&P::levels) || is(&P::label)) return grid;
   if (is(&P::robust) || is(&P::drop_small) || is(&P::drop_thin)) return !given;
+  if (is(&P::sides) && grid) return true; // all labels, not one
   if (is(&P::cover) || is(&P::sides)) return !given && (!known || m.run.scene->field->surface() != nullptr);
   return true;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace isoscope::panels {
 namespace {
@@ -94,9 +95,15 @@ void model_name(Ui& ui, float room) {
 
 enum class ChipState { left_out, next, running, done };
 
+/// Whether the input has open surfaces, along whose rim Z is cut.
+bool is_open(const WindowState& m) {
+  return m.run.scene && m.run.scene->volume && m.run.scene->volume->open_sides() != nullptr;
+}
+
 ChipState chip_state(const WindowState& m, Stage stage) {
   const RunParameters& p = m.run.parameters;
-  const bool asked = stage <= p.last_stage() && !p.skipped.at(static_cast<std::size_t>(stage));
+  const bool asked = !comes_after(stage, p.last_stage()) && (stage != Stage::rim || is_open(m)) &&
+                     !p.skipped.at(static_cast<std::size_t>(stage));
   ChipState state = asked ? ChipState::next : ChipState::left_out;
   for (const JournalIndex::StageSpan& span : m.index.stages())
     if (span.stage == stage)
@@ -106,8 +113,9 @@ ChipState chip_state(const WindowState& m, Stage stage) {
 
 /// The stages; those that no longer fit are left out.
 void stage_chips(Ui& ui, float room) {
-  constexpr std::array<Stage, 6> stages{Stage::refinement, Stage::gamma, Stage::tessellation,
-                                        Stage::zero_set,   Stage::all,   Stage::improve};
+  std::vector<Stage> stages(stages_in_order.begin(), stages_in_order.end());
+  std::erase_if(stages,
+                [&](Stage s) { return s == Stage::setup || (s == Stage::rim && !is_open(ui.window)); });
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float high = ui.px(28), pad = ui.px(7);
   float used = 0;

@@ -140,7 +140,7 @@ Rgb condition_color(ThemeKind theme, int condition) {
 Rgb stage_color(ThemeKind theme, Stage stage) {
   const Palette& c = palette(theme);
   const std::array<Rgb, stage_count> colors{c.quiet, c.accent, 0x3D8FD1, 0x8C6BD8,
-                                            c.good,  0x7FA83C, 0xD9A02B};
+                                            c.good,  0x7FA83C, 0xD9A02B, 0x44AA99};
   return colors.at(static_cast<std::size_t>(stage));
 }
 

@@ -125,8 +125,8 @@ void Thumbnails::begin(int width, int height, std::function<void()> notify) {
     for (std::size_t i = 0; i < gallery().size(); ++i) {
       std::shared_ptr<const Thumbnail> made;
       if (const auto soup = make_gallery_model(gallery()[i].name))
-        made = std::make_shared<const Thumbnail>(draw_thumbnail(
-            *soup, width, height, gallery()[i].name == "nested-spheres" || gallery()[i].gives_volume()));
+        made = std::make_shared<const Thumbnail>(
+            draw_thumbnail(*soup, width, height, gallery()[i].opened || gallery()[i].gives_volume()));
       {
         const std::lock_guard lock(mutex_);
         if (quit_) return;

@@ -1,0 +1,114 @@
+// Dropped facets joined across their edges; an edge that only one of them has is where Z goes on.
+#include "simplify/hole_filling.h"
+
+#include "base/disjoint_sets.h"
+#include "base/sort_unique.h"
+
+#include <algorithm>
+#include <map>
+
+namespace isoscope {
+namespace {
+
+using Edge = std::array<VertexId, 2>;
+
+struct EdgeOfFacet {
+  Edge edge;
+  std::uint32_t facet;
+  friend auto operator<=>(const EdgeOfFacet&, const EdgeOfFacet&) = default;
+};
+
+std::vector<CapFacet> dropped_facets(const Complex& complex) {
+  std::vector<CapFacet> facets;
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    const Tet& tet = complex.tets[i];
+    if (!tet.alive() || tet.side <= 0) continue;
+    for (std::uint8_t k = 0; k < 4; ++k)
+      if ((tet.dropped >> k & 1u) != 0) facets.push_back({TetId(i), k});
+  }
+  return facets;
+}
+
+std::vector<VertexId> sorted_corners(const Complex& complex, const CapFacet& f) {
+  const auto corners = complex.tet(f.tet).facet(f.facet);
+  std::vector<VertexId> v(corners.begin(), corners.end());
+  std::sort(v.begin(), v.end());
+  return v;
+}
+
+} // namespace
+
+bool HoleChoice::wants(std::uint32_t loop, const RimLoop& description) const {
+  switch (rule) {
+  case Rule::none:
+    return false;
+  case Rule::flat:
+    return description.flatness <= flat;
+  case Rule::all:
+    return true;
+  case Rule::listed:
+    return std::binary_search(loops.begin(), loops.end(), loop);
+  }
+  return false;
+}
+
+std::vector<Cap> find_caps(const Complex& complex, const ToleranceVolume& volume) {
+  const std::vector<CapFacet> facets = dropped_facets(complex);
+  std::vector<EdgeOfFacet> edges;
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    const std::vector<VertexId> v = sorted_corners(complex, facets[f]);
+    for (const Edge& e : {Edge{v[0], v[1]}, Edge{v[0], v[2]}, Edge{v[1], v[2]}}) edges.push_back({e, f});
+  }
+  std::sort(edges.begin(), edges.end());
+  DisjointSets sets(facets.size());
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    if (edges[i].edge == edges[i - 1].edge) sets.unite(edges[i].facet, edges[i - 1].facet);
+
+  std::map<std::uint32_t, std::size_t> numbers;
+  std::vector<Cap> caps;
+  std::vector<std::vector<VertexId>> corners;
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    const auto [at, fresh] = numbers.emplace(sets.find(f), caps.size());
+    if (fresh) caps.emplace_back(), corners.emplace_back();
+    caps[at->second].facets.push_back(facets[f]);
+    const std::vector<VertexId> v = sorted_corners(complex, facets[f]);
+    corners[at->second].insert(corners[at->second].end(), v.begin(), v.end());
+  }
+  const Rim& rim = volume.open_sides()->rim();
+  std::vector<std::uint32_t> loop_of; // by open piece, as the curve numbers them
+  for (const RimPiece& piece : rim.pieces())
+    if (piece.open) loop_of.push_back(piece.loop);
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+    while (end < edges.size() && edges[end].edge == edges[i].edge) ++end;
+    Cap& cap = caps[numbers.at(sets.find(edges[i].facet))];
+    --cap.euler_characteristic;
+    if (end - i > 1) continue;
+    const Vec3 middle = 0.5 * (complex.position(edges[i].edge[0]) + complex.position(edges[i].edge[1]));
+    cap.loops.push_back(loop_of[rim.curve().closest(middle).triangle.index()]);
+  }
+  for (std::size_t c = 0; c < caps.size(); ++c) {
+    sort_unique(corners[c]);
+    sort_unique(caps[c].loops);
+    caps[c].euler_characteristic += static_cast<long>(corners[c].size() + caps[c].facets.size());
+  }
+  return caps;
+}
+
+Delta fill_delta(const Complex& complex, const std::vector<CapFacet>& facets) {
+  std::map<TetId, std::uint8_t> after;
+  const auto clear = [&](TetId t, std::size_t k) {
+    const auto at = after.emplace(t, complex.tet(t).dropped).first;
+    at->second = static_cast<std::uint8_t>(at->second & ~(1u << k));
+  };
+  for (const CapFacet& f : facets) {
+    clear(f.tet, f.facet);
+    const TetId n = complex.tet(f.tet).neighbor[f.facet];
+    const auto& back = complex.tet(n).neighbor;
+    clear(n, static_cast<std::size_t>(std::find(back.begin(), back.end(), f.tet) - back.begin()));
+  }
+  Delta delta;
+  for (const auto& [tet, bits] : after) delta.dropped.push_back({tet, complex.tet(tet).dropped, bits});
+  return delta;
+}
+
+} // namespace isoscope

@@ -1,0 +1,289 @@
+// Rounds of splits, each judged in parallel and made in the order of vertices; then one operation drops.
+#include "simplify/rim_cut.h"
+
+#include "base/parallel.h"
+#include "base/sort_unique.h"
+#include "tolerance/facet_certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace isoscope {
+namespace {
+
+/// Halvings towards the wall on an edge.
+constexpr int wall_steps = 50;
+constexpr int most_rounds = 60;
+/// A vertex this near to where an edge crosses the wall is on it, in units of δ.
+constexpr double at_wall = 0.01;
+/// Edges are not split below this length, in units of δ.
+constexpr double shortest_edge = 0.02;
+constexpr std::size_t piece_budget = 20000;
+
+template <std::size_t n> std::array<VertexId, n> sorted(std::array<VertexId, n> v) {
+  std::sort(v.begin(), v.end());
+  return v;
+}
+
+template <class Facet> std::array<std::array<VertexId, 2>, 3> edges_of(const Facet& f) {
+  return {{{f[0], f[1]}, {f[0], f[2]}, {f[1], f[2]}}}; // sorted, as corners are
+}
+
+} // namespace
+
+RimCut::RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log)
+    : live_(live), volume_(volume), log_(log) {}
+
+bool RimCut::keeps(Vec3 p) const {
+  const ClosestPoint closest = volume_.field().closest(p);
+  return closest.distance() <= volume_.thresholds().delta && !volume_.open_sides()->over_rim(p, closest);
+}
+
+/// Vertices of Z that have no place yet get theirs.
+void RimCut::classify() {
+  const Complex& complex = live_.complex();
+  places_.resize(complex.vertices.size(), Place::unknown);
+  std::vector<VertexId> fresh;
+  for (std::size_t v = 0; v < places_.size(); ++v) {
+    const Vertex& vertex = complex.vertices[v];
+    if (vertex.alive && vertex.value == 0 && places_[v] == Place::unknown) fresh.push_back(VertexId(v));
+  }
+  parallel_for(fresh.size(), 64, [&](std::size_t i) {
+    places_[fresh[i].index()] = keeps(complex.position(fresh[i])) ? Place::kept : Place::beyond;
+  });
+}
+
+void RimCut::collect_facets() {
+  const Complex& complex = live_.complex();
+  facets_.clear();
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    if (!complex.tets[i].alive() || complex.tets[i].side <= 0) continue;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (complex.on_zero_set(TetId(i), k)) facets_.push_back(sorted(complex.tets[i].facet(k)));
+  }
+  std::sort(facets_.begin(), facets_.end());
+}
+
+std::vector<RimCut::Facet> RimCut::kept_facets() const {
+  std::vector<Facet> kept;
+  std::copy_if(facets_.begin(), facets_.end(), std::back_inserter(kept), [&](const Facet& f) {
+    return std::all_of(f.begin(), f.end(), [&](VertexId v) { return is_kept(v); });
+  });
+  return kept;
+}
+
+/// Edges with one facet that is kept, ascending.
+std::vector<RimCut::Edge> RimCut::border(const std::vector<Facet>& kept) const {
+  std::vector<Edge> edges, once;
+  for (const Facet& f : kept)
+    for (const Edge& e : edges_of(f)) edges.push_back(e);
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+    while (end < edges.size() && edges[end] == edges[i]) ++end;
+    if (end - i == 1) once.push_back(edges[i]);
+  }
+  return once;
+}
+
+/// Edges from a vertex that is kept, and not on the wall already, to one beyond.
+std::vector<RimCut::Edge> RimCut::crossing_edges() const {
+  std::vector<Edge> edges;
+  for (const Facet& f : facets_)
+    for (const auto& [a, b] : edges_of(f)) {
+      const Place pa = places_[a.index()], pb = places_[b.index()];
+      const bool crosses =
+          (pa == Place::kept && pb == Place::beyond) || (pa == Place::beyond && pb == Place::kept);
+      if (crosses && !whole_.contains({a, b})) edges.push_back({a, b});
+    }
+  sort_unique(edges);
+  return edges;
+}
+
+Vec3 RimCut::wall_between(Vec3 kept, Vec3 beyond) const {
+  for (int i = 0; i < wall_steps; ++i) {
+    const Vec3 middle = 0.5 * (kept + beyond);
+    (keeps(middle) ? kept : beyond) = middle;
+  }
+  return kept;
+}
+
+/// Where an edge may be split: where it is wanted, then nearer to the kept end at such fractions of the edge
+/// that have the bits of a double left, so that no rounding turns the flattest tetrahedron over.
+std::vector<Vec3> RimCut::places_on_edge(const Edge& edge, Vec3 at) const {
+  const bool second = places_[edge[0].index()] == Place::beyond;
+  const Vec3 from = live_.complex().position(edge[second ? 1 : 0]);
+  const Vec3 to = live_.complex().position(edge[second ? 0 : 1]);
+  const double t = dot(at - from, to - from) / squared_length(to - from);
+  std::vector<Vec3> places{at};
+  for (const double parts : {256.0, 64.0, 16.0, 8.0, 4.0, 2.0})
+    if (const double fraction = std::floor(t * parts) / parts; fraction > 0)
+      places.push_back(from + fraction * (to - from));
+  return places;
+}
+
+bool RimCut::split(const Split& s, Vec3 at, Place place) {
+  const auto [a, b] = s.edge;
+  for (const Vec3 p : places_on_edge(s.edge, at)) {
+    std::optional<Delta> delta = live_.split(a, b, p);
+    if (!delta) continue;
+    live_.apply(*delta);
+    places_.resize(live_.complex().vertices.size(), Place::unknown);
+    places_.back() = place;
+    Event e;
+    e.kind = EventKind::split;
+    e.reason = s.reason;
+    e.vertex = a;
+    e.other = b;
+    e.point = p;
+    e.witness = s.witness;
+    e.value = s.value;
+    e.limit = volume_.thresholds().delta;
+    log_.operation(e, std::move(*delta), live_.step_figures());
+    return true;
+  }
+  whole_.insert(s.edge);
+  return false;
+}
+
+void RimCut::cut_edges(const std::vector<Edge>& edges) {
+  std::vector<Vec3> at(edges.size());
+  parallel_for(edges.size(), 8, [&](std::size_t i) {
+    const auto [a, b] = edges[i];
+    const bool first = places_[a.index()] == Place::kept;
+    at[i] = wall_between(live_.complex().position(first ? a : b), live_.complex().position(first ? b : a));
+  });
+  const double touching = at_wall * volume_.thresholds().delta;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (log_.stopped()) return;
+    auto [kept, beyond] = edges[i];
+    if (places_[kept.index()] == Place::beyond) std::swap(kept, beyond);
+    if (places_[beyond.index()] != Place::beyond) continue; // found to be on the wall
+    if (distance(at[i], live_.complex().position(kept)) <= touching)
+      whole_.insert(edges[i]);
+    else if (distance(at[i], live_.complex().position(beyond)) <= touching)
+      places_[beyond.index()] = Place::wall;
+    else
+      split({edges[i], Reason::wall_over_rim, at[i], 0}, at[i], Place::wall);
+  }
+}
+
+void RimCut::want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 witness, double value) const {
+  if (length(edge) >= 2 * shortest_edge * volume_.thresholds().delta && !whole_.contains(edge))
+    splits.push_back({edge, reason, witness, value});
+}
+
+/// What is not proven yet, each by one edge whose splitting brings it nearer to it.
+std::vector<RimCut::Split> RimCut::wanted_splits() {
+  const Complex& complex = live_.complex();
+  const double delta = volume_.thresholds().delta;
+  const std::vector<Facet> kept = kept_facets();
+  const std::vector<Edge> edges = border(kept);
+  std::vector<Split> splits;
+
+  std::vector<FacetVerdict> inside(kept.size());
+  parallel_for(kept.size(), 16, [&](std::size_t i) {
+    if (proven_.contains(kept[i])) return;
+    const Triangle3 t{complex.position(kept[i][0]), complex.position(kept[i][1]),
+                      complex.position(kept[i][2])};
+    inside[i] = certify_facet(volume_.field(), t, delta, delta, piece_budget);
+  });
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (proven_.contains(kept[i])) continue;
+    if (inside[i].kind == FacetVerdict::Kind::inside) {
+      proven_.insert(kept[i]);
+      continue;
+    }
+    const auto all = edges_of(kept[i]);
+    const Edge longest = *std::max_element(
+        all.begin(), all.end(), [&](const Edge& x, const Edge& y) { return length(x) < length(y); });
+    want(splits, longest, Reason::leaves_volume, inside[i].witness, inside[i].closest.distance());
+  }
+
+  const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
+  std::vector<FacetVerdict> near(edges.size());
+  parallel_for(edges.size(), 16, [&](std::size_t i) {
+    if (near_rim_.contains(edges[i])) return;
+    const Vec3 a = complex.position(edges[i][0]), b = complex.position(edges[i][1]);
+    near[i] = certify_facet(curve, {a, b, b}, delta, delta, piece_budget);
+  });
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (near_rim_.contains(edges[i])) continue;
+    if (near[i].kind == FacetVerdict::Kind::inside)
+      near_rim_.insert(edges[i]);
+    else
+      want(splits, edges[i], Reason::border_off_rim, near[i].witness, near[i].closest.distance());
+  }
+
+  if (!edges.empty()) {
+    TriangleSoup soup;
+    for (const auto& [a, b] : edges) {
+      const auto first = static_cast<std::uint32_t>(soup.points.size());
+      soup.points.insert(soup.points.end(), {complex.position(a), complex.position(b)});
+      soup.triangles.push_back({first, first + 1, first + 1});
+    }
+    const ClosestPointIndex index(soup);
+    const auto pieces = volume_.open_sides()->rim().pieces();
+    std::vector<FacetVerdict> reached(pieces.size());
+    parallel_for(pieces.size(), 16, [&](std::size_t i) {
+      reached[i].kind = FacetVerdict::Kind::inside;
+      if (pieces[i].open)
+        reached[i] =
+            certify_facet(index, {pieces[i].a, pieces[i].b, pieces[i].b}, delta, delta, piece_budget);
+    });
+    for (const FacetVerdict& verdict : reached) {
+      if (verdict.kind == FacetVerdict::Kind::inside) continue;
+      const Edge& nearest = edges[index.closest(verdict.witness).triangle.index()];
+      want(splits, nearest, Reason::rim_off_border, verdict.witness, verdict.closest.distance());
+    }
+  }
+  std::stable_sort(splits.begin(), splits.end());
+  splits.erase(std::unique(splits.begin(), splits.end(),
+                           [](const Split& x, const Split& y) { return x.edge == y.edge; }),
+               splits.end());
+  return splits;
+}
+
+/// Both tetrahedra of each facet of Z with a corner beyond say that it is no part of Z.
+void RimCut::drop() {
+  const Complex& complex = live_.complex();
+  Delta delta;
+  std::size_t facets = 0;
+  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
+    if (!complex.tets[i].alive()) continue;
+    unsigned bits = complex.tets[i].dropped;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!complex.on_zero_set(TetId(i), k)) continue;
+      const Facet f = complex.tets[i].facet(k);
+      if (std::all_of(f.begin(), f.end(), [&](VertexId v) { return is_kept(v); })) continue;
+      bits |= 1u << k;
+      facets += complex.tets[i].side > 0;
+    }
+    if (bits != complex.tets[i].dropped)
+      delta.dropped.push_back({TetId(i), complex.tets[i].dropped, static_cast<std::uint8_t>(bits)});
+  }
+  live_.apply(delta);
+  Event e;
+  e.kind = EventKind::cut;
+  e.count = static_cast<std::uint32_t>(facets);
+  log_.operation(e, std::move(delta), live_.step_figures());
+}
+
+void RimCut::run() {
+  for (int round = 0; !log_.stopped(); ++round) {
+    classify();
+    collect_facets();
+    cut_edges(crossing_edges());
+    collect_facets();
+    const std::vector<Split> splits = round < most_rounds ? wanted_splits() : std::vector<Split>();
+    if (splits.empty()) break;
+    for (const Split& s : splits) {
+      if (log_.stopped()) return;
+      const Vec3 middle = 0.5 * (live_.complex().position(s.edge[0]) + live_.complex().position(s.edge[1]));
+      split(s, middle, keeps(middle) ? Place::kept : Place::beyond);
+    }
+  }
+  if (!log_.stopped()) drop();
+}
+
+} // namespace isoscope

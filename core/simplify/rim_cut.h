@@ -1,0 +1,70 @@
+// The cut of an embedded Z along the wall over the rim of open surfaces (§4.1).
+#pragma once
+
+#include "collapse/live_complex.h"
+#include "journal/stage_log.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <array>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+namespace isoscope {
+
+/// Splits edges of Z in T where the nearest place of the input changes from off the open rim to on it, and
+/// drops what lies beyond. What is kept is the part of Z between vertices that are kept: a surface with
+/// border. Edges are split further until every facet kept is proven inside Ω, every edge of the border within
+/// δ of the rim and every place of the rim within δ of the border, as far as edges are not too short for
+/// that.
+class RimCut {
+ public:
+  RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log);
+  /// Every split and the cut are operations. Ends early when the log says stop; goes on where it was when
+  /// called again.
+  void run();
+
+ private:
+  enum class Place : std::uint8_t { unknown, kept, wall, beyond };
+  using Edge = std::array<VertexId, 2>;
+  using Facet = std::array<VertexId, 3>;
+  struct Split {
+    Edge edge;
+    Reason reason;
+    Vec3 witness;
+    double value;
+    friend bool operator<(const Split& x, const Split& y) { return x.edge < y.edge; }
+  };
+
+  LiveComplex& live_;
+  const ToleranceVolume& volume_;
+  StageLog& log_;
+  std::vector<Place> places_; ///< by vertex; of those of Z
+  std::vector<Facet> facets_; ///< of the whole Z, sorted corners, ascending
+  std::set<Facet> proven_;    ///< kept ones that are inside Ω
+  std::set<Edge> near_rim_;   ///< border edges within δ of the rim
+  std::set<Edge> whole_;      ///< edges that cross the wall at their kept end, or cannot be split
+
+  bool is_kept(VertexId v) const {
+    return places_[v.index()] == Place::kept || places_[v.index()] == Place::wall;
+  }
+  bool keeps(Vec3 p) const;
+  void classify();
+  void collect_facets();
+  std::vector<Facet> kept_facets() const;
+  std::vector<Edge> border(const std::vector<Facet>& kept) const;
+  Vec3 wall_between(Vec3 kept, Vec3 beyond) const;
+  std::vector<Vec3> places_on_edge(const Edge& edge, Vec3 at) const;
+  void cut_edges(const std::vector<Edge>& edges);
+  std::vector<Edge> crossing_edges() const;
+  std::vector<Split> wanted_splits();
+  void want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 witness, double value) const;
+  /// False where a tetrahedron would turn over at any place that was tried.
+  bool split(const Split& split, Vec3 at, Place place);
+  void drop();
+  double length(const Edge& e) const {
+    return distance(live_.complex().position(e[0]), live_.complex().position(e[1]));
+  }
+};
+
+} // namespace isoscope

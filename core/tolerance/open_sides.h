@@ -1,0 +1,53 @@
+// The sides of open surfaces: near to them the orientation tells, off their rim (§4.1).
+#pragma once
+
+#include "tolerance/facet_certificate.h"
+#include "tolerance/pseudo_normals.h"
+#include "tolerance/rim.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace isoscope {
+
+/// Sides of the components of Ω' that do not separate space. A point whose nearest place of the input is on
+/// the open rim has none. Const and thread-safe.
+class OpenSides {
+ public:
+  /// Z is asked for its side as far as so many δ from an open surface; beyond it may be what it likes.
+  static constexpr double reach = 2;
+
+  /// `component`: by triangle; `open`: by component. `turns`: how the triangles run, as in PseudoNormals.
+  /// Of no use once the control is cancelled.
+  OpenSides(std::shared_ptr<const ClosestPointIndex> index, std::vector<std::uint32_t> component,
+            std::vector<std::uint8_t> open, std::span<const std::int8_t> turns, double boundary,
+            const RunControl& control);
+
+  const Rim& rim() const { return rim_; }
+  /// Whether a triangle is part of an open surface.
+  bool is_open(TriangleId t) const { return open_[component_[t.index()]] != 0; }
+  bool is_open_component(std::uint32_t component) const { return open_[component] != 0; }
+  /// Whether all components are.
+  bool all_open() const;
+  /// Whether the nearest place of the input is on the open rim.
+  bool over_rim(Vec3 p, const ClosestPoint& closest) const {
+    return is_open(closest.triangle) && rim_.is_nearest(p, closest.distance());
+  }
+  /// The side of a point near an open surface: ±1, or 0 over its rim.
+  int side(Vec3 p, const ClosestPoint& closest) const;
+  /// What a piece of a facet beyond Ω counts for before Z has been cut: nothing over the rim and far away
+  /// from open surfaces.
+  PieceVerdict judge_outside(const Triangle3& piece, Vec3 center, const ClosestPoint& closest, double radius,
+                             double delta) const;
+  std::size_t memory_bytes() const;
+
+ private:
+  std::shared_ptr<const ClosestPointIndex> index_;
+  std::vector<std::uint32_t> component_;
+  std::vector<std::uint8_t> open_;
+  PseudoNormals normals_;
+  Rim rim_;
+};
+
+} // namespace isoscope

@@ -1,0 +1,227 @@
+// Cuts border edges, asks what lies before each piece, and joins the open ones into loops.
+#include "tolerance/rim.h"
+
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
+#include "tolerance/sample_grid.h"
+#include "tolerance/welded_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace isoscope {
+namespace {
+
+/// The longest piece, in units of δ'.
+constexpr double longest_piece = 0.25;
+/// A border is open where the distance before it is that share of δ' at least.
+constexpr double open_share = 0.98;
+/// Borders face each other where the cosine of their conormals is below this: what they leave between them is
+/// a slit that Ω closes, and no corner.
+constexpr double facing = -0.5;
+/// The cosine from which on a normal counts as that of a wall across the way.
+constexpr double across = 0.7;
+/// How far beside a sheet the wall that it stands on is looked for, and how near to it that is, in units of
+/// δ'.
+constexpr double beside = 0.25, on_wall = 0.05;
+/// A loop shorter than that many δ' surrounds nothing that Ω leaves open.
+constexpr double shortest_loop = 2;
+/// Ends of the open rim this near to each other, in units of δ', are those of one loop: Ω closes what is
+/// between them.
+constexpr double gap = 2;
+/// How near to a border a closest point is on it, in units of δ'.
+constexpr double on_border = 1e-6;
+constexpr double closeness = 1e-9;
+
+/// An edge with one triangle, as that runs.
+struct BorderEdge {
+  std::uint32_t from, to, triangle;
+};
+
+std::vector<BorderEdge> border_edges(const WeldedMesh& mesh) {
+  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
+  std::vector<BorderEdge> edges;
+  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
+    if (end - i != 1 || uses[i].low == uses[i].high) continue;
+    const EdgeUse& u = uses[i];
+    edges.push_back({u.ascends ? u.low : u.high, u.ascends ? u.high : u.low, u.triangle});
+  }
+  return edges;
+}
+
+Vec3 conormal_of(const Triangle3& t, Vec3 a, Vec3 b) {
+  return normalized(cross(b - a, cross(t[1] - t[0], t[2] - t[0])));
+}
+
+/// Whether a border lies on a wall that goes on to both sides of its sheet.
+bool stands_on_wall(const ClosestPointIndex& index, const RimPiece& piece, double boundary) {
+  const Triangle3& t = index.triangle(piece.triangle);
+  const Vec3 aside = beside * boundary * normalized(cross(t[1] - t[0], t[2] - t[0]));
+  const Vec3 middle = 0.5 * (piece.a + piece.b);
+  return index.distance(middle + aside) <= on_wall * boundary &&
+         index.distance(middle - aside) <= on_wall * boundary;
+}
+
+/// Edges as triangles without area.
+template <class Pieces, class Ends>
+std::shared_ptr<const ClosestPointIndex> curve_of(const Pieces& pieces, const Ends& ends) {
+  TriangleSoup soup;
+  for (const auto& piece : pieces) {
+    const auto [a, b] = ends(piece);
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    soup.points.insert(soup.points.end(), {a, b});
+    soup.triangles.push_back({first, first + 1, first + 1});
+  }
+  return std::make_shared<const ClosestPointIndex>(soup);
+}
+
+} // namespace
+
+Rim::Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted, double boundary,
+         const RunControl& control)
+    : boundary_(boundary) {
+  cut(index, wanted, control);
+  if (control.cancelled()) return;
+  find_loops();
+  describe_loops();
+  build_curve();
+}
+
+void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
+              const RunControl& control) {
+  const WeldedMesh mesh = weld(index);
+  std::vector<BorderEdge> edges = border_edges(mesh);
+  if (edges.empty()) return;
+  // Any border may be what lies before another one.
+  const auto all = curve_of(edges, [&](const BorderEdge& e) {
+    return std::pair{mesh.points[e.from], mesh.points[e.to]};
+  });
+  std::vector<Vec3> conormals;
+  for (const BorderEdge& e : edges)
+    conormals.push_back(
+        conormal_of(index.triangle(TriangleId(e.triangle)), mesh.points[e.from], mesh.points[e.to]));
+
+  auto next_node = static_cast<std::uint32_t>(mesh.points.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const BorderEdge& e = edges[i];
+    if (wanted[e.triangle] == 0) continue;
+    const Vec3 from = mesh.points[e.from], to = mesh.points[e.to];
+    const auto n = static_cast<std::uint32_t>(
+        std::max(1.0, std::ceil(distance(from, to) / (longest_piece * boundary_))));
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const Vec3 a = from + (static_cast<double>(k) / n) * (to - from);
+      const Vec3 b = k + 1 == n ? to : from + (static_cast<double>(k + 1) / n) * (to - from);
+      pieces_.push_back({a, b, conormals[i], TriangleId(e.triangle)});
+      nodes_.push_back({k == 0 ? e.from : next_node++, k + 1 == n ? e.to : next_node});
+    }
+  }
+
+  const auto judge = [&](RimPiece& piece) {
+    if (piece.conormal == Vec3{}) return; // of a triangle without area
+    const Vec3 before = 0.5 * (piece.a + piece.b) + boundary_ * piece.conormal;
+    const ClosestPoint closest = index.closest_near(before, piece.triangle);
+    const ClosestPoint border = all->closest(closest.point);
+    const bool at_border = border.distance() <= on_border * boundary_;
+    piece.open = closest.distance() >= open_share * boundary_ ||
+                 (at_border && dot(conormals[border.triangle.index()], piece.conormal) >= facing);
+    const Triangle3& t = index.triangle(closest.triangle);
+    const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
+    piece.meets_wall = !piece.open && !at_border && std::abs(dot(normal, piece.conormal)) > across;
+    if (!piece.open || !stands_on_wall(index, piece, boundary_)) return;
+    piece.open = false;
+    piece.meets_wall = true;
+  };
+  parallel_until(pieces_.size(), 64, control, [&](std::size_t i) { judge(pieces_[i]); });
+}
+
+void Rim::find_loops() {
+  DisjointSets sets(pieces_.size());
+  // Pieces that share an end; an end of one open piece alone is where the loop goes on across a gap.
+  struct End {
+    std::uint32_t node, piece;
+    Vec3 point;
+  };
+  std::vector<End> ends;
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    if (!pieces_[i].open) continue;
+    ends.push_back({nodes_[i][0], i, pieces_[i].a});
+    ends.push_back({nodes_[i][1], i, pieces_[i].b});
+  }
+  std::stable_sort(ends.begin(), ends.end(), [](const End& x, const End& y) { return x.node < y.node; });
+  std::vector<End> lone;
+  for (std::size_t i = 0, end = 0; i < ends.size(); i = end) {
+    while (end < ends.size() && ends[end].node == ends[i].node) sets.unite(ends[end++].piece, ends[i].piece);
+    if (end - i == 1) lone.push_back(ends[i]);
+  }
+  if (!lone.empty()) {
+    SampleGrid grid(lone.front().point, gap * boundary_);
+    for (const End& e : lone) grid.add(e.point);
+    std::vector<std::uint32_t> near;
+    for (const End& e : lone) {
+      near.clear();
+      grid.gather(Box3{e.point, e.point}.grown(gap * boundary_), near);
+      for (const std::uint32_t other : near)
+        if (distance(lone[other].point, e.point) <= gap * boundary_) sets.unite(lone[other].piece, e.piece);
+    }
+  }
+  std::map<std::uint32_t, double> lengths; // by the first piece
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+    if (pieces_[i].open) lengths[sets.find(i)] += distance(pieces_[i].a, pieces_[i].b);
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  for (const auto& [first, length] : lengths)
+    if (length >= shortest_loop * boundary_)
+      numbers.emplace(first, static_cast<std::uint32_t>(numbers.size()));
+  loops_.resize(numbers.size());
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    if (!pieces_[i].open) continue;
+    const auto number = numbers.find(sets.find(i));
+    pieces_[i].open = number != numbers.end();
+    if (!pieces_[i].open) continue;
+    pieces_[i].loop = number->second;
+    ++loops_[number->second].pieces;
+    loops_[number->second].length += distance(pieces_[i].a, pieces_[i].b);
+  }
+}
+
+void Rim::describe_loops() {
+  for (const RimPiece& p : pieces_)
+    if (p.open) loops_[p.loop].center += (distance(p.a, p.b) / loops_[p.loop].length) * (0.5 * (p.a + p.b));
+  // The area that the loop spans, seen from its centre, is largest along the normal of its plane.
+  for (const RimPiece& p : pieces_)
+    if (p.open) loops_[p.loop].normal += cross(p.a - loops_[p.loop].center, p.b - loops_[p.loop].center);
+  for (RimLoop& loop : loops_) loop.normal = normalized(loop.normal);
+  std::vector<double> height(loops_.size(), 0);
+  for (const RimPiece& p : pieces_) {
+    if (!p.open) continue;
+    RimLoop& loop = loops_[p.loop];
+    const Vec3 offset = p.a - loop.center;
+    loop.diameter = std::max(loop.diameter, 2 * length(offset));
+    height[p.loop] = std::max(height[p.loop], std::abs(dot(offset, loop.normal)));
+  }
+  for (std::size_t i = 0; i < loops_.size(); ++i)
+    if (loops_[i].normal != Vec3{} && loops_[i].diameter > 0)
+      loops_[i].flatness = height[i] / loops_[i].diameter;
+}
+
+void Rim::build_curve() {
+  std::vector<RimPiece> open;
+  for (const RimPiece& p : pieces_)
+    if (p.open) open.push_back(p);
+  curve_ = curve_of(open, [](const RimPiece& p) { return std::pair{p.a, p.b}; });
+}
+
+bool Rim::is_nearest(Vec3 p, double d) const {
+  if (empty()) return false;
+  return curve_->closest_within(p, d * (1 + closeness) + closeness * boundary_).triangle.valid();
+}
+
+std::size_t Rim::memory_bytes() const {
+  return pieces_.capacity() * sizeof(RimPiece) + nodes_.capacity() * sizeof(nodes_[0]) +
+         loops_.capacity() * sizeof(RimLoop) + (curve_ ? curve_->memory_bytes() : 0);
+}
+
+} // namespace isoscope

@@ -1,0 +1,68 @@
+// The rim of an open surface: the border of the input where Ω does not bridge it, in loops (§4.1).
+#pragma once
+
+#include "base/run_control.h"
+#include "tolerance/closest_point.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace isoscope {
+
+/// A straight part of the border, short against δ.
+struct RimPiece {
+  Vec3 a, b;     ///< as its triangle runs
+  Vec3 conormal; ///< unit, in the plane of its triangle and away from it
+  TriangleId triangle;
+  bool open = false;       ///< false: bridged, Ω closes what lies before it
+  bool meets_wall = false; ///< bridged to a part of the input that runs across: the sheet ends on it
+  std::uint32_t loop = 0;  ///< of an open one: the number of its loop
+};
+
+/// A loop of the open rim, as Ω leaves it: gaps in it that Ω bridges are passed over.
+struct RimLoop {
+  std::size_t pieces = 0;
+  double length = 0;
+  Vec3 center;         ///< the mean of its pieces
+  Vec3 normal;         ///< of the plane that fits it; zero where none does
+  double diameter = 0; ///< twice the largest distance of a piece from the centre
+  /// The largest distance from that plane, relative to the diameter: 0 is flat; 1 where there is no plane.
+  double flatness = 1;
+};
+
+/// The border edges of a surface, cut into pieces, and a hierarchy over the open ones. Const and thread-safe.
+class Rim {
+ public:
+  Rim() = default;
+  /// Looks at the borders of the triangles that `wanted` has a 1 for, by id. A point c of the border is open
+  /// where nothing of the input is nearer than δ' to c + δ' u, u its conormal, but what lies beside it.
+  /// `boundary`: δ'. Of no use once the control is cancelled.
+  Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted, double boundary,
+      const RunControl& control);
+
+  std::span<const RimPiece> pieces() const { return pieces_; }
+  std::span<const RimLoop> loops() const { return loops_; }
+  bool empty() const { return loops_.empty(); }
+  /// The open pieces as triangles without area: their distance field. Its sites are numbers of open_pieces().
+  const ClosestPointIndex& curve() const { return *curve_; }
+  /// Whether a point of the open rim is as near to p as any of the input, which is `d` away.
+  bool is_nearest(Vec3 p, double d) const;
+  std::size_t memory_bytes() const;
+
+ private:
+  void cut(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted, const RunControl& control);
+  void find_loops();
+  void describe_loops();
+  void build_curve();
+
+  double boundary_ = 0;
+  std::vector<RimPiece> pieces_;                    ///< those of an edge in a row, edges as they are sorted
+  std::vector<std::array<std::uint32_t, 2>> nodes_; ///< by piece: numbers of its ends, shared where they meet
+  std::vector<RimLoop> loops_;
+  std::shared_ptr<const ClosestPointIndex> curve_;
+};
+
+} // namespace isoscope

@@ -1,0 +1,154 @@
+// Whole runs on open surfaces: loops and χ of the input, a border within δ of the rim both ways, holes
+// filled, one-sided sheets refused.
+#include "input/gallery.h"
+#include "journal/playback.h"
+#include "mesh/validity.h"
+#include "run/complete_run.h"
+#include "tolerance/open_shapes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+RunParameters open_parameters(double percent) {
+  RunParameters parameters;
+  parameters.tolerance = {percent, true};
+  parameters.until = Stage::rim;
+  return parameters;
+}
+
+std::unique_ptr<CompleteRun> finished(TriangleSoup soup, double percent, const char* fill = "none") {
+  auto run = std::make_unique<CompleteRun>(open_parameters(percent));
+  run->parameters.fill.holes = fill;
+  run->soup = shared(std::move(soup));
+  const bool done = run->run();
+  if (run->error) MESSAGE(run->error->line());
+  REQUIRE(done);
+  for (const std::string& failure : run->result->certificate.failures) MESSAGE(failure);
+  return run;
+}
+
+void check_certified(const CompleteRun& run, long chi, std::size_t loops, std::size_t components = 1) {
+  const Certificate& c = run.result->certificate;
+  CHECK(c.holds());
+  CHECK(c.euler_characteristic == chi);
+  CHECK(c.boundary_loops == loops);
+  CHECK(c.components == components);
+  CHECK(c.topology == Certificate::Topology::as_expected);
+  REQUIRE(c.border.has_value());
+  CHECK(c.border->to_rim <= run.scene->delta);
+  CHECK(c.border->from_rim <= run.scene->delta);
+}
+
+} // namespace
+
+TEST_CASE("Sheets come out with the loops and the Euler characteristic of the input") {
+  struct Case {
+    const char* name;
+    TriangleSoup soup;
+    double percent;
+    long chi;
+    std::size_t loops;
+  };
+  const Case cases[] = {
+      {"hemisphere", make_hemisphere(16), 3, 1, 1},          {"annulus", strip(0), 3, 0, 2},
+      {"square with a hole", square_with_hole(), 3, 0, 2},   {"slit square", slit_square(), 4, 1, 1},
+      {"ball with four holes", ball_with_holes(), 3, -2, 4}, {"strip of two half turns", strip(2), 3, 0, 2}};
+  for (const Case& c : cases) {
+    CAPTURE(std::string(c.name));
+    const auto run = finished(c.soup, c.percent);
+    check_certified(*run, c.chi, c.loops);
+    CHECK(!run->scene->samples->over_rim.empty());
+    CHECK(check_complex(replayed(*run->journal)).empty());
+  }
+}
+
+TEST_CASE("The cut is a stage of its own that is stepped through both ways") {
+  const auto run = finished(make_hemisphere(12), 4);
+  Playback playback(run->journal);
+  std::size_t splits = 0, cuts = 0;
+  for (Step k = 0; k < run->journal->steps(); ++k) {
+    const Event& e = run->journal->events()[run->journal->operations()[k].event];
+    if (e.stage != Stage::rim) continue;
+    splits += e.kind == EventKind::split;
+    cuts += e.kind == EventKind::cut;
+    playback.seek(k);
+    const Complex before = playback.complex();
+    playback.seek(k + 1);
+    const ZeroSet z = extract_zero_set(playback.complex());
+    CHECK(run->journal->operations()[k].figures.zero_set_vertices == z.vertices.size());
+    CHECK(z.boundary_loops() == (e.kind == EventKind::cut ? 1u : 0u));
+    playback.seek(k);
+    CHECK(playback.complex() == before);
+  }
+  CHECK(splits > 10);
+  CHECK(cuts == 1);
+}
+
+TEST_CASE("A strip of one side is refused with the place") {
+  for (const int half_turns : {1, 3}) {
+    CompleteRun run(open_parameters(3));
+    run.soup = shared(strip(half_turns));
+    REQUIRE_FALSE(run.run());
+    REQUIRE(run.error.has_value());
+    CHECK(run.error->code == ErrorCode::open_surface);
+    CHECK(run.error->message.find("one side only") != std::string::npos);
+    CHECK(run.error->message.find("near (") != std::string::npos);
+  }
+}
+
+TEST_CASE("An open body and a closed one are done each in its way") {
+  TriangleSoup both = make_hemisphere(12);
+  TriangleSoup ball = make_sphere(3);
+  for (Vec3& p : ball.points) p = Vec3{3, 0, 0.3} + 0.7 * p;
+  append(both, ball);
+  const auto run = finished(both, 2);
+  check_certified(*run, 3, 1, 2);
+
+  // The same with the ball inside of the bowl.
+  TriangleSoup inside = make_hemisphere(12);
+  for (Vec3& p : ball.points) p = 0.5 * (p - Vec3{3, 0, 0.3}) + Vec3{0, 0, 0.3};
+  append(inside, ball);
+  check_certified(*finished(inside, 3), 3, 1, 2);
+}
+
+TEST_CASE("Holes are filled with what Z has there, and that is no part of what is proven inside") {
+  const auto kept = finished(ball_with_holes(), 3), all = finished(ball_with_holes(), 3, "all"),
+             two = finished(ball_with_holes(), 3, "2,4");
+  CHECK(kept->result->holes.facets.empty());
+  CHECK(all->result->certificate.holds());
+  CHECK(all->result->certificate.euler_characteristic == 2);
+  CHECK(all->result->certificate.boundary_loops == 0);
+  CHECK(all->result->certificate.closed_manifold);
+  check_certified(*two, 0, 2);
+  CHECK(std::count(two->result->holes.facets.begin(), two->result->holes.facets.end(), 1) > 0);
+  // Which holes are flat: those of a grid are, the rim of a saddle is not.
+  const auto saddle = [](double x, double y) {
+    return 0.8 * (x - 0.5) * (x - 0.5) - 0.8 * (y - 0.5) * (y - 0.5);
+  };
+  const auto sheet = grid_sheet(
+      20, [](double x, double y) { return std::abs(x - 0.5) > 0.2 || std::abs(y - 0.5) > 0.2; }, saddle);
+  CompleteRun bent(open_parameters(3));
+  bent.soup = shared(sheet);
+  REQUIRE(bent.prepare());
+  const auto loops = bent.scene->volume->open_sides()->rim().loops();
+  REQUIRE(loops.size() == 2);
+  for (const RimLoop& loop : loops) CHECK((loop.flatness > 0.1) == (loop.length > 2));
+}
+
+TEST_CASE("Bundled open models are what their cards say, at any number of threads the same") {
+  for (const GalleryEntry& entry : gallery()) {
+    if (entry.boundary_loops == 0) continue;
+    CAPTURE(std::string(entry.name));
+    CompleteRun run(gallery_parameters(std::string(entry.name)));
+    run.parameters.until = Stage::rim;
+    REQUIRE(run.run());
+    check_certified(run, entry.euler_characteristic, entry.boundary_loops);
+  }
+}

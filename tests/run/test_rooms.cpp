@@ -1,0 +1,223 @@
+// Whole runs on rooms that share walls (§4.2), from soups and from segmentations.
+#include "base/disjoint_sets.h"
+#include "input/label_walls.h"
+#include "input/mesh_io.h"
+#include "journal/playback.h"
+#include "mesh/validity.h"
+#include "mesh/zero_set.h"
+#include "run/complete_run.h"
+#include "run/report.h"
+#include "run/room_soups.h"
+#include "run/statistics.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <set>
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+std::unique_ptr<CompleteRun> run_rooms(TriangleSoup soup, double percent,
+                                       SidesMode sides = SidesMode::automatic) {
+  RunParameters parameters;
+  parameters.input = "soup";
+  parameters.tolerance = {percent, true};
+  parameters.sides = sides;
+  parameters.until = Stage::all;
+  auto run = std::make_unique<CompleteRun>(parameters);
+  run->soup = std::make_shared<const TriangleSoup>(std::move(soup));
+  run->run();
+  return run;
+}
+
+/// The edges of a mesh on other than two facets.
+struct Curves {
+  std::size_t components = 0;
+  std::map<std::size_t, std::size_t> edge_facets, vertex_edges; ///< how many of each number
+};
+Curves curves_of(const TriangleMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> facets;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++facets[std::minmax(t[k], t[(k + 1) % 3])];
+  Curves curves;
+  std::map<std::uint32_t, std::size_t> degree;
+  DisjointSets sets(mesh.points.size());
+  for (const auto& [edge, count] : facets) {
+    if (count == 2) continue;
+    ++curves.edge_facets[count];
+    ++degree[edge.first];
+    ++degree[edge.second];
+    sets.unite(edge.first, edge.second);
+  }
+  for (const auto& [v, count] : degree) {
+    ++curves.vertex_edges[count];
+    curves.components += sets.find(v) == v ? 1 : 0;
+  }
+  return curves;
+}
+
+void check_rooms(const CompleteRun& run, std::size_t rooms, long euler_characteristic,
+                 std::size_t components = 1) {
+  REQUIRE_MESSAGE(run.result.has_value(), (run.error ? run.error->line() : ""));
+  const Certificate& c = run.result->certificate;
+  CHECK_MESSAGE(c.holds(), (c.failures.empty() ? "" : c.failures.front()));
+  CHECK(c.components == components);
+  CHECK(c.euler_characteristic == euler_characteristic);
+  CHECK(c.topology == Certificate::Topology::as_expected);
+  REQUIRE(c.regions.size() == rooms + 1);
+  for (const RegionCertificate& r : c.regions) {
+    CHECK(r.closed_manifold);
+    CHECK(r.oriented);
+    CHECK((r.label > 0) == (r.volume < 0));
+  }
+  const Complex replay = replayed(*run.journal);
+  CHECK(check_complex(replay).empty());
+  CHECK(triangulate(extract_zero_set(replay)).triangles == run.result->mesh.triangles);
+}
+
+/// A ball in a segmentation, one label above its middle and another below.
+ScalarGrid two_halves(std::size_t n) {
+  ScalarGrid grid;
+  grid.name = "halves";
+  grid.size = {n, n, n};
+  const double middle = 0.5 * static_cast<double>(n - 1), radius = 0.4 * static_cast<double>(n);
+  for (std::size_t z = 0; z < n; ++z)
+    for (std::size_t y = 0; y < n; ++y)
+      for (std::size_t x = 0; x < n; ++x) {
+        const bool in = distance(grid.point(x, y, z), {middle, middle, middle}) < radius;
+        grid.values.push_back(!in ? 0.0F : 2 * z < n ? 3.0F : 7.0F);
+      }
+  return grid;
+}
+
+} // namespace
+
+TEST_CASE("rooms have the Euler characteristic of their walls, and sheets meet in curves and points") {
+  struct Known {
+    TriangleSoup soup;
+    std::size_t rooms;
+    long euler_characteristic;
+    std::size_t points; ///< where four labels meet
+  };
+  const std::vector<Known> known{{cubes(2, 1, 1), 2, 3, 0},
+                                 {three_in_t(), 3, 4, 2},
+                                 {cubes(2, 2, 1), 4, 5, 0},
+                                 {sphere_with_disc(), 2, 3, 0}};
+  for (const Known& k : known) {
+    CAPTURE(k.rooms);
+    CAPTURE(k.euler_characteristic);
+    const auto run = run_rooms(k.soup, 4);
+    check_rooms(*run, k.rooms, k.euler_characteristic);
+    const Curves curves = curves_of(run->result->mesh);
+    CHECK(curves.components == 1);
+    for (const auto& [facets, count] : curves.edge_facets) CHECK(facets == 3);
+    for (const auto& [edges, count] : curves.vertex_edges) CHECK((edges == 2 || edges == 4));
+    if (k.rooms == 2) CHECK(curves.vertex_edges.size() == 1); // one closed curve
+    if (k.points > 0) CHECK(curves.vertex_edges.at(4) == k.points);
+  }
+}
+
+TEST_CASE("eight rooms") {
+  check_rooms(*run_rooms(cubes(2, 2, 2), 4), 8, 9);
+}
+
+TEST_CASE("closed surfaces that cross are one inside, or several where that is asked for") {
+  TriangleSoup soup = make_sphere(3), other = make_sphere(3);
+  for (Vec3& p : other.points) p = p + Vec3{0.9, 0.2, 0.1};
+  append(soup, other);
+  check_rooms(*run_rooms(soup, 4, SidesMode::multi), 3, 4);
+
+  const auto united = run_rooms(soup, 4);
+  REQUIRE(united->result.has_value());
+  CHECK(united->result->certificate.regions.empty());
+  CHECK(united->result->mesh.labels.empty());
+  CHECK(united->result->certificate.euler_characteristic == 2);
+}
+
+TEST_CASE("parts that share no wall are what they were, asked for rooms or not") {
+  TriangleSoup soup;
+  for (const double x : {0.0, 2.0}) add_walls(soup, {x, 0, 0}, {x + 1, 1, 1});
+  const auto plain = run_rooms(soup, 3), asked = run_rooms(soup, 3, SidesMode::multi);
+  REQUIRE(plain->result.has_value());
+  REQUIRE(asked->result.has_value());
+  CHECK(digest(*plain->journal) == digest(*asked->journal));
+  CHECK(asked->result->certificate.regions.empty());
+}
+
+TEST_CASE("fins are refused with their place") {
+  TriangleSoup rooms = cubes(2, 1, 1);
+  add_square(rooms, {1.5, 0.2, 1}, {0, 0.6, 0}, {0, 0, 0.6});
+  const auto run = run_rooms(rooms, 4);
+  REQUIRE(run->error.has_value());
+  CHECK(run->error->code == ErrorCode::unsupported);
+  CHECK_MESSAGE(run->error->message.find("(1.5, 0.") != std::string::npos, run->error->message);
+  CHECK(run->error->remedy.find("fins") != std::string::npos);
+
+  TriangleSoup cube = cubes(1, 1, 1);
+  add_square(cube, {0.5, 0.2, 1}, {0, 0.6, 0}, {0, 0, 0.6});
+  const auto single = run_rooms(cube, 4);
+  REQUIRE(single->error.has_value());
+  CHECK(single->error->code == ErrorCode::unsupported);
+  CHECK_MESSAGE(single->error->message.find("(0.5, 0.") != std::string::npos, single->error->message);
+
+  // Among many small walls a fin counts for little.
+  TriangleSoup fine = cubes(2, 1, 1);
+  for (int i = 0; i < 3; ++i) fine = in_four(fine);
+  add_square(fine, {1.5, 0.2, 1}, {0, 0.6, 0}, {0, 0, 0.6});
+  const auto small = run_rooms(fine, 4);
+  REQUIRE(small->error.has_value());
+  CHECK(small->error->code == ErrorCode::unsupported);
+  CHECK_MESSAGE(small->error->message.find("(1.5, 0.") != std::string::npos, small->error->message);
+}
+
+TEST_CASE("a segmentation gives the walls between its labels") {
+  const auto walls = walls_between_labels(two_halves(20));
+  REQUIRE(walls.ok());
+  const auto run = run_rooms(*walls, 6, SidesMode::multi);
+  check_rooms(*run, 2, 3);
+
+  ScalarGrid empty = two_halves(6);
+  std::fill(empty.values.begin(), empty.values.end(), 0.0F);
+  CHECK_FALSE(walls_between_labels(empty).ok());
+  // A label that reaches the border of the grid is closed there.
+  std::fill(empty.values.begin(), empty.values.end(), 5.0F);
+  const auto block = walls_between_labels(empty);
+  REQUIRE(block.ok());
+  CHECK(block->triangles.size() == 6 * 6 * 6 * 2);
+  CHECK(block->bounds().lo == Vec3{-0.5, -0.5, -0.5});
+}
+
+TEST_CASE("the report tells every region") {
+  const auto run = run_rooms(cubes(2, 1, 1), 6);
+  REQUIRE(run->result.has_value());
+  const auto json = nlohmann::json::parse(
+      report_json(run->parameters, *run->scene, *run->result, gather_statistics(*run->journal)));
+  const auto& regions = json["output"]["regions"];
+  REQUIRE(regions.size() == 3);
+  CHECK(regions[0]["label"] == 1);
+  CHECK(regions[2]["label"] == -2);
+  for (const auto& r : regions) CHECK(r["euler_characteristic"] == 2);
+  CHECK(json["output"]["genus"].is_null());
+  CHECK(json["input"]["sides_by"] == "rooms");
+  CHECK(regions[1]["places"].size() == 1);
+}
+
+TEST_CASE("any step of a run between rooms is reached both ways") {
+  const auto run = run_rooms(cubes(2, 1, 1), 8);
+  REQUIRE(run->result.has_value());
+  Playback playback(run->journal);
+  const Step last = run->journal->steps();
+  playback.seek(last);
+  const Complex end = playback.complex();
+  playback.seek(last / 2);
+  const Complex middle = playback.complex();
+  playback.seek(0);
+  playback.seek(last / 2);
+  CHECK(playback.complex() == middle);
+  playback.seek(last);
+  CHECK(playback.complex() == end);
+}

@@ -1,0 +1,100 @@
+// Surfaces with a border, for tests: sheets cut out of a grid, strips, and what is left of closed shapes.
+#pragma once
+
+#include "input/gallery_shapes.h"
+#include "input/triangle_soup.h"
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+
+namespace isoscope::test {
+
+/// The cells of a grid of n × n over the unit square for which `has` holds, bent by `height`.
+inline TriangleSoup grid_sheet(int n, const std::function<bool(double, double)>& has,
+                               const std::function<double(double, double)>& height = {}) {
+  TriangleSoup sheet;
+  sheet.name = "sheet";
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const double x = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
+      sheet.points.push_back({x, y, height ? height(x, y) : 0});
+    }
+  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      if (!has((i + 0.5) / n, (j + 0.5) / n)) continue;
+      sheet.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      sheet.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return sheet;
+}
+
+inline TriangleSoup square_with_hole() {
+  return grid_sheet(20,
+                    [](double x, double y) { return std::abs(x - 0.5) > 0.2 || std::abs(y - 0.5) > 0.2; });
+}
+
+/// Its slit, which doubles the points along it, is closed by any tolerance.
+inline TriangleSoup slit_square() {
+  TriangleSoup sheet = grid_sheet(16, [](double, double) { return true; });
+  const std::size_t whole = sheet.points.size();
+  std::vector<std::uint32_t> copy(whole);
+  for (std::uint32_t v = 0; v < whole; ++v) {
+    const Vec3 p = sheet.points[v];
+    copy[v] = v;
+    if (p.y != 0.5 || !(p.x > 0.25) || !(p.x < 0.75)) continue;
+    copy[v] = static_cast<std::uint32_t>(sheet.points.size());
+    sheet.points.push_back({p.x, p.y + 1e-4, p.z});
+  }
+  for (auto& t : sheet.triangles) {
+    const Triangle3 c{sheet.points[t[0]], sheet.points[t[1]], sheet.points[t[2]]};
+    if (centroid(c).y > 0.5)
+      for (auto& v : t) v = copy[v];
+  }
+  return sheet;
+}
+
+/// A strip around the z axis of a half turn for each of `half_turns`: one-sided where they are odd.
+inline TriangleSoup strip(int half_turns, double width = 0.35, int along = 96, int across = 6) {
+  TriangleSoup strip;
+  strip.name = "strip";
+  for (int i = 0; i < along; ++i)
+    for (int j = 0; j <= across; ++j) {
+      const double turn = 2 * std::numbers::pi * i / along, twist = 0.5 * half_turns * turn;
+      const double s = width * (2.0 * j / across - 1);
+      const double r = 1 + s * std::cos(twist);
+      strip.points.push_back({r * std::cos(turn), r * std::sin(turn), s * std::sin(twist)});
+    }
+  const auto at = [&](int i, int j) {
+    const bool round = i >= along && half_turns % 2 != 0;
+    return static_cast<std::uint32_t>((i % along) * (across + 1) + (round ? across - j : j));
+  };
+  for (int i = 0; i < along; ++i)
+    for (int j = 0; j < across; ++j) {
+      strip.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      strip.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return strip;
+}
+
+/// A sphere without the triangles near to four corners of a tetrahedron.
+inline TriangleSoup ball_with_holes() {
+  TriangleSoup ball = make_sphere(4);
+  const Vec3 corners[4] = {{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}};
+  std::erase_if(ball.triangles, [&](const auto& t) {
+    const Vec3 c = centroid(Triangle3{ball.points[t[0]], ball.points[t[1]], ball.points[t[2]]});
+    for (const Vec3 corner : corners)
+      if (distance(normalized(c), normalized(corner)) < 0.35) return true;
+    return false;
+  });
+  ball.name = "ball with holes";
+  return ball;
+}
+
+inline std::shared_ptr<const TriangleSoup> shared(TriangleSoup soup) {
+  return std::make_shared<const TriangleSoup>(std::move(soup));
+}
+
+} // namespace isoscope::test

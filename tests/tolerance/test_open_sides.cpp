@@ -1,0 +1,114 @@
+// Rims, loops and sides of open surfaces whose answers are known.
+#include "tolerance/boundary_sampler.h"
+#include "tolerance/open_shapes.h"
+#include "tolerance/shapes.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace isoscope;
+using namespace isoscope::test;
+
+namespace {
+
+Result<ToleranceVolume> build(const TriangleSoup& soup, double delta) {
+  const auto index = std::make_shared<const ClosestPointIndex>(soup);
+  return ToleranceVolume::build(index, analyse_input(soup), {delta, 0.95}, RunControl());
+}
+
+double open_length(const Rim& rim) {
+  double length = 0;
+  for (const RimPiece& piece : rim.pieces())
+    if (piece.open) length += distance(piece.a, piece.b);
+  return length;
+}
+
+} // namespace
+
+TEST_CASE("Corners of holes are open, slits that Ω closes are not") {
+  const auto square = build(square_with_hole(), 0.03);
+  REQUIRE(square.ok());
+  REQUIRE(square->open_sides() != nullptr);
+  const Rim& rim = square->open_sides()->rim();
+  REQUIRE(rim.loops().size() == 2);
+  CHECK(open_length(rim) == doctest::Approx(4 + 4 * 0.4));
+  for (const RimLoop& loop : rim.loops()) {
+    CHECK(loop.flatness < 1e-9);
+    CHECK(distance(loop.center, {0.5, 0.5, 0}) < 1e-9);
+    CHECK(std::abs(loop.normal.z) == doctest::Approx(1));
+  }
+  const auto slit = build(slit_square(), 0.03);
+  REQUIRE(slit.ok());
+  REQUIRE(slit->open_sides() != nullptr);
+  CHECK(slit->open_sides()->rim().loops().size() == 1);
+  CHECK(open_length(slit->open_sides()->rim()) == doctest::Approx(4));
+}
+
+TEST_CASE("Two patches that touch along a seam without sharing points are one surface with one rim") {
+  TriangleSoup left = grid_sheet(10, [](double, double) { return true; }), right = left;
+  for (Vec3& p : right.points) p.x += 1.0005;
+  append(left, right);
+  const auto volume = build(left, 0.03);
+  REQUIRE(volume.ok());
+  REQUIRE(volume->open_sides() != nullptr);
+  CHECK(volume->volume_component_count() == 1);
+  CHECK(volume->open_sides()->rim().loops().size() == 1);
+  CHECK(open_length(volume->open_sides()->rim()) == doctest::Approx(6).epsilon(0.02));
+}
+
+TEST_CASE("Sides are told by orientation, also where triangles are turned, and by none over the rim") {
+  TriangleSoup sheet = grid_sheet(
+      12, [](double, double) { return true; }, [](double x, double) { return 0.3 * std::abs(x - 0.5); });
+  for (std::size_t t = 0; t < sheet.triangles.size(); t += 3)
+    std::swap(sheet.triangles[t][1], sheet.triangles[t][2]);
+  const auto volume = build(sheet, 0.03);
+  REQUIRE(volume.ok());
+  const OpenSides& sides = *volume->open_sides();
+  testing::Random random(3);
+  int above = 0, below = 0, over = 0;
+  const Vec3 up = {0.4, 0.4, 1};
+  const auto side_at = [&](Vec3 p) { return sides.side(p, volume->index().closest(p)); };
+  const int positive = side_at(up);
+  REQUIRE(positive != 0);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p = random.in_box({{-0.1, -0.1, -0.1}, {1.1, 1.1, 0.3}});
+    const bool beside = p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1;
+    const double height = p.z - 0.3 * std::abs(p.x - 0.5);
+    if (beside) {
+      if (p.y < 0 || p.y > 1) ++over, CHECK(side_at(p) == 0);
+      continue;
+    }
+    if (p.x < 0.1 || p.x > 0.9 || std::abs(height) < 1e-3) continue;
+    ++(height > 0 ? above : below);
+    CHECK(side_at(p) == (height > 0 ? positive : -positive));
+  }
+  CHECK(above > 100);
+  CHECK(below > 100);
+  CHECK(over > 100);
+}
+
+TEST_CASE("Samples over the rim are apart, the others are on two sides that no path through samples joins") {
+  auto volume = build(make_hemisphere(12), 0.06);
+  REQUIRE(volume.ok());
+  const auto samples = sample_boundary(*volume, 0.03, RunControl());
+  REQUIRE(samples.ok());
+  CHECK(samples->over_rim.size() > 50);
+  CHECK(samples->labels.size() == samples->positions.size());
+  CHECK(samples->components.size() == samples->positions.size());
+  for (const Vec3 p : samples->over_rim) CHECK(p.z < 0.01);
+  for (std::size_t i = 0; i < samples->size(); ++i)
+    CHECK(samples->labels[i] == (length(samples->positions[i]) > 1 ? +1 : -1));
+}
+
+TEST_CASE("A sheet that ends on another one is refused with the place") {
+  TriangleSoup fin = make_sphere(3);
+  append(fin, grid_sheet(8, [](double, double) { return true; }));
+  for (std::size_t i = fin.points.size() - 81; i < fin.points.size(); ++i)
+    fin.points[i] = {fin.points[i].x + 0.9, fin.points[i].y - 0.5, 0};
+  const auto volume = build(fin, 0.05);
+  REQUIRE_FALSE(volume.ok());
+  CHECK(volume.error().code == ErrorCode::unsupported);
+  CHECK(volume.error().message.find("near (") != std::string::npos);
+}
