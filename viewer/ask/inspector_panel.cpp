@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace isoscope::panels {
 namespace {
@@ -358,6 +359,17 @@ const char* within_words(const Scene* scene) {
   return "Every triangle is proven nearer than δ to the input.";
 }
 
+/// What the mesh is as a surface.
+CertificateRow manifold_row(const Certificate& c) {
+  const RowVerdict verdict = c.manifold ? RowVerdict::good : RowVerdict::bad;
+  if (!c.regions.empty())
+    return {"every region closed", verdict, "The boundary of each region is a closed 2-manifold."};
+  if (c.border)
+    return {"2-manifold with border", verdict,
+            "Every edge has two triangles, or one on the border; every vertex one fan."};
+  return {"closed 2-manifold", verdict, "Every edge has two triangles, every vertex one fan."};
+}
+
 void certificate(Ui& ui) {
   const auto& result = ui.window.run.result;
   if (!result || ui.window.transport.step() < ui.window.live_step()) return;
@@ -365,15 +377,17 @@ void certificate(Ui& ui) {
   widgets::bold_text(ui, c.holds() ? "Certified" : "Not certified");
   const auto judged = [](bool good) { return good ? RowVerdict::good : RowVerdict::bad; };
   const double delta = ui.window.run.scene ? ui.window.run.scene->delta : 0;
-  const std::array<CertificateRow, 7> rows{
-      {{"closed 2-manifold", judged(c.closed_manifold),
-        "Every edge has two triangles, every vertex one fan."},
-       {"oriented", judged(c.oriented), "Neighbours agree on which side is outside."},
-       {"free of self-intersections", judged(c.intersection_free), "By exact predicates."},
-       {"within Ω", judged(c.within_tolerance), within_words(ui.window.run.scene.get())},
-       cover_row(c, !ui.window.run.scene || ui.window.run.scene->field->surface() != nullptr),
-       {"separates the boundaries", judged(c.separates), "The winding number is right in every region."},
-       topology_row(c.topology)}};
+  std::vector<CertificateRow> rows{
+      manifold_row(c),
+      {"oriented", judged(c.oriented), "Neighbours agree on which side is outside."},
+      {"free of self-intersections", judged(c.intersection_free), "By exact predicates."},
+      {"within Ω", judged(c.within_tolerance), within_words(ui.window.run.scene.get())},
+      cover_row(c, !ui.window.run.scene || ui.window.run.scene->field->surface() != nullptr),
+      {"separates the boundaries", judged(c.separates), "The winding number is right in every region."},
+      topology_row(c.topology)};
+  if (c.border)
+    rows.push_back({"border and rim within δ", judged(c.border->holds()),
+                    "No point of one is farther than δ from the other, by branch and bound."});
   ImGui::PushFont(ui.fonts.small);
   for (const CertificateRow& row : rows) {
     if (row.verdict == RowVerdict::open) {
@@ -392,6 +406,12 @@ void certificate(Ui& ui) {
   ImGui::PopFont();
   if (delta > 0)
     widgets::limit_bar(ui, "proven distance", c.max_distance / delta, 1, c.within_tolerance, "δ", true);
+  if (delta > 0 && c.border) {
+    widgets::limit_bar(ui, "border to rim", c.border->to_rim / delta, 1, c.border->to_rim <= delta, "δ",
+                       true);
+    widgets::limit_bar(ui, "rim to border", c.border->from_rim / delta, 1, c.border->from_rim <= delta, "δ",
+                       true);
+  }
   if (delta > 0 && c.cover_limit && c.input_distance.upper < std::numeric_limits<double>::infinity())
     widgets::limit_bar(ui, "of the input to it", c.input_distance.upper / delta, *c.cover_limit,
                        c.cover_note.empty() && c.covers, "δ", true);
