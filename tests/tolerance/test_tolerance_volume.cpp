@@ -197,7 +197,7 @@ TEST_CASE("an inner wall makes two rooms of a soup") {
   for (const Vec3 p : {Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{1, 1, 1}, Vec3{1, 0, 1}}) soup.points.push_back(p);
   soup.triangles.push_back({base, base + 1, base + 2});
   soup.triangles.push_back({base, base + 2, base + 3});
-  const auto v = build(soup, 0.05);
+  auto v = build(soup, 0.05);
   REQUIRE(v.ok());
   CHECK(v->has_rooms());
   CHECK(v->sides().rule() == SideRule::rooms);
