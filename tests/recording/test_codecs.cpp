@@ -197,6 +197,7 @@ TEST_CASE("Indices that differ by more than numbers hold are no indices") {
   out.byte(1);
   out.byte(1);
   out.number(0);
+  out.number(0);
   CHECK(decode_samples(out.bytes()).has_value());
 }
 

@@ -16,7 +16,7 @@ using namespace isoscope::testing;
 
 TEST_CASE("bundled models are classified, contained and of the right topology") {
   for (const GalleryEntry& entry : gallery()) {
-    if (entry.gives_volume()) continue;
+    if (entry.gives_volume() || entry.boundary_loops > 0) continue; // see tests/run/test_open_runs.cpp
     CAPTURE(std::string(entry.name));
     if (make_gallery_model(entry.name)->is_point_set()) continue; // see tests/run/test_point_runs.cpp
     BenchOptions options;

