@@ -274,9 +274,10 @@ enum class Reason : std::uint8_t {
   wall_over_rim,  ///< the wall over the rim crosses it
   leaves_volume,  ///< a facet beside it is not proven inside Ω
   border_off_rim, ///< it is on the border of Z and not within δ of the rim
-  rim_off_border  ///< a place of the rim is farther than δ from the border of Z
+  rim_off_border, ///< a place of the rim is farther than δ from the border of Z
+  pinched_border  ///< two parts of Z would meet in its end alone
 };
-constexpr int reason_count = static_cast<int>(Reason::rim_off_border) + 1;
+constexpr int reason_count = static_cast<int>(Reason::pinched_border) + 1;
 
 /// The first and the last reason for a collapse that was not made.
 constexpr Reason first_rejection = Reason::link_condition;
@@ -401,6 +402,8 @@ inline constexpr std::array reason_table{
                 "it is on the border of Z and not within δ of the rim"},
     ReasonWords{Reason::rim_off_border, "rim-off-border", "rim off the border", ReasonRole::place,
                 "a place of the rim is farther than δ from the border of Z"},
+    ReasonWords{Reason::pinched_border, "pinched-border", "pinched border", ReasonRole::place,
+                "two parts of Z would meet in its end alone"},
 };
 
 /// Whether a table has one row for each of so many values, in their order.

@@ -1,6 +1,7 @@
 // Rounds of splits, each judged in parallel and made in the order of vertices; then one operation drops.
 #include "simplify/rim_cut.h"
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/sort_unique.h"
 #include "tolerance/facet_certificate.h"
@@ -17,6 +18,8 @@ constexpr int wall_steps = 50;
 constexpr int most_rounds = 60;
 /// A vertex this near to where an edge crosses the wall is on it, in units of δ.
 constexpr double at_wall = 0.01;
+/// How far from a pinched vertex its edges are cut, in units of δ.
+constexpr double pinch_share = 0.05;
 /// Edges are not split below this length, in units of δ.
 constexpr double shortest_edge = 0.02;
 constexpr std::size_t piece_budget = 20000;
@@ -168,6 +171,59 @@ void RimCut::cut_edges(const std::vector<Edge>& edges) {
   }
 }
 
+/// The longest edge from what is kept to what is not, where the facet has one, else the longest.
+RimCut::Edge RimCut::edge_towards(const Facet& facet) const {
+  const auto all = edges_of(facet);
+  const auto rank = [&](const Edge& e) { return std::pair{is_kept(e[0]) != is_kept(e[1]), length(e)}; };
+  return *std::max_element(all.begin(), all.end(),
+                           [&](const Edge& x, const Edge& y) { return rank(x) < rank(y); });
+}
+
+/// Vertices at which what is kept has more than one fan, ascending.
+std::vector<VertexId> RimCut::pinches() const {
+  std::vector<std::pair<VertexId, Edge>> links; // by vertex: the edges of kept facets opposite to it
+  for (const Facet& f : kept_facets())
+    for (std::size_t k = 0; k < 3; ++k) links.push_back({f[k], sorted(Edge{f[(k + 1) % 3], f[(k + 2) % 3]})});
+  std::sort(links.begin(), links.end());
+  std::vector<VertexId> found;
+  for (std::size_t i = 0, end = 0; i < links.size(); i = end) {
+    while (end < links.size() && links[end].first == links[i].first) ++end;
+    std::vector<VertexId> around;
+    for (std::size_t k = i; k < end; ++k)
+      around.insert(around.end(), links[k].second.begin(), links[k].second.end());
+    sort_unique(around);
+    DisjointSets fans(around.size());
+    std::size_t count = around.size();
+    const auto number = [&](VertexId v) {
+      return static_cast<std::uint32_t>(std::lower_bound(around.begin(), around.end(), v) - around.begin());
+    };
+    for (std::size_t k = i; k < end; ++k)
+      count -= fans.unite(number(links[k].second[0]), number(links[k].second[1]));
+    if (count > 1) found.push_back(links[i].first);
+  }
+  return found;
+}
+
+/// Takes pinched vertices away from what is kept, with a little of their edges.
+void RimCut::cut_pinches() {
+  for (const VertexId v : pinches()) {
+    std::vector<VertexId> around;
+    for (const Facet& f : facets_)
+      if (std::find(f.begin(), f.end(), v) != f.end())
+        for (const VertexId x : f)
+          if (x != v && is_kept(x)) around.push_back(x);
+    sort_unique(around);
+    for (const VertexId x : around) {
+      if (log_.stopped()) return;
+      const Vec3 from = live_.complex().position(v), to = live_.complex().position(x);
+      const double share = std::min(0.5, pinch_share * volume_.thresholds().delta / distance(from, to));
+      split({sorted(Edge{v, x}), Reason::pinched_border, from, 0}, from + share * (to - from), Place::wall);
+    }
+    places_[v.index()] = Place::beyond;
+    collect_facets();
+  }
+}
+
 void RimCut::want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 witness, double value) const {
   if (length(edge) >= 2 * shortest_edge * volume_.thresholds().delta && !whole_.contains(edge))
     splits.push_back({edge, reason, witness, value});
@@ -215,6 +271,7 @@ std::vector<RimCut::Split> RimCut::wanted_splits() {
       want(splits, edges[i], Reason::border_off_rim, near[i].witness, near[i].closest.distance());
   }
 
+  std::vector<FacetVerdict> bare; ///< places of the rim that no border is near to
   if (!edges.empty()) {
     TriangleSoup soup;
     for (const auto& [a, b] : edges) {
@@ -231,11 +288,21 @@ std::vector<RimCut::Split> RimCut::wanted_splits() {
         reached[i] =
             certify_facet(index, {pieces[i].a, pieces[i].b, pieces[i].b}, delta, delta, piece_budget);
     });
-    for (const FacetVerdict& verdict : reached) {
-      if (verdict.kind == FacetVerdict::Kind::inside) continue;
-      const Edge& nearest = edges[index.closest(verdict.witness).triangle.index()];
-      want(splits, nearest, Reason::rim_off_border, verdict.witness, verdict.closest.distance());
+    for (const FacetVerdict& verdict : reached)
+      if (verdict.kind != FacetVerdict::Kind::inside) bare.push_back(verdict);
+  }
+  if (!bare.empty()) {
+    // What is kept ends before it: the facet there goes on to it.
+    TriangleSoup soup;
+    for (const Facet& f : facets_) {
+      const auto first = static_cast<std::uint32_t>(soup.points.size());
+      for (const VertexId v : f) soup.points.push_back(complex.position(v));
+      soup.triangles.push_back({first, first + 1, first + 2});
     }
+    const ClosestPointIndex index(soup);
+    for (const FacetVerdict& verdict : bare)
+      want(splits, edge_towards(facets_[index.closest(verdict.witness).triangle.index()]),
+           Reason::rim_off_border, verdict.witness, verdict.closest.distance());
   }
   std::stable_sort(splits.begin(), splits.end());
   splits.erase(std::unique(splits.begin(), splits.end(),
@@ -275,6 +342,7 @@ void RimCut::run() {
     collect_facets();
     cut_edges(crossing_edges());
     collect_facets();
+    cut_pinches();
     const std::vector<Split> splits = round < most_rounds ? wanted_splits() : std::vector<Split>();
     if (splits.empty()) break;
     for (const Split& s : splits) {

@@ -55,6 +55,9 @@ class RimCut {
   std::vector<Edge> border(const std::vector<Facet>& kept) const;
   Vec3 wall_between(Vec3 kept, Vec3 beyond) const;
   std::vector<Vec3> places_on_edge(const Edge& edge, Vec3 at) const;
+  Edge edge_towards(const Facet& facet) const;
+  std::vector<VertexId> pinches() const;
+  void cut_pinches();
   void cut_edges(const std::vector<Edge>& edges);
   std::vector<Edge> crossing_edges() const;
   std::vector<Split> wanted_splits();

@@ -101,17 +101,20 @@ TEST_CASE("rooms have the Euler characteristic of their walls, and sheets meet i
     TriangleSoup soup;
     std::size_t rooms;
     long euler_characteristic;
-    std::size_t points; ///< where four labels meet
+    std::size_t points;        ///< where four labels meet
+    std::size_t most_vertices; ///< after the last stage
   };
-  const std::vector<Known> known{{cubes(2, 1, 1), 2, 3, 0},
-                                 {three_in_t(), 3, 4, 2},
-                                 {cubes(2, 2, 1), 4, 5, 0},
-                                 {sphere_with_disc(), 2, 3, 0}};
+  const std::vector<Known> known{{cubes(2, 1, 1), 2, 3, 0, 20},
+                                 {three_in_t(), 3, 4, 2, 32},
+                                 {cubes(2, 2, 1), 4, 5, 0, 55},
+                                 {sphere_with_disc(), 2, 3, 0, 55}};
   for (const Known& k : known) {
     CAPTURE(k.rooms);
     CAPTURE(k.euler_characteristic);
     const auto run = run_rooms(k.soup, 4);
     check_rooms(*run, k.rooms, k.euler_characteristic);
+    CHECK(run->result->last_stage == Stage::all);
+    CHECK(run->result->mesh.points.size() <= k.most_vertices);
     const Curves curves = curves_of(run->result->mesh);
     CHECK(curves.components == 1);
     for (const auto& [facets, count] : curves.edge_facets) CHECK(facets == 3);
@@ -189,6 +192,18 @@ TEST_CASE("a segmentation gives the walls between its labels") {
   REQUIRE(block.ok());
   CHECK(block->triangles.size() == 6 * 6 * 6 * 2);
   CHECK(block->bounds().lo == Vec3{-0.5, -0.5, -0.5});
+}
+
+TEST_CASE("all labels of a grid are asked for, or one") {
+  RunParameters parameters;
+  parameters.input = "labels.nrrd";
+  parameters.sides = SidesMode::multi;
+  CHECK(check(parameters).ok());
+  parameters.label = 2;
+  const Status both = check(parameters);
+  REQUIRE_FALSE(both.ok());
+  CHECK(both.error().code == ErrorCode::usage);
+  CHECK(both.error().message.find("--label") != std::string::npos);
 }
 
 TEST_CASE("the report tells every region") {
