@@ -20,9 +20,10 @@ using namespace isoscope::testing;
 
 namespace {
 
-SimplificationParameters cut_until(Stage stage) {
+SimplificationParameters cut_until(Stage stage, ImproverPlace place) {
   SimplificationParameters p;
   p.until = stage;
+  p.improver = place;
   p.skipped[static_cast<std::size_t>(Stage::tessellation)] = true;
   return p;
 }
@@ -92,7 +93,8 @@ struct CutOpen {
   Surface before;
   std::unique_ptr<Simplification> simplification;
 
-  CutOpen(std::string_view model, double percent, const std::function<bool(Vec3)>& kept, Stage until)
+  CutOpen(std::string_view model, double percent, const std::function<bool(Vec3)>& kept,
+          ImproverPlace place = ImproverPlace::free)
       : s(model, {.percent = percent}, [] {
           SimplificationParameters p;
           p.until = Stage::tessellation;
@@ -103,9 +105,9 @@ struct CutOpen {
     before = surface_of(extract_zero_set(start));
     REQUIRE(before.manifold);
     s.bench.volume->keep_border_to(before.border);
-    simplification =
-        std::make_unique<Simplification>(*s.bench.volume, s.bench.samples, s.bench.criteria, cut_until(until),
-                                         *s.bench.recorder, *s.bench.control, start);
+    simplification = std::make_unique<Simplification>(*s.bench.volume, s.bench.samples, s.bench.criteria,
+                                                      cut_until(Stage::improve, place), *s.bench.recorder,
+                                                      *s.bench.control, start);
   }
 };
 
@@ -136,7 +138,7 @@ TEST_CASE("stages on a cut sphere and a cut torus keep loops and χ, and the bor
       {"sphere", [](Vec3 p) { return p.z > -0.1; }}, {"torus", [](Vec3 p) { return p.x > -0.3; }}};
   for (const auto& [model, kept] : cases) {
     CAPTURE(std::string(model));
-    CutOpen open(model, 3, kept, Stage::improve);
+    CutOpen open(model, 3, kept);
     CHECK(open.before.loops == (std::string(model) == "sphere" ? 1u : 2u));
     const Step first = open.s.bench.journal->steps();
     const Result<bool> done = open.simplification->run();
@@ -171,10 +173,29 @@ TEST_CASE("with a border every thread count writes the same journal") {
   std::uint64_t expected = 0;
   for (const unsigned threads : {1u, 3u}) {
     const ThreadLimit limit(threads);
-    CutOpen open(
-        "sphere", 5, [](Vec3 p) { return p.z > -0.1; }, Stage::improve);
+    CutOpen open("sphere", 5, [](Vec3 p) { return p.z > -0.1; });
     REQUIRE(open.simplification->run().ok());
     if (expected == 0) expected = digest(*open.s.bench.journal);
     CHECK(digest(*open.s.bench.journal) == expected);
   }
+}
+
+TEST_CASE("the improver inside T keeps the border to the rim, and dropped facets where they are") {
+  CutOpen open(
+      "sphere", 5, [](Vec3 p) { return p.z > -0.1; }, ImproverPlace::embedded);
+  REQUIRE(open.simplification->run().ok());
+  const Complex& state = open.simplification->complex();
+  CHECK(state.form == ZeroForm::embedded);
+  check_surface(open, state);
+  const auto& journal = *open.s.bench.journal;
+  std::size_t improved = 0;
+  Complex back = state;
+  for (Step k = journal.steps(); k > 0; --k) {
+    const Operation& operation = journal.operations()[k - 1];
+    if (journal.events()[operation.event].stage != Stage::improve) break;
+    back.undo(operation.delta());
+    CHECK(check_complex(back).empty());
+    ++improved;
+  }
+  CHECK(improved > 0);
 }
