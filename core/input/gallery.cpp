@@ -9,7 +9,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<GalleryEntry, 17> entries{{
+constexpr std::array<GalleryEntry, 16> entries{{
     {"bracket", "Angle bracket",
      "Long thin triangles, sharp edges and drilled holes do not matter: only the volume around them does, "
      "and refinement "
@@ -69,10 +69,6 @@ constexpr std::array<GalleryEntry, 17> entries{{
      "An open surface: samples over its rim belong to no side, and the zero set, which goes on beyond it, is "
      "cut there.",
      3.0, 1, 0, 0, 1},
-    {"range-scan", "Scan from one side",
-     "What a scanner sees of a bumpy blob from above, with three holes: each stays open, or is filled where "
-     "you say so.",
-     2.0, -2, 0, 0, 4},
 }};
 
 TriangleSoup make_nested_spheres() {
@@ -108,17 +104,6 @@ TriangleSoup make_blob() {
     p = (1 + 0.13 * bumps + 0.1 * p.x * p.y) * p;
   }
   return model;
-}
-
-/// The blob from above; dark spots give the scanner nothing.
-TriangleSoup make_blob_from_above() {
-  const auto in_spot = [](Vec3 p) {
-    const auto near = [&](double x, double y, double radius) {
-      return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y) < radius * radius;
-    };
-    return near(0.35, 0.3, 0.12) || near(-0.4, 0.25, 0.1) || near(0, -0.45, 0.22);
-  };
-  return make_range_scan(make_blob(), 96, in_spot);
 }
 
 } // namespace
@@ -171,8 +156,6 @@ Result<TriangleSoup> make_gallery_model(std::string_view name) {
     model = make_density();
   else if (name == "hemisphere")
     model = make_hemisphere(24);
-  else if (name == "range-scan")
-    model = make_blob_from_above();
   else {
     std::string names;
     for (const GalleryEntry& e : entries) names += (names.empty() ? "" : ", ") + std::string(e.name);

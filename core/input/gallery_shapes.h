@@ -44,11 +44,6 @@ TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, s
 /// The upper half of the unit sphere, its border in the plane z = 0, as so many rings of triangles.
 TriangleSoup make_hemisphere(int rings);
 
-/// What one sees of a model from far above: a square grid of heights with so many columns, without the places
-/// for which `missing` holds, in triangles where neighbours are not too steep.
-TriangleSoup make_range_scan(const TriangleSoup& model, int columns,
-                             const std::function<bool(Vec3)>& missing);
-
 /// The levels of make_density(), between which its ring of six beads is whole.
 constexpr double density_low = 0.25, density_high = 0.5;
 

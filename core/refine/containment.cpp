@@ -4,6 +4,8 @@
 #include "base/parallel.h"
 #include "mesh/junction.h"
 
+#include <algorithm>
+
 namespace isoscope {
 namespace {
 
@@ -11,6 +13,9 @@ constexpr std::size_t parallel_grain = 16;
 constexpr int march_steps = 2000;
 /// The march has reached d = δ' when it is this near, relative to δ'.
 constexpr double march_precision = 1e-6;
+/// Places of different sides of an open surface that are nearer than this, in units of δ, with nothing of Ω'
+/// between them, are beyond its rim whatever their nearest place is.
+constexpr double meeting_distance = 0.25;
 
 } // namespace
 
@@ -82,6 +87,10 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
     event.reason = Reason::budget;
     return give_up(t, Checklist::State::exhausted, event);
   }
+  if (meets_other_side(t, violation.witness, label)) {
+    event.reason = Reason::too_close;
+    return give_up(t, Checklist::State::exhausted, event);
+  }
   const std::optional<Candidate> chosen = candidate(t, violation, label);
   event.reason = chosen ? chosen->reason : Reason::too_close;
   const std::uint32_t generation = context_.live().generation(t);
@@ -106,11 +115,28 @@ Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event)
   return Turn::acted;
 }
 
+double ContainmentCondition::clearance(Vec3 p) const {
+  return context_.volume().field().distance(p) - context_.volume().thresholds().boundary;
+}
+
+bool ContainmentCondition::meets_other_side(TetId t, Vec3 p, int label) const {
+  if (context_.volume().open_sides() == nullptr) return false;
+  const Complex& complex = context_.live().complex();
+  const double near = meeting_distance * context_.volume().thresholds().delta;
+  const auto meets = [&](VertexId v) {
+    if (complex.label(v) == label || complex.label(v) == 0) return false;
+    const Vec3 q = complex.position(v);
+    const double apart = distance(p, q);
+    if (apart > near) return false;
+    const double room_p = clearance(p), room_q = clearance(q);
+    return room_p > 0 && room_q > 0 && apart < room_p + room_q;
+  };
+  const auto& v = complex.tet(t).v;
+  return std::any_of(v.begin(), v.end(), meets);
+}
+
 std::optional<Vec3> ContainmentCondition::both_sides_meet(TetId t) const {
   const Complex& complex = context_.live().complex();
-  const auto clearance = [&](Vec3 p) {
-    return context_.volume().field().distance(p) - context_.volume().thresholds().boundary;
-  };
   for (const VertexId a : complex.tet(t).v) {
     for (const VertexId b : complex.tet(t).v) {
       if (complex.label(a) >= complex.label(b)) continue;

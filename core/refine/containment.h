@@ -50,6 +50,12 @@ class ContainmentCondition {
   std::optional<Candidate> candidate(TetId t, const Violation& violation, int label) const;
   std::optional<Candidate> traced_candidate(TetId t, const Violation& violation, int label) const;
   bool has_room(Vec3 p, TetId t) const;
+  /// φ(p) − δ'.
+  double clearance(Vec3 p) const;
+  /// Whether a place outside of Ω, with the side that it is on, is joined to a vertex of t on another side:
+  /// open surfaces have such places beyond a jagged rim, where nearest places jump from one face to the
+  /// other.
+  bool meets_other_side(TetId t, Vec3 p, int label) const;
   /// Whether a place outside of Ω' is on a side: round the rim of an open surface a way leads to the other.
   bool on_side(Vec3 p, int label) const;
   std::optional<Vec3> first_boundary_point(Vec3 from, Vec3 to) const;
