@@ -106,7 +106,10 @@ TEST_CASE("The certificate judges coverage by the limit, tells it where thin par
   auto volume = ToleranceVolume::build(std::make_shared<const ClosestPointIndex>(input), analyse_input(input),
                                        {0.05, 0.95}, RunControl());
   REQUIRE(volume.ok());
-  const ExpectedTopology expected{2, 1, {}, "the box", true};
+  ExpectedTopology expected;
+  expected.euler_characteristic = 2;
+  expected.components = 1;
+  expected.source = "the box";
   const auto certified = [&](const CoverTest& test) {
     return certify(mesh, *volume, expected, RunControl(), test);
   };
