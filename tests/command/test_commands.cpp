@@ -26,12 +26,16 @@ TEST_CASE("every command has a name, a title, a sentence and an action") {
   CHECK(names.size() > 50);
 }
 
-TEST_CASE("no two commands share a key") {
+TEST_CASE("no two commands share a key, but for those of lessons while one is on") {
   const AppModel model([] {});
   std::map<std::string, std::string_view> owners;
   for (const Command& command : model.commands.all())
     for (const Chord& chord : command.keys) {
       CAPTURE(text(chord));
+      if (command.name.starts_with("lesson-")) {
+        CHECK(!command.is_enabled());
+        continue;
+      }
       CHECK(owners.emplace(text(chord), command.name).second);
       CHECK(model.commands.find(chord) == &command);
     }

@@ -58,8 +58,8 @@ void AppModel::add_commands() {
   investigation.add_commands(commands);
   comparison.add_commands(commands);
   add_view_commands(commands, *this);
-  lessons.add_commands(commands);
   talk.add_commands(commands);
+  lessons.add_commands(commands); // behind those whose keys they take while a lesson is on
   exports.add_commands(commands);
   add_window_commands(commands, *this, values);
   add_script_commands(*this);

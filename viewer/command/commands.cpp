@@ -18,31 +18,19 @@ struct KeyName {
   int key;
   std::string_view name;
 };
-constexpr std::array<KeyName, 26> key_names{{{GLFW_KEY_SPACE, "Space"},
-                                             {GLFW_KEY_LEFT, "Left"},
-                                             {GLFW_KEY_RIGHT, "Right"},
-                                             {GLFW_KEY_UP, "Up"},
-                                             {GLFW_KEY_DOWN, "Down"},
-                                             {GLFW_KEY_HOME, "Home"},
-                                             {GLFW_KEY_END, "End"},
-                                             {GLFW_KEY_ESCAPE, "Esc"},
-                                             {GLFW_KEY_ENTER, "Enter"},
-                                             {GLFW_KEY_TAB, "Tab"},
-                                             {GLFW_KEY_DELETE, "Del"},
-                                             {GLFW_KEY_PAGE_UP, "PageUp"},
-                                             {GLFW_KEY_PAGE_DOWN, "PageDown"},
-                                             {GLFW_KEY_EQUAL, "+"},
-                                             {GLFW_KEY_MINUS, "-"},
-                                             {GLFW_KEY_LEFT_BRACKET, "["},
-                                             {GLFW_KEY_RIGHT_BRACKET, "]"},
-                                             {GLFW_KEY_COMMA, ","},
-                                             {GLFW_KEY_PERIOD, "."},
-                                             {GLFW_KEY_SLASH, "/"},
-                                             {GLFW_KEY_KP_1, "Num1"},
-                                             {GLFW_KEY_KP_3, "Num3"},
-                                             {GLFW_KEY_KP_5, "Num5"},
-                                             {GLFW_KEY_KP_7, "Num7"},
-                                             {GLFW_KEY_KP_ADD, "Num+"},
+constexpr std::array<KeyName, 27> key_names{{{GLFW_KEY_SPACE, "Space"},     {GLFW_KEY_LEFT, "Left"},
+                                             {GLFW_KEY_RIGHT, "Right"},     {GLFW_KEY_UP, "Up"},
+                                             {GLFW_KEY_DOWN, "Down"},       {GLFW_KEY_HOME, "Home"},
+                                             {GLFW_KEY_END, "End"},         {GLFW_KEY_ESCAPE, "Esc"},
+                                             {GLFW_KEY_ENTER, "Enter"},     {GLFW_KEY_BACKSPACE, "Backspace"},
+                                             {GLFW_KEY_TAB, "Tab"},         {GLFW_KEY_DELETE, "Del"},
+                                             {GLFW_KEY_PAGE_UP, "PageUp"},  {GLFW_KEY_PAGE_DOWN, "PageDown"},
+                                             {GLFW_KEY_EQUAL, "+"},         {GLFW_KEY_MINUS, "-"},
+                                             {GLFW_KEY_LEFT_BRACKET, "["},  {GLFW_KEY_RIGHT_BRACKET, "]"},
+                                             {GLFW_KEY_COMMA, ","},         {GLFW_KEY_PERIOD, "."},
+                                             {GLFW_KEY_SLASH, "/"},         {GLFW_KEY_KP_1, "Num1"},
+                                             {GLFW_KEY_KP_3, "Num3"},       {GLFW_KEY_KP_5, "Num5"},
+                                             {GLFW_KEY_KP_7, "Num7"},       {GLFW_KEY_KP_ADD, "Num+"},
                                              {GLFW_KEY_KP_SUBTRACT, "Num-"}}};
 
 std::string key_text(int key) {
@@ -126,9 +114,8 @@ const Command* CommandTable::find(std::string_view name) const {
 const Command* CommandTable::find(const Chord& chord) const {
   const Command* found = nullptr;
   for (const Command& command : commands_) {
-    if (std::find(command.keys.begin(), command.keys.end(), chord) == command.keys.end()) continue;
-    if (command.is_enabled()) return &command;
-    if (found == nullptr) found = &command;
+    const bool has = std::find(command.keys.begin(), command.keys.end(), chord) != command.keys.end();
+    if (has && (found == nullptr || command.is_enabled())) found = &command;
   }
   return found;
 }

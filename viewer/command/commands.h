@@ -93,7 +93,7 @@ class CommandTable {
   /// The menu of files ends with it.
   void move_to_end(std::string_view name);
   const Command* find(std::string_view name) const;
-  /// The command of a key, of several the first that is possible now; null when there is none.
+  /// The command of a key, of several the last that is possible now; null when there is none.
   const Command* find(const Chord& chord) const;
   /// Splits a line at blanks; "double quotes" keep them.
   CommandCall parse(std::string_view line) const;
