@@ -5,6 +5,7 @@
 #include "tolerance/rounding.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace isoscope {
@@ -29,6 +30,7 @@ double least_distance(Vec3 p, std::span<const Segment3> segments) {
 BorderGate::BorderGate(std::vector<Segment3> rim, double delta) : rim_(std::move(rim)), delta_(delta) {}
 
 BorderVerdict BorderGate::keeps_to_rim(const Segment3& edge) const {
+  if (rim_.segments().empty()) return {false, edge[0], std::numeric_limits<double>::infinity()};
   Box3 box;
   for (const Vec3 p : edge) box.add(p);
   const double rounding = rounding_bound(rim_.bounds(), box, roundings);
