@@ -135,7 +135,7 @@ stage zero-set
 wait settled
 next-event rejection
 wait settled
-expect depth == 1 and gates == 10
+expect depth == 1 and gates == 11
 key F11
 wait settled
 expect depth == 2 and gate.number == 1 and gate.failed == off
