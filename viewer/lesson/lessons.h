@@ -4,8 +4,6 @@
 #include "lesson/handout.h"
 #include "lesson/lesson_runner.h"
 
-#include <imgui.h>
-
 namespace isoscope {
 
 struct Ui;
