@@ -50,6 +50,11 @@ constexpr int label_count(const TetLabels& labels) {
   return count;
 }
 
+/// Whether Z passes through a tetrahedron, or touches it where F = 0 at a corner.
+constexpr bool carries_zero_set(const TetLabels& labels) {
+  return label_count(labels) > 1 || std::find(labels.begin(), labels.end(), 0) != labels.end();
+}
+
 /// The largest label of the corners and the smallest one, but for 0: the two where there are two. Z is seen
 /// from the larger one.
 struct LabelPair {
@@ -64,6 +69,10 @@ constexpr LabelPair outer_labels(const TetLabels& labels) {
     pair.back = pair.back == 0 ? label : std::min(pair.back, label);
   }
   return pair;
+}
+/// Of at most two labels: f as the larger one sees it; Z is where it is 0.
+inline std::array<double, 4> seen_from_front(const std::array<double, 4>& values, const TetLabels& labels) {
+  return seen_from(outer_labels(labels).front, values, labels);
 }
 
 } // namespace isoscope

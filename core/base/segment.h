@@ -3,6 +3,7 @@
 
 #include "base/geometry.h"
 
+#include <algorithm>
 #include <array>
 
 namespace isoscope {

@@ -1,7 +1,9 @@
-// Turns a list into a set.
+// Puts lists and small arrays in order.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace isoscope {
@@ -10,6 +12,12 @@ namespace isoscope {
 template <class T> void sort_unique(std::vector<T>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/// The same values, ascending.
+template <class T, std::size_t n> std::array<T, n> sorted(std::array<T, n> values) {
+  std::sort(values.begin(), values.end());
+  return values;
 }
 
 } // namespace isoscope

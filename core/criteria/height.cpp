@@ -47,7 +47,7 @@ Height tetrahedron_height(const std::array<Vec3, 4>& p, const std::array<double,
 Height tetrahedron_height(const std::array<Vec3, 4>& p, const std::array<double, 4>& values,
                           const TetLabels& labels) {
   const int count = label_count(labels);
-  if (count < 3) return tetrahedron_height(p, seen_from(outer_labels(labels).front, values, labels));
+  if (count < 3) return tetrahedron_height(p, seen_from_front(values, labels));
   Height least;
   for (const std::int8_t label : labels) {
     const Height height = tetrahedron_height(p, seen_from(label, values, labels));

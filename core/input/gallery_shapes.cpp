@@ -224,6 +224,28 @@ TriangleSoup make_defective(const TriangleSoup& model, double noise) {
   return soup;
 }
 
+TriangleSoup make_hemisphere(int rings) {
+  TriangleSoup model;
+  const int around = 4 * rings;
+  model.points.push_back({0, 0, 1});
+  for (int i = 1; i <= rings; ++i) {
+    const CirclePoint down = circle_point(i, 4L * rings);
+    for (int k = 0; k < around; ++k) {
+      const CirclePoint at = circle_point(k, around);
+      model.points.push_back({down.sine * at.cosine, down.sine * at.sine, down.cosine});
+    }
+  }
+  const auto point = [&](int i, int k) {
+    return i == 0 ? Index{0} : static_cast<Index>(1 + (i - 1) * around + k % around);
+  };
+  for (int i = 0; i < rings; ++i)
+    for (int k = 0; k < around; ++k) {
+      model.triangles.push_back({point(i, k), point(i + 1, k), point(i + 1, k + 1)});
+      if (i > 0) model.triangles.push_back({point(i, k), point(i + 1, k + 1), point(i, k + 1)});
+    }
+  return model;
+}
+
 TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, std::size_t outliers,
                        const std::function<bool(Vec3)>& missing) {
   std::uint64_t state = 0;

@@ -164,8 +164,7 @@ bool Complex::on_zero_set(TetId t, std::size_t i) const {
 }
 
 bool Complex::in_gamma(TetId t) const {
-  const TetLabels l = labels(t);
-  return label_count(l) > 1 || std::find(l.begin(), l.end(), 0) != l.end();
+  return carries_zero_set(labels(t));
 }
 
 std::size_t Complex::alive_tets() const {

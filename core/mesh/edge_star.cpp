@@ -39,8 +39,7 @@ EdgeKind EdgeStar::kind() const {
   bool in_gamma = false, outside_gamma = false;
   for (const StarTet& t : tets) {
     if (!t.ring()) continue;
-    const TetLabels l = labels(t);
-    const bool carries = label_count(l) > 1 || std::find(l.begin(), l.end(), 0) != l.end();
+    const bool carries = carries_zero_set(labels(t));
     in_gamma |= carries;
     outside_gamma |= !carries;
   }

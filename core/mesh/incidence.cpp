@@ -91,8 +91,8 @@ void gather_interpolated_facets(const Complex& complex, const Incidence& inciden
   for (const TetId t : tets) {
     const TetLabels labels = complex.labels(t);
     if (label_count(labels) < 3) {
-      const ZeroPolygon polygon = zero_polygon(
-          complex.positions(t), seen_from(outer_labels(labels).front, complex.values(t), labels));
+      const ZeroPolygon polygon =
+          zero_polygon(complex.positions(t), seen_from_front(complex.values(t), labels));
       if (polygon.count >= 3) out.push_back({polygon.corner[0], polygon.corner[1], polygon.corner[2]});
       continue;
     }

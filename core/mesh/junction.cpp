@@ -113,7 +113,7 @@ void append_zero_triangles(const std::array<Vec3, 4>& p, const std::array<double
     return;
   }
   const LabelPair pair = outer_labels(labels);
-  const ZeroPolygon polygon = zero_polygon(p, seen_from(pair.front, values, labels));
+  const ZeroPolygon polygon = zero_polygon(p, seen_from_front(values, labels));
   const PolygonSplit split = split_polygon(polygon.corner, polygon.count);
   for (std::size_t k = 0; k < split.count; ++k) {
     const auto [i, j, l] = split.triangles[k];

@@ -61,18 +61,14 @@ std::size_t path_length(std::span<const LinkArc> link, const std::vector<Use>& u
   return 0;
 }
 
-/// Whether all tetrahedra have one of the sides ±1 and no dropped facet: then Z is a closed surface.
-template <class Tets> bool is_plain(const Tets& tets) {
-  return std::all_of(tets.begin(), tets.end(),
-                     [](const auto& t) { return t.dropped == 0 && t.side >= -1 && t.side <= 1; });
+/// Whether a tetrahedron has one of the sides ±1 and no dropped facet: where all have, Z is a closed surface.
+template <class Tetrahedron> bool is_plain(const Tetrahedron& t) {
+  return t.dropped == 0 && t.side >= -1 && t.side <= 1;
 }
 
 bool is_plain_at(const Complex& complex, const Incidence& incidence, VertexId v) {
   const auto at = incidence.tets_of(v);
-  return std::all_of(at.begin(), at.end(), [&](TetId id) {
-    const Tet& t = complex.tet(id);
-    return t.dropped == 0 && t.side >= -1 && t.side <= 1;
-  });
+  return std::all_of(at.begin(), at.end(), [&](TetId t) { return is_plain(complex.tet(t)); });
 }
 
 } // namespace
@@ -165,7 +161,7 @@ std::vector<LinkArc> link_arcs(std::span<const StarFacet> facets, std::uint16_t 
 EdgeStrata strata_of(const EdgeStar& star) {
   EdgeStrata strata;
   if (star.form != ZeroForm::embedded) return strata;
-  if (is_plain(star.tets)) {
+  if (std::all_of(star.tets.begin(), star.tets.end(), is_plain<EdgeStar::StarTet>)) {
     strata.a = star.vertices[0].value == 0 ? Stratum::sheet : Stratum::room;
     strata.b = star.vertices[1].value == 0 ? Stratum::sheet : Stratum::room;
     if (star.kind() == EdgeKind::zero) strata.edge = Stratum::sheet;

@@ -1,6 +1,7 @@
 // Checks by definition, without help from the code that maintains the structures.
 #include "mesh/validity.h"
 
+#include "base/sort_unique.h"
 #include "mesh/predicates.h"
 
 #include <algorithm>
@@ -11,11 +12,6 @@ namespace isoscope {
 namespace {
 
 using FacetKey = std::array<VertexId, 3>;
-
-FacetKey sorted(FacetKey f) {
-  std::sort(f.begin(), f.end());
-  return f;
-}
 
 std::string name(TetId t) {
   return "tetrahedron " + std::to_string(t.value);

@@ -74,8 +74,8 @@ std::vector<ZeroTopology::Polygon> ZeroTopology::patch(const Complex& complex,
         add_junction(complex, t.id, found);
         continue;
       }
-      const ZeroPolygon polygon = zero_polygon(
-          complex.positions(t.id), seen_from(outer_labels(labels).front, complex.values(t.id), labels));
+      const ZeroPolygon polygon =
+          zero_polygon(complex.positions(t.id), seen_from_front(complex.values(t.id), labels));
       if (polygon.count == 0) continue;
       Polygon p;
       p.count = static_cast<std::size_t>(polygon.count);

@@ -119,6 +119,11 @@ double ContainmentCondition::clearance(Vec3 p) const {
   return context_.volume().field().distance(p) - context_.volume().thresholds().boundary;
 }
 
+bool ContainmentCondition::joined_outside(Vec3 p, Vec3 q) const {
+  const double room_p = clearance(p), room_q = clearance(q);
+  return room_p > 0 && room_q > 0 && distance(p, q) < room_p + room_q;
+}
+
 bool ContainmentCondition::meets_other_side(TetId t, Vec3 p, int label) const {
   if (context_.volume().open_sides() == nullptr) return false;
   const Complex& complex = context_.live().complex();
@@ -126,10 +131,7 @@ bool ContainmentCondition::meets_other_side(TetId t, Vec3 p, int label) const {
   const auto meets = [&](VertexId v) {
     if (complex.label(v) == label || complex.label(v) == 0) return false;
     const Vec3 q = complex.position(v);
-    const double apart = distance(p, q);
-    if (apart > near) return false;
-    const double room_p = clearance(p), room_q = clearance(q);
-    return room_p > 0 && room_q > 0 && apart < room_p + room_q;
+    return distance(p, q) <= near && joined_outside(p, q);
   };
   const auto& v = complex.tet(t).v;
   return std::any_of(v.begin(), v.end(), meets);
@@ -141,8 +143,7 @@ std::optional<Vec3> ContainmentCondition::both_sides_meet(TetId t) const {
     for (const VertexId b : complex.tet(t).v) {
       if (complex.label(a) >= complex.label(b)) continue;
       const Vec3 p = complex.position(a), q = complex.position(b);
-      const double room_p = clearance(p), room_q = clearance(q);
-      if (room_p > 0 && room_q > 0 && distance(p, q) < room_p + room_q) return 0.5 * (p + q);
+      if (joined_outside(p, q)) return 0.5 * (p + q);
     }
   }
   return std::nullopt;

@@ -7,11 +7,12 @@
 #include "base/place.h"
 #include "base/sort_unique.h"
 #include "tolerance/facet_certificate.h"
+#include "tolerance/welded_mesh.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
+#include <span>
 
 namespace isoscope {
 namespace {
@@ -30,8 +31,7 @@ struct OneWay {
   bool complete = false;
 };
 
-template <class Segments>
-OneWay one_way(const Segments& segments, const ClosestPointIndex& to, double delta,
+OneWay one_way(std::span<const Segment3> segments, const ClosestPointIndex& to, double delta,
                const std::function<bool()>& stop) {
   std::vector<FacetVerdict> verdicts(segments.size());
   FacetSearch search;
@@ -67,14 +67,10 @@ TriangleMesh fillings(const TriangleMesh& mesh, const FilledHoles& holes) {
 
 /// The loops of the rim that are nearest to where facets that fill meet others.
 std::vector<std::uint32_t> filled_loops(const TriangleMesh& mesh, const Rim& rim, const FilledHoles& holes) {
-  std::vector<std::uint32_t> loops, loop_of;
+  std::vector<std::uint32_t> loops;
   if (holes.facets.empty()) return loops;
-  for (const RimPiece& piece : rim.pieces())
-    if (piece.open) loop_of.push_back(piece.loop);
-  for (const auto& [a, b] : border_edges(fillings(mesh, holes))) {
-    const Vec3 middle = 0.5 * (mesh.points[a] + mesh.points[b]);
-    loops.push_back(loop_of[rim.curve().closest(middle).triangle.index()]);
-  }
+  for (const auto& [a, b] : border_edges(fillings(mesh, holes)))
+    loops.push_back(rim.loop_near(0.5 * (mesh.points[a] + mesh.points[b])));
   sort_unique(loops);
   return loops;
 }
@@ -86,10 +82,6 @@ FilledHoles filled_holes(const Journal& journal, Step step, const Complex& compl
   if (step == 0 || complex.form != ZeroForm::embedded) return holes;
   const Operation& last = journal.operations()[step - 1];
   if (journal.events()[last.event].kind != EventKind::fill) return holes;
-  const auto sorted = [](std::array<VertexId, 3> f) {
-    std::sort(f.begin(), f.end());
-    return f;
-  };
   std::vector<std::array<VertexId, 3>> filled;
   for (const Delta::DroppedChange& change : last.delta().dropped)
     for (std::size_t k = 0; k < 4; ++k)
@@ -98,8 +90,8 @@ FilledHoles filled_holes(const Journal& journal, Step step, const Complex& compl
   sort_unique(filled);
   for (const ZeroSet::Polygon& p : zero_set.polygons) {
     const auto vertex = [&](std::size_t k) { return zero_set.vertices[p.v[k]].negative; };
-    holes.facets.push_back(
-        std::binary_search(filled.begin(), filled.end(), sorted({vertex(0), vertex(1), vertex(2)})));
+    holes.facets.push_back(std::binary_search(filled.begin(), filled.end(),
+                                              sorted(std::array{vertex(0), vertex(1), vertex(2)})));
   }
   return holes;
 }
@@ -114,22 +106,8 @@ ExpectedTopology with_filled_holes(ExpectedTopology expected, const FilledHoles&
 }
 
 std::vector<std::array<std::uint32_t, 2>> border_edges(const TriangleMesh& mesh) {
-  struct Use {
-    std::uint32_t low, high, from, to;
-  };
-  std::vector<Use> uses;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      uses.push_back({std::min(a, b), std::max(a, b), a, b});
-    }
-  std::sort(uses.begin(), uses.end(),
-            [](const Use& x, const Use& y) { return std::tie(x.low, x.high) < std::tie(y.low, y.high); });
   std::vector<std::array<std::uint32_t, 2>> border;
-  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
-    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
-    if (end - i == 1) border.push_back({uses[i].from, uses[i].to});
-  }
+  for (const EdgeUse& use : border_uses(mesh.triangles)) border.push_back({use.from(), use.to()});
   return border;
 }
 
@@ -151,14 +129,8 @@ std::optional<BorderProof> prove_border(const TriangleMesh& mesh, const Toleranc
   const double delta = volume.thresholds().delta;
   const Rim& rim = volume.open_sides()->rim();
   const std::vector<std::uint32_t> filled = filled_loops(mesh, rim, holes);
-  std::vector<std::array<Vec3, 2>> border, open;
-  TriangleSoup curve;
-  for (const auto& [a, b] : border_edges(mesh)) {
-    border.push_back({mesh.points[a], mesh.points[b]});
-    const auto first = static_cast<std::uint32_t>(curve.points.size());
-    curve.points.insert(curve.points.end(), {mesh.points[a], mesh.points[b]});
-    curve.triangles.push_back({first, first + 1, first + 1});
-  }
+  std::vector<Segment3> border, open;
+  for (const auto& [a, b] : border_edges(mesh)) border.push_back({mesh.points[a], mesh.points[b]});
   for (const RimPiece& piece : rim.pieces())
     if (piece.open && !std::binary_search(filled.begin(), filled.end(), piece.loop))
       open.push_back({piece.a, piece.b});
@@ -176,7 +148,7 @@ std::optional<BorderProof> prove_border(const TriangleMesh& mesh, const Toleranc
   const OneWay to_rim = one_way(border, rim.curve(), delta, stop);
   if (!to_rim.complete) return std::nullopt;
   proof.to_rim = judge(to_rim, "The border of the mesh", "the open rim");
-  const OneWay from_rim = one_way(open, ClosestPointIndex(curve), delta, stop);
+  const OneWay from_rim = one_way(open, ClosestPointIndex(flat_triangles(border)), delta, stop);
   if (!from_rim.complete) return std::nullopt;
   proof.from_rim = judge(from_rim, "The open rim", "the border of the mesh");
   return proof;

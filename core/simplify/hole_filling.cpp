@@ -5,6 +5,7 @@
 #include "base/sort_unique.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace isoscope {
@@ -29,11 +30,8 @@ std::vector<CapFacet> dropped_facets(const Complex& complex) {
   return facets;
 }
 
-std::vector<VertexId> sorted_corners(const Complex& complex, const CapFacet& f) {
-  const auto corners = complex.tet(f.tet).facet(f.facet);
-  std::vector<VertexId> v(corners.begin(), corners.end());
-  std::sort(v.begin(), v.end());
-  return v;
+std::array<VertexId, 3> sorted_corners(const Complex& complex, const CapFacet& f) {
+  return sorted(complex.tet(f.tet).facet(f.facet));
 }
 
 } // namespace
@@ -56,7 +54,7 @@ std::vector<Cap> find_caps(const Complex& complex, const ToleranceVolume& volume
   const std::vector<CapFacet> facets = dropped_facets(complex);
   std::vector<EdgeOfFacet> edges;
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
-    const std::vector<VertexId> v = sorted_corners(complex, facets[f]);
+    const auto v = sorted_corners(complex, facets[f]);
     for (const Edge& e : {Edge{v[0], v[1]}, Edge{v[0], v[2]}, Edge{v[1], v[2]}}) edges.push_back({e, f});
   }
   std::sort(edges.begin(), edges.end());
@@ -71,20 +69,17 @@ std::vector<Cap> find_caps(const Complex& complex, const ToleranceVolume& volume
     const auto [at, fresh] = numbers.emplace(sets.find(f), caps.size());
     if (fresh) caps.emplace_back(), corners.emplace_back();
     caps[at->second].facets.push_back(facets[f]);
-    const std::vector<VertexId> v = sorted_corners(complex, facets[f]);
+    const auto v = sorted_corners(complex, facets[f]);
     corners[at->second].insert(corners[at->second].end(), v.begin(), v.end());
   }
   const Rim& rim = volume.open_sides()->rim();
-  std::vector<std::uint32_t> loop_of; // by open piece, as the curve numbers them
-  for (const RimPiece& piece : rim.pieces())
-    if (piece.open) loop_of.push_back(piece.loop);
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
     while (end < edges.size() && edges[end].edge == edges[i].edge) ++end;
     Cap& cap = caps[numbers.at(sets.find(edges[i].facet))];
     --cap.euler_characteristic;
     if (end - i > 1) continue;
     const Vec3 middle = 0.5 * (complex.position(edges[i].edge[0]) + complex.position(edges[i].edge[1]));
-    cap.loops.push_back(loop_of[rim.curve().closest(middle).triangle.index()]);
+    cap.loops.push_back(rim.loop_near(middle));
   }
   for (std::size_t c = 0; c < caps.size(); ++c) {
     sort_unique(corners[c]);

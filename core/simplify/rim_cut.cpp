@@ -24,11 +24,6 @@ constexpr double pinch_share = 0.05;
 constexpr double shortest_edge = 0.02;
 constexpr std::size_t piece_budget = 20000;
 
-template <std::size_t n> std::array<VertexId, n> sorted(std::array<VertexId, n> v) {
-  std::sort(v.begin(), v.end());
-  return v;
-}
-
 template <class Facet> std::array<std::array<VertexId, 2>, 3> edges_of(const Facet& f) {
   return {{{f[0], f[1]}, {f[0], f[2]}, {f[1], f[2]}}}; // sorted, as corners are
 }
@@ -229,14 +224,10 @@ void RimCut::want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 wit
     splits.push_back({edge, reason, witness, value});
 }
 
-/// What is not proven yet, each by one edge whose splitting brings it nearer to it.
-std::vector<RimCut::Split> RimCut::wanted_splits() {
+/// Facets that are kept and not proven to be inside Ω, each by its longest edge.
+void RimCut::want_inside(const std::vector<Facet>& kept, std::vector<Split>& splits) {
   const Complex& complex = live_.complex();
   const double delta = volume_.thresholds().delta;
-  const std::vector<Facet> kept = kept_facets();
-  const std::vector<Edge> edges = border(kept);
-  std::vector<Split> splits;
-
   std::vector<FacetVerdict> inside(kept.size());
   parallel_for(kept.size(), 16, [&](std::size_t i) {
     if (proven_.contains(kept[i])) return;
@@ -255,12 +246,16 @@ std::vector<RimCut::Split> RimCut::wanted_splits() {
         all.begin(), all.end(), [&](const Edge& x, const Edge& y) { return length(x) < length(y); });
     want(splits, longest, Reason::leaves_volume, inside[i].witness, inside[i].closest.distance());
   }
+}
 
+/// Edges of the border that are not proven to be within δ of the rim.
+void RimCut::want_near_rim(const std::vector<Edge>& edges, std::vector<Split>& splits) {
+  const double delta = volume_.thresholds().delta;
   const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
   std::vector<FacetVerdict> near(edges.size());
   parallel_for(edges.size(), 16, [&](std::size_t i) {
     if (near_rim_.contains(edges[i])) return;
-    const Vec3 a = complex.position(edges[i][0]), b = complex.position(edges[i][1]);
+    const auto [a, b] = segment(edges[i]);
     near[i] = certify_facet(curve, {a, b, b}, delta, delta, piece_budget);
   });
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -270,40 +265,44 @@ std::vector<RimCut::Split> RimCut::wanted_splits() {
     else
       want(splits, edges[i], Reason::border_off_rim, near[i].witness, near[i].closest.distance());
   }
+}
 
-  std::vector<FacetVerdict> bare; ///< places of the rim that no border is near to
-  if (!edges.empty()) {
-    TriangleSoup soup;
-    for (const auto& [a, b] : edges) {
-      const auto first = static_cast<std::uint32_t>(soup.points.size());
-      soup.points.insert(soup.points.end(), {complex.position(a), complex.position(b)});
-      soup.triangles.push_back({first, first + 1, first + 1});
-    }
-    const ClosestPointIndex index(soup);
-    const auto pieces = volume_.open_sides()->rim().pieces();
-    std::vector<FacetVerdict> reached(pieces.size());
-    parallel_for(pieces.size(), 16, [&](std::size_t i) {
-      reached[i].kind = FacetVerdict::Kind::inside;
-      if (pieces[i].open)
-        reached[i] =
-            certify_facet(index, {pieces[i].a, pieces[i].b, pieces[i].b}, delta, delta, piece_budget);
-    });
-    for (const FacetVerdict& verdict : reached)
-      if (verdict.kind != FacetVerdict::Kind::inside) bare.push_back(verdict);
+/// Places of the rim that no border is proven to be within δ of: the facet of Z there goes on to them.
+void RimCut::want_rim_reached(const std::vector<Edge>& edges, std::vector<Split>& splits) const {
+  if (edges.empty()) return;
+  const double delta = volume_.thresholds().delta;
+  std::vector<Segment3> border;
+  for (const Edge& e : edges) border.push_back(segment(e));
+  const ClosestPointIndex index(flat_triangles(border));
+  const auto pieces = volume_.open_sides()->rim().pieces();
+  std::vector<FacetVerdict> reached(pieces.size());
+  parallel_for(pieces.size(), 16, [&](std::size_t i) {
+    reached[i].kind = FacetVerdict::Kind::inside;
+    if (pieces[i].open)
+      reached[i] = certify_facet(index, {pieces[i].a, pieces[i].b, pieces[i].b}, delta, delta, piece_budget);
+  });
+  std::erase_if(reached, [](const FacetVerdict& v) { return v.kind == FacetVerdict::Kind::inside; });
+  if (reached.empty()) return;
+  TriangleSoup soup;
+  for (const Facet& f : facets_) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const VertexId v : f) soup.points.push_back(live_.complex().position(v));
+    soup.triangles.push_back({first, first + 1, first + 2});
   }
-  if (!bare.empty()) {
-    // What is kept ends before it: the facet there goes on to it.
-    TriangleSoup soup;
-    for (const Facet& f : facets_) {
-      const auto first = static_cast<std::uint32_t>(soup.points.size());
-      for (const VertexId v : f) soup.points.push_back(complex.position(v));
-      soup.triangles.push_back({first, first + 1, first + 2});
-    }
-    const ClosestPointIndex index(soup);
-    for (const FacetVerdict& verdict : bare)
-      want(splits, edge_towards(facets_[index.closest(verdict.witness).triangle.index()]),
-           Reason::rim_off_border, verdict.witness, verdict.closest.distance());
-  }
+  const ClosestPointIndex zero_set(soup);
+  for (const FacetVerdict& verdict : reached)
+    want(splits, edge_towards(facets_[zero_set.closest(verdict.witness).triangle.index()]),
+         Reason::rim_off_border, verdict.witness, verdict.closest.distance());
+}
+
+/// What is not proven yet, each by one edge whose splitting brings it nearer to it.
+std::vector<RimCut::Split> RimCut::wanted_splits() {
+  const std::vector<Facet> kept = kept_facets();
+  const std::vector<Edge> edges = border(kept);
+  std::vector<Split> splits;
+  want_inside(kept, splits);
+  want_near_rim(edges, splits);
+  want_rim_reached(edges, splits);
   std::stable_sort(splits.begin(), splits.end());
   splits.erase(std::unique(splits.begin(), splits.end(),
                            [](const Split& x, const Split& y) { return x.edge == y.edge; }),

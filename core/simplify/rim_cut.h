@@ -1,6 +1,7 @@
 // The cut of an embedded Z along the wall over the rim of open surfaces (§4.1).
 #pragma once
 
+#include "base/segment.h"
 #include "collapse/live_complex.h"
 #include "journal/stage_log.h"
 #include "tolerance/tolerance_volume.h"
@@ -60,14 +61,18 @@ class RimCut {
   void cut_pinches();
   void cut_edges(const std::vector<Edge>& edges);
   std::vector<Edge> crossing_edges() const;
+  void want_inside(const std::vector<Facet>& kept, std::vector<Split>& splits);
+  void want_near_rim(const std::vector<Edge>& edges, std::vector<Split>& splits);
+  void want_rim_reached(const std::vector<Edge>& edges, std::vector<Split>& splits) const;
   std::vector<Split> wanted_splits();
   void want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 witness, double value) const;
   /// False where a tetrahedron would turn over at any place that was tried.
   bool split(const Split& split, Vec3 at, Place place);
   void drop();
-  double length(const Edge& e) const {
-    return distance(live_.complex().position(e[0]), live_.complex().position(e[1]));
+  Segment3 segment(const Edge& e) const {
+    return {live_.complex().position(e[0]), live_.complex().position(e[1])};
   }
+  double length(const Edge& e) const { return distance(segment(e)[0], segment(e)[1]); }
 };
 
 } // namespace isoscope

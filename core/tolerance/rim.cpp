@@ -36,23 +36,6 @@ constexpr double gap = 2;
 constexpr double on_border = 1e-6;
 constexpr double closeness = 1e-9;
 
-/// An edge with one triangle, as that runs.
-struct BorderEdge {
-  std::uint32_t from, to, triangle;
-};
-
-std::vector<BorderEdge> border_edges(const WeldedMesh& mesh) {
-  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
-  std::vector<BorderEdge> edges;
-  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
-    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
-    if (end - i != 1 || uses[i].low == uses[i].high) continue;
-    const EdgeUse& u = uses[i];
-    edges.push_back({u.ascends ? u.low : u.high, u.ascends ? u.high : u.low, u.triangle});
-  }
-  return edges;
-}
-
 Vec3 conormal_of(const Triangle3& t, Vec3 a, Vec3 b) {
   return normalized(cross(b - a, cross(t[1] - t[0], t[2] - t[0])));
 }
@@ -64,19 +47,6 @@ bool stands_on_wall(const ClosestPointIndex& index, const RimPiece& piece, doubl
   const Vec3 middle = 0.5 * (piece.a + piece.b);
   return index.distance(middle + aside) <= on_wall * boundary &&
          index.distance(middle - aside) <= on_wall * boundary;
-}
-
-/// Edges as triangles without area.
-template <class Pieces, class Ends>
-std::shared_ptr<const ClosestPointIndex> curve_of(const Pieces& pieces, const Ends& ends) {
-  TriangleSoup soup;
-  for (const auto& piece : pieces) {
-    const auto [a, b] = ends(piece);
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
-    soup.points.insert(soup.points.end(), {a, b});
-    soup.triangles.push_back({first, first + 1, first + 1});
-  }
-  return std::make_shared<const ClosestPointIndex>(soup);
 }
 
 } // namespace
@@ -94,29 +64,28 @@ Rim::Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted, d
 void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
               const RunControl& control) {
   const WeldedMesh mesh = weld(index);
-  std::vector<BorderEdge> edges = border_edges(mesh);
+  const std::vector<EdgeUse> edges = border_uses(mesh.triangles);
   if (edges.empty()) return;
-  // Any border may be what lies before another one.
-  const auto all = curve_of(edges, [&](const BorderEdge& e) {
-    return std::pair{mesh.points[e.from], mesh.points[e.to]};
-  });
+  std::vector<Segment3> segments;
   std::vector<Vec3> conormals;
-  for (const BorderEdge& e : edges)
-    conormals.push_back(
-        conormal_of(index.triangle(TriangleId(e.triangle)), mesh.points[e.from], mesh.points[e.to]));
+  for (const EdgeUse& e : edges) {
+    const auto& [from, to] = segments.emplace_back(Segment3{mesh.points[e.from()], mesh.points[e.to()]});
+    conormals.push_back(conormal_of(index.triangle(TriangleId(e.triangle)), from, to));
+  }
+  const ClosestPointIndex all(flat_triangles(segments)); // any border may be what lies before another one
 
   auto next_node = static_cast<std::uint32_t>(mesh.points.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const BorderEdge& e = edges[i];
+    const EdgeUse& e = edges[i];
     if (wanted[e.triangle] == 0) continue;
-    const Vec3 from = mesh.points[e.from], to = mesh.points[e.to];
+    const auto& [from, to] = segments[i];
     const auto n = static_cast<std::uint32_t>(
         std::max(1.0, std::ceil(distance(from, to) / (longest_piece * boundary_))));
     for (std::uint32_t k = 0; k < n; ++k) {
       const Vec3 a = from + (static_cast<double>(k) / n) * (to - from);
       const Vec3 b = k + 1 == n ? to : from + (static_cast<double>(k + 1) / n) * (to - from);
       pieces_.push_back({a, b, conormals[i], TriangleId(e.triangle)});
-      nodes_.push_back({k == 0 ? e.from : next_node++, k + 1 == n ? e.to : next_node});
+      nodes_.push_back({k == 0 ? e.from() : next_node++, k + 1 == n ? e.to() : next_node});
     }
   }
 
@@ -124,7 +93,7 @@ void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> want
     if (piece.conormal == Vec3{}) return; // of a triangle without area
     const Vec3 before = 0.5 * (piece.a + piece.b) + boundary_ * piece.conormal;
     const ClosestPoint closest = index.closest_near(before, piece.triangle);
-    const ClosestPoint border = all->closest(closest.point);
+    const ClosestPoint border = all.closest(closest.point);
     const bool at_border = border.distance() <= on_border * boundary_;
     piece.open = closest.distance() >= open_share * boundary_ ||
                  (at_border && dot(conormals[border.triangle.index()], piece.conormal) >= facing);
@@ -208,10 +177,13 @@ void Rim::describe_loops() {
 }
 
 void Rim::build_curve() {
-  std::vector<RimPiece> open;
-  for (const RimPiece& p : pieces_)
-    if (p.open) open.push_back(p);
-  curve_ = curve_of(open, [](const RimPiece& p) { return std::pair{p.a, p.b}; });
+  std::vector<Segment3> open;
+  for (const RimPiece& p : pieces_) {
+    if (!p.open) continue;
+    open.push_back({p.a, p.b});
+    loop_of_.push_back(p.loop);
+  }
+  curve_ = std::make_shared<const ClosestPointIndex>(flat_triangles(open));
 }
 
 bool Rim::is_nearest(Vec3 p, double d) const {
@@ -221,7 +193,18 @@ bool Rim::is_nearest(Vec3 p, double d) const {
 
 std::size_t Rim::memory_bytes() const {
   return pieces_.capacity() * sizeof(RimPiece) + nodes_.capacity() * sizeof(nodes_[0]) +
-         loops_.capacity() * sizeof(RimLoop) + (curve_ ? curve_->memory_bytes() : 0);
+         loops_.capacity() * sizeof(RimLoop) + loop_of_.capacity() * sizeof(loop_of_[0]) +
+         (curve_ ? curve_->memory_bytes() : 0);
+}
+
+TriangleSoup flat_triangles(std::span<const Segment3> segments) {
+  TriangleSoup soup;
+  for (const auto& [a, b] : segments) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    soup.points.insert(soup.points.end(), {a, b});
+    soup.triangles.push_back({first, first + 1, first + 1});
+  }
+  return soup;
 }
 
 } // namespace isoscope

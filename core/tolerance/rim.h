@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_control.h"
+#include "base/segment.h"
 #include "tolerance/closest_point.h"
 
 #include <cstddef>
@@ -46,10 +47,12 @@ class Rim {
   std::span<const RimPiece> pieces() const { return pieces_; }
   std::span<const RimLoop> loops() const { return loops_; }
   bool empty() const { return loops_.empty(); }
-  /// The open pieces as triangles without area: their distance field. Its sites are numbers of open_pieces().
+  /// The distance field of the open pieces.
   const ClosestPointIndex& curve() const { return *curve_; }
   /// Whether a point of the open rim is as near to p as any of the input, which is `d` away.
   bool is_nearest(Vec3 p, double d) const;
+  /// The number of the loop that is nearest to p. There must be one.
+  std::uint32_t loop_near(Vec3 p) const { return loop_of_[curve_->closest(p).triangle.index()]; }
   std::size_t memory_bytes() const;
 
  private:
@@ -63,6 +66,10 @@ class Rim {
   std::vector<std::array<std::uint32_t, 2>> nodes_; ///< by piece: numbers of its ends, shared where they meet
   std::vector<RimLoop> loops_;
   std::shared_ptr<const ClosestPointIndex> curve_;
+  std::vector<std::uint32_t> loop_of_; ///< by site of the curve
 };
+
+/// Segments as triangles without area, by the same numbers: what has their distance field.
+TriangleSoup flat_triangles(std::span<const Segment3> segments);
 
 } // namespace isoscope

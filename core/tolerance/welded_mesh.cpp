@@ -64,6 +64,16 @@ std::vector<EdgeUse> sorted_edge_uses(const std::vector<IndexTriangle>& triangle
   return uses;
 }
 
+std::vector<EdgeUse> border_uses(const std::vector<IndexTriangle>& triangles) {
+  const std::vector<EdgeUse> uses = sorted_edge_uses(triangles);
+  std::vector<EdgeUse> border;
+  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
+    if (end - i == 1 && uses[i].low != uses[i].high) border.push_back(uses[i]);
+  }
+  return border;
+}
+
 std::optional<std::uint32_t> vertex_of_two_fans(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses) {
   // Corner 3t + i stands for triangle t at its i-th vertex.
   DisjointSets corners(3 * mesh.triangles.size());

@@ -26,11 +26,16 @@ WeldedMesh weld(const ClosestPointIndex& index);
 struct EdgeUse {
   std::uint32_t low, high, triangle;
   bool ascends;
+  /// As the triangle runs.
+  std::uint32_t from() const { return ascends ? low : high; }
+  std::uint32_t to() const { return ascends ? high : low; }
 };
 
 /// The sides of all edges of all triangles, ascending by edge, then triangle: those of an edge are
 /// neighbours.
 std::vector<EdgeUse> sorted_edge_uses(const std::vector<IndexTriangle>& triangles);
+/// Those of edges that one triangle alone has: the border.
+std::vector<EdgeUse> border_uses(const std::vector<IndexTriangle>& triangles);
 
 /// A vertex whose triangles are joined across edges into more than one fan, where no edge has more than two.
 std::optional<std::uint32_t> vertex_of_two_fans(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses);

@@ -12,9 +12,9 @@ using isoscope::test::run_window;
 
 namespace {
 
-/// Goes through a lesson by commands; wrong at the first question, right at all others.
+/// Goes through a lesson that is on by commands; wrong at the first question, right at all others.
 std::string walk(const Lesson& lesson) {
-  std::string script = "lesson " + lesson.name + "\n";
+  std::string script;
   bool wrong = true;
   for (std::size_t i = 0; i < lesson.stops.size(); ++i) {
     const LessonStop& stop = lesson.stops[i];

@@ -281,15 +281,14 @@ void App::draw_window(Ui& ui) {
     panels::top_bar(ui);
   }
   if (lesson) {
-    const float share = p.show_left ? 0.55f : 1.0f;
+    const float high = std::round((p.show_left ? 0.55f : 1.0f) * middle_high);
     {
-      Pane pane("##lesson", {0, middle_y}, {left, std::round(share * middle_high)}, false, padding,
-                ui.colors.panel);
+      Pane pane("##lesson", {0, middle_y}, {left, high}, false, padding, ui.colors.panel);
       panels::lesson(ui, m.lessons.runner);
     }
     if (p.show_left) {
-      Pane pane("##left", {0, middle_y + std::round(share * middle_high) + grip},
-                {left, middle_high - std::round(share * middle_high) - grip}, true, padding, ui.colors.panel);
+      Pane pane("##left", {0, middle_y + high + grip}, {left, middle_high - high - grip}, true, padding,
+                ui.colors.panel);
       panels::parameters(ui, m.steering);
       ImGui::Separator();
       panels::layers(ui);
@@ -431,11 +430,11 @@ bool App::at_rest() const {
     return false;
   if (m.clock < m.wait_until) return false;
   if (m.wait_for == AppModel::Wait::answers && !(m.answers_taken() && m.debug.is_current())) return false;
+  if (!m.lessons.idle()) return false;
   if (m.wait_for == AppModel::Wait::settled) // the run too
-    return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() && m.lessons.idle() &&
+    return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() &&
            !run_views_->unfinished();
   // A run that goes on need not be waited for; what stands still is shown first.
-  if (!m.lessons.idle()) return false;
   return m.running() || (m.answers_taken() && !run_views_->unfinished());
 }
 

@@ -17,14 +17,12 @@ Error bad(const std::string& what) {
 
 Result<PixelSize> parse_size(const std::string& text, bool plain) {
   const int least_width = plain ? picture_least : 640, least_height = plain ? picture_least : 400;
-  PixelSize size;
-  int used = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &used) != 2 ||
-      static_cast<std::size_t>(used) != text.size() || size.width < least_width ||
-      size.height < least_height || size.width > picture_most || size.height > picture_most)
+  PictureFormat size;
+  if (!read_size(text, size) || size.width < least_width || size.height < least_height ||
+      size.width > picture_most || size.height > picture_most)
     return bad("--size takes WIDTHxHEIGHT from " + std::to_string(least_width) + "x" +
                std::to_string(least_height) + " to 16384x16384, not \"" + text + "\".");
-  return size;
+  return PixelSize{size.width, size.height};
 }
 
 } // namespace

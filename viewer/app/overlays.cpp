@@ -340,8 +340,7 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   case Overlay::lessons:
     heading(ui, "Lessons",
             "Prepared scenes with questions and things to try. PageDown and PageUp, or Enter and Backspace, "
-            "turn the "
-            "stops; P shows one to an audience.");
+            "turn the stops; P shows one to an audience.");
     panels::lesson_list(ui);
     break;
   case Overlay::none:

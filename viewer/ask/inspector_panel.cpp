@@ -115,10 +115,6 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   sample_questions(ui, s, id);
 }
 
-std::string side_text(int label) {
-  return label > 0 ? "outer" : label == -1 ? "inner" : "room " + std::to_string(-label);
-}
-
 void orientation_details(Ui& ui, const std::array<Vec3, 4>& p, const std::array<double, 4>& f,
                          const TetLabels& labels, const CriteriaParameters& criteria) {
   const auto index = ui.window.sample_index();

@@ -62,11 +62,7 @@ void component(Ui& ui, const ComponentReport& c, std::size_t index, double delta
                          std::to_string(n.euler_characteristic()));
   constexpr std::size_t most = 4;
   for (std::size_t k = 0; k < std::min(most, c.sides.size()); ++k)
-    widgets::value_row(ui,
-                       (c.sides[k].label > 0     ? std::string("outer")
-                        : c.sides[k].label == -1 ? std::string("inner")
-                                                 : "room " + std::to_string(-c.sides[k].label)) +
-                           " boundary " + std::to_string(c.sides[k].boundary),
+    widgets::value_row(ui, side_text(c.sides[k].label) + " boundary " + std::to_string(c.sides[k].boundary),
                        "χ " + std::to_string(c.sides[k].euler_characteristic) + ", " +
                            surface_text(c.sides[k]));
   if (c.sides.size() > most) widgets::quiet_text(ui, "and " + grouped(c.sides.size() - most) + " more");

@@ -20,6 +20,13 @@ struct PictureFormat {
   bool alpha = false;        ///< without ground
 };
 constexpr int picture_least = 16, picture_most = 16384; ///< of a side, pixels
+/// Whether both sides of a format are of that range.
+constexpr bool is_possible(const PictureFormat& f) {
+  const auto fits = [](int side) { return side >= picture_least && side <= picture_most; };
+  return fits(f.width) && fits(f.height);
+}
+/// "800x600": into the sides of a format; false where it is no size.
+bool read_size(const std::string& word, PictureFormat& format);
 
 /// The view as one PNG.
 struct PictureRequest {

@@ -32,21 +32,13 @@ bool ends_with(const std::string& text, std::string_view end) {
   return text.size() > end.size() && text.ends_with(end);
 }
 
-/// "800x600": whether it is meant as a size; false when it is none.
-bool read_size(const std::string& word, PictureFormat& format) {
-  int used = 0;
-  return std::sscanf(word.c_str(), "%dx%d%n", &format.width, &format.height, &used) == 2 &&
-         static_cast<std::size_t>(used) == word.size();
-}
-
 Result<Words> read_words(const A& arguments) {
   Words words;
   for (const std::string& word : arguments) {
     PictureFormat size;
     int rate = 0, used = 0;
     if (read_size(word, size)) {
-      const auto fits = [](int side) { return side >= picture_least && side <= picture_most; };
-      if (!fits(size.width) || !fits(size.height))
+      if (!is_possible(size))
         return wrong_arguments("A picture's sides have from " + std::to_string(picture_least) + " to " +
                                std::to_string(picture_most) + " pixels, not " + word + ".");
       words.format.width = size.width;
@@ -157,6 +149,12 @@ Status write_step_frames(M& m, const A& a) {
 }
 
 } // namespace
+
+bool read_size(const std::string& word, PictureFormat& format) {
+  int used = 0;
+  return std::sscanf(word.c_str(), "%dx%d%n", &format.width, &format.height, &used) == 2 &&
+         static_cast<std::size_t>(used) == word.size();
+}
 
 void Exports::add_commands(CommandTable& table) {
   const auto has_state = [this] { return window.has_state(); };

@@ -1,36 +1,33 @@
 // Stop after stop: guess, picture, text.
 #include "lesson/handout.h"
 
+#include "base/markup.h"
 #include "base/pending_file.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace isoscope {
 namespace {
 
-std::string escaped(std::string_view text) {
+/// The paragraphs of a text, each through `shown`, with something between them.
+template <class Shown>
+std::string paragraphs(std::string_view text, std::string_view between, const Shown& shown) {
   std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (c == '\n')
-      out += "</p><p>";
-    else
-      out += c;
+  for (std::size_t end = 0; end < text.size(); text.remove_prefix(std::min(end + 1, text.size()))) {
+    end = std::min(text.find('\n'), text.size());
+    if (!out.empty()) out += between;
+    out += shown(text.substr(0, end));
   }
   return out;
 }
 
-std::string with_empty_lines(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += c == '\n' ? std::string("\n\n") : std::string(1, c);
-  return out;
+std::string markdown(std::string_view text) {
+  return paragraphs(text, "\n\n", [](std::string_view p) { return p; });
+}
+
+std::string html(std::string_view text) {
+  return "<p>" + paragraphs(text, "</p><p>", escaped_markup) + "</p>";
 }
 
 Status write_file(const std::filesystem::path& path, const std::string& text) {
@@ -50,12 +47,12 @@ std::string handout_markdown(const Lesson& lesson, const std::vector<HandoutPage
   std::string out = "# " + lesson.title + "\n\n" + subtitle(lesson) + "\n";
   for (const HandoutPage& page : pages) {
     out += "\n## " + page.heading + "\n\n![" + page.heading + "](" + page.picture + ")\n";
-    if (!page.text.empty()) out += "\n" + with_empty_lines(page.text) + "\n";
+    if (!page.text.empty()) out += "\n" + markdown(page.text) + "\n";
     if (!page.question.empty()) out += "\n**" + page.question + "**\n\n";
     for (std::size_t i = 0; i < page.answers.size(); ++i)
       out += std::to_string(i + 1) + ". " + page.answers[i] + "\n";
     if (!page.why.empty())
-      out += "\nAnswer " + std::to_string(page.right + 1) + ". " + with_empty_lines(page.why) + "\n";
+      out += "\nAnswer " + std::to_string(page.right + 1) + ". " + markdown(page.why) + "\n";
     if (!page.task.empty()) out += "\n*Try:* " + page.task + "\n";
   }
   return out;
@@ -63,22 +60,23 @@ std::string handout_markdown(const Lesson& lesson, const std::vector<HandoutPage
 
 std::string handout_html(const Lesson& lesson, const std::vector<HandoutPage>& pages) {
   std::string out =
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(lesson.title) +
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
+      escaped_markup(lesson.title) +
       "</title>\n<style>body{font:17px/1.5 sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"
       "section{break-inside:avoid;margin:2.5em 0}img{max-width:100%;border:1px solid #ccc}"
       "details{margin:.6em 0}</style></head>\n<body><h1>" +
-      escaped(lesson.title) + "</h1><p>" + escaped(subtitle(lesson)) + "</p>\n";
+      escaped_markup(lesson.title) + "</h1><p>" + escaped_markup(subtitle(lesson)) + "</p>\n";
   for (const HandoutPage& page : pages) {
-    out += "<section><h2>" + escaped(page.heading) + "</h2><img src=\"" + escaped(page.picture) +
-           "\" alt=\"" + escaped(page.heading) + "\">\n";
-    if (!page.text.empty()) out += "<p>" + escaped(page.text) + "</p>\n";
+    out += "<section><h2>" + escaped_markup(page.heading) + "</h2><img src=\"" +
+           escaped_markup(page.picture) + "\" alt=\"" + escaped_markup(page.heading) + "\">\n";
+    if (!page.text.empty()) out += html(page.text) + "\n";
     if (!page.question.empty()) {
-      out += "<p><b>" + escaped(page.question) + "</b></p><ol>";
-      for (const std::string& answer : page.answers) out += "<li>" + escaped(answer) + "</li>";
-      out += "</ol><details><summary>Answer " + std::to_string(page.right + 1) + "</summary><p>" +
-             escaped(page.why) + "</p></details>\n";
+      out += "<p><b>" + escaped_markup(page.question) + "</b></p><ol>";
+      for (const std::string& answer : page.answers) out += "<li>" + escaped_markup(answer) + "</li>";
+      out += "</ol><details><summary>Answer " + std::to_string(page.right + 1) + "</summary>" +
+             html(page.why) + "</details>\n";
     }
-    if (!page.task.empty()) out += "<p><i>Try:</i> " + escaped(page.task) + "</p>\n";
+    if (!page.task.empty()) out += "<p><i>Try:</i> " + escaped_markup(page.task) + "</p>\n";
     out += "</section>\n";
   }
   return out + "</body></html>\n";

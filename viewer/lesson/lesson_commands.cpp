@@ -5,8 +5,6 @@
 
 #include <GLFW/glfw3.h>
 
-#include <cstdio>
-
 namespace isoscope {
 namespace {
 
@@ -39,19 +37,13 @@ Status answer(Lessons& m, const Arguments& a) {
   return m.runner.answer(*which - 1);
 }
 
-bool read_size(const std::string& text, PictureFormat& format) {
-  int used = 0;
-  const auto fits = [](int side) { return side >= picture_least && side <= picture_most; };
-  return std::sscanf(text.c_str(), "%dx%d%n", &format.width, &format.height, &used) == 2 &&
-         static_cast<std::size_t>(used) == text.size() && fits(format.width) && fits(format.height);
-}
-
 Status write_handout(Lessons& m, const Arguments& a) {
   if (a.size() < 2 || a.size() > 3) return wrong_arguments("A lesson and a folder are needed.");
   const Lesson* lesson = find_lesson(a[0]);
   if (lesson == nullptr) return no_lesson(a[0]);
   PictureFormat format{1280, 800, false};
-  if (a.size() == 3 && !read_size(a[2], format)) return wrong_arguments("\"" + a[2] + "\" is no size.");
+  if (a.size() == 3 && !(read_size(a[2], format) && is_possible(format)))
+    return wrong_arguments("\"" + a[2] + "\" is no size.");
   return m.handout.begin(*lesson, a[1], format);
 }
 

@@ -27,14 +27,20 @@ void stops_line(const Ui& ui, const LessonRunner& runner) {
   ImGui::Dummy({static_cast<float>(count) * step, ui.px(14)});
 }
 
-void paragraphs(const Ui& ui, std::string_view text, ImFont* font) {
+void paragraphs(const Ui& ui, std::string_view text, ImFont* font, Rgb color) {
   const widgets::Font used(font);
+  ImGui::PushStyleColor(ImGuiCol_Text, to_vec(color));
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     widgets::wrapped_text(text.substr(0, end));
     ImGui::Dummy({0, ui.px(5)});
     text.remove_prefix(std::min(end + 1, text.size()));
   }
+  ImGui::PopStyleColor();
+}
+
+void paragraphs(const Ui& ui, std::string_view text, ImFont* font) {
+  paragraphs(ui, text, font, ui.colors.text);
 }
 
 /// An answer over the width that is left; true when it is taken.
@@ -82,10 +88,8 @@ void question(Ui& ui, const LessonRunner& runner, const LessonQuestion& q) {
   if (!runner.guess() || runner.phase() != LessonPhase::reading) return;
   ImGui::Dummy({0, ui.px(4)});
   const bool right = q.answers[*runner.guess()].right;
-  ImGui::PushStyleColor(ImGuiCol_Text, to_vec(right ? ui.colors.good_text : ui.colors.bad_text));
   paragraphs(ui, right ? "Yes." : "No: it is answer " + std::to_string(q.right() + 1) + ".",
-             ui.fonts.reading_bold);
-  ImGui::PopStyleColor();
+             ui.fonts.reading_bold, right ? ui.colors.good_text : ui.colors.bad_text);
   paragraphs(ui, runner.why(), ui.fonts.reading);
 }
 
@@ -100,13 +104,9 @@ void task(Ui& ui, const LessonRunner& runner, const LessonTask& t) {
   list.AddCircle(middle, ui.px(8), to_u32(done ? ui.colors.good : ui.colors.accent), 0, ui.px(2));
   if (done) list.AddCircleFilled(middle, ui.px(5), to_u32(ui.colors.good));
   if (done) {
-    ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.good_text));
-    paragraphs(ui, "Done.", ui.fonts.reading_bold);
-    ImGui::PopStyleColor();
+    paragraphs(ui, "Done.", ui.fonts.reading_bold, ui.colors.good_text);
   } else if (!t.hint.empty() && runner.hinted()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.quiet));
-    paragraphs(ui, t.hint, ui.fonts.reading);
-    ImGui::PopStyleColor();
+    paragraphs(ui, t.hint, ui.fonts.reading, ui.colors.quiet);
   } else if (!t.hint.empty() && runner.phase() == LessonPhase::trying) {
     if (widgets::plain_button(ui, "Hint")) ui.commands.post("lesson-hint");
   }
@@ -190,9 +190,7 @@ void lesson(Ui& ui, const LessonRunner& runner) {
   if (stop->question) question(ui, runner, *stop->question);
   if (stop->task) task(ui, runner, *stop->task);
   if (runner.phase() == LessonPhase::failed) {
-    ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.bad_text));
-    paragraphs(ui, runner.error(), ui.fonts.small);
-    ImGui::PopStyleColor();
+    paragraphs(ui, runner.error(), ui.fonts.small, ui.colors.bad_text);
   } else if (!runner.idle()) {
     widgets::quiet_text(ui, progress_text(ui.window), true);
   }

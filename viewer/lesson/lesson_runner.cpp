@@ -54,10 +54,6 @@ const LessonStop* LessonRunner::shown() const {
   return lesson_ != nullptr && stop_ < lesson_->stops.size() ? &lesson_->stops[stop_] : nullptr;
 }
 
-bool LessonRunner::guessed_right() const {
-  return shown() != nullptr && results_[stop_].value_or(false);
-}
-
 bool LessonRunner::hinted() const {
   return phase_ == LessonPhase::trying && window_.clock >= hint_at_;
 }
@@ -99,10 +95,9 @@ void LessonRunner::follow(const std::vector<std::string>& commands, LessonPhase 
 }
 
 Status LessonRunner::begin(const Lesson& lesson, std::size_t stop) {
-  if (!before_)
-    before_ = {window_.settings.panes, {window_.camera.pose(), window_.view, window_.section}, window_.draft};
+  if (!before_) before_ = {window_.settings.panes, window_.view};
   RunParameters wanted = for_input(RunParameters(), lesson.model);
-  wanted.threads = before_->draft.threads;
+  wanted.threads = window_.draft.threads;
   window_.draft = std::move(wanted);
   for (const std::string& setting : lesson.settings)
     if (Status set = commands_.run(commands_.parse("set " + setting)); !set) return set;
@@ -122,9 +117,8 @@ void LessonRunner::end() {
   enter(LessonPhase::off);
   if (!before_) return;
   window_.settings.panes = before_->panes;
-  const ThemeKind theme = window_.view.theme;
-  window_.view = before_->view.view;
-  window_.view.theme = theme;
+  before_->view.theme = window_.view.theme;
+  window_.view = before_->view;
   before_.reset();
 }
 

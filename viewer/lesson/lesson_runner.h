@@ -55,7 +55,6 @@ class LessonRunner {
   const LessonStop* shown() const;
   LessonPhase phase() const { return phase_; }
   std::optional<std::size_t> guess() const { return guess_; }
-  bool guessed_right() const;
   bool task_done() const { return task_done_; }
   /// Whether the hint of the task is due.
   bool hinted() const;
@@ -92,8 +91,7 @@ class LessonRunner {
   std::string error_;
   struct Before {
     PaneLayout panes;
-    ViewState view;
-    RunParameters draft;
+    ViewSettings view;
   };
   std::optional<Before> before_; ///< what end() gives back
 };

@@ -57,6 +57,9 @@ std::string_view pick_word(Pick::Kind kind) {
                                                   "sample", "facet",  "point"};
   return words.at(static_cast<std::size_t>(kind));
 }
+std::string side_text(int label) {
+  return label > 0 ? "outer" : label == -1 ? "inner" : "room " + std::to_string(-label);
+}
 std::span<const LayerName> layer_names() {
   return layers;
 }

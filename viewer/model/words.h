@@ -16,6 +16,7 @@ namespace isoscope {
 std::string_view phase_word(SessionPhase phase);       ///< "running"
 std::string_view transport_word(Transport::Mode mode); ///< "following"
 std::string_view pick_word(Pick::Kind kind);           ///< "tet"
+std::string side_text(int label);                      ///< "outer", "inner", "room 2"
 
 /// A layer by name.
 struct LayerName {

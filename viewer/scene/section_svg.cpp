@@ -38,23 +38,6 @@ std::string hex(glm::vec3 color) {
   return text.data();
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  }
-  return out;
-}
-
 /// d/δ with its side at a point, linear between voxel centres.
 double signed_distance(const DistanceGrid& grid, Vec3 p) {
   const Vec3 extent = grid.box.extent();
@@ -243,7 +226,7 @@ void Drawing::next_point() {
 
 void Drawing::line(const std::string& content, double left, double top, const char* anchor) {
   out_ += "<text x=\"" + number(left) + "\" y=\"" + number(top) + "\" text-anchor=\"" + anchor + "\">" +
-          escaped(content) + "</text>\n";
+          escaped_markup(content) + "</text>\n";
 }
 
 void Drawing::scale_bar(double top) {
@@ -311,7 +294,7 @@ std::string Drawing::text() {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" "
       "width=\"" +
       w + "mm\" height=\"" + h + "mm\" viewBox=\"0 0 " + w + " " + h + "\">\n";
-  out_ += "<title>" + escaped(figure_.model) + ", section at step " + std::to_string(state_.step) +
+  out_ += "<title>" + escaped_markup(figure_.model) + ", section at step " + std::to_string(state_.step) +
           "</title>\n<desc>One millimetre is " + number(1 / scale_, "%.12g") + " scene units.</desc>\n";
   out_ += "<defs><clipPath id=\"frame\"><rect x=\"0\" y=\"0\" width=\"" + w + "\" height=\"" +
           number(height_) + "\"/></clipPath></defs>\n<rect width=\"" + w + "\" height=\"" + h +
