@@ -1,6 +1,7 @@
 // The 2D section as a vector figure.
 #include "scene/section_svg.h"
 
+#include "base/markup.h"
 #include "journal/describe.h"
 #include "scene/level_loops.h"
 #include "scene/palette.h"
