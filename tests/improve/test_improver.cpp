@@ -18,6 +18,7 @@ using isoscope::testing::check_valid;
 using isoscope::testing::Listener;
 using isoscope::testing::sphere;
 using isoscope::testing::Start;
+using isoscope::testing::with_effort;
 
 namespace {
 
@@ -26,12 +27,6 @@ TriangleSoup torus(unsigned n) {
   testing::add_torus(soup, {0, 0, 0}, 1, 0.4, n);
   for (auto& f : soup.triangles) std::swap(f[0], f[1]); // outward
   return soup;
-}
-
-ImproverOptions with_effort(int effort) {
-  ImproverOptions options;
-  options.effort = effort;
-  return options;
 }
 
 /// Applies the changes to the start mesh, checking that each fits what is there.
