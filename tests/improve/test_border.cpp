@@ -207,7 +207,7 @@ TEST_CASE("a merged vertex of the border is placed near the rim, one inside goes
 TEST_CASE("a half sphere and a zone get coarse, and their borders and rims stay within δ of each other") {
   for (const double below : {2., 0.7}) {
     CAPTURE(below);
-    const HalfSphere half(32, 2, 0.02, below);
+    const HalfSphere half(24, 2, 0.02, below);
     const bool zone = below < 1;
     std::size_t last = half.mesh.points.size();
     for (int effort = 0; effort <= 2; ++effort) {

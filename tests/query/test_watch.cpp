@@ -16,6 +16,7 @@ namespace {
 std::shared_ptr<const Journal> complete_torus() {
   static const std::shared_ptr<const Journal> journal = [] {
     CompleteRun run(complete_parameters("torus"));
+    run.parameters.effort = 1;
     REQUIRE(run.run());
     return run.journal;
   }();
