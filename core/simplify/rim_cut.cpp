@@ -16,7 +16,7 @@ namespace {
 
 /// Halvings towards the wall on an edge.
 constexpr int wall_steps = 50;
-constexpr int most_rounds = 60;
+constexpr int most_cut_rounds = 60;
 /// A vertex this near to where an edge crosses the wall is on it, in units of δ.
 constexpr double at_wall = 0.01;
 /// The longest way along which patches of one loop are joined, in units of δ.
@@ -476,7 +476,7 @@ void RimCut::run() {
     settle_spare_patches();
     join_patches();
     cut_pinches();
-    const std::vector<Split> splits = round < most_rounds ? wanted_splits() : std::vector<Split>();
+    const std::vector<Split> splits = round < most_cut_rounds ? wanted_splits() : std::vector<Split>();
     if (splits.empty()) break;
     for (const Split& s : splits) {
       if (log_.stopped()) return;
