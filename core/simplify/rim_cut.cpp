@@ -207,10 +207,6 @@ bool RimCut::is_crumb(const RimPatch& patch) const {
   return distance(box.lo, box.hi) <= crumb * volume_.thresholds().delta;
 }
 
-bool RimCut::is_in_volume(VertexId v) const {
-  return volume_.field().distance(live_.complex().position(v)) <= volume_.thresholds().delta;
-}
-
 std::vector<RimPatch> RimCut::patches() const {
   std::vector<std::uint8_t> kept(facets_.size());
   for (std::size_t i = 0; i < facets_.size(); ++i) kept[i] = keeps_facet(facets_[i]) ? 1 : 0;
@@ -223,13 +219,18 @@ void RimCut::settle_spare_patches() {
     if (log_.stopped()) return;
     if (patch.border.empty() || !(patch.kept ? is_crumb(patch) : lies_inside(patch)) || rim_needs(patch, all))
       continue;
-    for (const std::uint32_t i : patch.facets)
-      for (const VertexId v : facets_[i])
-        if (patch.kept)
-          places_[v.index()] = Place::beyond;
-        else if (!is_kept(v))
-          places_[v.index()] = Place::kept;
+    turn(patch);
   }
+}
+
+/// Drops what is kept, keeps what is dropped.
+void RimCut::turn(const RimPatch& patch) {
+  for (const std::uint32_t i : patch.facets)
+    for (const VertexId v : facets_[i])
+      if (patch.kept)
+        places_[v.index()] = Place::beyond;
+      else if (!is_kept(v))
+        places_[v.index()] = Place::kept;
 }
 
 /// By loop of the rim: how much of the patch's border is nearest to it.
@@ -241,7 +242,7 @@ std::vector<double> RimCut::lengths_by_loop(const RimPatch& patch) const {
 }
 
 /// One loop of the rim makes one patch that is dropped and has one that is kept: others are joined to the
-/// largest of their kind where the way is short.
+/// largest of their kind where the way is short; crumbs for which there is none are dropped.
 void RimCut::join_patches() {
   std::vector<RimPatch> all = patches();
   for (bool joined = true; joined && !log_.stopped();) {
@@ -255,14 +256,19 @@ void RimCut::join_patches() {
       std::vector<const RimPatch*> larger;
       for (std::size_t k = 0; k < all.size(); ++k)
         if (all[k].kept == all[i].kept && lengths[k][loop] > *longest) larger.push_back(&all[k]);
-      joined = !larger.empty() && join(all[i], larger);
+      if (larger.empty()) continue;
+      const std::size_t before = all.size();
+      joined = join(all[i], larger) && patches().size() < before;
+      if (!joined && all[i].kept && is_crumb(all[i])) {
+        turn(all[i]);
+        joined = patches().size() < before;
+      }
     }
-    const std::size_t before = all.size();
     if (joined) all = patches();
-    joined = joined && all.size() < before; // else what was tried would be tried again
   }
 }
 
+/// Holes by a channel, crumbs by what lies around the way, as far as it is in Ω.
 bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to) {
   const auto vertices_of = [](const std::vector<Edge>& border, std::vector<VertexId>& vertices) {
     for (const Edge& e : border) vertices.insert(vertices.end(), e.begin(), e.end());
@@ -271,6 +277,9 @@ bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to)
   std::vector<VertexId> from, ends;
   vertices_of(patch.border, from);
   for (const RimPatch* other : to) vertices_of(other->border, ends);
+  const auto is_in_volume = [&](VertexId v) {
+    return volume_.field().distance(live_.complex().position(v)) <= volume_.thresholds().delta;
+  };
   const auto is_allowed = [&](VertexId v) {
     return is_kept(v) != patch.kept && (is_kept(v) || is_in_volume(v));
   };
@@ -284,10 +293,11 @@ bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to)
     take_away(way);
     return true;
   }
-  // What lies around the way is kept with it, as far as it is in Ω.
+  const auto is_between = [&](VertexId v) {
+    return std::find(way.begin() + 1, way.end() - 1, v) < way.end() - 1;
+  };
   for (const Facet& f : facets_)
-    if (std::any_of(way.begin() + 1, way.end() - 1,
-                    [&](VertexId v) { return v == f[0] || v == f[1] || v == f[2]; }))
+    if (std::any_of(f.begin(), f.end(), is_between))
       for (const VertexId v : f)
         if (!is_kept(v) && is_in_volume(v)) places_[v.index()] = Place::kept;
   return true;

@@ -19,9 +19,9 @@ namespace isoscope {
 /// drops what lies beyond. What is kept is the part of Z between vertices that are kept: a surface with
 /// border. Where the wall dips into the sheet or comes back, holes and crumbs appear beside those that the
 /// loops of the rim make: what no part of the rim needs is closed or dropped, the others are joined to what
-/// the same loop has made. Edges are split further until every facet kept
-/// is proven inside Ω, every edge of the border within δ of the rim and every place of the rim within δ of
-/// the border, as far as edges are not too short for that.
+/// their loop has made. Edges are split further until every facet kept is proven inside Ω,
+/// every edge of the border within δ of the rim and every place of the rim within δ of the border, as far as
+/// edges are not too short for that.
 class RimCut {
  public:
   RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log);
@@ -65,10 +65,10 @@ class RimCut {
   bool rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const;
   bool lies_inside(const RimPatch& patch) const;
   bool is_crumb(const RimPatch& patch) const;
-  bool is_in_volume(VertexId v) const;
   std::vector<double> lengths_by_loop(const RimPatch& patch) const;
   void settle_spare_patches();
   void join_patches();
+  void turn(const RimPatch& patch);
   bool join(const RimPatch& patch, const std::vector<const RimPatch*>& to);
   void take_away(std::span<const VertexId> vertices);
   Edge edge_towards(const Facet& facet) const;

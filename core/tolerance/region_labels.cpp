@@ -142,7 +142,7 @@ std::optional<Vec3> place_of_fin(const ToleranceVolume& volume, const OpenSides&
   return std::nullopt;
 }
 
-/// A component among the open ones whose triangles are no sheet.
+/// A component among the open ones whose triangles, if it has more than one, are no sheet.
 std::optional<std::uint32_t> open_soup(const ToleranceVolume& volume, const std::vector<std::uint8_t>& open,
                                        const std::vector<EdgeUse>& uses) {
   std::vector<std::size_t> sides(open.size(), 0), linked(open.size(), 0);
@@ -155,7 +155,8 @@ std::optional<std::uint32_t> open_soup(const ToleranceVolume& volume, const std:
     }
   }
   for (std::uint32_t c = 0; c < open.size(); ++c)
-    if (open[c] != 0 && static_cast<double>(linked[c]) < sheet_share * static_cast<double>(sides[c]))
+    if (open[c] != 0 && sides[c] > 3 &&
+        static_cast<double>(linked[c]) < sheet_share * static_cast<double>(sides[c]))
       return c;
   return std::nullopt;
 }
