@@ -144,7 +144,7 @@ std::string summary(const RecoverOptions& options, const Salvage& found, const P
   return text + line("Recording", options.output);
 }
 
-bool same_file(const std::string& a, const std::string& b) {
+bool are_one_file(const std::string& a, const std::string& b) {
   std::error_code failure;
   return std::filesystem::equivalent(behind_links(a), behind_links(b), failure);
 }
@@ -169,7 +169,7 @@ int recover(int argc, char** argv) {
       "usage; 3 nothing can be saved; 4 stopped by the user before anything was.");
   if (const auto ended = app.parse(argc, argv)) return *ended;
   if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
-  if (same_file(options.file, options.output)) {
+  if (are_one_file(options.file, options.output)) {
     return fail({ErrorCode::usage, "-o " + options.output + " is the damaged recording itself.",
                  "Give another file: the damaged one is left as it is."},
                 2);

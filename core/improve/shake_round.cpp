@@ -26,16 +26,16 @@ std::deque<Edge> edges_in_order(const FacetComplex& complex, std::uint32_t pass)
   return edges;
 }
 
-struct Attempt {
+struct FlipAttempt {
   Edge edge;
   SurfacePatch patch;
   std::optional<PatchVerdict> verdict;
 };
 
 /// Takes edges from the front whose patches are apart; those that overlap go back in their order.
-std::vector<Attempt> gather(const LiveSurface& surface, std::deque<Edge>& edges, PatchClaims& claims) {
+std::vector<FlipAttempt> gather(const LiveSurface& surface, std::deque<Edge>& edges, PatchClaims& claims) {
   const std::size_t size = std::clamp<std::size_t>(surface.vertex_count() / 16, 1, most_batch);
-  std::vector<Attempt> attempts;
+  std::vector<FlipAttempt> attempts;
   std::vector<Edge> aside;
   claims.begin_batch();
   for (std::size_t looked = 0; looked < most_looked_at && !edges.empty() && attempts.size() < size;
@@ -61,13 +61,13 @@ ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeO
   std::deque<Edge> edges = edges_in_order(surface.complex(), options.pass);
   PatchClaims claims(surface.complex().points.size());
   while (!edges.empty() && figures.attempts < options.most_attempts && !control.cancelled()) {
-    std::vector<Attempt> attempts = gather(surface, edges, claims);
+    std::vector<FlipAttempt> attempts = gather(surface, edges, claims);
     parallel_until(attempts.size(), 1, control, [&](std::size_t i) {
-      Attempt& a = attempts[i];
+      FlipAttempt& a = attempts[i];
       a.verdict = flip_with_repair(rules, a.patch, a.patch.local_vertex(a.edge.first),
                                    a.patch.local_vertex(a.edge.second), options.repair);
     });
-    for (const Attempt& a : attempts) {
+    for (const FlipAttempt& a : attempts) {
       if (!a.verdict) continue;
       ++figures.attempts;
       if (!a.verdict->accepted() || !surface.check(a.patch).accepted()) continue;

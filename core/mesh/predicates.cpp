@@ -15,7 +15,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_rational;
 
-Kernel::Point_3 point(Vec3 v) {
+Kernel::Point_3 cgal_point(Vec3 v) {
   return {v.x, v.y, v.z};
 }
 
@@ -59,11 +59,12 @@ constexpr std::array<Vec3, 3> shift{Vec3{0.6180339887498949, 0.3819660113183213,
 int orientation(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const Det det = filtered_det(b - a, c - a, d - a);
   if (det.certain()) return sign_of(det.value);
-  return static_cast<int>(CGAL::orientation(point(a), point(b), point(c), point(d)));
+  return static_cast<int>(CGAL::orientation(cgal_point(a), cgal_point(b), cgal_point(c), cgal_point(d)));
 }
 
 int side_of_sphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e) {
-  return static_cast<int>(CGAL::side_of_oriented_sphere(point(a), point(b), point(c), point(d), point(e)));
+  return static_cast<int>(CGAL::side_of_oriented_sphere(cgal_point(a), cgal_point(b), cgal_point(c),
+                                                        cgal_point(d), cgal_point(e)));
 }
 
 int orientation_perturbed(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {

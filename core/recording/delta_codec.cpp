@@ -90,7 +90,7 @@ template <class Io> void pass_point(Io& io, Shown<Io, Vec3>& v) {
   io.real(v.z);
 }
 
-bool same_bits(Vec3 a, Vec3 b) {
+bool same_place(Vec3 a, Vec3 b) {
   return isoscope::same_bits(a.x, b.x) && isoscope::same_bits(a.y, b.y) && isoscope::same_bits(a.z, b.z);
 }
 
@@ -209,7 +209,7 @@ template <class Io> void pass_moves(Io& io, Shown<Io, std::vector<Delta::Move>>&
   Ids ids(io);
   for (auto& m : moves) {
     std::uint64_t known = 0;
-    if constexpr (Io::writes) known = same_bits(mirror.positions[m.vertex.index()], m.before) ? 1 : 0;
+    if constexpr (Io::writes) known = same_place(mirror.positions[m.vertex.index()], m.before) ? 1 : 0;
     ids.pass(m.vertex, 1, known);
     Vec3* const held = held_at(io, mirror.positions, m.vertex);
     if (held == nullptr) return;

@@ -9,7 +9,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t parallel_grain = 16;
+constexpr std::size_t polygon_grain = 16;
 constexpr int march_steps = 2000;
 /// The march has reached d = δ' when it is this near, relative to δ'.
 constexpr double march_precision = 1e-6;
@@ -59,7 +59,7 @@ Checklist::State ContainmentCondition::judge(TetId t) const {
 void ContainmentCondition::judge_pending() {
   const std::vector<TetId> pending = checklist_.pending();
   std::vector<Checklist::State> states(pending.size(), Checklist::State::pending);
-  parallel_until(pending.size(), parallel_grain, context_.control(),
+  parallel_until(pending.size(), polygon_grain, context_.control(),
                  [&](std::size_t i) { states[i] = judge(pending[i]); });
   for (std::size_t i = 0; i < pending.size(); ++i) checklist_.set(pending[i], states[i]);
 }

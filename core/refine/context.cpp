@@ -1,6 +1,7 @@
 // Applies operations to T and writes them to the journal with their figures.
 #include "refine/context.h"
 
+#include "base/snap.h"
 #include "refine/loose_box.h"
 
 namespace isoscope {
@@ -30,9 +31,7 @@ void RefinementContext::set_criteria(const CriteriaParameters& criteria) {
 }
 
 Vec3 RefinementContext::snapped(Vec3 p) const {
-  const double unit = samples_->snap_unit;
-  if (!(unit > 0)) return p;
-  return {std::round(p.x / unit) * unit, std::round(p.y / unit) * unit, std::round(p.z / unit) * unit};
+  return isoscope::snapped(p, samples_->snap_unit);
 }
 
 Vertex RefinementContext::free_vertex(Vec3 p, int label, VertexKind kind) const {

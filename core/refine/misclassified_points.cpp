@@ -10,7 +10,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t parallel_grain = 64;
+constexpr std::size_t simplex_grain = 64;
 constexpr int points_per_stretch = 7;
 constexpr int climb_steps = 12;
 /// The distance along the ray counts as the distance to the input down to this fraction of it.
@@ -193,7 +193,7 @@ std::vector<MisclassifiedPoint> judge_all(const std::vector<Simplex<N>>& simplic
                                           const ToleranceVolume& volume, const RunControl& control,
                                           const Judge& judge) {
   std::vector<std::optional<MisclassifiedPoint>> found(simplices.size());
-  parallel_until(simplices.size(), parallel_grain, control, [&](std::size_t i) {
+  parallel_until(simplices.size(), simplex_grain, control, [&](std::size_t i) {
     found[i] = judge(simplices[i]);
     if (found[i]) climb(*found[i], volume);
   });
@@ -226,7 +226,7 @@ std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume, cons
   const ClosestPointIndex& index = volume.index();
   const double start = summit_start * volume.thresholds().boundary;
   std::vector<std::array<std::optional<MisclassifiedPoint>, 2 * feet_by_triangle>> found(index.size());
-  parallel_until(index.size(), parallel_grain, control, [&](std::size_t i) {
+  parallel_until(index.size(), simplex_grain, control, [&](std::size_t i) {
     const Triangle3& t = index.triangle(TriangleId(i));
     const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
     if (normal == Vec3{}) return;

@@ -9,7 +9,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t parallel_grain = 64;
+constexpr std::size_t tetrahedron_grain = 64;
 /// Samples farther from the circumcentre than the computed radius times this are outside the ball for sure.
 constexpr double radius_margin = 1 + 1e-6;
 
@@ -114,7 +114,7 @@ void OrientationCondition::judge_pending() {
   const Complex& complex = context_.live().complex();
   const bool sides_known = context_.volume().input().sides_known();
   const bool complete =
-      parallel_until(pending.size(), parallel_grain, context_.control(), [&](std::size_t i) {
+      parallel_until(pending.size(), tetrahedron_grain, context_.control(), [&](std::size_t i) {
         const TetId t = pending[i];
         if (has_topology_vertex(complex, t)) return;
         misoriented[i] =

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/place.h"
 #include "base/sort_unique.h"
+#include "run/proof_budget.h"
 #include "tolerance/facet_certificate.h"
 #include "tolerance/welded_mesh.h"
 
@@ -17,8 +18,6 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t piece_budget = 200000;
-constexpr int place_digits = 9;
 /// Triangles whose sides are asked for, how far beyond δ, and how far from the rim, in units of δ.
 constexpr std::size_t most_segments = 4000;
 constexpr double beyond = 1.05, off_rim = 3;
@@ -35,7 +34,7 @@ OneWay one_way(std::span<const Segment3> segments, const ClosestPointIndex& to, 
                const std::function<bool()>& stop) {
   std::vector<FacetVerdict> verdicts(segments.size());
   FacetSearch search;
-  search.budget = piece_budget;
+  search.budget = proof_budget;
   search.stop = &stop;
   OneWay result;
   result.complete = parallel_until(segments.size(), 64, stop,
@@ -142,7 +141,7 @@ std::optional<BorderProof> prove_border(const TriangleMesh& mesh, const Toleranc
   const auto judge = [&](const OneWay& way, const char* from, const char* to) {
     if (way.failed > 0)
       proof.failures.push_back(std::string(from) + " is " + general(way.bound / delta, 4) + " δ from " + to +
-                               " at " + place(way.worst, place_digits) + ".");
+                               " at " + place(way.worst, proof_digits) + ".");
     return way.bound;
   };
   const OneWay to_rim = one_way(border, rim.curve(), delta, stop);
@@ -185,7 +184,7 @@ std::optional<std::string> unseparated_sheet(const TriangleMesh& mesh, const Tol
   const auto n = static_cast<std::size_t>(std::count(first, unseparated.end(), 1));
   const TriangleId at(static_cast<std::size_t>(first - unseparated.begin()) * stride);
   return "The mesh does not lie between the two sides of the input at " +
-         place(centroid(input.triangle(at)), place_digits) +
+         place(centroid(input.triangle(at)), proof_digits) +
          (n == 1 ? "." : " and in " + counted(n - 1, "other place") + ".");
 }
 

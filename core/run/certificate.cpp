@@ -8,6 +8,7 @@
 #include "base/place.h"
 #include "base/sort_unique.h"
 #include "run/exposed_input.h"
+#include "run/proof_budget.h"
 #include "run/topology_places.h"
 #include "tolerance/facet_certificate.h"
 #include "tolerance/self_intersections.h"
@@ -28,8 +29,6 @@ namespace {
 /// Asked by what may take long; true once a stopped run has no time left to prove anything.
 using Stop = std::function<bool()>;
 
-constexpr std::size_t piece_budget = 200000;
-constexpr int place_digits = 9;
 constexpr double input_distance_precision = 0.01; ///< in units of δ
 constexpr double finest_piece = 0.05;             ///< of the input along crossings, in units of δ
 
@@ -67,7 +66,7 @@ void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
   for (const auto& t : mesh.triangles) {
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) continue;
     c.closed_manifold = c.manifold = c.oriented = false;
-    c.failures.push_back("A facet at " + place(mesh.points[t[0]], place_digits) + " has a vertex twice.");
+    c.failures.push_back("A facet at " + place(mesh.points[t[0]], proof_digits) + " has a vertex twice.");
     break;
   }
   DisjointSets pieces(mesh.triangles.size());
@@ -81,8 +80,8 @@ void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
     if (along + against != 2 && !(open && on_border)) c.manifold = false;
     if (along != 1 || (against != 1 && !(open && on_border))) {
       if (c.oriented) {
-        c.failures.push_back("The edge from " + place(mesh.points[e.from], place_digits) + " to " +
-                             place(mesh.points[e.to], place_digits) +
+        c.failures.push_back("The edge from " + place(mesh.points[e.from], proof_digits) + " to " +
+                             place(mesh.points[e.to], proof_digits) +
                              " has not exactly two facets of opposite direction" +
                              (open ? ", nor is it on a border." : "."));
       }
@@ -122,7 +121,7 @@ void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
     } while (to != first->to && length <= degree[v]);
     if (length != degree[v]) {
       if (c.manifold) {
-        c.failures.push_back("The facets around the vertex " + place(mesh.points[v], place_digits) +
+        c.failures.push_back("The facets around the vertex " + place(mesh.points[v], proof_digits) +
                              " form more than one fan.");
       }
       c.closed_manifold = c.manifold = false;
@@ -184,7 +183,7 @@ bool check_intersections(const TriangleMesh& mesh, Certificate& c, const Stop& s
   c.intersection_free = pairs->empty();
   if (!pairs->empty()) {
     c.failures.push_back(std::to_string(pairs->size()) + " pairs of facets intersect, one at " +
-                         place(corners(mesh, pairs->front().first)[0], place_digits) + ".");
+                         place(corners(mesh, pairs->front().first)[0], proof_digits) + ".");
   }
   return true;
 }
@@ -204,7 +203,7 @@ void check_sides_exactly(const TriangleMesh& mesh, const ToleranceField& field, 
     const Vec3 p = mesh.points[t[0]];
     if (field.holds_exactly(p).value_or(true)) continue;
     c.within_tolerance = false;
-    c.failures.push_back("The component of the mesh at " + place(p, place_digits) +
+    c.failures.push_back("The component of the mesh at " + place(p, proof_digits) +
                          " lies outside of the tolerance volume.");
   }
 }
@@ -213,7 +212,7 @@ bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
                        Certificate& c, const Stop& stop) {
   const double delta = volume.thresholds().delta;
   std::vector<FacetVerdict> verdicts(mesh.triangles.size());
-  const FacetSearch search{piece_budget, {}, nullptr, 0, &stop};
+  const FacetSearch search{proof_budget, {}, nullptr, 0, &stop};
   const bool complete =
       parallel_until(mesh.triangles.size(), 64, stop,
                      [&](std::size_t f) {
@@ -246,7 +245,7 @@ bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
   c.max_distance = std::max(c.max_distance, worst);
   if (outside > 0) {
     c.failures.push_back(std::to_string(outside) + " facets leave the tolerance volume, the worst by d = " +
-                         general(worst / delta, 4) + " δ at " + place(where, place_digits) + ".");
+                         general(worst / delta, 4) + " δ at " + place(where, proof_digits) + ".");
   }
   if (!complete) {
     if (outside == 0) c.max_distance = std::numeric_limits<double>::infinity();
@@ -265,7 +264,7 @@ std::string uncovered_words(const Certificate& c, double delta) {
          (c.uncovered_count == 1 ? "one place, "
                                  : std::to_string(c.uncovered_count) + " places, the farthest ") +
          general(c.uncovered.front().distance / delta, 4) + " δ at " +
-         place(c.uncovered.front().point, place_digits);
+         place(c.uncovered.front().point, proof_digits);
 }
 
 bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, const CoverTest& test,
@@ -282,7 +281,7 @@ bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, con
   const ClosestPointIndex index({mesh.points, mesh.triangles, {}});
   const ExposedInput input = exposed_input(volume, finest_piece * delta, control);
   if (input.closed_gap)
-    c.gap_note = "Ω closes gaps between parts, as near " + place(*input.closed_gap, place_digits) +
+    c.gap_note = "Ω closes gaps between parts, as near " + place(*input.closed_gap, proof_digits) +
                  ": the walls there need not be near to the mesh.";
   c.input_distance = bound_distance(*input.walls, index, input_distance_precision * delta, control);
   if (!test.limit) return true;
@@ -346,7 +345,7 @@ bool check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, C
     char text[32];
     std::snprintf(text, sizeof text, "%.3f", winding[i]);
     c.failures.push_back("The mesh winds " + std::string(text) + " times around the region at " +
-                         place(w.point, place_digits) + " instead of " +
+                         place(w.point, proof_digits) + " instead of " +
                          (w.label < 0 ? "once." : "not at all."));
   }
   if (more > 0) c.failures.push_back("So it does with " + std::to_string(more) + " other regions.");
@@ -379,7 +378,7 @@ bool check_room_separation(const TriangleMesh& mesh, const ToleranceVolume& volu
     }
     if ((found && odd == nullptr) || wrong++ > 0) continue;
     const std::string there =
-        "the point " + place(witnesses[i].point, place_digits) + " of " + name_of_region(witnesses[i].label);
+        "the point " + place(witnesses[i].point, proof_digits) + " of " + name_of_region(witnesses[i].label);
     c.failures.push_back(odd == nullptr ? "The mesh has no boundary around " + there + '.'
                                         : "The boundary of " + name_of_region(odd->label) + " winds " +
                                               general(times, 3) + " times around " + there + '.');

@@ -3,6 +3,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "run/proof_budget.h"
 #include "tolerance/facet_certificate.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t piece_budget = 200000, grain = 64;
+constexpr std::size_t cover_grain = 64;
 /// Pieces beyond the limit are cut no finer than makes about so many of them.
 constexpr double most_pieces = 50000;
 /// And no triangle into more.
@@ -125,9 +126,9 @@ Coverage judge_coverage(const ClosestPointIndex& input, const ClosestPointIndex&
     return coverage;
   }
   std::vector<FacetVerdict> verdicts(input.size());
-  parallel_for(input.size(), grain, [&](std::size_t i) {
+  parallel_for(input.size(), cover_grain, [&](std::size_t i) {
     if (control.out_of_grace()) return;
-    verdicts[i] = certify_facet(mesh, input.triangle(TriangleId(i)), limit, limit, piece_budget);
+    verdicts[i] = certify_facet(mesh, input.triangle(TriangleId(i)), limit, limit, proof_budget);
   });
   if (control.out_of_grace()) return coverage;
   std::vector<std::uint32_t> beyond;

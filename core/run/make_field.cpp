@@ -12,7 +12,6 @@
 namespace isoscope {
 namespace {
 
-constexpr int place_digits = 6;
 /// A volume this thin against its size takes very many samples: its narrowest place is told.
 constexpr double thin_volume = 0.002;
 

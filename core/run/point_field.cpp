@@ -17,7 +17,6 @@
 namespace isoscope {
 namespace {
 
-constexpr int place_digits = 6;
 /// A part of Ω' with so many of the sites is no blob of noise.
 constexpr double largest_blob = 0.05;
 /// Samples of triangles by δ², and at most: δ is five times the distance between neighbours, and Ω has holes

@@ -3,6 +3,7 @@
 #include "run/reverse_distance.h"
 
 #include "base/parallel.h"
+#include "run/proof_budget.h"
 #include "tolerance/facet_certificate.h"
 #include "tolerance/rounding.h"
 
@@ -15,7 +16,6 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::size_t piece_budget = 200000;
 constexpr std::size_t grain = 256;
 /// A computed distance comes from fewer.
 constexpr int roundings = 32;
@@ -70,7 +70,7 @@ DistanceBounds bound_distance(const ClosestPointIndex& from, const ClosestPointI
     // that much in every round, so that rounds end. Fixed limits keep a round independent of its order.
     const double reject = farthest.distance + 0.5 * precision, accept = farthest.distance + precision;
     verdicts.assign(open.size(), {});
-    const FacetSearch search{piece_budget, {}, nullptr, 0, &stop};
+    const FacetSearch search{proof_budget, {}, nullptr, 0, &stop};
     const bool complete = parallel_until(open.size(), grain, stop, [&](std::size_t i) {
       verdicts[i] = certify_facet(to, from.triangle(TriangleId(open[i])), accept, reject, search);
     });

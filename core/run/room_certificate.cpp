@@ -13,7 +13,6 @@
 namespace isoscope {
 namespace {
 
-constexpr int place_digits = 9;
 using Facet = std::array<std::uint32_t, 3>;
 
 /// The facets around the regions of a label, counter-clockwise seen from beyond them.
@@ -61,7 +60,7 @@ RegionCertificate certify_region(const TriangleMesh& mesh, int label) {
   region.closed_manifold = region.oriented = true;
   const auto fail = [&](const char* what, std::uint32_t vertex) {
     if (region.failure.empty())
-      region.failure = std::string(what) + " at " + place(mesh.points[vertex], place_digits);
+      region.failure = std::string(what) + " at " + place(mesh.points[vertex], proof_digits);
   };
   DisjointSets fans(3 * facets.size()), pieces(facets.size());
   std::size_t edges = 0;

@@ -13,7 +13,6 @@
 namespace isoscope {
 namespace {
 
-constexpr int place_digits = 6;
 constexpr std::size_t most_named = 3;
 /// Vertices through which loops are looked for: what is named need not be the very shortest.
 constexpr std::size_t bases = 400;

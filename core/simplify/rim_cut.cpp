@@ -4,6 +4,7 @@
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "tolerance/border_gate.h"
 #include "tolerance/facet_certificate.h"
 
 #include <algorithm>
@@ -15,13 +16,17 @@ namespace {
 
 /// Halvings towards the wall on an edge.
 constexpr int wall_steps = 50;
-constexpr int most_rounds = 60;
+constexpr int most_cut_rounds = 60;
 /// A vertex this near to where an edge crosses the wall is on it, in units of δ.
 constexpr double at_wall = 0.01;
+/// The longest way along which patches of one loop are joined, in units of δ.
+constexpr double longest_way = 3;
 /// How far from a pinched vertex its edges are cut, in units of δ.
 constexpr double pinch_share = 0.05;
 /// Edges are not split below this length, in units of δ.
 constexpr double shortest_edge = 0.02;
+/// A part of what is kept that is smaller than this is a crumb, in units of δ.
+constexpr double crumb = 4;
 constexpr std::size_t piece_budget = 20000;
 
 template <class Facet> std::array<std::array<VertexId, 2>, 3> edges_of(const Facet& f) {
@@ -35,7 +40,7 @@ RimCut::RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log)
 
 bool RimCut::keeps(Vec3 p) const {
   const ClosestPoint closest = volume_.field().closest(p);
-  return closest.distance() <= volume_.thresholds().delta && !volume_.open_sides()->over_rim(p, closest);
+  return closest.distance() <= volume_.thresholds().delta && !volume_.open_sides()->is_by_wall(p, closest);
 }
 
 /// Vertices of Z that have no place yet get theirs.
@@ -65,9 +70,8 @@ void RimCut::collect_facets() {
 
 std::vector<RimCut::Facet> RimCut::kept_facets() const {
   std::vector<Facet> kept;
-  std::copy_if(facets_.begin(), facets_.end(), std::back_inserter(kept), [&](const Facet& f) {
-    return std::all_of(f.begin(), f.end(), [&](VertexId v) { return is_kept(v); });
-  });
+  std::copy_if(facets_.begin(), facets_.end(), std::back_inserter(kept),
+               [&](const Facet& f) { return keeps_facet(f); });
   return kept;
 }
 
@@ -166,6 +170,129 @@ void RimCut::cut_edges(const std::vector<Edge>& edges) {
   }
 }
 
+/// Whether some place of the rim has no border within δ but that of the patch.
+bool RimCut::rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const {
+  const double delta = volume_.thresholds().delta;
+  Box3 box;
+  std::vector<Segment3> own, others;
+  for (const Edge& e : patch.border) {
+    own.push_back(segment(e));
+    for (const Vec3 p : own.back()) box.add(p);
+  }
+  const double near = 0.5 * distance(box.lo, box.hi) + 2 * delta;
+  // Each border edge is one of a patch that is kept and of one that is not.
+  for (const RimPatch& other : all) {
+    if (other.kept != patch.kept || &other == &patch) continue;
+    for (const Edge& e : other.border)
+      if (distance_to(segment(e), box.center()) <= near) others.push_back(segment(e));
+  }
+  return !volume_.border_gate()->covers_rim(own, others).proven;
+}
+
+bool RimCut::lies_inside(const RimPatch& patch) const {
+  const double delta = volume_.thresholds().delta;
+  const Complex& complex = live_.complex();
+  const auto is_inside = [&](std::uint32_t i) {
+    const Facet& f = facets_[i];
+    const Triangle3 t{complex.position(f[0]), complex.position(f[1]), complex.position(f[2])};
+    return certify_facet(volume_.field(), t, delta, delta, piece_budget).kind == FacetVerdict::Kind::inside;
+  };
+  return std::all_of(patch.facets.begin(), patch.facets.end(), is_inside);
+}
+
+bool RimCut::is_crumb(const RimPatch& patch) const {
+  Box3 box;
+  for (const std::uint32_t i : patch.facets)
+    for (const VertexId v : facets_[i]) box.add(live_.complex().position(v));
+  return distance(box.lo, box.hi) <= crumb * volume_.thresholds().delta;
+}
+
+bool RimCut::is_in_volume(VertexId v) const {
+  return volume_.field().distance(live_.complex().position(v)) <= volume_.thresholds().delta;
+}
+
+std::vector<RimPatch> RimCut::patches() const {
+  std::vector<std::uint8_t> kept(facets_.size());
+  for (std::size_t i = 0; i < facets_.size(); ++i) kept[i] = keeps_facet(facets_[i]) ? 1 : 0;
+  return rim_patches(facets_, kept);
+}
+
+void RimCut::settle_spare_patches() {
+  const std::vector<RimPatch> all = patches();
+  for (const RimPatch& patch : all) {
+    if (log_.stopped()) return;
+    if (patch.border.empty() || !(patch.kept ? is_crumb(patch) : lies_inside(patch)) || rim_needs(patch, all))
+      continue;
+    for (const std::uint32_t i : patch.facets)
+      for (const VertexId v : facets_[i])
+        if (patch.kept)
+          places_[v.index()] = Place::beyond;
+        else if (!is_kept(v))
+          places_[v.index()] = Place::kept;
+  }
+}
+
+/// By loop of the rim: how much of the patch's border is nearest to it.
+std::vector<double> RimCut::lengths_by_loop(const RimPatch& patch) const {
+  const Rim& rim = volume_.open_sides()->rim();
+  std::vector<double> lengths(rim.loops().size(), 0);
+  for (const Edge& e : patch.border) lengths[rim.loop_near(point_on(segment(e), 0.5))] += length(e);
+  return lengths;
+}
+
+/// One loop of the rim makes one patch that is dropped and has one that is kept: others are joined to the
+/// largest of their kind where the way is short.
+void RimCut::join_patches() {
+  std::vector<RimPatch> all = patches();
+  for (bool joined = true; joined && !log_.stopped();) {
+    joined = false;
+    std::vector<std::vector<double>> lengths;
+    for (const RimPatch& patch : all) lengths.push_back(lengths_by_loop(patch));
+    for (std::size_t i = 0; i < all.size() && !joined; ++i) {
+      const auto longest = std::max_element(lengths[i].begin(), lengths[i].end());
+      if (longest == lengths[i].end() || *longest == 0) continue;
+      const auto loop = static_cast<std::size_t>(longest - lengths[i].begin());
+      std::vector<const RimPatch*> larger;
+      for (std::size_t k = 0; k < all.size(); ++k)
+        if (all[k].kept == all[i].kept && lengths[k][loop] > *longest) larger.push_back(&all[k]);
+      joined = !larger.empty() && join(all[i], larger);
+    }
+    const std::size_t before = all.size();
+    if (joined) all = patches();
+    joined = joined && all.size() < before; // else what was tried would be tried again
+  }
+}
+
+bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to) {
+  const auto vertices_of = [](const std::vector<Edge>& border, std::vector<VertexId>& vertices) {
+    for (const Edge& e : border) vertices.insert(vertices.end(), e.begin(), e.end());
+    sort_unique(vertices);
+  };
+  std::vector<VertexId> from, ends;
+  vertices_of(patch.border, from);
+  for (const RimPatch* other : to) vertices_of(other->border, ends);
+  const auto is_allowed = [&](VertexId v) {
+    return is_kept(v) != patch.kept && (is_kept(v) || is_in_volume(v));
+  };
+  const auto apart = [&](VertexId a, VertexId b) {
+    return distance(live_.complex().position(a), live_.complex().position(b));
+  };
+  const std::vector<VertexId> way =
+      shortest_way(facets_, from, ends, is_allowed, apart, longest_way * volume_.thresholds().delta);
+  if (way.empty() || (patch.kept && way.size() < 3)) return false;
+  if (!patch.kept) {
+    take_away(way);
+    return true;
+  }
+  // What lies around the way is kept with it, as far as it is in Ω.
+  for (const Facet& f : facets_)
+    if (std::any_of(way.begin() + 1, way.end() - 1,
+                    [&](VertexId v) { return v == f[0] || v == f[1] || v == f[2]; }))
+      for (const VertexId v : f)
+        if (!is_kept(v) && is_in_volume(v)) places_[v.index()] = Place::kept;
+  return true;
+}
+
 /// The longest edge from what is kept to what is not, where the facet has one, else the longest.
 RimCut::Edge RimCut::edge_towards(const Facet& facet) const {
   const auto all = edges_of(facet);
@@ -199,14 +326,15 @@ std::vector<VertexId> RimCut::pinches() const {
   return found;
 }
 
-/// Takes pinched vertices away from what is kept, with a little of their edges.
-void RimCut::cut_pinches() {
-  for (const VertexId v : pinches()) {
+/// Takes vertices away from what is kept, with a little of their edges to what stays.
+void RimCut::take_away(std::span<const VertexId> vertices) {
+  for (const VertexId v : vertices) places_[v.index()] = Place::beyond;
+  for (const VertexId v : vertices) {
     std::vector<VertexId> around;
     for (const Facet& f : facets_)
       if (std::find(f.begin(), f.end(), v) != f.end())
         for (const VertexId x : f)
-          if (x != v && is_kept(x)) around.push_back(x);
+          if (is_kept(x)) around.push_back(x);
     sort_unique(around);
     for (const VertexId x : around) {
       if (log_.stopped()) return;
@@ -214,9 +342,13 @@ void RimCut::cut_pinches() {
       const double share = std::min(0.5, pinch_share * volume_.thresholds().delta / distance(from, to));
       split({sorted(Edge{v, x}), Reason::pinched_border, from, 0}, from + share * (to - from), Place::wall);
     }
-    places_[v.index()] = Place::beyond;
     collect_facets();
   }
+}
+
+void RimCut::cut_pinches() {
+  for (const VertexId v : pinches())
+    if (!log_.stopped()) take_away(std::array{v});
 }
 
 void RimCut::want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 witness, double value) const {
@@ -321,7 +453,7 @@ void RimCut::drop() {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!complex.on_zero_set(TetId(i), k)) continue;
       const Facet f = complex.tets[i].facet(k);
-      if (std::all_of(f.begin(), f.end(), [&](VertexId v) { return is_kept(v); })) continue;
+      if (keeps_facet(f)) continue;
       bits |= 1u << k;
       facets += complex.tets[i].side > 0;
     }
@@ -341,8 +473,10 @@ void RimCut::run() {
     collect_facets();
     cut_edges(crossing_edges());
     collect_facets();
+    settle_spare_patches();
+    join_patches();
     cut_pinches();
-    const std::vector<Split> splits = round < most_rounds ? wanted_splits() : std::vector<Split>();
+    const std::vector<Split> splits = round < most_cut_rounds ? wanted_splits() : std::vector<Split>();
     if (splits.empty()) break;
     for (const Split& s : splits) {
       if (log_.stopped()) return;

@@ -4,20 +4,24 @@
 #include "base/segment.h"
 #include "collapse/live_complex.h"
 #include "journal/stage_log.h"
+#include "simplify/rim_patches.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <array>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace isoscope {
 
 /// Splits edges of Z in T where the nearest place of the input changes from off the open rim to on it, and
 /// drops what lies beyond. What is kept is the part of Z between vertices that are kept: a surface with
-/// border. Edges are split further until every facet kept is proven inside Ω, every edge of the border within
-/// δ of the rim and every place of the rim within δ of the border, as far as edges are not too short for
-/// that.
+/// border. Where the wall dips into the sheet or comes back, holes and crumbs appear beside those that the
+/// loops of the rim make: what no part of the rim needs is closed or dropped, the others are joined to what
+/// the same loop has made. Edges are split further until every facet kept
+/// is proven inside Ω, every edge of the border within δ of the rim and every place of the rim within δ of
+/// the border, as far as edges are not too short for that.
 class RimCut {
  public:
   RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log);
@@ -53,9 +57,20 @@ class RimCut {
   void classify();
   void collect_facets();
   std::vector<Facet> kept_facets() const;
+  bool keeps_facet(const Facet& f) const { return is_kept(f[0]) && is_kept(f[1]) && is_kept(f[2]); }
   std::vector<Edge> border(const std::vector<Facet>& kept) const;
   Vec3 wall_between(Vec3 kept, Vec3 beyond) const;
   std::vector<Vec3> places_on_edge(const Edge& edge, Vec3 at) const;
+  std::vector<RimPatch> patches() const;
+  bool rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const;
+  bool lies_inside(const RimPatch& patch) const;
+  bool is_crumb(const RimPatch& patch) const;
+  bool is_in_volume(VertexId v) const;
+  std::vector<double> lengths_by_loop(const RimPatch& patch) const;
+  void settle_spare_patches();
+  void join_patches();
+  bool join(const RimPatch& patch, const std::vector<const RimPatch*>& to);
+  void take_away(std::span<const VertexId> vertices);
   Edge edge_towards(const Facet& facet) const;
   std::vector<VertexId> pinches() const;
   void cut_pinches();

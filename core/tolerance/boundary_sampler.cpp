@@ -3,13 +3,18 @@
 
 #include "base/labels.h"
 #include "base/parallel.h"
+#include "base/snap.h"
 #include "tolerance/regions.h"
 #include "tolerance/sample_candidates.h"
 #include "tolerance/sample_grid.h"
 #include "tolerance/sample_units.h"
+#include "tolerance/side_votes.h"
+#include "tolerance/wall_samples.h"
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -24,6 +29,8 @@ constexpr double halvings_at_once = 8;
 constexpr std::uint32_t cells_between_questions = 65536, units_between_questions = 16;
 /// Cells that one question about a crevice may visit.
 constexpr std::size_t crevice_budget = 2000;
+/// Wall samples this near to another sample of their side, in units of σ, tell nothing new.
+constexpr double nearest_wall_sample = 0.1;
 constexpr std::uint16_t no_component = 0xffff;
 
 /// A cell without a boundary point of its own, to be covered by its neighbours' samples.
@@ -31,6 +38,10 @@ struct OrphanCell {
   Vec3 center;
   double half_side;
 };
+
+Error stopped_sampling() {
+  return {ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
+}
 
 class Sampler {
  public:
@@ -68,13 +79,17 @@ class Sampler {
       block.clear();
     }
     count_undecided(control);
-    if (control.cancelled())
-      return Error{ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
+    if (control.cancelled()) return stopped_sampling();
     return {};
   }
 
-  BoundarySamples take() {
+  BoundarySamples take(const RunControl& control) {
     set_boundary_samples_apart();
+    if (volume_.open_sides() != nullptr) {
+      settle_open_sides(control);
+      set_boundary_samples_apart();
+    }
+    add_wall_samples();
     return std::move(samples_);
   }
 
@@ -102,6 +117,37 @@ class Sampler {
     samples_.positions.resize(kept);
     samples_.labels.resize(kept);
     samples_.components.resize(kept);
+  }
+
+  /// Single normals err where the sheet meets itself; all samples that hang together do not.
+  void settle_open_sides(const RunControl& control) {
+    SideVotes result = vote_on_sides(volume_, samples_, control);
+    if (control.cancelled()) return;
+    samples_.labels = std::move(result.labels);
+    volume_.settle_open_sides(std::make_shared<const OpenSides>(
+        volume_.open_sides()->settled(result.contested, std::move(result.votes), 2 * samples_.sigma)));
+  }
+
+  void add_wall_samples() {
+    SampleGrid grid(volume_.domain().lo, samples_.sigma);
+    for (const Vec3 p : samples_.positions) grid.add(p);
+    for (const WallSample& s : wall_samples(volume_)) {
+      const Vec3 p = snapped(s.point, samples_.snap_unit);
+      const double apart = nearest_wall_sample * samples_.sigma;
+      near_.clear();
+      grid.gather(Box3{p, p}.grown(samples_.sigma), near_);
+      std::uint16_t component = no_component;
+      double least = std::numeric_limits<double>::infinity();
+      for (const std::uint32_t other : near_)
+        if (const double d = distance(samples_.positions[other], p);
+            samples_.labels[other] == s.label && d < least)
+          least = d, component = samples_.components[other];
+      if (least < apart) continue;
+      samples_.positions.push_back(p);
+      samples_.labels.push_back(s.label);
+      samples_.components.push_back(component);
+      grid.add(p);
+    }
   }
 
   void sample_block(const SampleUnitFinder& finder, std::span<const Regions::CellIndex> block,
@@ -298,9 +344,12 @@ class Sampler {
 Result<BoundarySamples> sample_boundary(ToleranceVolume& volume, double sigma, const RunControl& control) {
   if (!(sigma > 0) || !std::isfinite(sigma))
     return Error{ErrorCode::usage, "The sampling density must be a positive length.", ""};
+  volume.settle_open_sides(volume.open_sides_found());
   Sampler sampler(volume, sigma);
   if (Status s = sampler.run(control); !s.ok()) return s.error();
-  return sampler.take();
+  BoundarySamples samples = sampler.take(control);
+  if (control.cancelled()) return stopped_sampling();
+  return samples;
 }
 
 } // namespace isoscope

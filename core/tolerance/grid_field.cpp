@@ -11,7 +11,6 @@
 namespace isoscope {
 namespace {
 
-constexpr int place_digits = 6;
 constexpr std::uint32_t no_site = 0xffffffffu;
 /// Beyond Ω by so much of the band g is flat: φ grows up to (1 + 2 · margin) δ.
 constexpr double margin = 0.5;

@@ -13,8 +13,6 @@
 namespace isoscope {
 namespace {
 
-constexpr int place_digits = 6;
-
 std::size_t count_components(const WeldedMesh& mesh) {
   DisjointSets sets(mesh.points.size());
   std::size_t count = mesh.points.size();

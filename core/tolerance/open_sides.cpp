@@ -6,6 +6,8 @@
 namespace isoscope {
 namespace {
 
+/// What is by the wall, in units of δ'.
+constexpr double by_wall = 0.002;
 /// Pieces up to the first size, in units of δ, are over the rim where their corners and their centre are; up
 /// to the second where their centre is.
 constexpr double judged_by_corners = 0.25, judged_by_center = 0.02;
@@ -27,9 +29,9 @@ PseudoNormals normals_of(const ClosestPointIndex& index, std::span<const std::in
 OpenSides::OpenSides(std::shared_ptr<const ClosestPointIndex> index, std::vector<std::uint32_t> component,
                      std::vector<std::uint8_t> open, std::span<const std::int8_t> turns, double boundary,
                      const RunControl& control)
-    : index_(std::move(index)), component_(std::move(component)), open_(std::move(open)),
-      normals_(normals_of(*index_, turns)), rim_(*index_, by_triangle(component_, open_), boundary, control) {
-}
+    : index_(std::move(index)), component_(std::move(component)), open_(std::move(open)), boundary_(boundary),
+      wall_margin_(by_wall * boundary), normals_(normals_of(*index_, turns)),
+      rim_(*index_, by_triangle(component_, open_), turns, boundary, control) {}
 
 bool OpenSides::all_open() const {
   return std::all_of(open_.begin(), open_.end(), [](std::uint8_t open) { return open != 0; });
@@ -39,7 +41,37 @@ int OpenSides::side(Vec3 p, const ClosestPoint& closest) const {
   if (rim_.is_nearest(p, closest.distance())) return 0;
   const Vec3 n = normals_.at(closest.triangle, index_->triangle(closest.triangle), closest.point);
   const double rise = dot(n, p - closest.point);
+  if (!votes_.empty())
+    if (const int side = vote_near(closest.point + boundary_ * normalized(p - closest.point)); side != 0)
+      return side;
   return rise > 0 ? +1 : rise < 0 ? -1 : 0;
+}
+
+/// The side of the nearest vote within reach, 0 where there is none.
+int OpenSides::vote_near(Vec3 p) const {
+  std::vector<std::uint32_t> near;
+  vote_grid_->gather(Box3{p, p}.grown(vote_reach_), near);
+  const SideVote* nearest = nullptr;
+  for (const std::uint32_t i : near) {
+    const SideVote& vote = votes_[i];
+    if (distance(vote.point, p) <= vote_reach_ &&
+        (nearest == nullptr || distance(vote.point, p) < distance(nearest->point, p)))
+      nearest = &vote;
+  }
+  return nearest == nullptr ? 0 : nearest->side;
+}
+
+OpenSides OpenSides::settled(std::span<const std::uint8_t> more_open, std::vector<SideVote> votes,
+                             double vote_reach) const {
+  OpenSides settled = *this;
+  settled.rim_ = rim_.opened(more_open);
+  settled.votes_ = std::move(votes);
+  settled.vote_reach_ = vote_reach;
+  if (settled.votes_.empty()) return settled;
+  SampleGrid grid(index_->bounds().lo, vote_reach);
+  for (const SideVote& vote : settled.votes_) grid.add(vote.point);
+  settled.vote_grid_ = std::make_shared<const SampleGrid>(std::move(grid));
+  return settled;
 }
 
 PieceVerdict OpenSides::judge_outside(const Triangle3& piece, Vec3 center, const ClosestPoint& closest,
@@ -47,18 +79,19 @@ PieceVerdict OpenSides::judge_outside(const Triangle3& piece, Vec3 center, const
   if (!is_open(closest.triangle)) return PieceVerdict::violates;
   const double d = closest.distance(), far = reach * delta;
   if (d > far) return d - radius > far ? PieceVerdict::passes : PieceVerdict::divide;
-  if (!rim_.is_nearest(center, d)) return PieceVerdict::violates;
+  if (!is_by_wall(center, closest)) return PieceVerdict::violates;
   if (radius <= judged_by_center * delta) return PieceVerdict::passes;
   if (radius > judged_by_corners * delta) return PieceVerdict::divide;
   const bool all = std::all_of(piece.begin(), piece.end(), [&](Vec3 p) {
-    return rim_.is_nearest(p, index_->closest_near(p, closest.triangle).distance());
+    return is_by_wall(p, index_->closest_near(p, closest.triangle));
   });
   return all ? PieceVerdict::passes : PieceVerdict::divide;
 }
 
 std::size_t OpenSides::memory_bytes() const {
   return component_.capacity() * sizeof(std::uint32_t) + open_.capacity() + normals_.memory_bytes() +
-         rim_.memory_bytes();
+         rim_.memory_bytes() + votes_.capacity() * sizeof(SideVote) +
+         (vote_grid_ ? vote_grid_->memory_bytes() : 0);
 }
 
 } // namespace isoscope

@@ -4,12 +4,19 @@
 #include "tolerance/facet_certificate.h"
 #include "tolerance/pseudo_normals.h"
 #include "tolerance/rim.h"
+#include "tolerance/sample_grid.h"
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace isoscope {
+
+/// A place of ∂Ω' and the side that it is on.
+struct SideVote {
+  Vec3 point;
+  std::int8_t side;
+};
 
 /// Sides of the components of Ω' that do not separate space. A point whose nearest place of the input is on
 /// the open rim has none. Const and thread-safe.
@@ -24,15 +31,22 @@ class OpenSides {
             std::vector<std::uint8_t> open, std::span<const std::int8_t> turns, double boundary,
             const RunControl& control);
 
+  /// The same where more pieces of the rim are open, and where near to some places their sides are known
+  /// better than by normals. `vote_reach`: how near.
+  OpenSides settled(std::span<const std::uint8_t> more_open, std::vector<SideVote> votes,
+                    double vote_reach) const;
+
   const Rim& rim() const { return rim_; }
   /// Whether a triangle is part of an open surface.
   bool is_open(TriangleId t) const { return open_[component_[t.index()]] != 0; }
   bool is_open_component(std::uint32_t component) const { return open_[component] != 0; }
   /// Whether all components are.
   bool all_open() const;
-  /// Whether the nearest place of the input is on the open rim.
-  bool over_rim(Vec3 p, const ClosestPoint& closest) const {
-    return is_open(closest.triangle) && rim_.is_nearest(p, closest.distance());
+  /// Whether the nearest place of the input is on the open rim, or nearly so: where the rim is farther by no
+  /// more than δ'/500, either may be the nearest a little further on. Folds and teeth shorter than Ω is thick
+  /// put them side by side.
+  bool is_by_wall(Vec3 p, const ClosestPoint& closest) const {
+    return is_open(closest.triangle) && rim_.is_nearest(p, closest.distance() + wall_margin_);
   }
   /// The side of a point near an open surface: ±1, or 0 over its rim.
   int side(Vec3 p, const ClosestPoint& closest) const;
@@ -46,8 +60,15 @@ class OpenSides {
   std::shared_ptr<const ClosestPointIndex> index_;
   std::vector<std::uint32_t> component_;
   std::vector<std::uint8_t> open_;
+  double boundary_;    ///< δ'
+  double wall_margin_; ///< of what is by the wall
   PseudoNormals normals_;
   Rim rim_;
+  std::vector<SideVote> votes_;
+  std::shared_ptr<const SampleGrid> vote_grid_;
+  double vote_reach_ = 0;
+
+  int vote_near(Vec3 p) const;
 };
 
 } // namespace isoscope

@@ -14,7 +14,6 @@ namespace {
 
 /// Triangles from which the thickness of a part is measured.
 constexpr std::size_t thickness_probes = 2000;
-constexpr int place_digits = 6;
 /// Places between its walls that are asked whether a part is closed.
 constexpr std::size_t thin_part_probes = 16;
 constexpr int most_steps = 200; ///< of a climb

@@ -20,13 +20,15 @@ constexpr double longest_piece = 0.25;
 /// A border is open where the distance before it is that share of δ' at least.
 constexpr double open_share = 0.98;
 /// Borders face each other where the cosine of their conormals is below this: what they leave between them is
-/// a slit that Ω closes, and no corner.
+/// a slit that Ω closes, and no corner. Where that of their normals is, a sheet lies folded on the other.
 constexpr double facing = -0.5;
 /// The cosine from which on a normal counts as that of a wall across the way.
 constexpr double across = 0.7;
-/// How far beside a sheet the wall that it stands on is looked for, and how near to it that is, in units of
+/// How far beside a sheet the wall that it ends on is looked for, and how near to it that is, in units of
 /// δ'.
 constexpr double beside = 0.25, on_wall = 0.05;
+/// The area of a needle, twice, relative to the square of its longest edge, is at most this.
+constexpr double needle = 1e-10;
 /// A loop shorter than that many δ' surrounds nothing that Ω leaves open.
 constexpr double shortest_loop = 2;
 /// Ends of the open rim this near to each other, in units of δ', are those of one loop: Ω closes what is
@@ -40,21 +42,30 @@ Vec3 conormal_of(const Triangle3& t, Vec3 a, Vec3 b) {
   return normalized(cross(b - a, cross(t[1] - t[0], t[2] - t[0])));
 }
 
-/// Whether a border lies on a wall that goes on to both sides of its sheet.
-bool stands_on_wall(const ClosestPointIndex& index, const RimPiece& piece, double boundary) {
-  const Triangle3& t = index.triangle(piece.triangle);
-  const Vec3 aside = beside * boundary * normalized(cross(t[1] - t[0], t[2] - t[0]));
-  const Vec3 middle = 0.5 * (piece.a + piece.b);
-  return index.distance(middle + aside) <= on_wall * boundary &&
-         index.distance(middle - aside) <= on_wall * boundary;
+Vec3 normal_of(const ClosestPointIndex& index, TriangleId id) {
+  const Triangle3& t = index.triangle(id);
+  return normalized(cross(t[1] - t[0], t[2] - t[0]));
+}
+
+/// Whether the input goes on from a place of it to both sides along a direction, as a wall does that a sheet
+/// ends on.
+bool goes_on_aside(const ClosestPointIndex& index, Vec3 p, Vec3 direction, double boundary) {
+  const Vec3 aside = beside * boundary * direction;
+  return index.distance(p + aside) <= on_wall * boundary && index.distance(p - aside) <= on_wall * boundary;
+}
+
+/// Whether a triangle has no area to speak of, so that it only closes what its neighbours leave between them.
+bool is_needle(const Triangle3& t) {
+  const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+  return length(cross(t[1] - t[0], t[2] - t[0])) <= needle * longest * longest;
 }
 
 } // namespace
 
-Rim::Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted, double boundary,
-         const RunControl& control)
+Rim::Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
+         std::span<const std::int8_t> turns, double boundary, const RunControl& control)
     : boundary_(boundary) {
-  cut(index, wanted, control);
+  cut(index, wanted, turns, control);
   if (control.cancelled()) return;
   find_loops();
   describe_loops();
@@ -62,8 +73,10 @@ Rim::Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted, d
 }
 
 void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
-              const RunControl& control) {
-  const WeldedMesh mesh = weld(index);
+              std::span<const std::int8_t> turns, const RunControl& control) {
+  WeldedMesh mesh = weld(index);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (is_needle(index.triangle(TriangleId(t)))) mesh.triangles[t] = {};
   const std::vector<EdgeUse> edges = border_uses(mesh.triangles);
   if (edges.empty()) return;
   std::vector<Segment3> segments;
@@ -97,14 +110,30 @@ void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> want
     const bool at_border = border.distance() <= on_border * boundary_;
     piece.open = closest.distance() >= open_share * boundary_ ||
                  (at_border && dot(conormals[border.triangle.index()], piece.conormal) >= facing);
-    const Triangle3& t = index.triangle(closest.triangle);
-    const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
-    piece.meets_wall = !piece.open && !at_border && std::abs(dot(normal, piece.conormal)) > across;
-    if (!piece.open || !stands_on_wall(index, piece, boundary_)) return;
+    const Vec3 normal = normal_of(index, closest.triangle), own = normal_of(index, piece.triangle);
+    const bool same_way = turns.empty() || turns[closest.triangle.index()] == turns[piece.triangle.index()];
+    if ((same_way ? 1 : -1) * dot(normal, own) < facing) piece.open = true;
+    piece.meets_wall =
+        !piece.open && !at_border && std::abs(dot(normal, piece.conormal)) > across &&
+        goes_on_aside(index, closest.point, 2 * normalized(own - dot(own, normal) * normal), boundary_);
+    if (!piece.open || !goes_on_aside(index, 0.5 * (piece.a + piece.b), own, boundary_)) return;
     piece.open = false;
     piece.meets_wall = true;
   };
   parallel_until(pieces_.size(), 64, control, [&](std::size_t i) { judge(pieces_[i]); });
+}
+
+Rim Rim::opened(std::span<const std::uint8_t> more) const {
+  Rim rim;
+  rim.boundary_ = boundary_;
+  rim.pieces_ = pieces_;
+  rim.nodes_ = nodes_;
+  for (std::size_t i = 0; i < more.size(); ++i)
+    if (more[i] != 0) rim.pieces_[i].open = true;
+  rim.find_loops();
+  rim.describe_loops();
+  rim.build_curve();
+  return rim;
 }
 
 void Rim::find_loops() {

@@ -39,10 +39,15 @@ class Rim {
  public:
   Rim() = default;
   /// Looks at the borders of the triangles that `wanted` has a 1 for, by id. A point c of the border is open
-  /// where nothing of the input is nearer than δ' to c + δ' u, u its conormal, but what lies beside it.
-  /// `boundary`: δ'. Of no use once the control is cancelled.
-  Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted, double boundary,
-      const RunControl& control);
+  /// where nothing of the input is nearer than δ' to c + δ' u, u its conormal, but what lies beside it, or
+  /// where it lies on a sheet that runs the other way round: the end of a flap that is folded back.
+  /// Triangles without area have no borders. `turns`: how the triangles run, as in PseudoNormals; `boundary`:
+  /// δ'. Of no use once the control is cancelled.
+  Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
+      std::span<const std::int8_t> turns, double boundary, const RunControl& control);
+
+  /// The same with more pieces that are open: those with a 1.
+  Rim opened(std::span<const std::uint8_t> more) const;
 
   std::span<const RimPiece> pieces() const { return pieces_; }
   std::span<const RimLoop> loops() const { return loops_; }
@@ -56,7 +61,8 @@ class Rim {
   std::size_t memory_bytes() const;
 
  private:
-  void cut(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted, const RunControl& control);
+  void cut(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
+           std::span<const std::int8_t> turns, const RunControl& control);
   void find_loops();
   void describe_loops();
   void build_curve();

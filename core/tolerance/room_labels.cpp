@@ -13,7 +13,6 @@
 namespace isoscope {
 namespace {
 
-constexpr int place_digits = 6;
 constexpr int most_rooms = std::numeric_limits<std::int8_t>::max();
 /// Both sides of walls are looked at this far from them, in units of δ', at places about so many δ apart, but
 /// at no more of them than this.

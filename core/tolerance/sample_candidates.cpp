@@ -1,6 +1,8 @@
 // Subdivides a cell until a boundary point close enough to all of each part is known.
 #include "tolerance/sample_candidates.h"
 
+#include "base/snap.h"
+
 #include <cmath>
 #include <optional>
 
@@ -79,17 +81,12 @@ class Subdivision {
     if (!(d > 1e-6 * boundary_)) return false;
     const std::optional<Vec3> q = volume_.field().at_level(candidate.center, closest, boundary_);
     if (!q) return false;
-    candidate.point = snap(*q);
+    candidate.point = snapped(*q, options_.snap_unit);
     const double bound = farthest_in_cube(candidate.point, candidate.center, candidate.half_side);
     if (bound > options_.target_bound && !last) return false;
     if (d >= boundary_ || !volume_.field().is_distance()) return true;
     const double least = boundary_ * (1 - projection_error);
     return volume_.field().closest_near(*q, closest.triangle, near_, least).distance() >= least;
-  }
-
-  Vec3 snap(Vec3 p) const {
-    for (int a = 0; a < 3; ++a) p[a] = std::round(p[a] / options_.snap_unit) * options_.snap_unit;
-    return p;
   }
 
   void find_side(SampleCandidate& candidate, const ClosestPoint& closest) {

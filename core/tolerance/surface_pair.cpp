@@ -17,7 +17,6 @@
 namespace isoscope {
 namespace {
 
-constexpr int place_digits = 6;
 constexpr std::array<std::string_view, 2> wall_names{"outer", "inner"};
 
 Error stopped() {

@@ -19,7 +19,6 @@
 namespace isoscope {
 namespace {
 
-constexpr int place_digits = 6;
 constexpr std::size_t most_named = 3; ///< parts in a sentence
 /// Places of one closed part from which the largest thickness is climbed to.
 constexpr std::size_t most_climbs = 24;

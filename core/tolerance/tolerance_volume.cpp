@@ -91,6 +91,7 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   copy.input_ = input_;
   copy.sides_ = sides_;
   copy.open_sides_ = open_sides_;
+  copy.open_sides_found_ = open_sides_found_;
   copy.thresholds_ = thresholds_;
   copy.border_gate_ = border_gate_;
   copy.regions_ = regions_;
@@ -99,6 +100,11 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   copy.volume_components_ = volume_components_;
   copy.volume_component_count_ = volume_component_count_;
   return copy;
+}
+
+void ToleranceVolume::settle_open_sides(std::shared_ptr<const OpenSides> sides) {
+  open_sides_ = std::move(sides);
+  if (open_sides_) keep_border_to(open_segments(open_sides_->rim()));
 }
 
 void ToleranceVolume::keep_border_to(std::vector<Segment3> rim) {
@@ -153,9 +159,10 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
     auto found = find_open_sides(v, control);
     if (control.cancelled()) return stopped;
     if (!found) return found.error();
-    v.open_sides_ = std::move(*found);
-    if (v.open_sides_ && !options.open_surfaces) return open_surface_near(v.open_sides_->rim().pieces()[0].a);
-    if (v.open_sides_) v.keep_border_to(open_segments(v.open_sides_->rim()));
+    v.open_sides_found_ = std::move(*found);
+    if (v.open_sides_found_ && !options.open_surfaces)
+      return open_surface_near(v.open_sides_found_->rim().pieces()[0].a);
+    v.settle_open_sides(v.open_sides_found_);
   }
   const Status labelled = v.label_regions(control);
   if (control.cancelled()) return stopped;

@@ -130,6 +130,10 @@ class ToleranceVolume {
   const InputSides& sides() const { return sides_; }
   /// The sides of its open surfaces; null where there are none.
   const OpenSides* open_sides() const { return open_sides_.get(); }
+  /// As they were found first, by normals alone.
+  const std::shared_ptr<const OpenSides>& open_sides_found() const { return open_sides_found_; }
+  /// Takes them, and has the border keep to their rim.
+  void settle_open_sides(std::shared_ptr<const OpenSides> sides);
   /// The open rim of the input, to which the border of Z keeps (§4.1); null where Z is closed.
   const BorderGate* border_gate() const { return border_gate_.get(); }
   void keep_border_to(std::vector<Segment3> rim);
@@ -226,7 +230,7 @@ class ToleranceVolume {
   std::shared_ptr<const ToleranceField> field_;
   InputTopology input_;
   InputSides sides_;
-  std::shared_ptr<const OpenSides> open_sides_;
+  std::shared_ptr<const OpenSides> open_sides_, open_sides_found_;
   ToleranceThresholds thresholds_;
   std::shared_ptr<const BorderGate> border_gate_;
   std::unique_ptr<Regions> octree_;

@@ -6,11 +6,7 @@
 #include <algorithm>
 
 namespace isoscope {
-namespace {
-
-constexpr int place_digits = 6;
-
-} // namespace
+namespace {} // namespace
 
 std::string ToleranceVolume::thickening_note(const RunControl& control) const {
   if (thickening()) return {};

@@ -102,8 +102,8 @@ TEST_CASE("A grid and a segmentation from files") {
           .file("labels.grid", "isoscope-grid 1\nsize 20 20 20\ntype uint8\nspacing 2 2 2\ndata labels.raw\n")
           .string();
   const std::string recording = (folder / "run.isorun").string();
-  const Ended ended =
-      run_batch({header, "--label", "5", "--levels", "-1", "1", "--effort", "0", "--record", recording});
+  const Ended ended = run_batch(
+      {header, "--label", "5", "--levels", "-1", "1", "--until", "refinement", "--record", recording});
   CAPTURE(ended.out + ended.error);
   CHECK(ended.status == 0);
   CHECK(ended.says("between the two levels on every facet"));

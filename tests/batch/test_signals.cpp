@@ -19,7 +19,7 @@ TEST_CASE("An interrupt during the refinement ends it cleanly and writes what is
   if (!TerminalRun::possible()) return;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TemporaryFolder folder;
-    TerminalRun run({"gallery:rings", "--tolerance", "0.8%", "-o", (folder / "z.off").string(), "--report",
+    TerminalRun run({"gallery:rings", "--tolerance", "1.5%", "-o", (folder / "z.off").string(), "--report",
                      (folder / "z.json").string()});
     REQUIRE(run.read_until("refinement"));
     run.signal(signal);
@@ -35,7 +35,7 @@ TEST_CASE("A terminal that is closed ends the run cleanly, although both shell a
           doctest::test_suite("terminal")) {
   if (!TerminalRun::possible()) return;
   const TemporaryFolder folder;
-  TerminalRun run({"gallery:rings", "--tolerance", "0.8%", "-o", (folder / "z.off").string()});
+  TerminalRun run({"gallery:rings", "--tolerance", "1.5%", "-o", (folder / "z.off").string()});
   REQUIRE(run.read_until("refinement"));
   run.signal(SIGHUP);
   run.signal(SIGHUP);

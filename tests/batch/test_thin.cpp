@@ -36,7 +36,7 @@ TEST_CASE("A thin part ends with 3 and a tolerance that ends with 0, or is left 
   const std::size_t at = refused.error.find("at most ", refused.error.find("Choose"));
   REQUIRE(at != std::string::npos);
   const std::string tolerance = refused.error.substr(at + 8, refused.error.find(' ', at + 8) - at - 8);
-  const Ended kept = run_batch({file, "--tolerance", tolerance, "--effort", "0"});
+  const Ended kept = run_batch({file, "--tolerance", tolerance, "--until", "refinement"});
   CAPTURE(kept.out);
   CHECK(kept.status == 0);
   CHECK(kept.says("2 components"));
@@ -44,13 +44,14 @@ TEST_CASE("A thin part ends with 3 and a tolerance that ends with 0, or is left 
   CHECK(kept.says("topology as expected"));
 
   const std::string report = (folder / "report.json").string();
-  const Ended dropped =
-      run_batch({file, "--tolerance", "0.07", "--effort", "0", "--drop-thin", "-o", out, "--report", report});
+  const Ended dropped = run_batch(
+      {file, "--tolerance", "0.07", "--until", "refinement", "--drop-thin", "-o", out, "--report", report});
   CHECK(dropped.status == 0);
   CHECK(dropped.error.find("1 part of the input, thinner than twice the tolerance everywhere, is left out") !=
         std::string::npos);
   CHECK(nlohmann::json::parse(bytes_of(report))["input"]["left_out"].size() == 1);
-  const Ended quiet = run_batch({file, "--tolerance", "0.07", "--effort", "0", "--drop-thin", "--quiet"});
+  const Ended quiet =
+      run_batch({file, "--tolerance", "0.07", "--until", "refinement", "--drop-thin", "--quiet"});
   CHECK(quiet.status == 0);
   CHECK(quiet.out.empty());
   CHECK(quiet.error.find("left out") != std::string::npos);
@@ -62,7 +63,7 @@ TEST_CASE("A lost spike ends with 1 and its place, with --cover off or --topolog
   testing::add_box(soup, {0, 0, 0}, {1, 1, 1});
   testing::add_box(soup, {0.9, 0.49, 0.49}, {2, 0.51, 0.51});
   const std::string file = write(folder, "spike.off", soup), run = (folder / "run.isorun").string();
-  const std::vector<std::string> common{file, "--tolerance", "0.06", "--effort", "0"};
+  const std::vector<std::string> common{file, "--tolerance", "0.06", "--until", "refinement"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), common.begin(), common.end());
     return run_batch(more);

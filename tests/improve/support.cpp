@@ -18,6 +18,12 @@ Start::Start(const TriangleSoup& input, double percent) : soup(input), mesh{inpu
   volume = std::make_unique<ToleranceVolume>(std::move(*built));
 }
 
+ImproverOptions with_effort(int effort) {
+  ImproverOptions options;
+  options.effort = effort;
+  return options;
+}
+
 bool Listener::accepted(const SurfaceChange& change, const ImproverVerdict& verdict) {
   changes.push_back(change);
   verdicts.push_back(verdict);

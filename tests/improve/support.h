@@ -44,6 +44,9 @@ struct Bench {
   Bench& operator=(const Bench&) = delete;
 };
 
+/// The defaults but for the effort.
+ImproverOptions with_effort(int effort);
+
 /// Keeps everything it hears; may stop the improver or cancel the control after a number of calls.
 class Listener : public ImproverObserver {
  public:

@@ -16,7 +16,7 @@ using namespace isoscope::testing;
 
 namespace {
 
-FacetComplex complex_of(const TriangleMesh& mesh) {
+FacetComplex bordered_complex_of(const TriangleMesh& mesh) {
   FacetComplex complex;
   complex.points = mesh.points;
   for (const auto& t : mesh.triangles) complex.facets.emplace_back().v = t;
@@ -44,7 +44,7 @@ template <class Kept> TriangleMesh part_of(const TriangleMesh& mesh, const Kept&
 }
 
 std::vector<Segment3> border_of(const TriangleMesh& mesh) {
-  const FacetComplex complex = complex_of(mesh);
+  const FacetComplex complex = bordered_complex_of(mesh);
   std::vector<Segment3> edges;
   for (std::uint32_t v = 0; v < complex.border.size(); ++v)
     if (complex.on_border(v)) edges.push_back({complex.points[v], complex.points[complex.border[v].next]});
@@ -110,7 +110,7 @@ struct HalfSphere {
 
 void check_result(const TriangleMesh& mesh, const HalfSphere& half, long characteristic,
                   std::size_t loop_count) {
-  const FacetComplex complex = complex_of(mesh);
+  const FacetComplex complex = bordered_complex_of(mesh);
   check_manifold(complex);
   CHECK(euler_characteristic(complex) == characteristic);
   CHECK(loops(complex) == loop_count);
@@ -125,19 +125,13 @@ void check_result(const TriangleMesh& mesh, const HalfSphere& half, long charact
   for (const Segment3& edge : half.rim) CHECK(to_border.keeps_to_rim(edge).proven);
 }
 
-ImproverOptions with_effort(int effort) {
-  ImproverOptions options;
-  options.effort = effort;
-  return options;
-}
-
 } // namespace
 
 TEST_CASE("a disc collapses to one triangle, an annulus to two loops of three") {
   const Start whole(sphere(12), 5);
   for (const bool annulus : {false, true}) {
-    FacetComplex complex =
-        complex_of(part_of(whole.mesh, [&](Vec3 c) { return c.z > 0.02 && (!annulus || c.z < 0.8); }));
+    FacetComplex complex = bordered_complex_of(
+        part_of(whole.mesh, [&](Vec3 c) { return c.z > 0.02 && (!annulus || c.z < 0.8); }));
     const std::size_t loop_count = annulus ? 2 : 1;
     check_manifold(complex);
     REQUIRE(loops(complex) == loop_count);
@@ -171,7 +165,7 @@ TEST_CASE("an inner edge between two borders is no edge to collapse, nor is a lo
   TriangleMesh strip;
   strip.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}, {1, 2, 0}};
   strip.triangles = {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}};
-  const FacetComplex complex = complex_of(strip);
+  const FacetComplex complex = bordered_complex_of(strip);
   check_manifold(complex);
   CHECK(complex.edges().size() == 9);
   CHECK_FALSE(complex.link_condition(0, 3));
@@ -181,7 +175,7 @@ TEST_CASE("an inner edge between two borders is no edge to collapse, nor is a lo
   TriangleMesh one;
   one.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   one.triangles = {{0, 1, 2}};
-  CHECK_FALSE(complex_of(one).link_condition(0, 1));
+  CHECK_FALSE(bordered_complex_of(one).link_condition(0, 1));
 }
 
 TEST_CASE("a merged vertex of the border is placed near the rim, one inside goes to it") {
@@ -213,7 +207,7 @@ TEST_CASE("a merged vertex of the border is placed near the rim, one inside goes
 TEST_CASE("a half sphere and a zone get coarse, and their borders and rims stay within δ of each other") {
   for (const double below : {2., 0.7}) {
     CAPTURE(below);
-    const HalfSphere half(32, 2, 0.02, below);
+    const HalfSphere half(24, 2, 0.02, below);
     const bool zone = below < 1;
     std::size_t last = half.mesh.points.size();
     for (int effort = 0; effort <= 2; ++effort) {

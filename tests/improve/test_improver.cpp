@@ -18,6 +18,7 @@ using isoscope::testing::check_valid;
 using isoscope::testing::Listener;
 using isoscope::testing::sphere;
 using isoscope::testing::Start;
+using isoscope::testing::with_effort;
 
 namespace {
 
@@ -26,12 +27,6 @@ TriangleSoup torus(unsigned n) {
   testing::add_torus(soup, {0, 0, 0}, 1, 0.4, n);
   for (auto& f : soup.triangles) std::swap(f[0], f[1]); // outward
   return soup;
-}
-
-ImproverOptions with_effort(int effort) {
-  ImproverOptions options;
-  options.effort = effort;
-  return options;
 }
 
 /// Applies the changes to the start mesh, checking that each fits what is there.
@@ -136,13 +131,13 @@ TEST_CASE("the changes replay the run, and every decision names its reason") {
 }
 
 TEST_CASE("one thread and several give the same bits") {
-  const Start start(torus(14), 3);
+  const Start start(torus(12), 4);
   const auto samples = sample_boundary(*start.volume, start.delta() / 2, RunControl());
   REQUIRE(samples.ok());
   const NearestSample nearest(samples->positions, samples->labels);
   std::vector<TriangleMesh> results;
   std::vector<std::size_t> rejections;
-  for (const unsigned threads : {1u, 2u, 5u}) {
+  for (const unsigned threads : {1u, 5u}) {
     const ThreadLimit limit(threads);
     TriangleMesh mesh = start.mesh;
     Listener listener;
@@ -218,7 +213,7 @@ TEST_CASE("a round makes no more attempts than it may, to the rest of its batch,
 }
 
 TEST_CASE("preserved normals cost little and leave no failed test of condition 3") {
-  const Start start(torus(16), 2);
+  const Start start(torus(14), 3);
   RunControl control;
   const auto samples = sample_boundary(*start.volume, start.delta() / 2, control);
   REQUIRE(samples.ok());
@@ -228,8 +223,8 @@ TEST_CASE("preserved normals cost little and leave no failed test of condition 3
   for (const Triangle3& t : triangles(start.mesh)) before += tester.failures(t).size();
   TriangleMesh kept = start.mesh, loose = start.mesh;
   Listener listener;
-  improve(kept, *start.volume, &nearest, with_effort(2), control, listener);
-  improve(loose, *start.volume, nullptr, with_effort(2), control, listener);
+  improve(kept, *start.volume, &nearest, with_effort(1), control, listener);
+  improve(loose, *start.volume, nullptr, with_effort(1), control, listener);
   check_valid(kept, start, 0);
   for (const Triangle3& t : triangles(kept)) after += tester.failures(t).size();
   CHECK(after <= before);
@@ -245,7 +240,7 @@ TEST_CASE("two nested spheres keep their walls apart and their component each") 
   const Start start(soup, 4); // δ = 0.08: the wall of 0.3 is less than twice 2 δ
   TriangleMesh mesh = start.mesh;
   Listener listener;
-  improve(mesh, *start.volume, nullptr, with_effort(2), RunControl(), listener);
+  improve(mesh, *start.volume, nullptr, with_effort(1), RunControl(), listener);
   check_valid(mesh, start, 4);
 }
 

@@ -29,7 +29,7 @@ double ball(Vec3 p, Vec3 center, double radius) {
   return distance(p, center) - radius;
 }
 
-double torus(Vec3 p) {
+double ring_torus(Vec3 p) {
   const double around = std::hypot(p.x, p.y) - 0.7;
   return std::hypot(around, p.z) - 0.3;
 }
@@ -121,7 +121,7 @@ TEST_CASE("Z of a ball is one closed sphere that faces outward") {
 }
 
 TEST_CASE("Z of a torus has Euler characteristic 0 and genus 1") {
-  const Grown g = label_field(box, 12000, 0.02, torus);
+  const Grown g = label_field(box, 12000, 0.02, ring_torus);
   const ZeroSet z = extract_zero_set(g.complex);
   REQUIRE(z.components.size() == 1);
   CHECK(z.euler_characteristic() == 0);
@@ -145,7 +145,7 @@ TEST_CASE("two balls give two components, each with its own counts") {
 }
 
 TEST_CASE("the polygons of Z are those of its tetrahedra, bit by bit") {
-  const Grown g = label_field(box, 2000, 0.05, torus);
+  const Grown g = label_field(box, 2000, 0.05, ring_torus);
   const ZeroSet z = extract_zero_set(g.complex);
   std::size_t carrying = 0;
   for (std::size_t i = 0; i < g.complex.tets.size(); ++i) {

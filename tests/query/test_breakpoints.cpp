@@ -17,6 +17,13 @@ namespace {
 
 constexpr double patience = 60;
 
+/// To the last stage with the least effort.
+RunParameters quick(const char* model) {
+  RunParameters parameters = complete_parameters(model);
+  parameters.effort = 0;
+  return parameters;
+}
+
 /// Every event at which the expression holds, from a run without breakpoints.
 std::vector<std::uint32_t> expected_hits(const Journal& journal, const std::string& text) {
   const auto expression = std::get<std::shared_ptr<const Expression>>(parse_query(text));
@@ -40,7 +47,7 @@ Breakpoint asking(BreakpointSet& set) {
 } // namespace
 
 TEST_CASE("a session stops at every event that matches, and nowhere else") {
-  CompleteRun alone(complete_parameters("sphere"));
+  CompleteRun alone(quick("sphere"));
   REQUIRE(alone.run());
   for (const std::string text : {"reject && reason == kernel_empty || repair", "stage_begin",
                                  "sample(5).class changes", "collapse && stage == zero_set && value > 0"}) {
@@ -52,7 +59,7 @@ TEST_CASE("a session stops at every event that matches, and nowhere else") {
     const unsigned id = added(set, text);
     Session session;
     session.set_breakpoint(asking(set));
-    session.start(complete_parameters("sphere"));
+    session.start(quick("sphere"));
     for (const std::uint32_t event : expected) {
       REQUIRE(session.wait_until_settled(patience));
       const SessionSnapshot s = session.snapshot();
@@ -168,8 +175,7 @@ TEST_CASE("one that asks for more while a run is under way knows what went befor
 }
 
 TEST_CASE("what a breakpoint costs an event") {
-  CompleteRun run(complete_parameters("torus"));
-  run.parameters.effort = 0;
+  CompleteRun run(quick("torus"));
   REQUIRE(run.run());
   const Journal& journal = *run.journal;
   for (const std::string text :

@@ -16,6 +16,7 @@ namespace {
 std::shared_ptr<const Journal> complete_torus() {
   static const std::shared_ptr<const Journal> journal = [] {
     CompleteRun run(complete_parameters("torus"));
+    run.parameters.effort = 1;
     REQUIRE(run.run());
     return run.journal;
   }();
@@ -38,7 +39,7 @@ SampleClass class_of(Playback& playback, SampleId s) {
                                                        : SampleClass::good;
 }
 
-std::shared_ptr<const Expression> read(const std::string& text) {
+std::shared_ptr<const Expression> query_of(const std::string& text) {
   return std::get<std::shared_ptr<const Expression>>(parse_query(text));
 }
 
@@ -79,7 +80,7 @@ TEST_CASE("a sample's class changes exactly where the states differ") {
       if (now != before) changes.push_back(journal->operations()[step - 1].event);
       before = now;
     }
-    const auto changing = read("sample(" + std::to_string(s.value) + ").class changes");
+    const auto changing = query_of("sample(" + std::to_string(s.value) + ").class changes");
     JournalWatch watch(journal, changing->needs());
     CHECK(changes.size() >= 2);
     CHECK(matches(*changing, *journal, 0, static_cast<std::uint32_t>(journal->events().size()), &watch) ==
@@ -102,7 +103,7 @@ TEST_CASE("edges near a point, by the places their ends had before the operation
   char text[160];
   std::snprintf(text, sizeof text, "collapse && edge near (%.17g, %.17g, %.17g) 1e-9", middle.x, middle.y,
                 middle.z);
-  const auto near = read(text);
+  const auto near = query_of(text);
   JournalWatch watch(journal, near->needs());
   const auto found =
       matches(*near, *journal, 0, static_cast<std::uint32_t>(journal->events().size()), &watch);
@@ -112,7 +113,7 @@ TEST_CASE("edges near a point, by the places their ends had before the operation
 TEST_CASE("the genus of a torus, and what it should be") {
   const auto journal = complete_torus();
   const auto count = [&](const std::string& text, const ExpectedGenus& expected) {
-    const auto expression = read(text);
+    const auto expression = query_of(text);
     JournalWatch watch(journal, expression->needs(), expected);
     return matches(*expression, *journal, 0, static_cast<std::uint32_t>(journal->events().size()), &watch)
         .size();

@@ -160,7 +160,7 @@ TEST_CASE("what the search leaves out would have failed") {
     const Bench bench("sphere", TargetStrategy::constraints, containment);
     std::size_t cells = 0, regions = 0, costlier = 0;
     std::size_t seen = 0;
-    for (std::uint32_t i = 0; i < bench.events().size() && seen < 15; i += 5) {
+    for (std::uint32_t i = 0; i < bench.events().size() && seen < 8; i += 5) {
       const Event& e = bench.events()[i];
       if (e.kind != EventKind::rejection || e.stage < Stage::zero_set) continue;
       const EdgeXray x = bench.xray(i, XrayTarget::octree);
@@ -308,7 +308,7 @@ bool possible_with(const Bench& bench, const StateSnapshot& state, const Event& 
 std::size_t check_advice(const Bench& bench, Reason reason, ParameterAdvice::Parameter parameter,
                          double CriteriaParameters::*member, std::size_t& asked) {
   std::size_t works = 0;
-  for (std::uint32_t i = 0; i < bench.events().size() && asked < 12; ++i) {
+  for (std::uint32_t i = 0; i < bench.events().size() && asked < 4; ++i) {
     const Event& e = bench.events()[i];
     if (e.kind != EventKind::rejection || e.reason != reason) continue;
     const auto state = bench.state(e.step);
@@ -340,7 +340,7 @@ TEST_CASE("advice on a locked edge names values with which it collapses, or ther
   const std::size_t by_shrink = check_advice(bracket(), Reason::normals, ParameterAdvice::Parameter::shrink,
                                              &CriteriaParameters::shrink, shrinks);
   CHECK(shrinks > 0);
-  const Bench sampled("torus", TargetStrategy::constraints, Containment::sampled);
+  const Bench sampled("sphere", TargetStrategy::constraints, Containment::sampled);
   const std::size_t by_alpha = check_advice(sampled, Reason::misclassified, ParameterAdvice::Parameter::alpha,
                                             &CriteriaParameters::alpha, alphas);
   CHECK(alphas > 0);

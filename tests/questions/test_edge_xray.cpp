@@ -76,11 +76,16 @@ Tally ask_again(const test::CompleteRun& run, std::size_t stride) {
   return tally;
 }
 
+/// Made once: several tests look at it, none changes it.
+const test::CompleteRun& certified_sphere() {
+  static const std::unique_ptr<test::CompleteRun> run = simplified("sphere", Containment::certified);
+  return *run;
+}
+
 } // namespace
 
 TEST_CASE("the verdicts of a certified run are found again at every step") {
-  const auto finished = simplified("sphere", Containment::certified);
-  const Tally tally = ask_again(*finished, 11);
+  const Tally tally = ask_again(certified_sphere(), 11);
   CHECK(tally.asked > 30);
   CHECK(tally.collapses > 5);
   CHECK(tally.same == tally.asked);
@@ -95,8 +100,7 @@ TEST_CASE("the verdicts of a sampled run are found again, samples and all") {
 }
 
 TEST_CASE("an edge is judged by what is asked for, and only where it is") {
-  const auto finished = simplified("sphere", Containment::certified);
-  const test::CompleteRun& run = *finished;
+  const test::CompleteRun& run = certified_sphere();
   Playback playback(run.journal);
   const Step last = run.journal->steps();
   const auto state = make_snapshot(playback, last, {}, nullptr);
@@ -128,8 +132,7 @@ TEST_CASE("an edge is judged by what is asked for, and only where it is") {
 }
 
 TEST_CASE("the event of an edge at a step is the operation there, else a rejection") {
-  const auto finished = simplified("sphere", Containment::certified);
-  const test::CompleteRun& run = *finished;
+  const test::CompleteRun& run = certified_sphere();
   std::size_t collapses = 0, rejections = 0;
   for (std::size_t i = 0; i < run.journal->events().size(); ++i) {
     const Event& e = run.journal->events()[i];

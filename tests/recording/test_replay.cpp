@@ -100,6 +100,7 @@ TEST_CASE("The first difference is found and named with its step") {
 
 TEST_CASE("Parameters that were changed during the run are changed at the same event") {
   CompleteRun run(complete_parameters("sphere"));
+  run.parameters.effort = 0;
   REQUIRE(run.prepare());
   run.gate.decide = [&run](const Journal& journal, const Event& event) {
     if (!event.operation || (journal.steps() != 20 && journal.steps() != 70)) return Gate::Verdict::go_on;

@@ -68,7 +68,7 @@ TEST_CASE("A run whose σ, α and shrink were changed on the way is recorded and
   Digest live;
   {
     Session session;
-    session.start(quick("torus"), nullptr, true);
+    session.start(quick("sphere"), nullptr, true);
     REQUIRE(session.wait_until_settled(60));
     REQUIRE(session.record(folder / "run.isorun").ok());
     session.step(30);
@@ -99,7 +99,7 @@ TEST_CASE("A run whose σ, α and shrink were changed on the way is recorded and
 TEST_CASE("The recording of a branch replays, and so does that of a branch's branch") {
   const TemporaryFolder folder;
   Session trunk;
-  trunk.start(quick("bracket"));
+  trunk.start(quick("torus"));
   REQUIRE(trunk.wait_until_settled(120));
   const SessionSnapshot whole = trunk.snapshot();
   REQUIRE(whole.phase == SessionPhase::finished);
@@ -119,7 +119,7 @@ TEST_CASE("The recording of a branch replays, and so does that of a branch's bra
 TEST_CASE("A branch that leaves a run before its end replays, also after parameters were changed") {
   const TemporaryFolder folder;
   Session trunk;
-  trunk.start(quick("bracket"), nullptr, true);
+  trunk.start(quick("torus"), nullptr, true);
   REQUIRE(trunk.wait_until_settled(60));
   RunParameters other = trunk.snapshot().parameters;
   other.shrink = 0.65;

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-void add_box(TriangleSoup& soup, Vec3 at, double edge) {
+void add_cube(TriangleSoup& soup, Vec3 at, double edge) {
   constexpr std::uint32_t faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                                           {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   const auto first = static_cast<std::uint32_t>(soup.points.size());
@@ -30,9 +30,9 @@ void add_box(TriangleSoup& soup, Vec3 at, double edge) {
 /// A box of edge 1 and two of edge 0.12: with δ = 0.05 they are 2.4 δ.
 std::shared_ptr<const TriangleSoup> box_with_crumbs() {
   TriangleSoup soup;
-  add_box(soup, {0, 0, 0}, 1);
-  add_box(soup, {1.4, 0, 0}, 0.12);
-  add_box(soup, {1.4, 0.8, 0}, 0.12);
+  add_cube(soup, {0, 0, 0}, 1);
+  add_cube(soup, {1.4, 0, 0}, 0.12);
+  add_cube(soup, {1.4, 0.8, 0}, 0.12);
   soup.name = "box";
   return std::make_shared<const TriangleSoup>(std::move(soup));
 }

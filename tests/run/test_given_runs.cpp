@@ -141,7 +141,7 @@ TEST_CASE("runs between walls and levels replay") {
   for (const char* name : {"nested-tori", "density"}) {
     CAPTURE(name);
     RunParameters parameters = complete_parameters(name);
-    parameters.effort = 0;
+    parameters.until = Stage::zero_set;
     CompleteRun run(parameters);
     REQUIRE(run.run());
     RunControl control;

@@ -56,10 +56,16 @@ TEST_CASE("Sheets come out with the loops and the Euler characteristic of the in
     long chi;
     std::size_t loops;
   };
-  const Case cases[] = {
-      {"hemisphere", make_hemisphere(16), 3, 1, 1},          {"annulus", strip(0), 3, 0, 2},
-      {"square with a hole", square_with_hole(), 3, 0, 2},   {"slit square", slit_square(), 4, 1, 1},
-      {"ball with four holes", ball_with_holes(), 3, -2, 4}, {"strip of two half turns", strip(2), 3, 0, 2}};
+  const Case cases[] = {{"hemisphere", make_hemisphere(16), 3, 1, 1},
+                        {"annulus", strip(0), 3, 0, 2},
+                        {"square with a hole", square_with_hole(), 3, 0, 2},
+                        {"slit square", slit_square(), 4, 1, 1},
+                        {"ball with four holes", ball_with_holes(), 3, -2, 4},
+                        {"strip of two half turns", strip(2), 3, 0, 2},
+                        {"needle", square_with_needle(), 3, 1, 1},
+                        {"flap", square_with_flap(0.01), 3, 1, 1},
+                        {"jagged square", jagged_square(24, 1), 3, 1, 1},
+                        {"jagged square, 2", jagged_square(30, 7), 2, 1, 1}};
   for (const Case& c : cases) {
     CAPTURE(std::string(c.name));
     const auto run = finished(c.soup, c.percent);

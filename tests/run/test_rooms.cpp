@@ -125,7 +125,7 @@ TEST_CASE("rooms have the Euler characteristic of their walls, and sheets meet i
 }
 
 TEST_CASE("eight rooms") {
-  check_rooms(*run_rooms(cubes(2, 2, 2), 4), 8, 9);
+  check_rooms(*run_rooms(cubes(2, 2, 2), 6), 8, 9);
 }
 
 TEST_CASE("closed surfaces that cross are one inside, or several where that is asked for") {

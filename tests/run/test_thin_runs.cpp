@@ -163,12 +163,12 @@ TEST_CASE("A fin or a spike that is lost is told with its place, unless thin par
 }
 
 TEST_CASE("Ordinary shapes are covered within 3 δ, and not within a tenth") {
-  CompleteRun run(complete_parameters("torus"));
+  CompleteRun run(complete_parameters("sphere"));
   run.parameters.effort = 0;
   REQUIRE(run.run());
   CHECK(run.result->exit_status() == 0);
   CHECK(run.result->certificate.covers);
-  CompleteRun strict(complete_parameters("torus"));
+  CompleteRun strict(complete_parameters("sphere"));
   strict.parameters.effort = 0;
   strict.parameters.cover = 0.1;
   REQUIRE(strict.run());

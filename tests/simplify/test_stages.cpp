@@ -14,8 +14,10 @@ using namespace isoscope::testing;
 
 namespace {
 
+/// With an improver that relaxes but repairs nothing: its own tests go further.
 SimplificationParameters until(Stage stage) {
   SimplificationParameters p;
+  p.effort = 1;
   p.until = stage;
   return p;
 }
@@ -26,7 +28,7 @@ TEST_CASE("each stage leaves a valid Z with fewer vertices") {
   std::size_t last = 0xffffffff;
   for (const Stage stage : {Stage::gamma, Stage::zero_set, Stage::all, Stage::improve}) {
     CAPTURE(std::string(name(stage)));
-    Simplified s("torus", {.percent = 3}, until(stage));
+    Simplified s("torus", {.percent = 4}, until(stage));
     CHECK(s.run());
     check_zero_set(s);
     const std::size_t vertices = extract_zero_set(s.complex()).vertices.size();
@@ -73,9 +75,9 @@ TEST_CASE("replay reaches the simplification's own state, valid on the way, and 
 
 TEST_CASE("every thread count writes the same journal") {
   std::uint64_t expected = 0;
-  for (const unsigned threads : {1u, 2u, 5u}) {
+  for (const unsigned threads : {1u, 5u}) {
     const ThreadLimit limit(threads);
-    Simplified s("torus", {.percent = 4}, until(Stage::improve));
+    Simplified s("torus", {.percent = 5}, until(Stage::improve));
     s.run();
     if (expected == 0) expected = digest(*s.bench.journal);
     CHECK(digest(*s.bench.journal) == expected);
@@ -85,7 +87,7 @@ TEST_CASE("every thread count writes the same journal") {
 TEST_CASE("told to stop at any operation it leaves a valid Z and can go on") {
   for (const std::size_t after : {1u, 40u, 150u, 400u}) {
     CAPTURE(after);
-    Simplified s("sphere", {.percent = 3}, until(Stage::improve));
+    Simplified s("sphere", {.percent = 4}, until(Stage::improve));
     const Step refined = s.bench.journal->steps();
     s.bench.gate->script = [&](const Journal& journal, const Event&) {
       return journal.steps() == refined + after ? Gate::Verdict::stop : Gate::Verdict::go_on;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <vector>
 
 namespace isoscope::test {
 
@@ -54,6 +55,49 @@ inline TriangleSoup slit_square() {
       for (auto& v : t) v = copy[v];
   }
   return sheet;
+}
+
+/// A square whose upper half has a point more on the edge between them: a triangle without area closes what
+/// that leaves open, as repair tools do.
+inline TriangleSoup square_with_needle() {
+  TriangleSoup sheet;
+  sheet.name = "sheet";
+  sheet.points = {{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}, {1, 0.5, 0}, {0.5, 0.5, 0}, {0, 1, 0}, {1, 1, 0}};
+  sheet.triangles = {{0, 1, 3}, {0, 3, 2}, {2, 3, 4}, {2, 4, 5}, {4, 3, 6}, {4, 6, 5}};
+  return sheet;
+}
+
+/// A square of which a part of the border is folded back by `width`, a little above.
+inline TriangleSoup square_with_flap(double width) {
+  TriangleSoup sheet = grid_sheet(10, [](double, double) { return true; });
+  const auto at = [](std::uint32_t j) { return j * 11 + 10; };
+  std::vector<std::uint32_t> flap;
+  for (std::uint32_t j = 3; j <= 7; ++j) {
+    flap.push_back(static_cast<std::uint32_t>(sheet.points.size()));
+    const bool end = j == 3 || j == 7;
+    const Vec3 p = sheet.points[at(j)];
+    if (end)
+      flap.back() = at(j);
+    else
+      sheet.points.push_back({p.x - width, p.y, 0.05 * width});
+  }
+  for (std::uint32_t k = 0; k + 1 < flap.size(); ++k) {
+    if (flap[k] != at(3 + k)) sheet.triangles.push_back({at(3 + k), flap[k], flap[k + 1]});
+    if (flap[k + 1] != at(4 + k)) sheet.triangles.push_back({at(3 + k), flap[k + 1], at(4 + k)});
+  }
+  return sheet;
+}
+
+/// A square with teeth of random lengths on one side.
+inline TriangleSoup jagged_square(int n, unsigned seed) {
+  std::vector<double> ends;
+  for (int j = 0; j < n; ++j) {
+    seed = seed * 1664525u + 1013904223u;
+    ends.push_back(0.85 + 0.15 * (seed >> 16 & 0xff) / 255.0);
+  }
+  return grid_sheet(
+      n, [&](double x, double y) { return x < ends[static_cast<std::size_t>(y * n)]; },
+      [](double x, double) { return 0.2 * x * x; });
 }
 
 /// A strip around the z axis of a half turn for each of `half_turns`: one-sided where they are odd.

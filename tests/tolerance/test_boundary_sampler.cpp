@@ -61,7 +61,7 @@ void check_samples(ToleranceVolume& v, double sigma) {
   CHECK(error <= 1e-9 * t.delta);
   CHECK(wrong_labels == 0);
   CHECK(wrong_components == 0);
-  for (const Vec3 p : random_boundary_points(v, 300)) {
+  for (const Vec3 p : random_boundary_points(v, 150)) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vec3 q : s.positions) nearest = std::min(nearest, squared_length(p - q));
     CHECK(std::sqrt(nearest) <= s.covering_radius * (1 + 1e-9));

@@ -3,6 +3,7 @@
 #include "tolerance/open_shapes.h"
 #include "tolerance/shapes.h"
 #include "tolerance/tolerance_volume.h"
+#include "tolerance/wall_samples.h"
 
 #include <doctest/doctest.h>
 
@@ -58,6 +59,23 @@ TEST_CASE("Two patches that touch along a seam without sharing points are one su
   CHECK(open_length(volume->open_sides()->rim()) == doctest::Approx(6).epsilon(0.02));
 }
 
+TEST_CASE("Triangles without area have no border") {
+  const auto volume = build(square_with_needle(), 0.02);
+  REQUIRE(volume.ok());
+  REQUIRE(volume->open_sides() != nullptr);
+  CHECK(volume->open_sides()->rim().loops().size() == 1);
+  CHECK(open_length(volume->open_sides()->rim()) == doctest::Approx(4));
+}
+
+TEST_CASE("The end of a flap that is folded back is open") {
+  const auto volume = build(square_with_flap(0.01), 0.03);
+  REQUIRE(volume.ok());
+  REQUIRE(volume->open_sides() != nullptr);
+  CHECK(volume->open_sides()->rim().loops().size() == 1);
+  const auto pieces = volume->open_sides()->rim().pieces();
+  CHECK(std::all_of(pieces.begin(), pieces.end(), [](const RimPiece& piece) { return piece.open; }));
+}
+
 TEST_CASE("Sides are told by orientation, also where triangles are turned, and by none over the rim") {
   TriangleSoup sheet = grid_sheet(
       12, [](double, double) { return true; }, [](double x, double) { return 0.3 * std::abs(x - 0.5); });
@@ -102,6 +120,44 @@ TEST_CASE("Samples over the rim are apart, the others are on two sides that no p
   for (const Vec3 p : samples->over_rim) CHECK(p.z < 0.01);
   for (std::size_t i = 0; i < samples->size(); ++i)
     CHECK(samples->labels[i] == (length(samples->positions[i]) > 1 ? +1 : -1));
+}
+
+TEST_CASE("Samples along the wall stand on both sides of the sheet near to all of its rim") {
+  auto volume = build(square_with_hole(), 0.04);
+  REQUIRE(volume.ok());
+  const std::vector<WallSample> samples = wall_samples(*volume);
+  for (const RimPiece& piece : volume->open_sides()->rim().pieces()) {
+    if (!piece.open) continue;
+    for (const int side : {+1, -1})
+      CHECK(std::any_of(samples.begin(), samples.end(), [&](const WallSample& s) {
+        return s.label == side && distance(s.point, 0.5 * (piece.a + piece.b)) <= 0.04;
+      }));
+  }
+}
+
+TEST_CASE("A turned triangle's samples go with those around them, and so do the places near to it") {
+  TriangleSoup sheet = grid_sheet(24, [](double, double) { return true; });
+  std::swap(sheet.triangles[24 * 24][1], sheet.triangles[24 * 24][2]);
+  TriangleSoup lonely = sheet; // not joined to its neighbours, so that nothing turns it
+  const auto t = lonely.triangles[24 * 24];
+  for (std::size_t k = 0; k < 3; ++k) {
+    lonely.triangles[24 * 24][k] = static_cast<std::uint32_t>(lonely.points.size());
+    lonely.points.push_back(lonely.points[t[k]] + Vec3{0, 0, 1e-6});
+  }
+  auto volume = build(lonely, 0.04);
+  REQUIRE(volume.ok());
+  REQUIRE(volume->open_sides() != nullptr);
+  const auto samples = sample_boundary(*volume, 0.02, RunControl());
+  REQUIRE(samples.ok());
+  const int up = samples->labels[static_cast<std::size_t>(
+      std::max_element(samples->positions.begin(), samples->positions.end(),
+                       [](Vec3 a, Vec3 b) { return a.z < b.z; }) -
+      samples->positions.begin())];
+  for (std::size_t i = 0; i < samples->size(); ++i)
+    CHECK(samples->labels[i] == (samples->positions[i].z > 0 ? up : -up));
+  const Triangle3 turned{lonely.points[t[0]], lonely.points[t[1]], lonely.points[t[2]]};
+  const Vec3 p = centroid(turned) + Vec3{0, 0, 0.05};
+  CHECK(volume->open_sides()->side(p, volume->index().closest(p)) == up);
 }
 
 TEST_CASE("A sheet that ends on another one is refused with the place") {

@@ -88,7 +88,7 @@ TEST_CASE("witnesses of the bundled closed models lie beyond the tolerance on th
     if (soup->is_point_set() || !analyse_input(*soup).sides_known()) continue;
     const auto index = std::make_shared<const ClosestPointIndex>(*soup);
     const ToleranceVolume volume =
-        build(*soup, 1.5 * entry.tolerance_percent / 100 * index->bounds().longest_edge());
+        build(*soup, 2 * entry.tolerance_percent / 100 * index->bounds().longest_edge());
     CHECK(!volume.witnesses().empty());
     check_sides(volume);
   }

@@ -10,7 +10,7 @@
 namespace isoscope::panels {
 namespace {
 
-constexpr float row_units = 22;
+constexpr float history_row_units = 22;
 
 struct RowStyle {
   Rgb color;
@@ -63,7 +63,7 @@ std::string summary(const ElementHistory& h) {
 
 void draw_row(Ui& ui, const ElementHistory& h, std::size_t index) {
   const HistoryRow& row = h.rows[index];
-  widgets::Row line(ui, row_units);
+  widgets::Row line(ui, history_row_units);
   const bool pressed = line.button(index), here = row.step == ui.window.transport.step();
   if (line.hovered() || here) line.ground(ui.colors.hover, here ? 0.7f : 1.0f);
   const Journal& journal = *ui.window.run.journal;
@@ -104,7 +104,7 @@ void history_tab(Ui& ui, const Investigation& asked) {
     widgets::quiet_text(ui,
                         grouped(shown.size()) + " of " + grouped(h->rows.size()) + " rows are in the range.");
   if (ImGui::BeginChild("history", {0, 0}))
-    widgets::rows_in_sight(shown.size(), ui.px(row_units),
+    widgets::rows_in_sight(shown.size(), ui.px(history_row_units),
                            [&](std::size_t i) { draw_row(ui, *h, shown[i]); });
   ImGui::EndChild();
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t listed_neighbors = 12;
 
-std::string position_text(Vec3 p) {
+std::string place_text(Vec3 p) {
   return short_number(p.x) + "  " + short_number(p.y) + "  " + short_number(p.z);
 }
 
@@ -62,7 +62,7 @@ void point_details(Ui& ui, const Investigation& asked, std::uint32_t id) {
   const double delta = scene->delta;
   widgets::heading(ui, x->kept ? icon::dot : icon::close, "Point " + grouped(id),
                    scene->points->drawn ? "drawn from the triangles of the input" : "of the input");
-  widgets::value_row(ui, "position", position_text(x->position));
+  widgets::value_row(ui, "position", place_text(x->position));
   widgets::value_row(ui, "in φ", verdict(*x), x->kept ? ui.colors.good_text : ui.colors.bad_text);
   if (!x->kept)
     widgets::quiet_text(
@@ -74,7 +74,7 @@ void point_details(Ui& ui, const Investigation& asked, std::uint32_t id) {
               "away.",
         true);
   widgets::value_row(ui, "neighbours k", grouped(x->neighbors.size()));
-  widgets::value_row(ui, "mean b", position_text(x->mean));
+  widgets::value_row(ui, "mean b", place_text(x->mean));
   widgets::value_row(ui, "b from the point", in_deltas(distance(x->position, x->mean), delta));
   widgets::limit_bar(ui, "weight √w", std::sqrt(x->weight) / delta, 1, x->weight < delta * delta, "δ", true);
   if (x->kept) widgets::value_row(ui, "radius of its ball", in_deltas(x->ball_radius(delta), delta));

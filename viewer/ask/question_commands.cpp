@@ -9,10 +9,7 @@
 namespace isoscope {
 namespace {
 
-using M = Investigation;
-using A = Arguments;
-
-Status next_violation(M& m, const A& a, int direction) {
+Status next_violation(Investigation& m, const Arguments& a, int direction) {
   if (!a.empty()) {
     if (a[0] != "misoriented" && a[0] != "flat") return usage("The kinds are misoriented and flat.");
     m.violations = a[0] == "flat" ? ViolationKind::flat : ViolationKind::misoriented;
@@ -39,35 +36,35 @@ Status next_violation(M& m, const A& a, int direction) {
   return {};
 }
 
-Status show_history(M& m, const A&) {
+Status show_history(Investigation& m, const Arguments&) {
   if (!selected_element(m.window.selection))
     return usage("Select a vertex, an edge, a tetrahedron or a sample first.");
   m.window.open_tab(BottomTab::history);
   return {};
 }
 
-Status last_change(M& m, const A&) {
+Status last_change(Investigation& m, const Arguments&) {
   if (!selected_element(m.window.selection))
     return usage("Select a vertex, an edge, a tetrahedron or a sample first.");
   m.want_last_change();
   return {};
 }
 
-Status toggle_topology(M& m, const A&) {
+Status toggle_topology(Investigation& m, const Arguments&) {
   bool& shown = m.topology_shown;
   shown = !shown;
   if (shown) m.window.settings.panes.show_right = m.reveal_topology = true;
   return {};
 }
 
-Status check_step(M& m, bool search) {
+Status check_step(Investigation& m, bool search) {
   m.window.settings.panes.show_right = true;
   m.ask_check(search);
   return {};
 }
 
 /// The places of the input that the finished mesh leaves behind.
-Status look_at_uncovered(M& m, std::size_t index) {
+Status look_at_uncovered(Investigation& m, std::size_t index) {
   if (!m.window.run.result || m.window.run.result->certificate.uncovered.empty())
     return usage("The finished mesh leaves nothing of the input behind.");
   const auto& places = m.window.run.result->certificate.uncovered;
@@ -80,7 +77,7 @@ Status look_at_uncovered(M& m, std::size_t index) {
 }
 
 /// Goes to a place and marks it.
-Status look_there(M& m, Vec3 place, double reach) {
+Status look_there(Investigation& m, Vec3 place, double reach) {
   m.window.selection.pick({});
   m.window.selection.mark = place;
   m.window.camera.frame(Box3{place, place}.grown(reach), !m.window.scripted);
@@ -89,7 +86,7 @@ Status look_there(M& m, Vec3 place, double reach) {
 }
 
 /// What the study of δ and the choice of points name.
-Status look_at_field(M& m, const std::string& what, std::size_t index) {
+Status look_at_field(Investigation& m, const std::string& what, std::size_t index) {
   const auto& scene = m.window.run.scene;
   if (what == "dropped") {
     if (!scene || !scene->points || index >= scene->points->dropped.size())
@@ -103,7 +100,7 @@ Status look_at_field(M& m, const std::string& what, std::size_t index) {
                     12 * scene->delta);
 }
 
-Status look_at(M& m, const A& a) {
+Status look_at(Investigation& m, const Arguments& a) {
   const bool stall = !a.empty() && a[0] == "stall";
   const std::size_t index = a.empty() ? 0 : whole_argument(a, a.size() - 1, 0, 99999999).value_or(0);
   if (!a.empty() && a[0] == "uncovered") return look_at_uncovered(m, index);

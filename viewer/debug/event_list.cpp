@@ -12,7 +12,7 @@
 namespace isoscope {
 namespace {
 
-constexpr float row_units = 22;
+constexpr float event_row_units = 22;
 
 /// How an event is marked: reasons of rejections by their own glyphs, the rest by kind.
 struct EventStyle {
@@ -113,7 +113,7 @@ void EventList::row(Ui& ui, std::uint32_t index) {
   const Journal& journal = *m.run.journal;
   const Event& event = journal.events()[index];
   const Step target = step_showing(event);
-  widgets::Row row(ui, row_units);
+  widgets::Row row(ui, event_row_units);
   if (row.button(index)) ui.commands.post("event", {std::to_string(index)});
   const bool chosen = m.selection.event == index;
   const bool here = chosen || (target == m.transport.step() && event.operation);
@@ -161,7 +161,7 @@ void EventList::draw(Ui& ui, const Debugger& debugger) {
   const Journal* journal = m.run.journal.get();
 
   if (ImGui::BeginChild("rows", {0, 0}) && journal != nullptr && debugger.listed.journal() == m.run.journal) {
-    const float high = ui.px(row_units);
+    const float high = ui.px(event_row_units);
     // The row of the play head or of the chosen event comes into sight when it moved.
     const Step step = m.transport.step();
     const auto current = m.selection.event

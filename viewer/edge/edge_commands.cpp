@@ -13,9 +13,6 @@
 namespace isoscope {
 namespace {
 
-using M = EdgeProbe;
-using A = Arguments;
-
 constexpr double nudge_length = 0.02; ///< of δ
 
 Error no_xray() {
@@ -39,7 +36,7 @@ Vec3 first_target(const EdgeXray& xray) {
   return 0.5 * (xray.star.vertices[0].position + xray.star.vertices[1].position);
 }
 
-Status try_target(M& m, const A& a) {
+Status try_target(EdgeProbe& m, const Arguments& a) {
   if (a.size() == 1 && a[0] == "off") {
     m.window.selection.try_target({});
     return {};
@@ -75,7 +72,7 @@ Status try_target(M& m, const A& a) {
 }
 
 /// In the camera's plane, or along its depth.
-Status nudge(M& m, Vec3 direction) {
+Status nudge(EdgeProbe& m, Vec3 direction) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
   const double length = nudge_length * xray->criteria.unit();
@@ -84,7 +81,7 @@ Status nudge(M& m, Vec3 direction) {
   return {};
 }
 
-Status next_candidate(M& m, int direction) {
+Status next_candidate(EdgeProbe& m, int direction) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
   const auto n = static_cast<int>(xray->attempt.candidates.size());
@@ -97,7 +94,7 @@ Status next_candidate(M& m, int direction) {
   return {};
 }
 
-Status go_to_candidate(M& m, const A& a) {
+Status go_to_candidate(EdgeProbe& m, const Arguments& a) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
   const auto number = whole_argument(a, 0, 0);
@@ -109,7 +106,7 @@ Status go_to_candidate(M& m, const A& a) {
 }
 
 /// As the mouse does it; scripts know no place on the screen.
-Status drag_target(M& m, const A& a) {
+Status drag_target(EdgeProbe& m, const Arguments& a) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
   std::array<float, 2> by{};

@@ -12,7 +12,7 @@
 namespace isoscope::panels {
 namespace {
 
-constexpr float row_units = 20;
+constexpr float number_row_units = 20;
 
 /// Of δ: half-spaces that miss by less share boundary points, and nothing inside.
 constexpr double touching = 1e-9;
@@ -22,7 +22,7 @@ void candidate_row(Ui& ui, const EdgeXray& x, std::uint32_t i) {
   const CandidateRecord& c = x.attempt.candidates[i];
   const ReasonWords& style = words(c.rejected);
   Selection& selection = ui.window.selection;
-  widgets::Row row(ui, row_units);
+  widgets::Row row(ui, number_row_units);
   if (row.button(i)) ui.commands.post("candidate", {std::to_string(i)});
   if (row.hovered()) selection.hovered_candidate = i;
   const bool lit = selection.candidate == i;
@@ -63,7 +63,7 @@ void told_row(const Ui& ui, const widgets::Row& row, std::string_view title, std
 /// A colour, what it stands for, a number.
 void legend_row(const Ui& ui, Rgb color, std::string_view title, std::string_view help,
                 std::string_view value, bool filled) {
-  const widgets::Row row(ui, row_units);
+  const widgets::Row row(ui, number_row_units);
   const float r = ui.px(4.5f);
   const ImVec2 low{row.at.x + ui.px(8) - r, row.at.y + row.high / 2 - r}, end{low.x + 2 * r, low.y + 2 * r};
   ImDrawList& list = row.list;
@@ -115,7 +115,7 @@ void candidates(Ui& ui, const EdgeXray& x) {
     const std::uint32_t n = x.candidates[i];
     if (n == 0) continue;
     const ReasonWords& style = words(static_cast<Reason>(i));
-    const widgets::Row row(ui, row_units);
+    const widgets::Row row(ui, number_row_units);
     const float bar = row.width * static_cast<float>(n) / static_cast<float>(all);
     row.list.AddRectFilled({row.at.x, row.at.y + ui.px(2)},
                            {row.at.x + std::max(bar, ui.px(2)), row.at.y + row.high - ui.px(2)},
@@ -125,9 +125,9 @@ void candidates(Ui& ui, const EdgeXray& x) {
   }
   widgets::quiet_text(ui, "One by one, keys I and Shift+I; hover for the ghost.");
   constexpr std::size_t rows = 7;
-  const float high = ui.px(row_units) * static_cast<float>(std::min(all, rows)) + ui.px(4);
+  const float high = ui.px(number_row_units) * static_cast<float>(std::min(all, rows)) + ui.px(4);
   if (ImGui::BeginChild("candidate-list", {0, high}, false))
-    widgets::rows_in_sight(all, ui.px(row_units),
+    widgets::rows_in_sight(all, ui.px(number_row_units),
                            [&](std::size_t i) { candidate_row(ui, x, static_cast<std::uint32_t>(i)); });
   ImGui::EndChild();
 }

@@ -17,9 +17,6 @@
 namespace isoscope {
 namespace {
 
-using A = Arguments;
-using M = Exports;
-
 /// What the words of a call say, whatever their order; the rest is told by its place.
 struct Words {
   PictureFormat format;
@@ -32,7 +29,7 @@ bool ends_with(const std::string& text, std::string_view end) {
   return text.size() > end.size() && text.ends_with(end);
 }
 
-Result<Words> read_words(const A& arguments) {
+Result<Words> read_words(const Arguments& arguments) {
   Words words;
   for (const std::string& word : arguments) {
     PictureFormat size;
@@ -61,13 +58,13 @@ Result<Words> read_words(const A& arguments) {
   return words;
 }
 
-std::string file_for(const M& m, const char* end) {
+std::string file_for(const Exports& m, const char* end) {
   const std::string name =
       m.window.run.scene && m.window.run.scene->input ? m.window.run.scene->input->name : "model";
   return name + "-step-" + std::to_string(m.window.transport.step()) + end;
 }
 
-Status write_picture(M& m, const A& a) {
+Status write_picture(Exports& m, const Arguments& a) {
   const auto words = read_words(a);
   if (!words) return words.error();
   if (words->rest.size() > 1 || !words->film.empty()) return wrong_arguments("One file is written.");
@@ -83,7 +80,7 @@ Status write_picture(M& m, const A& a) {
   return {};
 }
 
-Status write_svg(M& m, const A& a) {
+Status write_svg(Exports& m, const Arguments& a) {
   if (a.size() > 1) return wrong_arguments("One file is written.");
   m.wanted.emplace_back(FigureRequest{a.empty() ? file_for(m, ".svg") : a[0]});
   return {};
@@ -109,7 +106,7 @@ Result<SequenceRequest> sequence(const Words& words) {
   return request;
 }
 
-Status write_turntable(M& m, const A& a) {
+Status write_turntable(Exports& m, const Arguments& a) {
   const auto words = read_words(a);
   if (!words) return words.error();
   auto request = sequence(*words);
@@ -121,7 +118,7 @@ Status write_turntable(M& m, const A& a) {
   return {};
 }
 
-Status write_step_frames(M& m, const A& a) {
+Status write_step_frames(Exports& m, const Arguments& a) {
   const auto words = read_words(a);
   if (!words) return words.error();
   auto request = sequence(*words);

@@ -11,9 +11,6 @@
 namespace isoscope {
 namespace {
 
-using M = Comparison;
-using A = Arguments;
-
 /// The event from a difference on that shows what was decided: an operation, a refusal or an exhausted
 /// tetrahedron; null where the journal ends before.
 std::optional<std::uint32_t> telling_event(const Journal& journal, std::uint32_t from) {
@@ -27,7 +24,7 @@ std::optional<std::uint32_t> telling_event(const Journal& journal, std::uint32_t
 
 /// Both play heads go to their events, or to the step that belongs to the other one's; both views show what
 /// is named there.
-void show_events(M& m, const RunComparison& found, std::optional<std::uint32_t> a,
+void show_events(Comparison& m, const RunComparison& found, std::optional<std::uint32_t> a,
                  std::optional<std::uint32_t> b) {
   const bool active_is_b = m.active_is_b();
   const auto here = active_is_b ? b : a, there = active_is_b ? a : b;
@@ -55,13 +52,13 @@ void show_events(M& m, const RunComparison& found, std::optional<std::uint32_t> 
   m.picked = picked;
 }
 
-Result<std::shared_ptr<const RunComparison>> comparison_of(const M& m) {
+Result<std::shared_ptr<const RunComparison>> comparison_of(const Comparison& m) {
   const auto found = m.found();
   if (!found) return usage("The runs are still being compared.");
   return found;
 }
 
-Status first_difference(M& m, const A&) {
+Status first_difference(Comparison& m, const Arguments&) {
   const auto found = comparison_of(m);
   if (!found) return found.error();
   m.window.open_tab(BottomTab::compare);
@@ -76,7 +73,7 @@ Status first_difference(M& m, const A&) {
   return {};
 }
 
-Status show_row(M& m, std::size_t row) {
+Status show_row(Comparison& m, std::size_t row) {
   const auto found = comparison_of(m);
   if (!found) return found.error();
   const auto& rows = (*found)->decisions.rows;
@@ -92,13 +89,13 @@ Status show_row(M& m, std::size_t row) {
   return {};
 }
 
-Status go_to_difference(M& m, const A& a) {
+Status go_to_difference(Comparison& m, const Arguments& a) {
   const auto row = whole_argument(a, 0, 0, 99999999);
   if (!row || a.size() != 1) return usage("Which row of the table? 0 is the first.");
   return show_row(m, *row);
 }
 
-Status next_difference(M& m, int direction) {
+Status next_difference(Comparison& m, int direction) {
   const auto found = comparison_of(m);
   if (!found) return found.error();
   const auto count = static_cast<std::ptrdiff_t>((*found)->decisions.rows.size());
@@ -109,7 +106,7 @@ Status next_difference(M& m, int direction) {
   return show_row(m, static_cast<std::size_t>(to));
 }
 
-Status open_beside_or_ask(M& m, const A& a) {
+Status open_beside_or_ask(Comparison& m, const Arguments& a) {
   if (a.size() > 1) return usage("One model or recording opens beside the run.");
   if (!a.empty()) return m.open_beside(a[0]);
   m.window.files_for = FilesFor::beside;
@@ -117,20 +114,20 @@ Status open_beside_or_ask(M& m, const A& a) {
   return {};
 }
 
-Status side_by_side(M& m, const A&) {
+Status side_by_side(Comparison& m, const Arguments&) {
   const bool beside = !m.beside();
   m.set_beside(beside);
   if (beside) m.window.open_tab(BottomTab::compare);
   return {};
 }
 
-Status toggle_linked_cameras(M& m, const A&) {
+Status toggle_linked_cameras(Comparison& m, const Arguments&) {
   m.linked_cameras = !m.linked_cameras;
   if (!m.linked_cameras) m.camera = m.window.camera;
   return {};
 }
 
-Status toggle_linked_steps(M& m, const A&) {
+Status toggle_linked_steps(Comparison& m, const Arguments&) {
   m.linked_steps = !m.linked_steps;
   if (m.linked_steps) m.set_beside(m.beside()); // linked anew
   return {};

@@ -18,7 +18,7 @@ struct Row {
   Swatch swatch;
   Rgb Palette::*color;
 };
-constexpr Row rows[] = {
+constexpr Row layer_rows[] = {
     {"outer", Swatch::surface, &Palette::outer}, {"inner", Swatch::surface, &Palette::inner},
     {"zero", Swatch::surface, &Palette::zero},   {"good", Swatch::disc, &Palette::good},
     {"bad", Swatch::cross, &Palette::bad},       {"over-rim", Swatch::diamond, &Palette::rim},
@@ -108,7 +108,7 @@ void layer_row(Ui& ui, const Row& row) {
   if (ImGui::InvisibleButton("eye", {ui.px(24), high})) {
     // With Ctrl: this one alone, as layer lists elsewhere do.
     if (ImGui::GetIO().KeyCtrl)
-      for (const Row& other : rows)
+      for (const Row& other : layer_rows)
         for (const LayerName& l : names)
           if (l.name == other.layer) (ui.window.view.*(l.member)).visible = l.name == row.layer;
     if (!ImGui::GetIO().KeyCtrl) layer.visible = !layer.visible;
@@ -206,7 +206,7 @@ void room_legend(const Ui& ui) {
 void layers(Ui& ui) {
   if (!widgets::section(ui, "Layers")) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
-  for (const Row& row : rows) {
+  for (const Row& row : layer_rows) {
     if (!has_layer(ui, row.layer)) continue;
     layer_row(ui, row);
     if (row.layer == "points" && ui.window.view.points.visible) weight_legend(ui);
