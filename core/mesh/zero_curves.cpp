@@ -7,11 +7,11 @@ namespace isoscope {
 
 namespace {
 
-struct Use {
+struct PolygonEdge {
   ZeroCurves::Edge sorted, as_it_runs;
 };
 
-bool less(const Use& a, const Use& b) {
+bool less(const PolygonEdge& a, const PolygonEdge& b) {
   return a.sorted < b.sorted;
 }
 
@@ -19,7 +19,7 @@ bool less(const Use& a, const Use& b) {
 
 ZeroCurves zero_curves(const ZeroSet& zero_set) {
   if (zero_set.boundary_loops() == 0 && !zero_set.has_rooms()) return {};
-  std::vector<Use> uses;
+  std::vector<PolygonEdge> uses;
   uses.reserve(3 * zero_set.polygons.size());
   for (const ZeroSet::Polygon& p : zero_set.polygons)
     for (std::size_t k = 0; k < p.count; ++k) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float loop_units = 44, bridged_units = 24, picture_wide = 58, choice_wide = 128;
 
-std::string in_deltas(double length, double delta) {
+std::string delta_text(double length, double delta) {
   return short_number(length / delta) + " δ";
 }
 
@@ -86,7 +86,7 @@ void loop_row(Ui& ui, const LoopReport& loop, std::size_t index, bool fills, dou
   row.glyph(108, loop.state == HoleState::filled ? ui.colors.zero : ui.colors.rim, state.shape);
   row.text(ui.fonts.small, 120, ui.colors.text, state.text);
   row.text(ui.fonts.small, 236, ui.colors.quiet,
-           in_deltas(loop.loop.length, delta) + " long, " + in_deltas(loop.loop.diameter, delta) + " wide");
+           delta_text(loop.loop.length, delta) + " long, " + delta_text(loop.loop.diameter, delta) + " wide");
   row.text(ui.fonts.small, 410, ui.colors.quiet, "flatness " + short_number(loop.loop.flatness));
   ImGui::SetCursorScreenPos({row.at.x + row.width + ui.px(8), row.at.y + (row.high - ui.px(26)) / 2});
   constexpr std::array<const char*, 2> choices{"keep", "fill"};
@@ -111,7 +111,7 @@ void bridged_row(Ui& ui, const BridgedStretch& stretch, std::size_t index, doubl
                "goes there.");
   row.glyph(108, ui.colors.quiet, MarkerShape::hollow_diamond);
   row.text(ui.fonts.small, 120, ui.colors.quiet, stretch.meets_wall ? "ends on a wall" : "bridged by Ω");
-  row.text(ui.fonts.small, 236, ui.colors.quiet, in_deltas(stretch.length, delta) + " long");
+  row.text(ui.fonts.small, 236, ui.colors.quiet, delta_text(stretch.length, delta) + " long");
   row.below();
 }
 
@@ -152,7 +152,7 @@ void over_rim_details(Ui& ui, const Investigation& asked, const StateSnapshot& s
   if (!x) return;
   const double delta = s.criteria.unit();
   widgets::value_row(ui, "closest point on", "border " + border_text(*x));
-  widgets::value_row(ui, "distance to it", in_deltas(x->distance, delta));
+  widgets::value_row(ui, "distance to it", delta_text(x->distance, delta));
   loop_link(ui, *x);
   widgets::quiet_text(ui,
                       "Its closest point lies on the border of the input, where Ω leaves it open: on either "
@@ -166,10 +166,10 @@ void rim_rows(Ui& ui, const Investigation& asked) {
   if (!x) return;
   const double delta = ui.window.run.scene->delta;
   widgets::value_row(ui, "nearest on the rim", border_text(*x));
-  widgets::value_row(ui, "distance to the rim", in_deltas(x->to_rim, delta));
+  widgets::value_row(ui, "distance to the rim", delta_text(x->to_rim, delta));
   loop_link(ui, *x);
   widgets::quiet_text(ui,
-                      "Not in B: its closest point, " + in_deltas(x->distance, delta) +
+                      "Not in B: its closest point, " + delta_text(x->distance, delta) +
                           " away, does not lie on the open rim.",
                       true);
 }

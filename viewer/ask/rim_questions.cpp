@@ -12,9 +12,6 @@
 namespace isoscope {
 namespace {
 
-using M = Investigation;
-using A = Arguments;
-
 /// The parameter that fills the marked loops and no others.
 std::string fill_text(const std::vector<std::uint8_t>& fills) {
   const auto filled = std::count(fills.begin(), fills.end(), 1);
@@ -26,7 +23,7 @@ std::string fill_text(const std::vector<std::uint8_t>& fills) {
   return text;
 }
 
-Status choose_hole(M& m, const A& a) {
+Status choose_hole(Investigation& m, const Arguments& a) {
   const auto& report = m.rim_report();
   if (!report) return usage("The input has no border that Ω leaves open.");
   if (a.size() != 2) return wrong_arguments("Which hole, and keep or fill?");
@@ -49,7 +46,7 @@ Status choose_hole(M& m, const A& a) {
   return {};
 }
 
-Status look_at_hole(M& m, const A& a) {
+Status look_at_hole(Investigation& m, const Arguments& a) {
   const auto& report = m.rim_report();
   if (!report) return usage("The input has no border that Ω leaves open.");
   const bool bridged = !a.empty() && a[0] == "bridged";
