@@ -1,5 +1,6 @@
 // Flat shading with edges of constant pixel width that fade where triangles get small.
 #include "frame.glsl"
+#include "hatch.glsl"
 #include "light.glsl"
 in vec3 world;
 in vec3 corner;
@@ -10,6 +11,16 @@ uniform float opacity;
 uniform vec4 edge_colour;   // a: strength
 uniform float edge_width;   // pixels, 0 none
 uniform float back_shade;   // brightness of the back face
+uniform int walls;          // 1: what the two sides show stands below, not in the triangles
+uniform vec3 front_tint, back_tint, front_ink, back_ink;
+uniform int front_hatch, back_hatch;
+
+// What a side of the fragment shows, without light.
+vec3 side_colour(bool front) {
+  if (walls == 0) return facet_tint.rgb;
+  vec3 tint = front ? front_tint : back_tint, ink = front ? front_ink : back_ink;
+  return mix(tint, ink, 0.8 * hatch_cover(front ? front_hatch : back_hatch, world));
+}
 
 float edge_cover(out float fade) {
   vec3 slope = vec3(length(vec2(dFdx(corner.x), dFdy(corner.x))), length(vec2(dFdx(corner.y), dFdy(corner.y))),
@@ -30,7 +41,7 @@ vec4 mesh_colour() {
   vec3 to_viewer = toward_viewer(world);
   vec3 n = normalize(facet_normal);
   bool front = dot(n, to_viewer) >= 0.0;
-  vec3 base = lit(facet_tint.rgb, front ? n : -n, to_viewer) * (front ? 1.0 : back_shade);
+  vec3 base = lit(side_colour(front), front ? n : -n, to_viewer) * (front ? 1.0 : back_shade);
   float alpha = facet_tint.a * opacity;
   if (edge_width > 0.0) {
     float fade;

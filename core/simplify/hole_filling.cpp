@@ -19,18 +19,7 @@ struct EdgeOfFacet {
   friend auto operator<=>(const EdgeOfFacet&, const EdgeOfFacet&) = default;
 };
 
-std::vector<CapFacet> dropped_facets(const Complex& complex) {
-  std::vector<CapFacet> facets;
-  for (std::size_t i = 0; i < complex.tets.size(); ++i) {
-    const Tet& tet = complex.tets[i];
-    if (!tet.alive() || tet.side <= 0) continue;
-    for (std::uint8_t k = 0; k < 4; ++k)
-      if ((tet.dropped >> k & 1u) != 0) facets.push_back({TetId(i), k});
-  }
-  return facets;
-}
-
-std::array<VertexId, 3> sorted_corners(const Complex& complex, const CapFacet& f) {
+std::array<VertexId, 3> sorted_corners(const Complex& complex, const DroppedFacet& f) {
   return sorted(complex.tet(f.tet).facet(f.facet));
 }
 
@@ -51,7 +40,7 @@ bool HoleChoice::wants(std::uint32_t loop, const RimLoop& description) const {
 }
 
 std::vector<Cap> find_caps(const Complex& complex, const ToleranceVolume& volume) {
-  const std::vector<CapFacet> facets = dropped_facets(complex);
+  const std::vector<DroppedFacet> facets = dropped_facets(complex);
   std::vector<EdgeOfFacet> edges;
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
     const auto v = sorted_corners(complex, facets[f]);
@@ -89,13 +78,13 @@ std::vector<Cap> find_caps(const Complex& complex, const ToleranceVolume& volume
   return caps;
 }
 
-Delta fill_delta(const Complex& complex, const std::vector<CapFacet>& facets) {
+Delta fill_delta(const Complex& complex, const std::vector<DroppedFacet>& facets) {
   std::map<TetId, std::uint8_t> after;
   const auto clear = [&](TetId t, std::size_t k) {
     const auto at = after.emplace(t, complex.tet(t).dropped).first;
     at->second = static_cast<std::uint8_t>(at->second & ~(1u << k));
   };
-  for (const CapFacet& f : facets) {
+  for (const DroppedFacet& f : facets) {
     clear(f.tet, f.facet);
     const TetId n = complex.tet(f.tet).neighbor[f.facet];
     const auto& back = complex.tet(n).neighbor;

@@ -1,10 +1,9 @@
 // What Z has beyond the rim of open surfaces, as far as it closes holes (§4.1).
 #pragma once
 
-#include "mesh/complex.h"
+#include "mesh/zero_curves.h"
 #include "tolerance/tolerance_volume.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,16 +21,9 @@ struct HoleChoice {
   friend bool operator==(const HoleChoice&, const HoleChoice&) = default;
 };
 
-/// A facet of an embedded T: its tetrahedron on the positive side, and the vertex opposite to it there.
-struct CapFacet {
-  TetId tet;
-  std::uint8_t facet = 0;
-  friend auto operator<=>(const CapFacet&, const CapFacet&) = default;
-};
-
 /// A connected part of what was dropped from Z.
 struct Cap {
-  std::vector<CapFacet> facets;     ///< ascending
+  std::vector<DroppedFacet> facets; ///< ascending
   std::vector<std::uint32_t> loops; ///< of the rim along which it meets Z, ascending
   long euler_characteristic = 0;
   /// Whether it is a disc: then it fills the hole that its one loop surrounds, and nothing else changes.
@@ -41,6 +33,6 @@ struct Cap {
 /// The parts in the order of their first facets.
 std::vector<Cap> find_caps(const Complex& complex, const ToleranceVolume& volume);
 /// What makes facets part of Z that were dropped. Ascending, each once.
-Delta fill_delta(const Complex& complex, const std::vector<CapFacet>& facets);
+Delta fill_delta(const Complex& complex, const std::vector<DroppedFacet>& facets);
 
 } // namespace isoscope

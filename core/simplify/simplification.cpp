@@ -139,7 +139,7 @@ struct Simplification::Impl {
         parameters.fill.rule == HoleChoice::Rule::none)
       return;
     const auto loops = context.volume.open_sides()->rim().loops();
-    std::vector<CapFacet> facets;
+    std::vector<DroppedFacet> facets;
     std::string loop_names;
     for (const Cap& cap : find_caps(live->complex(), context.volume)) {
       const bool wanted = std::any_of(cap.loops.begin(), cap.loops.end(), [&](std::uint32_t loop) {

@@ -1,6 +1,7 @@
 // Makes states of a small run from the core's parts, without the pipeline.
 #include "scene/fabricate.h"
 
+#include "base/labels.h"
 #include "mesh/delaunay.h"
 #include "mesh/sample_sets.h"
 #include "tolerance/closest_point.h"
@@ -38,8 +39,8 @@ void judge(StateSnapshot& state) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const TetId tet = sets.tet_of(SampleId(i));
     state.sample_tets[i] = tet;
-    const AffineFunction f = interpolate(state.complex.positions(tet), state.complex.values(tet));
-    state.errors[i] = static_cast<float>(sample_error(f(samples.positions[i]), samples.labels[i]));
+    state.errors[i] = static_cast<float>(
+        sample_error_at(state.complex, tet, samples.positions[i], samples.labels[i]));
     if (is_bad(static_cast<double>(state.errors[i]))) ++state.bad_samples;
     if (state.errors[i] > state.largest_error) {
       state.largest_error = state.errors[i];
@@ -97,7 +98,8 @@ Fabricated refine(const std::shared_ptr<Scene>& scene, std::shared_ptr<const Bou
     for (const std::uint32_t id : worst) {
       Vertex vertex;
       vertex.position = samples->positions[id];
-      vertex.value = samples->labels[id];
+      vertex.value = samples->labels[id] > 0 ? 1 : -1;
+      vertex.room = room_of(samples->labels[id]);
       vertex.sample = SampleId(id);
       const auto delta_of_insertion = delaunay.insert(vertex, TetId());
       if (!delta_of_insertion) continue;

@@ -71,6 +71,37 @@ TEST_CASE("tetrahedra: nearest first, deeper by index, nothing beside them") {
   CHECK(pick_scene(scene, camera, view, at(camera, {3, 2, 0}), PickKinds::tetrahedra, 0).kind == Kind::none);
 }
 
+TEST_CASE("a boundary sample is told from a sample, in space and in the section") {
+  StateSnapshot state = two_tetrahedra();
+  auto samples = std::make_shared<BoundarySamples>();
+  samples->positions = {{2, 0, 0}};
+  samples->labels = {1};
+  samples->over_rim = {{-2, 0, 0}, {-2, 1, 0}};
+  samples->sigma = 0.2;
+  state.samples = samples;
+  const PickScene scene{&state, nullptr, nullptr};
+  const Camera camera = front();
+  ViewSettings view = only_tetrahedra();
+  view.samples.visible = true;
+  const Pick found = pick_scene(scene, camera, view, at(camera, {-2, 1, 0}), PickKinds::samples, 0);
+  CHECK(found.kind == Kind::over_rim);
+  CHECK(found.id == 1);
+  CHECK(found.point == Vec3{-2, 1, 0});
+  CHECK(pick_scene(scene, camera, view, at(camera, {2, 0, 0}), PickKinds::samples, 0).kind == Kind::sample);
+  CHECK(pick_bounds(state, found).center() == Vec3{-2, 1, 0});
+
+  view.clip.normal = {0, 0, 1};
+  const Renderer::SectionView section{0, 0, 6};
+  const Camera flat = section_camera(section, view.clip);
+  const Pick cut =
+      pick_section_scene(state, nullptr, section, view, at(flat, {-2, 1, 0}), PickKinds::samples);
+  CHECK(cut.kind == Kind::over_rim);
+  CHECK(cut.id == 1);
+
+  view.over_rim.visible = false;
+  CHECK(pick_scene(scene, camera, view, at(camera, {-2, 1, 0}), PickKinds::samples, 0).kind == Kind::none);
+}
+
 TEST_CASE("the display shrink is respected") {
   const StateSnapshot state = two_tetrahedra();
   const PickScene scene{&state, nullptr, nullptr};

@@ -2,14 +2,17 @@
 #include "scene/section_geometry.h"
 #include "scene/section_view.h"
 
+#include "base/labels.h"
 #include "input/gallery.h"
 #include "scene/fabricate.h"
 #include "scene/overlay.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 using namespace isoscope;
 
@@ -25,6 +28,31 @@ SectionPlane slanted() {
   plane.origin = torus().scene->input->bounds().center() + Vec3{0.013, 0.007, 0.005};
   plane.axes = plane_axes({0.4, 0.3, 0.8});
   return plane;
+}
+
+/// Of the convex hull of the segments' ends.
+double hull_area(const std::vector<SectionGeometry::Segment>& segments) {
+  std::vector<PlanePoint> points;
+  for (const auto& s : segments) points.insert(points.end(), {s.a, s.b});
+  std::sort(points.begin(), points.end(), [](const PlanePoint& p, const PlanePoint& q) {
+    return std::pair(p.u, p.v) < std::pair(q.u, q.v);
+  });
+  const auto turn = [](const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
+    return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+  };
+  std::vector<PlanePoint> hull;
+  for (int half = 0; half < 2; ++half) {
+    const std::size_t begin = hull.size();
+    for (const PlanePoint& p : points) {
+      while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < hull.size(); ++i) sum += 0.5 * turn(hull[0], hull[i], hull[i + 1]);
+  return sum;
 }
 
 double total(const std::vector<SectionGeometry::Segment>& segments) {
@@ -104,6 +132,45 @@ TEST_CASE("samples are those near the plane, with their classes") {
     CHECK(s.bad == (state.errors[s.id.index()] >= 1.0f));
     CHECK(s.outer == (state.samples->labels[s.id.index()] > 0));
   }
+}
+
+TEST_CASE("rooms fill the section of T by label, and their parts meet along Z") {
+  const testing::Fabricated made = testing::fabricate(*make_gallery_model("two-rooms"), 6, 1, 80, 16);
+  const StateSnapshot& state = *made.state;
+  REQUIRE(state.zero_set.has_rooms());
+  SectionPlane plane;
+  plane.origin = made.scene->input->bounds().center() + Vec3{0.013, 0.007, 0.005};
+  plane.axes = plane_axes({0.2, 0.1, 0.9});
+  const SectionGeometry geometry = section_geometry(state, plane, {true, 0});
+  const auto area = [](const SectionGeometry::Cell& cell) {
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < cell.count; ++i) {
+      const PlanePoint a = cell.corners[0], b = cell.corners[i], c = cell.corners[i + 1];
+      sum += 0.5 * ((b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u));
+    }
+    return std::abs(sum);
+  };
+  std::map<int, double> by_label;
+  double filled = 0;
+  for (const SectionGeometry::Cell& cell : geometry.cells) {
+    by_label[cell.label] += area(cell);
+    filled += area(cell);
+    PlanePoint middle;
+    for (std::size_t i = 0; i < cell.count; ++i) {
+      middle.u += cell.corners[i].u / static_cast<double>(cell.count);
+      middle.v += cell.corners[i].v / static_cast<double>(cell.count);
+    }
+    const TetId tet = section_tet(state, plane, middle, true);
+    if (!tet.valid() || label_count(state.complex.labels(tet)) > 2) continue;
+    const auto f = seen_from(cell.label, state.complex.values(tet), state.complex.labels(tet));
+    CHECK(interpolate(state.complex.positions(tet), f)(plane.lift(middle)) > -1e-6);
+  }
+  CHECK(by_label.size() == 3);
+  // Nothing is filled twice and nothing left out: T is a convex polyhedron, whose section is the hull of its
+  // outermost segments' ends.
+  CHECK(filled == doctest::Approx(hull_area(geometry.tetrahedra)).epsilon(1e-6));
+  for (const SectionGeometry::Crossing& x : geometry.crossings) CHECK_FALSE(x.border);
+  CHECK(geometry.crossings.size() >= 2);
 }
 
 TEST_CASE("the section's camera shows the plane's coordinates upright") {

@@ -115,6 +115,15 @@ void point_and_ball(const PointInspection& x, const Scene& scene, Annotation& a)
     for (int axis = 0; axis < 3; ++axis) circle(x.mean, radius, axis, Tone::quiet, a);
 }
 
+/// From a sample to its closest point and, where that is another one, to the rim.
+void to_rim(const RimInspection& x, Vec3 sample, Annotation& a) {
+  a.lines.push_back({sample, x.closest, Tone::accent, 1.8f, false});
+  a.marks.push_back({x.closest, Tone::accent, MarkerShape::disc, 7});
+  if (x.over_rim) return;
+  a.lines.push_back({sample, x.on_rim, Tone::quiet, 1.4f, true});
+  a.marks.push_back({x.on_rim, Tone::quiet, MarkerShape::ring, 9});
+}
+
 /// The facet that was left above δ, and how far its farthest point is from the input.
 void refused(const RefusedFacet& f, double delta, Annotation& a) {
   const bool above = f.distance > delta;
@@ -163,6 +172,9 @@ Annotation Investigation::make_annotation() const {
   if (picked.kind == Pick::Kind::tet) tet(*this, *state, TetId(picked.id), a);
   if (picked.kind == Pick::Kind::sample) sample(*state, SampleId(picked.id), a);
   if (point_) point_and_ball(*point_, *point_scene_, a);
+  if (beside_rim_) to_rim(*beside_rim_, *rim_place_, a);
+  if (m.settings.panes.tab == BottomTab::loops)
+    for (const Segment3& s : loop_shown) a.lines.push_back({s[0], s[1], Tone::quiet, 3.4f, false});
   if (const auto facet = shown_refusal(m)) refused(*facet, state->criteria.delta, a);
   if (const auto h = history(); h && m.settings.panes.tab == BottomTab::history) way(*h, a);
   if (const auto w = work()) heat(w->map, a);

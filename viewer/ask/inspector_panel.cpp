@@ -81,7 +81,7 @@ void vertex_details(Ui& ui, Investigation& asked, const std::shared_ptr<const St
     pick(ui, "tet", star.first->value);
 }
 
-void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
+void sample_details(Ui& ui, const Investigation& asked, const StateSnapshot& s, std::uint32_t id) {
   const bool classified = s.complex.form != ZeroForm::free;
   if (!s.samples || id >= s.samples->size() || (classified && id >= s.errors.size()))
     return widgets::quiet_text(ui, "This sample is not in the set of this step.", true);
@@ -93,9 +93,8 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
                                    : "good: f has its sign (§2.2)");
   widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
   widgets::value_row(ui, "side F(s)",
-                     label > 0     ? "+1  outer"
-                     : label == -1 ? "−1  inner"
-                                   : "−" + std::to_string(-label) + "  room",
+                     (label > 0 ? "+1  " : "−" + std::to_string(-label) + "  ") +
+                         side_text(label, ui.window.has_rooms()),
                      label > 0 ? ui.colors.accent_text : ui.colors.inner);
   if (classified) {
     widgets::value_row(ui, "f(s)", short_number((1 - error) * (label > 0 ? 1 : -1)));
@@ -112,6 +111,7 @@ void sample_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
     pick(ui, "tet", s.sample_tets[id].value);
   const std::uint16_t component = s.samples->components[id];
   if (component != 0xffff) widgets::value_row(ui, "component of ∂Ω", std::to_string(component));
+  rim_rows(ui, asked);
   sample_questions(ui, s, id);
 }
 
@@ -169,9 +169,8 @@ void tet_details(Ui& ui, Investigation& asked, const StateSnapshot& s, std::uint
   const bool carries = (flags & tet_heterogeneous) != 0;
   widgets::heading(ui, icon::cube, "Tetrahedron " + grouped(id),
                    s.complex.form == ZeroForm::embedded
-                       ? (tet.side < 0 ? (carries ? "inner side of Z, in Γ" : "inner side of Z")
-                                       : (carries ? "outer side of Z, in Γ" : "outer side of Z"))
-                   : carries                ? "carries Z: in Γ"
+                       ? side_text(tet.side, ui.window.has_rooms()) + (carries ? ", in Γ" : "")
+                   : carries                ? std::string("carries Z: in Γ")
                    : (flags & tet_box) != 0 ? "at the bounding box"
                                             : "one label: no Z in it");
   for (std::size_t i = 0; i < 4; ++i) {
@@ -257,6 +256,8 @@ void run_summary(Ui& ui, const StateSnapshot& s) {
   if (!free) {
     const std::size_t samples = s.samples ? s.samples->size() : 0;
     widgets::value_row(ui, "samples", grouped(samples));
+    if (s.samples && !s.samples->over_rim.empty())
+      widgets::value_row(ui, "boundary samples B", grouped(s.samples->over_rim.size()));
     widgets::value_row(ui, "bad samples", grouped(s.bad_samples),
                        s.bad_samples ? ui.colors.bad_text : ui.colors.good_text);
   }
@@ -276,6 +277,8 @@ void run_summary(Ui& ui, const StateSnapshot& s) {
   }
   widgets::value_row(ui, "vertices of Z", grouped(s.zero_set.vertices.size()));
   widgets::value_row(ui, "components of Z", grouped(s.zero_set.components.size()));
+  if (s.zero_set.boundary_loops() > 0)
+    widgets::value_row(ui, "loops of the border of Z", grouped(s.zero_set.boundary_loops()));
   widgets::value_row(ui, "χ of Z", std::to_string(s.zero_set.euler_characteristic()));
   if (m.run.scene && m.run.scene->expected.euler_characteristic)
     widgets::value_row(ui, "χ expected", std::to_string(*m.run.scene->expected.euler_characteristic));
@@ -447,7 +450,10 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
     tet_details(ui, asked, *state, picked.id);
     break;
   case Pick::Kind::sample:
-    sample_details(ui, *state, picked.id);
+    sample_details(ui, asked, *state, picked.id);
+    break;
+  case Pick::Kind::over_rim:
+    over_rim_details(ui, asked, *state, picked.id);
     break;
   case Pick::Kind::point:
     point_details(ui, asked, picked.id);

@@ -109,6 +109,7 @@ std::optional<ElementRef> selected_element(const Selection& selection) {
     return ElementRef{ElementRef::Kind::sample, p.id, 0};
   case Pick::Kind::facet:
   case Pick::Kind::point:
+  case Pick::Kind::over_rim:
   case Pick::Kind::none:
     break;
   }
@@ -301,6 +302,7 @@ bool Investigation::idle() const {
 struct Investigation::AnnotationKey {
   std::shared_ptr<const void> state, index, history, work, topology, check, result, point;
   Pick picked;
+  std::vector<Segment3> loop;
   std::optional<double> shrink;
   BottomTab tab = BottomTab::timeline;
   std::optional<std::uint32_t> event;
@@ -328,6 +330,7 @@ void Investigation::annotate() {
                     window.run.result,
                     point_,
                     window.selection.picked,
+                    loop_shown,
                     shrink,
                     window.settings.panes.tab,
                     window.selected_event(),
@@ -346,6 +349,7 @@ bool Investigation::update() {
   update_topology();
   update_advice();
   update_point();
+  update_rim();
   annotate();
   return !idle();
 }

@@ -11,6 +11,7 @@
 #include "questions/element_questions.h"
 #include "questions/point_questions.h"
 #include "questions/refused_facet.h"
+#include "questions/rim_questions.h"
 #include "questions/state_check.h"
 #include "questions/topology_report.h"
 #include "questions/work_map.h"
@@ -88,9 +89,10 @@ class Investigation {
   std::optional<double> shrink; ///< of the copy that is drawn; absent: condition 3's
   WorkKind work_kind = WorkKind::attempts;
   std::size_t stall_attempts = 500;
-  double cell_deltas = 1;      ///< size of the heat map's cells in δ
-  bool edge_advice = false;    ///< also ask the evaluator of edges over values: it takes a while
-  bool topology_shown = false; ///< follow the state shown
+  double cell_deltas = 1;           ///< size of the heat map's cells in δ
+  bool edge_advice = false;         ///< also ask the evaluator of edges over values: it takes a while
+  bool topology_shown = false;      ///< follow the state shown
+  std::vector<Segment3> loop_shown; ///< a loop of the rim that is looked at, marked while holes are listed
   bool reveal_check = false, reveal_topology = false; ///< bring the answer into sight once it is there
 
   /// Once a frame: asks what is shown and stale. True while something is under way.
@@ -110,6 +112,10 @@ class Investigation {
   std::shared_ptr<const Advice> advice() const { return advice_; }
   /// Of the selected point of the input.
   std::shared_ptr<const PointInspection> point() const { return point_; }
+  /// Of the selected sample or boundary sample, where the input has an open rim.
+  const std::optional<RimInspection>& beside_rim() const { return beside_rim_; }
+  /// The loops of the rim at the state shown.
+  const std::optional<RimReport>& rim_report();
   /// Of the step that was checked last, whichever is shown.
   std::shared_ptr<const CheckAnswer> check() const;
   bool checking() const { return !check_.idle(); }
@@ -126,7 +132,9 @@ class Investigation {
   const VertexStar& star_of(const std::shared_ptr<const StateSnapshot>& state, VertexId vertex);
 
   void add_commands(CommandTable& table);
+  void add_rim_commands(CommandTable& table);
   void add_values(NamedValues& values);
+  void add_rim_values(NamedValues& values);
 
  private:
   void update_history();
@@ -134,6 +142,7 @@ class Investigation {
   void update_topology();
   void update_advice();
   void update_point();
+  void update_rim();
   void jump();
   void annotate();
   /// The lines and marks for the state shown and the answers there are.
@@ -158,6 +167,11 @@ class Investigation {
   std::shared_ptr<const PointInspection> point_;
   std::shared_ptr<const Scene> point_scene_; ///< and the point, for which that was found
   std::uint32_t point_id_ = 0;
+  std::optional<RimInspection> beside_rim_;
+  std::shared_ptr<const Scene> rim_scene_; ///< and the place, for which that was found
+  std::optional<Vec3> rim_place_;
+  std::optional<RimReport> rim_report_;
+  std::shared_ptr<const StateSnapshot> reported_state_; ///< for which that was made
   std::shared_ptr<const Annotation> annotation_;
   struct AnnotationKey;
   std::unique_ptr<AnnotationKey> annotated_;
@@ -190,6 +204,12 @@ void tet_questions(Ui& ui, Investigation& asked, const StateSnapshot& state, std
 void sample_questions(Ui& ui, const StateSnapshot& state, std::uint32_t id);
 /// A point of the input: its neighbours, their mean and weight, its ball, and why it was dropped.
 void point_details(Ui& ui, const Investigation& asked, std::uint32_t id);
+/// A boundary sample: what of the rim it is over.
+void over_rim_details(Ui& ui, const Investigation& asked, const StateSnapshot& state, std::uint32_t id);
+/// Under a sample of an open input: where it lies beside the rim.
+void rim_rows(Ui& ui, const Investigation& asked);
+/// The bottom tab with the loops of the rim: which holes are kept and which are filled.
+void loops_tab(Ui& ui, Investigation& asked);
 /// What is known of all points, under the summary of a step.
 void points_summary(Ui& ui);
 /// The distances of the points to the finished mesh.

@@ -188,6 +188,7 @@ void Investigation::add_commands(CommandTable& table) {
             "the inside opens or closes first as δ changes, and marks it; 0 is the first.",
         .run = on(*this, look_at),
         .enabled = has_state}});
+  add_rim_commands(table);
 }
 
 } // namespace isoscope

@@ -265,6 +265,7 @@ void Investigation::add_values(NamedValues& values) {
   add_topology_questions(values, *this);
   add_result_questions(values, *this);
   add_advice(values, *this);
+  add_rim_values(values);
 }
 
 } // namespace isoscope

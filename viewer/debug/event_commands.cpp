@@ -124,7 +124,7 @@ void Debugger::add_event_commands(CommandTable& table) {
   table.add(
       {{.name = "stage",
         .title = "Go to a stage…",
-        .usage = "refinement | gamma | tessellation | zero-set | all | improve",
+        .usage = "refinement | gamma | tessellation | rim | zero-set | all | improve",
         .help = "Goes to where a stage begins; a held run goes on until it does.",
         .run = on(*this, go_to_stage),
         .enabled = has_run},

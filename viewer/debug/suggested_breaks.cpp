@@ -49,6 +49,7 @@ class Suggestions {
       near("near(", ",", "anything within δ of its middle", ")");
       break;
     case Pick::Kind::point:
+    case Pick::Kind::over_rim:
       near("near(", ",", "anything within δ of it", ")");
       break;
     case Pick::Kind::none:

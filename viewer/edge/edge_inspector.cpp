@@ -3,6 +3,7 @@
 
 #include "journal/vocabulary.h"
 #include "model/words.h"
+#include "questions/edge_standing.h"
 #include "scene/pick_geometry.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -139,6 +140,63 @@ void offenders(Ui& ui, const LinkVerdict& link) {
   if (left_out > 0) widgets::quiet_text(ui, "and " + grouped(left_out) + " more");
 }
 
+std::string_view stratum_text(Stratum stratum) {
+  constexpr std::array<std::string_view, 4> words{"a point", "on a curve", "on a sheet", "off Z"};
+  return words.at(static_cast<std::size_t>(stratum));
+}
+
+/// What the edge is among the strata of Z.
+std::string standing_text(const EdgeStanding& s, bool rooms) {
+  std::string sides;
+  for (const std::int8_t label : s.labels) sides += (sides.empty() ? "" : ", ") + side_text(label, rooms);
+  if (s.strata.edge == Stratum::room) return "on no facet of Z";
+  if (s.strata.edge == Stratum::sheet) return (s.kept > 0 ? "in a sheet: " : "in what was cut off: ") + sides;
+  if (s.strata.border) return "on the border of Z";
+  return "on a curve of " + std::to_string(s.kept + s.dropped) + " sheets: " + sides;
+}
+
+void link_row(const Ui& ui, const char* label, LinkAnswer answer, const char* help) {
+  const bool asked = answer != LinkAnswer::not_asked, holds = answer == LinkAnswer::holds;
+  widgets::Row row(ui, 20);
+  row.button(label);
+  widgets::tip(ui, label, help);
+  if (asked)
+    row.verdict(8, holds);
+  else
+    row.glyph(8, ui.colors.quiet, MarkerShape::circle, 3.5f);
+  row.text(ui.fonts.small, 20, asked ? ui.colors.text : ui.colors.quiet, label);
+  row.value(!asked  ? ui.colors.quiet
+            : holds ? ui.colors.good_text
+                    : ui.colors.bad_text,
+            !asked  ? "not asked"
+            : holds ? "holds"
+                    : "fails",
+            asked ? 1.0f : 0.7f);
+  row.below();
+}
+
+/// Where the edge and its ends lie among the strata of Z, and what the link condition was asked in.
+void standing(Ui& ui, const EdgeXray& x) {
+  if (x.star.form != ZeroForm::embedded) return;
+  const EdgeStanding s = edge_standing(x.star, x.attempt.link);
+  widgets::subtitle(ui, "Stratum");
+  widgets::value_row(ui, "edge", standing_text(s, ui.window.has_rooms()));
+  const auto end = [&](VertexId v, Stratum stratum, const char* note) {
+    widgets::value_row(ui, "vertex " + std::to_string(v.value), std::string(stratum_text(stratum)) + note);
+  };
+  end(x.star.a(), s.strata.a, s.strata.pinned() ? ", stays where it is" : "");
+  end(x.star.b(), s.strata.b, "");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
+  link_row(ui, "link in T", s.in_t, "Lk(a) ∩ Lk(b) = Lk(ab) among the simplices of T. Figure 6");
+  link_row(ui, "link in the sheets", s.in_sheets,
+           "The same among the facets between sides, with a dummy vertex joined to their curves; asked where "
+           "both ends lie on Z.");
+  link_row(ui, "link on the curves", s.on_curves,
+           "The same among the curves, with a dummy vertex joined to their points; asked where both ends lie "
+           "on curves and the sheets allow it. §4.1, §4.2");
+  ImGui::PopStyleVar();
+}
+
 } // namespace
 
 void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
@@ -167,6 +225,7 @@ void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
     event_details(ui, *m.run.journal, *event);
   }
   if (xray) {
+    standing(ui, *xray);
     ladder(ui, *xray);
     offenders(ui, xray->attempt.link);
     if (!tried) what_if(ui, probe, *xray);
@@ -178,6 +237,8 @@ void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
   } else if (probe.looking()) {
     widgets::quiet_text(ui, "The edge is being looked at.");
   } else if (s.complex.form == ZeroForm::free) {
+    const std::size_t facets = facets_at(s.zero_set, VertexId(picked.id), VertexId(picked.other));
+    if (facets > 0) widgets::value_row(ui, "stratum", facets == 1 ? "on the border of Z" : "in a sheet");
     widgets::quiet_text(
         ui, "Z has left T: there is no kernel to look into. The journal tells what was tried.", true);
   } else {

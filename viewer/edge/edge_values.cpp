@@ -2,8 +2,12 @@
 // branches.
 #include "edge/probe.h"
 
+#include "questions/edge_standing.h"
+
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 
 namespace isoscope {
 namespace {
@@ -83,6 +87,32 @@ void add_xray(NamedValues& t, const EdgeProbe& m) {
     return x.attempt.possible() ? distance(x.attempt.target, x.attempt.optimum)
                                 : std::numeric_limits<double>::quiet_NaN();
   });
+  const auto standing = t.readings("stratum.", [&m]() -> std::optional<EdgeStanding> {
+    const auto x = m.xray();
+    if (!x || x->star.form != ZeroForm::embedded) return std::nullopt;
+    return edge_standing(x->star, x->attempt.link);
+  });
+  const auto word = [](Stratum s) {
+    constexpr std::array<std::string_view, 4> words{"point", "curve", "sheet", "room"};
+    return words.at(static_cast<std::size_t>(s));
+  };
+  const auto answer = [](LinkAnswer a) {
+    constexpr std::array<std::string_view, 3> words{"not-asked", "holds", "fails"};
+    return words.at(static_cast<std::size_t>(a));
+  };
+  using S = EdgeStanding;
+  standing("edge", "where the selected edge lies: in a sheet, on a curve, or in a room",
+           [word](const S& s) { return word(s.strata.edge); });
+  standing("a", "where the end lies that stays: a point, on a curve or sheet, or in a room",
+           [word](const S& s) { return word(s.strata.a); });
+  standing("b", "where the other end lies", [word](const S& s) { return word(s.strata.b); });
+  standing("border", "whether the edge is of the border of Z", [](const S& s) { return s.strata.border; });
+  standing("sides", "labels around it", [](const S& s) { return s.labels.size(); });
+  standing("link_t", "its link condition in T: holds, fails or not-asked",
+           [answer](const S& s) { return answer(s.in_t); });
+  standing("link_sheets", "the same in the sheets of Z",
+           [answer](const S& s) { return answer(s.in_sheets); });
+  standing("link_curves", "the same on their curves", [answer](const S& s) { return answer(s.on_curves); });
   of("offenders_t", "simplices that break the link condition in T",
      [](const X& x) { return x.attempt.link.offending_t.size(); });
   of("offenders_zero", "the same in Z", [](const X& x) { return x.attempt.link.offending_zero.size(); });

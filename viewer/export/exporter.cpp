@@ -113,6 +113,7 @@ void Exporter::begin_figure(Exports& desk, const FigureRequest& request, const V
   figure.view = desk.window.shown_view();
   figure.aspect = static_cast<double>(extent.width) / extent.height;
   figure.points = desk.window.run.scene ? input_points(*desk.window.run.scene) : nullptr;
+  figure.scene = desk.window.run.scene;
   figure.delta = desk.window.run.scene ? desk.window.run.scene->delta : 0;
   figure.model =
       desk.window.run.scene && desk.window.run.scene->input ? desk.window.run.scene->input->name : "model";

@@ -20,9 +20,10 @@ enum class BottomTab : std::uint8_t {
   history,
   work,
   compare,
-  tolerance
+  tolerance,
+  loops
 };
-constexpr int bottom_tab_count = 8;
+constexpr int bottom_tab_count = 9;
 
 /// Sizes in units of the interface, before scaling.
 struct PaneLayout {

@@ -1,6 +1,11 @@
 // The way from the session's snapshot to the state shown.
 #include "model/shown_run.h"
 
+#include "base/sort_unique.h"
+#include "questions/rim_questions.h"
+
+#include <algorithm>
+
 namespace isoscope {
 
 Box3 ShownRun::scene_bounds() const {
@@ -54,6 +59,19 @@ bool ShownRun::is_current() const {
   if (!run.journal) return true;
   return result_ && asked_ && result_->request == *asked_ && asked_->step == transport.step() &&
          (!transport.moving() || transport.step() >= live_step());
+}
+
+std::vector<std::int8_t> ShownRun::side_labels() const {
+  std::vector<std::int8_t> labels;
+  for (const Region& r : run.scene ? run.scene->regions : std::vector<Region>())
+    labels.push_back(static_cast<std::int8_t>(r.label));
+  sort_unique(labels);
+  std::reverse(labels.begin(), labels.end());
+  return labels;
+}
+
+const Rim* ShownRun::rim() const {
+  return run.scene ? open_rim(*run.scene) : nullptr;
 }
 
 } // namespace isoscope

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace isoscope {
 
@@ -42,6 +43,11 @@ class ShownRun {
   /// The play head moves, or will as soon as the run makes a step.
   bool playing() const { return transport.moving() && (running() || !transport.at_live_end(live_step())); }
   Box3 scene_bounds() const;
+  /// The labels of the regions around Ω, descending: the outside first. More than two where there are rooms.
+  std::vector<std::int8_t> side_labels() const;
+  bool has_rooms() const { return side_labels().size() > 2; }
+  /// The rim of an open input; null where there is none.
+  const Rim* rim() const;
 
   // Once a frame, in this order.
   /// Takes what the session has; true when it is another run than before.

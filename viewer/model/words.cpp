@@ -8,7 +8,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::array<LayerName, 12> layers{{
+constexpr std::array<LayerName, 16> layers{{
     {"outer", "Ω outer boundary",
      "The outer boundary surface of the tolerance volume Ω, d = δ outside (§2.1).", &ViewSettings::outer},
     {"inner", "Ω inner boundary",
@@ -21,6 +21,19 @@ constexpr std::array<LayerName, 12> layers{{
     {"good", "Good samples", "Samples that f classifies as their label says: ε(s) < 1 (§2.2).",
      &ViewSettings::good_samples},
     {"bad", "Bad samples", "Samples on the wrong side of Z: ε(s) ≥ 1 (§2.2).", &ViewSettings::bad_samples},
+    {"over-rim", "B boundary samples",
+     "The boundary samples B: their closest point lies on the open rim of the input. They have no label, and "
+     "refinement does not ask them (§4.1).",
+     &ViewSettings::over_rim},
+    {"curves", "Curves of Z",
+     "The border of Z where it ends, and the curves where three sheets or more meet, as thick lines; points "
+     "where these end, branch or cross, as squares (§4.1, §4.2).",
+     &ViewSettings::curves},
+    {"rim", "Rim of the input",
+     "The border of the input: solid where Ω leaves it open, dashed where Ω bridges it (§4.1).",
+     &ViewSettings::rim},
+    {"dropped", "Facets cut off", "What was cut off Z along the wall over the rim (§4.1).",
+     &ViewSettings::dropped},
     {"tets", "T tetrahedra", "Tetrahedra of the triangulation T that the filter lets through.",
      &ViewSettings::tetrahedra},
     {"gamma", "∂Γ boundary of Γ", "The boundary of Γ, the union of tetrahedra that carry Z (§2.3).",
@@ -53,12 +66,12 @@ std::string_view transport_word(Transport::Mode mode) {
   return words.at(static_cast<std::size_t>(mode));
 }
 std::string_view pick_word(Pick::Kind kind) {
-  constexpr std::array<std::string_view, 7> words{"none",   "vertex", "edge", "tet",
-                                                  "sample", "facet",  "point"};
+  constexpr std::array<std::string_view, 8> words{"none",   "vertex", "edge",  "tet",
+                                                  "sample", "facet",  "point", "over-rim"};
   return words.at(static_cast<std::size_t>(kind));
 }
-std::string side_text(int label) {
-  return label > 0 ? "outer" : label == -1 ? "inner" : "room " + std::to_string(-label);
+std::string side_text(int label, bool rooms) {
+  return label > 0 ? "outer" : label == -1 && !rooms ? "inner" : "room " + std::to_string(-label);
 }
 std::span<const LayerName> layer_names() {
   return layers;

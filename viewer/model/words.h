@@ -16,7 +16,8 @@ namespace isoscope {
 std::string_view phase_word(SessionPhase phase);       ///< "running"
 std::string_view transport_word(Transport::Mode mode); ///< "following"
 std::string_view pick_word(Pick::Kind kind);           ///< "tet"
-std::string side_text(int label);                      ///< "outer", "inner", "room 2"
+/// "outer", "inner"; where there are several insides "room 1", "room 2".
+std::string side_text(int label, bool rooms = false);
 
 /// A layer by name.
 struct LayerName {

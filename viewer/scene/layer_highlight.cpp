@@ -97,6 +97,7 @@ void mark(const StateSnapshot& state, const TetEdges& edges, const Pick& pick, c
     if (state.samples && pick.id < state.samples->size()) ring(state.samples->positions[pick.id]);
     break;
   case Pick::Kind::point:
+  case Pick::Kind::over_rim:
     ring(pick.point);
     break;
   case Pick::Kind::edge:

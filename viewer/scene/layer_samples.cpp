@@ -1,4 +1,5 @@
-// Samples as sprites: good discs, bad crosses; full on the outer side, rings on the inner.
+// Samples as sprites: good discs, bad crosses; full on the outer side, rings on the inner; diamonds over the
+// rim.
 #include "scene/layer_samples.h"
 
 #include "mesh/sample_sets.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace isoscope {
 namespace {
@@ -22,16 +24,20 @@ struct SampleVertex {
 void SamplesLayer::upload_positions(std::shared_ptr<const BoundarySamples> samples, const SceneSpace& space) {
   samples_ = std::move(samples);
   space_ = space;
-  const std::size_t count = samples_->size();
-  std::vector<SampleVertex> vertices(count);
-  for (std::size_t i = 0; i < count; ++i)
-    vertices[i] = {space.local(samples_->positions[i]), samples_->labels[i] > 0 ? 1u : 0u};
-  positions_.upload(std::span<const SampleVertex>(vertices));
-  order_ = thinning_order(samples_->positions, samples_->labels);
   using Type = gl::Attribute::Type;
   const std::array<gl::Attribute, 2> attributes{{{0, 3, Type::f32, 0}, {1, 1, Type::u32, 12}}};
-  good_.array.attach(positions_, sizeof(SampleVertex), attributes);
-  bad_.array.attach(positions_, sizeof(SampleVertex), attributes);
+  const auto fill = [&](gl::Buffer& buffer, std::initializer_list<Class*> groups,
+                        const std::vector<Vec3>& positions, const std::vector<std::int8_t>& labels) {
+    std::vector<SampleVertex> vertices(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      vertices[i] = {space.local(positions[i]), labels[i] > 0 ? 1u : 0u};
+    buffer.upload(std::span<const SampleVertex>(vertices));
+    for (Class* group : groups) group->array.attach(buffer, sizeof(SampleVertex), attributes);
+    return thinning_order(positions, labels);
+  };
+  order_ = fill(positions_, {&good_, &bad_}, samples_->positions, samples_->labels);
+  const std::vector<std::int8_t> one_kind(samples_->over_rim.size(), 1);
+  over_rim_order_ = fill(over_rim_positions_, {&over_rim_}, samples_->over_rim, one_kind);
 }
 
 void SamplesLayer::update(const StateSnapshot& state, const ViewSettings& view, const Clip& clip,
@@ -42,7 +48,7 @@ void SamplesLayer::update(const StateSnapshot& state, const ViewSettings& view, 
   }
   if (state.samples != samples_ || space != space_) upload_positions(state.samples, space);
   classified_ = state.complex.form != ZeroForm::free;
-  std::vector<std::uint32_t> good, bad;
+  std::vector<std::uint32_t> good, bad, over_rim;
   const bool whole_cells = clip.active() && !clip.cuts();
   for (const std::uint32_t id : order_) {
     const bool is_bad_sample = id < state.errors.size() && is_bad(static_cast<double>(state.errors[id]));
@@ -55,6 +61,8 @@ void SamplesLayer::update(const StateSnapshot& state, const ViewSettings& view, 
     }
     (is_bad_sample ? bad : good).push_back(id);
   }
+  for (const std::uint32_t id : over_rim_order_)
+    if (view.over_rim.shown() && (!whole_cells || clip.keeps(samples_->over_rim[id]))) over_rim.push_back(id);
   const auto upload = [](Class& group, const std::vector<std::uint32_t>& ids) {
     group.count = ids.size();
     if (ids.empty()) return;
@@ -63,47 +71,53 @@ void SamplesLayer::update(const StateSnapshot& state, const ViewSettings& view, 
   };
   upload(good_, good);
   upload(bad_, bad);
+  upload(over_rim_, over_rim);
 }
 
 void SamplesLayer::clear() {
-  good_.count = bad_.count = 0;
+  good_.count = bad_.count = over_rim_.count = 0;
 }
 
 void SamplesLayer::draw_class(gl::Program& program, const ViewFrame& frame, Class& group, std::size_t count,
-                              bool bad) {
+                              const Look& look) const {
   if (count == 0) return;
-  const LayerSettings& layer = bad ? frame.view.bad_samples : frame.view.good_samples;
   // A thinned set is sparser: its sprites may be as much larger.
   const double kept = static_cast<double>(count) / static_cast<double>(group.count);
   program.set("spacing", static_cast<float>(samples_->sigma / std::sqrt(kept)));
-  program.set("tint", bad ? frame.colors.bad : classified_ ? frame.colors.good : frame.colors.tetrahedron);
-  program.set("cross_glyph", bad ? 1 : 0);
-  program.set("size", frame.view.sample_size * (bad ? 1.7f : 1.0f));
-  program.set("smallest", bad ? 4.5f : 1.6f);
-  // Without a verdict they are no more than a hint of S.
-  program.set("opacity", layer.opacity * frame.view.samples.opacity * (classified_ ? 1.0f : 0.3f));
+  program.set("tint", look.tint);
+  program.set("glyph", look.glyph);
+  program.set("size", frame.view.sample_size * look.size);
+  program.set("smallest", look.smallest);
+  program.set("opacity", look.opacity * frame.view.samples.opacity);
   group.array.bind();
   glDrawElements(GL_POINTS, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
 }
 
 void SamplesLayer::draw(gl::Program& program, const ViewFrame& frame, std::size_t budget) {
-  if (good_.count + bad_.count == 0) return;
+  if (good_.count + bad_.count + over_rim_.count == 0) return;
   // Sprites closer to each other than this (pixels) would merge into a sheet that hides the rest of the
   // scene.
-  constexpr double good_gap = 5.5, bad_gap = 5.5;
+  constexpr double gap = 5.5;
   const double spacing = samples_->sigma * frame.pixels_per_unit / static_cast<double>(frame.pixel_scale);
-  const auto thinned = [&](std::size_t count, double gap, std::size_t limit) {
+  const auto thinned = [&](std::size_t count, std::size_t limit) {
     const double part = spacing > 0 ? std::min(1.0, spacing * spacing / (gap * gap)) : 1.0;
     return std::min(static_cast<std::size_t>(std::ceil(part * static_cast<double>(count))), limit);
   };
-  const std::size_t bad = thinned(bad_.count, bad_gap, budget);
-  const std::size_t good = thinned(good_.count, good_gap, budget - bad);
-  thinned_ = bad_.count + good_.count - bad - good;
+  const std::size_t bad = thinned(bad_.count, budget);
+  const std::size_t good = thinned(good_.count, budget - bad);
+  const std::size_t over_rim = thinned(over_rim_.count, budget - bad - good);
+  thinned_ = bad_.count + good_.count + over_rim_.count - bad - good - over_rim;
   program.use();
   program.set("ground", 0.5f * (frame.colors.ground_top + frame.colors.ground_bottom));
   glEnable(GL_PROGRAM_POINT_SIZE);
-  draw_class(program, frame, good_, good, false);
-  draw_class(program, frame, bad_, bad, true);
+  const ViewSettings& view = frame.view;
+  // Without a verdict they are no more than a hint of S.
+  const float known = classified_ ? 1.0f : 0.3f;
+  const glm::vec3 good_tint = classified_ ? frame.colors.good : frame.colors.tetrahedron;
+  draw_class(program, frame, good_, good, {good_tint, 0, 1, 1.6f, view.good_samples.opacity * known});
+  draw_class(program, frame, bad_, bad, {frame.colors.bad, 1, 1.7f, 4.5f, view.bad_samples.opacity * known});
+  draw_class(program, frame, over_rim_, over_rim,
+             {frame.colors.rim, 2, 1.5f, 3.0f, view.over_rim.opacity * known});
 }
 
 } // namespace isoscope

@@ -33,8 +33,7 @@ void TetrahedraLayer::update(const StateSnapshot& state, const TetFilter& filter
     // A box tetrahedron is large: it stays faint whatever it violates, or it would hide everything.
     const bool box = (state.tet_flags[id.index()] & tet_box) != 0;
     const bool sided = side_tint && !violates && state.complex.form == ZeroForm::embedded;
-    const bool negative = (state.tet_flags[id.index()] & tet_negative) != 0;
-    const glm::vec3 color = sided ? (negative ? colors.inner : colors.outer) : role_color(role, colors);
+    const glm::vec3 color = sided ? room_style(state.complex.tet(id).side).color : role_color(role, colors);
     const Color8 tint = color8(color, box ? std::min(alpha, 0.16f) : sided ? 0.2f : alpha);
     (violates && !box ? solid : faint).tetrahedron(p, filter.shrink, tint);
   });

@@ -13,6 +13,10 @@
 #include "scene/programs.h"
 #include "scene/tet_visibility.h"
 #include "scene/view_frame.h"
+#include "tolerance/rim.h"
+
+#include <optional>
+#include <vector>
 
 namespace isoscope {
 
@@ -27,16 +31,62 @@ class InputLayer {
   MeshBatch batch_;
 };
 
-/// Z: shaded polygons with their edges.
+/// Z: shaded polygons with their edges. Where it parts rooms each side shows what lies behind it, hatched in
+/// the colour of the room before it.
 class ZeroSetLayer {
  public:
   /// `before`: as it was before the current operation, where Z is embedded or free.
   void update(const StateSnapshot& state, Moment moment, const Clip& clip, const SceneColors& colors,
               const SceneSpace& space);
+  void clear() { sheets_.clear(); }
+  /// Opaque pass, or translucent when the layer's opacity is below 1.
+  void draw(gl::Program& program, const ViewFrame& frame);
+
+ private:
+  /// The polygons between two labels; without walls where there is one inside.
+  struct Sheet {
+    std::optional<WallStyle> walls;
+    MeshBatch batch;
+  };
+  std::vector<Sheet> sheets_;
+};
+
+/// What the sides of a sheet of Z between two labels show.
+WallStyle wall_style(LabelPair labels);
+
+/// The border of Z, the curves where three sheets or more meet, and the points where these end, branch or
+/// cross.
+class CurvesLayer {
+ public:
+  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
+              const SceneSpace& space);
+  void clear();
+  void draw(Programs& programs, const ViewFrame& frame);
+
+ private:
+  LineBatch lines_;
+  MarkerBatch points_;
+};
+
+/// The border of an open input: solid where Ω leaves it open, dashed where it is bridged.
+class RimLayer {
+ public:
+  void update(const Rim& rim, const Clip& clip, const SceneColors& colors, const SceneSpace& space);
+  void clear() { lines_.upload(LineBuilder()); }
+  void draw(gl::Program& program, const ViewFrame& frame);
+
+ private:
+  LineBatch lines_;
+};
+
+/// What was cut off Z along the rim.
+class DroppedLayer {
+ public:
+  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
+              const SceneSpace& space);
   void clear() { batch_.upload(MeshBuilder()); }
   /// Opaque pass, or translucent when the layer's opacity is below 1.
   void draw(gl::Program& program, const ViewFrame& frame);
-  bool empty() const { return batch_.empty(); }
 
  private:
   MeshBatch batch_;

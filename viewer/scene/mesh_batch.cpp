@@ -68,6 +68,15 @@ void MeshBatch::draw(gl::Program& program, const MeshStyle& style) {
   program.set("edge_colour", style.edge_color);
   program.set("edge_width", style.edge_width);
   program.set("back_shade", style.back_shade);
+  program.set("walls", style.walls ? 1 : 0);
+  if (style.walls) {
+    program.set("front_tint", style.walls->front.tint);
+    program.set("front_ink", style.walls->front.ink);
+    program.set("front_hatch", static_cast<int>(style.walls->front.hatch));
+    program.set("back_tint", style.walls->back.tint);
+    program.set("back_ink", style.walls->back.ink);
+    program.set("back_hatch", static_cast<int>(style.walls->back.hatch));
+  }
   array_.bind();
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(count_));
 }

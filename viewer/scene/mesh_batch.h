@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/buffer.h"
+#include "scene/palette.h"
 #include "scene/programs.h"
 
 #include <glm/vec3.hpp>
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -41,9 +43,20 @@ class MeshBuilder {
   std::vector<MeshVertex> vertices_;
 };
 
+/// What the two sides of walls between rooms show, instead of the triangles' own colours: a ground with a
+/// hatch of ink.
+struct WallStyle {
+  struct Side {
+    glm::vec3 tint{0}, ink{0};
+    Hatch hatch = Hatch::none;
+  };
+  Side front, back;
+};
+
 /// How a batch is shaded.
 struct MeshStyle {
   float opacity = 1;
+  std::optional<WallStyle> walls{};
   glm::vec4 edge_color{0};
   float edge_width = 0; ///< pixels, 0 none
   float back_shade = 0.55f;

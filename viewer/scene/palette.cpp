@@ -1,6 +1,8 @@
 // The scene's colours: meaning is the same in every theme, grounds and lines follow it.
 #include "scene/palette.h"
 
+#include <array>
+
 namespace isoscope {
 
 SceneColors scene_colors(ThemeKind theme) {
@@ -23,6 +25,7 @@ SceneColors scene_colors(ThemeKind theme) {
     c.input = rgb(0xA7B0BF);
     c.input_edge = rgb(0x343B47);
     c.dropped = rgb(0xD98A6A);
+    c.rim = rgb(0xE69F00);
     c.tetrahedron = rgb(0x9FB0C8);
     c.tetrahedron_edge = rgb(0xC4CEDD);
     c.section_line = rgb(0x4A5362);
@@ -36,6 +39,7 @@ SceneColors scene_colors(ThemeKind theme) {
     c.input = rgb(0xC9D0DA);
     c.input_edge = rgb(0x7B8594);
     c.dropped = rgb(0xB0421A);
+    c.rim = rgb(0xB36B00);
     c.tetrahedron = rgb(0x6E7F99);
     c.tetrahedron_edge = rgb(0x4D5A6D);
     c.section_line = rgb(0xB4BCC8);
@@ -50,6 +54,7 @@ SceneColors scene_colors(ThemeKind theme) {
     c.input = rgb(0xD4D8DE);
     c.input_edge = rgb(0x8A8F98);
     c.dropped = rgb(0xB0421A);
+    c.rim = rgb(0xB36B00);
     c.tetrahedron = rgb(0x8290A6);
     c.tetrahedron_edge = rgb(0x596577);
     c.section_line = rgb(0xBDBDBD);
@@ -59,6 +64,16 @@ SceneColors scene_colors(ThemeKind theme) {
     break;
   }
   return c;
+}
+
+RoomStyle room_style(int label) {
+  if (label > 0) return {rgb(0x56B4E9), Hatch::none};
+  // Six of the eight colours of Okabe and Ito (2008), those of the outside and of lines left out.
+  constexpr std::array<std::uint32_t, 6> colors{0xCC79A7, 0xE69F00, 0x009E73, 0x0072B2, 0xF0E442, 0xD55E00};
+  constexpr std::array<Hatch, 7> hatches{Hatch::none,  Hatch::rising,  Hatch::falling, Hatch::dots,
+                                         Hatch::level, Hatch::upright, Hatch::crossed};
+  const auto room = static_cast<std::size_t>(-label - 1);
+  return {rgb(colors[room % colors.size()]), hatches[room % hatches.size()]};
 }
 
 } // namespace isoscope

@@ -17,12 +17,26 @@ struct SceneColors {
   glm::vec3 good, bad, warning, misoriented, gamma, outer, inner, selection, accent;
   glm::vec3 input, input_edge;
   glm::vec3 dropped; ///< points that no site stands for
+  glm::vec3 rim;     ///< the open rim of the input, and the samples over it
   glm::vec3 tetrahedron, tetrahedron_edge;
   glm::vec3 section_line; ///< T in the 2D section
   glm::vec3 section_zero; ///< Z in the 2D section
 };
 
 SceneColors scene_colors(ThemeKind theme);
+
+/// Lines over a ground that tell rooms apart where colours do not. The numbers are those of
+/// shaders/hatch.glsl.
+enum class Hatch : std::uint8_t { none, rising, falling, crossed, level, upright, dots };
+
+/// How a side is drawn where there are several insides.
+struct RoomStyle {
+  glm::vec3 color;
+  Hatch hatch = Hatch::none;
+};
+/// Of a label: the outside as Ω's outer boundary and plain, the first inside as its inner boundary; colours
+/// and hatches recur after different counts, so that together they tell many rooms apart.
+RoomStyle room_style(int label);
 
 /// "#rrggbb" given as 0xrrggbb.
 constexpr glm::vec3 rgb(std::uint32_t hex) {

@@ -70,7 +70,8 @@ Box3 pick_bounds(const StateSnapshot& state, const Pick& pick) {
   case Pick::Kind::vertex:
     if (pick.id < t.vertices.size()) box.add(t.vertices[pick.id].position);
     break;
-  case Pick::Kind::point: // of the input: no state moves it
+  case Pick::Kind::point: // no state moves what the input or Ω has
+  case Pick::Kind::over_rim:
     box.add(pick.point);
     break;
   case Pick::Kind::sample:

@@ -129,6 +129,10 @@ void hit_samples(const Search& search, std::vector<Hit>& hits) {
                                : search.clip.keeps(positions[i]);
     if (visible) hits.push_back({*t, {Pick::Kind::sample, static_cast<std::uint32_t>(i), positions[i]}});
   }
+  const auto& over_rim = state.samples->over_rim;
+  for (std::size_t i = 0; i < over_rim.size() && search.view.over_rim.shown(); ++i)
+    if (const auto t = search.caught(over_rim[i]); t && search.clip.keeps(over_rim[i]))
+      hits.push_back({*t, {Pick::Kind::over_rim, static_cast<std::uint32_t>(i), over_rim[i]}});
 }
 
 void hit_points(const Search& search, std::vector<Hit>& hits) {

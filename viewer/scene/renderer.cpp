@@ -4,16 +4,12 @@
 #include "embedded/shaders.h"
 #include "gl/device.h"
 #include "gl/shader_source.h"
-#include "scene/clip.h"
 #include "scene/frame_targets.h"
-#include "scene/layer_points.h"
-#include "scene/layer_samples.h"
-#include "scene/layer_tolerance.h"
-#include "scene/layers.h"
 #include "scene/overlay.h"
 #include "scene/picking.h"
 #include "scene/programs.h"
 #include "scene/quality_control.h"
+#include "scene/scene_layers.h"
 #include "scene/section.h"
 #include "scene/view_frame.h"
 
@@ -31,23 +27,6 @@ constexpr const char* shader_folder = ISOSCOPE_SHADER_FOLDER;
 #else
 constexpr const char* shader_folder = "";
 #endif
-
-/// What the buffers of the layers were built from; another value asks for a rebuild.
-struct Built {
-  const void* source = nullptr;
-  ClipSettings clip;
-  ThemeKind theme = ThemeKind::dark;
-  TetFilter tets;
-  bool good = true, bad = true;
-  Moment moment = Moment::both;
-  friend bool operator==(const Built&, const Built&) = default;
-};
-
-/// A clip that cuts fragments leaves the buffers alone.
-ClipSettings clip_of_cells(const ClipSettings& clip) {
-  if (clip.shape == ClipSettings::Shape::none || clip.mode == ClipSettings::Mode::cut) return {};
-  return clip;
-}
 
 } // namespace
 
@@ -68,27 +47,11 @@ struct Renderer::Impl {
   FrameBlock block;
   GLuint empty_array = 0; ///< full-screen passes have no vertices
 
-  std::shared_ptr<const Scene> scene;
-  std::shared_ptr<const InputPoints> points;
+  LayerInputs shown;
   std::shared_ptr<const DistanceGrid> grid;
-  std::shared_ptr<const StateSnapshot> state;
-  std::shared_ptr<const EdgeXray> xray;
-  std::shared_ptr<const TargetStudy> study;
-  std::shared_ptr<const Annotation> annotation;
   SceneSpace space;
-
-  ZeroSetLayer zero_set;
-  GammaLayer gamma;
-  InputLayer input;
-  PointsLayer point_sprites;
-  TetrahedraLayer tetrahedra;
-  SamplesLayer samples;
-  ToleranceLayer tolerance;
-  HighlightLayer highlight;
-  AttemptLayer attempt;
-  AnnotationLayer annotations;
+  SceneLayers layers;
   SectionLayer section;
-  Built zero_built, gamma_built, input_built, points_built, tets_built, samples_built;
   double seconds = 0;
 
   Box3 bounds() const;
@@ -96,7 +59,6 @@ struct Renderer::Impl {
   void place_origin();
   void upload_grid();
   void reload_shaders();
-  void update_layers(const ViewFrame& frame);
   void upload_frame(const Camera& camera, const ClipSettings& clip, const FrameRequest& request,
                     const ViewFrame& frame);
   void draw_opaque(const ViewFrame& frame, const FrameRequest& request, const FrameQuality& quality);
@@ -107,24 +69,25 @@ struct Renderer::Impl {
   Renderer::Frame finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
                          Quality quality);
   PickScene pick_scene_data() const {
-    return {state.get(), scene ? scene->input.get() : nullptr, grid.get(), points.get()};
+    return {shown.state.get(), shown.scene ? shown.scene->input.get() : nullptr, grid.get(),
+            shown.points.get()};
   }
 };
 
 Box3 Renderer::Impl::bounds() const {
   Box3 box;
-  if (scene && scene->input) box = scene->input->bounds().grown(2 * scene->delta);
+  if (shown.scene && shown.scene->input) box = shown.scene->input->bounds().grown(2 * shown.scene->delta);
   if (box.empty() && grid) box = grid->box;
-  if (box.empty() && state)
-    for (const Vertex& v : state->complex.vertices)
+  if (box.empty() && shown.state)
+    for (const Vertex& v : shown.state->complex.vertices)
       if (v.alive && v.kind != VertexKind::box) box.add(v.position);
   return box;
 }
 
 Box3 Renderer::Impl::visible_bounds(const ViewSettings& view) const {
   Box3 box = bounds();
-  if (state)
-    for (const Vertex& v : state->complex.vertices)
+  if (shown.state)
+    for (const Vertex& v : shown.state->complex.vertices)
       if (v.alive && (v.kind != VertexKind::box || view.tets.box)) box.add(v.position);
   return box;
 }
@@ -136,17 +99,18 @@ void Renderer::Impl::place_origin() {
   if (distance(center, space.origin) < 0.5 * reach && !box.empty() && space.origin != Vec3{}) return;
   if (center == space.origin) return;
   space.origin = center;
-  zero_built = gamma_built = input_built = points_built = tets_built = samples_built = {};
+  layers.forget_all();
 }
 
 void Renderer::Impl::upload_grid() {
   if (!grid) {
-    tolerance.clear();
+    layers.tolerance.clear();
     return;
   }
   const Vec3 extent = grid->box.extent();
   // The robust distance is nowhere 0: what lies between the sides is no zero of a signed function.
-  tolerance.set(*grid, scene ? scene->delta : extent.x / std::max(grid->size[0], 1), points == nullptr);
+  layers.tolerance.set(*grid, shown.scene ? shown.scene->delta : extent.x / std::max(grid->size[0], 1),
+                       shown.points == nullptr);
 }
 
 void Renderer::Impl::reload_shaders() {
@@ -189,55 +153,8 @@ void Renderer::Impl::upload_frame(const Camera& camera, const ClipSettings& clip
   block.upload(tile_uniforms(whole, *request.tile, frame.width, frame.height));
 }
 
-void Renderer::Impl::update_layers(const ViewFrame& frame) {
-  const ViewSettings& view = frame.view;
-  const Clip clip(view.clip);
-  const auto refresh = [](const LayerSettings& shown, Built& built, const Built& wanted, auto& layer,
-                          auto update) {
-    if (!shown.shown() || built == wanted) return;
-    built = wanted;
-    if (wanted.source != nullptr)
-      update();
-    else
-      layer.clear();
-  };
-  Built wanted;
-  wanted.clip = clip_of_cells(view.clip);
-  wanted.theme = view.theme;
-  wanted.source = scene ? scene->input.get() : nullptr;
-  refresh(view.input, input_built, wanted, input,
-          [&] { input.update(*scene->input, clip, frame.colors, space); });
-  wanted.source = points.get();
-  refresh(view.points, points_built, wanted, point_sprites,
-          [&] { point_sprites.update(points, clip, frame.colors, frame); });
-  wanted.source = state.get();
-  Built zero_wanted = wanted;
-  zero_wanted.moment = view.moment;
-  refresh(view.zero_set, zero_built, zero_wanted, zero_set,
-          [&] { zero_set.update(*state, view.moment, clip, frame.colors, space); });
-  Built gamma_wanted = wanted;
-  gamma_wanted.tets.box = view.tets.box;
-  refresh(view.gamma, gamma_built, gamma_wanted, gamma,
-          [&] { gamma.update(*state, view.tets.box, clip, frame.colors, space); });
-  Built sample_wanted = wanted;
-  sample_wanted.good = view.good_samples.shown();
-  sample_wanted.bad = view.bad_samples.shown();
-  refresh(view.samples, samples_built, sample_wanted, samples,
-          [&] { samples.update(*state, view, clip, space); });
-  // Cut tetrahedra depend on the clip too: only those that it touches or keeps are uploaded.
-  wanted.clip = view.clip;
-  wanted.tets = view.tets;
-  wanted.good = view.side_tint;
-  refresh(view.tetrahedra, tets_built, wanted, tetrahedra,
-          [&] { tetrahedra.update(*state, view.tets, view.side_tint, clip, frame.colors, space); });
-  highlight.update(state.get(), frame);
-  attempt.update(view.xray.shown() ? xray.get() : nullptr, study.get(), frame);
-  annotations.update(annotation.get(), frame);
-}
-
 void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request,
                                  const FrameQuality& quality) {
-  const ViewSettings& view = frame.view;
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
@@ -254,42 +171,11 @@ void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& req
   glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  const auto solid = [](const LayerSettings& layer) { return layer.visible && layer.opacity >= 1; };
-  if (solid(view.input)) input.draw(programs.mesh_opaque, frame);
-  if (solid(view.zero_set)) zero_set.draw(programs.mesh_opaque, frame);
-  if (solid(view.tetrahedra)) tetrahedra.draw_solid(programs.mesh_opaque, frame);
-  // Coverage smooths the sprites' edges; what is covered is opaque.
-  const bool smooth = quality.samples > 1;
-  if (smooth) {
-    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    glEnable(GL_SAMPLE_ALPHA_TO_ONE);
-  }
-  if (view.points.shown()) {
-    programs.point.use();
-    programs.point.set("smooth_edges", smooth ? 1 : 0);
-    point_sprites.draw(programs.point, frame, quality.sprites);
-  }
-  if (view.samples.shown()) {
-    programs.sample.use();
-    programs.sample.set("smooth_edges", smooth ? 1 : 0);
-    samples.draw(programs.sample, frame, quality.sprites);
-  }
-  glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-  glDisable(GL_SAMPLE_ALPHA_TO_ONE);
-  if (view.gamma.shown()) {
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gamma.draw(programs.line, frame);
-    glDisable(GL_BLEND);
-  }
+  layers.draw_opaque(programs, frame, quality);
 }
 
 bool Renderer::Impl::draw_cells(const FrameTargets& drawn, const ViewFrame& frame) {
-  const ViewSettings& view = frame.view;
-  const auto thin = [](const LayerSettings& layer) { return layer.shown() && layer.opacity < 1; };
-  const bool any = thin(view.input) || thin(view.zero_set) ||
-                   (view.tetrahedra.shown() && (tetrahedra.has_faint() || view.tetrahedra.opacity < 1));
-  if (!any) return false;
+  if (!layers.has_cells(frame.view)) return false;
   drawn.cells.bind(drawn.width, drawn.height);
   constexpr std::array<float, 4> none{0, 0, 0, 0}, clear_part{1, 1, 1, 1};
   glClearBufferfv(GL_COLOR, 0, none.data());
@@ -299,12 +185,7 @@ bool Renderer::Impl::draw_cells(const FrameTargets& drawn, const ViewFrame& fram
   glEnable(GL_BLEND);
   glBlendFunci(0, GL_ONE, GL_ONE);
   glBlendFunci(1, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
-  if (thin(view.input)) input.draw(programs.mesh_translucent, frame);
-  if (thin(view.zero_set)) zero_set.draw(programs.mesh_translucent, frame);
-  if (view.tetrahedra.shown()) {
-    if (thin(view.tetrahedra)) tetrahedra.draw_solid(programs.mesh_translucent, frame);
-    tetrahedra.draw_faint(programs.mesh_translucent, frame);
-  }
+  layers.draw_cells(programs, frame);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   return true;
@@ -365,11 +246,12 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
 }
 
 void Renderer::set_scene(std::shared_ptr<const Scene> scene) {
-  if (impl_->scene == scene) return;
-  impl_->scene = std::move(scene);
-  impl_->input_built = impl_->points_built = {};
-  impl_->points = impl_->scene ? input_points(*impl_->scene) : nullptr;
-  if (!impl_->points) impl_->point_sprites.clear();
+  LayerInputs& shown = impl_->shown;
+  if (shown.scene == scene) return;
+  // The address alone does not tell two scenes apart once the first is gone.
+  impl_->layers.forget_scene();
+  shown.scene = std::move(scene);
+  shown.points = shown.scene ? input_points(*shown.scene) : nullptr;
   impl_->place_origin();
   impl_->upload_grid();
 }
@@ -382,23 +264,22 @@ void Renderer::set_grid(std::shared_ptr<const DistanceGrid> grid) {
 }
 
 void Renderer::set_state(std::shared_ptr<const StateSnapshot> state) {
-  if (impl_->state == state) return;
-  // The address alone does not tell two states apart once the first is gone.
-  impl_->zero_built = impl_->gamma_built = impl_->tets_built = impl_->samples_built = {};
-  impl_->state = std::move(state);
-  if (!impl_->scene && !impl_->grid) impl_->place_origin();
+  if (impl_->shown.state == state) return;
+  impl_->layers.forget_state();
+  impl_->shown.state = std::move(state);
+  if (!impl_->shown.scene && !impl_->grid) impl_->place_origin();
 }
 
 void Renderer::set_xray(std::shared_ptr<const EdgeXray> xray) {
-  impl_->xray = std::move(xray);
+  impl_->shown.xray = std::move(xray);
 }
 
 void Renderer::set_study(std::shared_ptr<const TargetStudy> study) {
-  impl_->study = std::move(study);
+  impl_->shown.study = std::move(study);
 }
 
 void Renderer::set_annotation(std::shared_ptr<const Annotation> annotation) {
-  impl_->annotation = std::move(annotation);
+  impl_->shown.annotation = std::move(annotation);
 }
 
 Box3 Renderer::bounds() const {
@@ -423,7 +304,7 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   if (!targets.resize(width, height, quality.samples, volume_width, volume_height)) return {};
 
   const ViewFrame frame = r.view_frame(camera, view, request, width, height);
-  r.update_layers(frame);
+  r.layers.update(r.shown, frame);
   Camera bounded = camera;
   bounded.set_scene_bounds(r.visible_bounds(view));
   r.upload_frame(bounded, view.clip, request, frame);
@@ -434,19 +315,17 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   if (multisampled) targets.multisampled.resolve_into(targets.opaque, width, height, true);
 
   const bool with_cells = r.draw_cells(targets, frame);
-  const bool with_volume = r.tolerance.shown(view);
+  const bool with_volume = r.layers.tolerance.shown(view);
   if (with_volume) {
     targets.volume.bind(volume_width, volume_height);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(r.empty_array);
-    r.tolerance.march(r.programs.volume, frame, targets.depth, quality.coarseness);
+    r.layers.tolerance.march(r.programs.volume, frame, targets.depth, quality.coarseness);
   }
   r.composite(targets, with_cells, with_volume);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  r.highlight.draw(r.programs, frame);
-  r.attempt.draw(r.programs, frame);
-  r.annotations.draw(r.programs, frame);
+  r.layers.draw_over(r.programs, frame);
   return r.finish(targets, start, request.quality);
 }
 
@@ -460,13 +339,13 @@ Renderer::Frame Renderer::render_section(const SectionView& section, const ViewS
   if (!targets.resize(request.width, request.height, 1, 1, 1)) return {};
   const Camera camera = section_camera(section, view.clip);
   const ViewFrame frame = r.view_frame(camera, view, request, request.width, request.height);
-  r.section.update(r.state.get(), r.points.get(), frame);
+  r.section.update(r.shown, frame);
   ClipSettings plane = view.clip;
   plane.shape = ClipSettings::Shape::none;
   r.upload_frame(camera, plane, request, frame);
   targets.output.bind(request.width, request.height);
   glBindVertexArray(r.empty_array);
-  r.section.draw(r.programs, frame, r.tolerance, request.transparent_background ? 0.0f : 1.0f);
+  r.section.draw(r.programs, frame, r.layers.tolerance, request.transparent_background ? 0.0f : 1.0f);
   return r.finish(targets, start, request.quality);
 }
 
@@ -477,8 +356,9 @@ Pick Renderer::pick(const Camera& camera, const ViewSettings& view, double x, do
 
 Pick Renderer::pick_section(const SectionView& section, const ViewSettings& view, double x, double y,
                             int width, int height, PickKinds kinds) const {
-  if (!impl_->state) return {};
-  return pick_section_scene(*impl_->state, impl_->points.get(), section, view, {x, y, width, height}, kinds);
+  if (!impl_->shown.state) return {};
+  return pick_section_scene(*impl_->shown.state, impl_->shown.points.get(), section, view,
+                            {x, y, width, height}, kinds);
 }
 
 Vec3 Renderer::point_under(const Camera& camera, const ViewSettings& view, double x, double y, int width,
@@ -494,7 +374,7 @@ double Renderer::last_frame_seconds() const {
   return impl_->seconds;
 }
 std::size_t Renderer::thinned_samples() const {
-  return impl_->samples.thinned();
+  return impl_->layers.thinned_samples();
 }
 
 } // namespace isoscope

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace isoscope {
 namespace {
@@ -48,13 +49,31 @@ std::vector<Marker> near_points(const InputPoints& points, const SectionPlane& p
   return marks;
 }
 
+/// Where the border of the input crosses the plane.
+void add_rim(const Rim& rim, const SectionPlane& plane, const ViewFrame& frame, std::vector<Marker>& marks) {
+  for (const RimCrossing& x : rim_crossings(rim, plane))
+    marks.push_back({frame.space.local(plane.lift(x.at)), color8(frame.colors.rim, frame.view.rim.opacity),
+                     x.open ? MarkerShape::ring : MarkerShape::circle, 13});
+}
+
+/// How a side is filled; without hatch where there is one inside.
+WallStyle fill_style(int label, bool rooms) {
+  const RoomStyle own = room_style(label);
+  const WallStyle::Side side{own.color, own.color, rooms ? own.hatch : Hatch::none};
+  return {side, side};
+}
+
 } // namespace
 
-void SectionLayer::update(const StateSnapshot* state, const InputPoints* points, const ViewFrame& frame) {
+void SectionLayer::update(const LayerInputs& inputs, const ViewFrame& frame) {
+  const StateSnapshot* const state = inputs.state.get();
   LineBuilder lines, marked;
-  MeshBuilder cells;
+  std::map<int, MeshBuilder> cells;
   std::vector<Marker> dots, samples, marks;
-  if (points && frame.view.points.shown()) dots = near_points(*points, section_plane(frame.view.clip), frame);
+  if (inputs.points && frame.view.points.shown())
+    dots = near_points(*inputs.points, section_plane(frame.view.clip), frame);
+  if (inputs.rim() != nullptr && frame.view.rim.shown())
+    add_rim(*inputs.rim(), section_plane(frame.view.clip), frame, marks);
   if (state) {
     const SceneColors& c = frame.colors;
     const SectionPlane plane = section_plane(frame.view.clip);
@@ -68,11 +87,22 @@ void SectionLayer::update(const StateSnapshot* state, const InputPoints* points,
       const auto local = [&](PlanePoint p) { return frame.space.local(plane.lift(p)); };
       for (const SectionGeometry::Cell& cell : geometry.cells)
         for (std::size_t i = 1; i + 1 < cell.count; ++i)
-          cells.triangle(local(cell.corners[0]), local(cell.corners[i]), local(cell.corners[i + 1]),
-                         color8(cell.negative ? c.inner : c.outer), 0);
+          cells[cell.label].triangle(local(cell.corners[0]), local(cell.corners[i]),
+                                     local(cell.corners[i + 1]), color8(room_style(cell.label).color), 0);
     }
+    const auto mark = [&](PlanePoint at, glm::vec3 color, MarkerShape shape, std::uint8_t diameter) {
+      marks.push_back({frame.space.local(plane.lift(at)), color8(color), shape, diameter});
+    };
+    if (frame.view.curves.shown())
+      for (const SectionGeometry::Crossing& x : geometry.crossings)
+        mark(x.at, x.border ? c.section_zero : c.selection,
+             x.border ? MarkerShape::disc : MarkerShape::square, 9);
     if (frame.view.tetrahedra.shown()) add(geometry.tetrahedra, color8(c.section_line), 1.0f);
     if (frame.view.gamma.shown()) add(geometry.gamma, color8(c.gamma), 1.8f);
+    if (frame.view.dropped.shown())
+      for (const auto& s : geometry.dropped)
+        lines.segment(frame.space.local(plane.lift(s.a)), frame.space.local(plane.lift(s.b)), color8(c.rim),
+                      1.8f, true);
     if (frame.view.zero_set.shown()) add(geometry.zero_set, color8(c.section_zero), 2.6f);
     if (frame.view.samples.shown()) {
       // Neighbours touch at most.
@@ -92,6 +122,11 @@ void SectionLayer::update(const StateSnapshot* state, const InputPoints* points,
                                                : c.tetrahedron),
                            shape, diameter});
       }
+      const auto diamond = static_cast<std::uint8_t>(std::max(1.3f * size, 6.0f));
+      if (frame.view.over_rim.shown())
+        for (const PlanePoint at : geometry.over_rim)
+          samples.push_back({frame.space.local(plane.lift(at)), color8(c.rim, frame.view.over_rim.opacity),
+                             MarkerShape::hollow_diamond, diamond});
     }
     const auto ring = [&](Vec3 p, glm::vec3 color, std::uint8_t diameter) {
       // Far from the plane the ring only hints at where the point is.
@@ -121,10 +156,16 @@ void SectionLayer::update(const StateSnapshot* state, const InputPoints* points,
         ring(state->complex.vertices[pick.id].position, c.selection, 16);
       if (pick.kind == Pick::Kind::sample && state->samples && pick.id < state->samples->size())
         ring(state->samples->positions[pick.id], c.selection, 16);
-      if (pick.kind == Pick::Kind::point) ring(pick.point, c.selection, 16);
+      if (pick.kind == Pick::Kind::point || pick.kind == Pick::Kind::over_rim)
+        ring(pick.point, c.selection, 16);
     }
   }
-  cells_.upload(cells);
+  sides_.resize(cells.size());
+  std::size_t next = 0;
+  for (const auto& [label, builder] : cells) {
+    sides_[next].style = fill_style(label, state->zero_set.has_rooms());
+    sides_[next++].cells.upload(builder);
+  }
   lines_.upload(lines);
   marked_.upload(marked);
   points_.upload(dots);
@@ -150,7 +191,10 @@ void SectionLayer::draw(Programs& programs, const ViewFrame& frame, ToleranceLay
   MeshStyle flat;
   flat.opacity = 0.2f;
   flat.back_shade = 1;
-  cells_.draw(programs.mesh_flat, flat);
+  for (Side& side : sides_) {
+    flat.walls = side.style;
+    side.cells.draw(programs.mesh_flat, flat);
+  }
   lines_.draw(programs.line, 1, 0);
   points_.draw(programs.marker, frame.view.points.opacity);
   samples_.draw(programs.marker, frame.view.samples.opacity);

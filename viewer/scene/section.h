@@ -8,20 +8,28 @@
 #include "scene/markers.h"
 #include "scene/mesh_batch.h"
 #include "scene/programs.h"
+#include "scene/scene_layers.h"
 #include "scene/section_geometry.h"
 #include "scene/section_view.h"
 #include "scene/view_frame.h"
+
+#include <vector>
 
 namespace isoscope {
 
 class SectionLayer {
  public:
-  /// Intersects and uploads; `state` and `points` may be null.
-  void update(const StateSnapshot* state, const InputPoints* points, const ViewFrame& frame);
+  /// Intersects and uploads.
+  void update(const LayerInputs& inputs, const ViewFrame& frame);
   void draw(Programs& programs, const ViewFrame& frame, ToleranceLayer& tolerance, float background_opacity);
 
  private:
-  MeshBatch cells_;
+  /// The cells of one side, hatched where it is a room.
+  struct Side {
+    WallStyle style;
+    MeshBatch cells;
+  };
+  std::vector<Side> sides_;
   LineBatch lines_, marked_;
   MarkerBatch points_, samples_, marks_;
 };

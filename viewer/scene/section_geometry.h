@@ -3,6 +3,7 @@
 
 #include "questions/snapshot.h"
 #include "scene/renderer.h"
+#include "tolerance/rim.h"
 
 #include <array>
 #include <cstdint>
@@ -37,13 +38,21 @@ struct SectionGeometry {
   struct Cell {
     std::array<PlanePoint, 4> corners;
     std::size_t count = 0;
-    bool negative = false; ///< its side
+    int label = 0; ///< of its side
+  };
+  /// Where a curve of Z crosses the plane.
+  struct Crossing {
+    PlanePoint at;
+    bool border = false; ///< of the border of Z, else of a curve where three sheets or more meet
   };
   std::vector<Segment> tetrahedra; ///< facets of T, each once
-  std::vector<Cell> cells;         ///< of tetrahedra with a side
+  std::vector<Cell> cells;         ///< of tetrahedra with a side; of rooms also their parts before
   std::vector<Segment> zero_set;
-  std::vector<Segment> gamma;  ///< ∂Γ
-  std::vector<Sample> samples; ///< within `sample_distance` of the plane
+  std::vector<Segment> dropped; ///< what was cut off Z along the rim
+  std::vector<Crossing> crossings;
+  std::vector<Segment> gamma;       ///< ∂Γ
+  std::vector<Sample> samples;      ///< within `sample_distance` of the plane
+  std::vector<PlanePoint> over_rim; ///< boundary samples B as near to it
 };
 
 struct SectionOptions {
@@ -54,6 +63,13 @@ struct SectionOptions {
 /// Intersects everything with the plane. Corners on the plane count as lying on its positive side.
 SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane& plane,
                                  const SectionOptions& options);
+
+/// Where the border of an open input crosses the plane: open pieces, and those that Ω bridges.
+struct RimCrossing {
+  PlanePoint at;
+  bool open = true;
+};
+std::vector<RimCrossing> rim_crossings(const Rim& rim, const SectionPlane& plane);
 
 /// The alive tetrahedron whose section holds the point, invalid where none does.
 TetId section_tet(const StateSnapshot& state, const SectionPlane& plane, PlanePoint at, bool box);

@@ -33,6 +33,9 @@ Pick pick_section_scene(const StateSnapshot& state, const InputPoints* points,
       const bool bad = i < state.errors.size() && is_bad(static_cast<double>(state.errors[i]));
       if ((bad ? view.bad_samples : view.good_samples).shown()) offer(Pick::Kind::sample, i, p);
     }
+    const auto& over_rim = state.samples->over_rim;
+    for (std::size_t i = 0; i < over_rim.size() && view.over_rim.shown(); ++i)
+      if (std::abs(plane.height(over_rim[i])) <= reach) offer(Pick::Kind::over_rim, i, over_rim[i]);
   }
   if (has(kinds, PickKinds::points) && view.points.shown() && points != nullptr)
     for (std::size_t i = 0; i < points->size(); ++i)

@@ -2,7 +2,9 @@
 #include "scene/section_svg.h"
 
 #include "base/markup.h"
+#include "base/sort_unique.h"
 #include "journal/describe.h"
+#include "questions/rim_questions.h"
 #include "scene/level_loops.h"
 #include "scene/palette.h"
 #include "scene/section_view.h"
@@ -93,8 +95,13 @@ class Drawing {
            std::abs(p.v - figure_.section.v) * scale_ <= height_ / 2 + reach;
   }
   void tolerance();
+  std::vector<int> room_labels() const;
+  void hatches();
+  void rooms();
   void segments(const char* name, const std::vector<SectionGeometry::Segment>& all, glm::vec3 color,
-                double width);
+                double width, const char* more = "");
+  void curves();
+  void over_rim(double size);
   void points();
   void samples();
   void mark(const char* name, PlanePoint p, bool bad, bool outer, double size);
@@ -136,12 +143,92 @@ void Drawing::tolerance() {
   out_ += "</g>\n";
 }
 
+/// The labels of what is filled where there are several insides.
+std::vector<int> Drawing::room_labels() const {
+  std::vector<int> labels;
+  if (!figure_.view.side_tint || !figure_.view.tetrahedra.shown() || !state_.zero_set.has_rooms())
+    return labels;
+  for (const SectionGeometry::Cell& cell : geometry_.cells) labels.push_back(cell.label);
+  sort_unique(labels);
+  return labels;
+}
+
+std::string room_id(int label) {
+  return label > 0 ? "outside" : "room-" + std::to_string(-label);
+}
+
+/// One tile of each hatch that is used, in its room's colours.
+void Drawing::hatches() {
+  for (const int label : room_labels()) {
+    const RoomStyle style = room_style(label);
+    const std::string ink = "fill=\"none\" stroke=\"" + hex(style.color) + "\" stroke-width=\"0.5\"";
+    const bool turned =
+        style.hatch == Hatch::rising || style.hatch == Hatch::falling || style.hatch == Hatch::crossed;
+    out_ += "<pattern id=\"hatch-" + room_id(label) +
+            "\" width=\"2\" height=\"2\" patternUnits=\"userSpaceOnUse\"" +
+            (turned ? " patternTransform=\"rotate(45)\"" : "") + "><rect width=\"2\" height=\"2\" fill=\"" +
+            hex(style.color) + "\" fill-opacity=\"0.25\"/>";
+    if (style.hatch == Hatch::rising || style.hatch == Hatch::upright || style.hatch == Hatch::crossed)
+      out_ += "<path " + ink + " d=\"M1,0v2\"/>";
+    if (style.hatch == Hatch::falling || style.hatch == Hatch::level || style.hatch == Hatch::crossed)
+      out_ += "<path " + ink + " d=\"M0,1h2\"/>";
+    if (style.hatch == Hatch::dots)
+      out_ += "<circle fill=\"" + hex(style.color) + "\" cx=\"1\" cy=\"1\" r=\"0.45\"/>";
+    out_ += "</pattern>\n";
+  }
+}
+
+void Drawing::rooms() {
+  for (const int label : room_labels()) {
+    std::string d;
+    for (const SectionGeometry::Cell& cell : geometry_.cells) {
+      if (cell.label != label) continue;
+      for (std::size_t i = 0; i < cell.count; ++i) d += (i == 0 ? "M" : "L") + at(cell.corners[i]);
+      d += "Z";
+    }
+    out_ += "<path id=\"" + room_id(label) + "\" fill=\"url(#hatch-" + room_id(label) +
+            ")\" stroke=\"none\" d=\"" + d + "\"/>\n";
+  }
+}
+
 void Drawing::segments(const char* name, const std::vector<SectionGeometry::Segment>& all, glm::vec3 color,
-                       double width) {
+                       double width, const char* more) {
   std::string d;
   for (const auto& s : all) d += "M" + at(s.a) + "L" + at(s.b);
   out_ += "<path id=\"" + std::string(name) + "\" fill=\"none\" stroke=\"" + hex(color) +
-          "\" stroke-width=\"" + number(width) + "\" stroke-linecap=\"round\" d=\"" + d + "\"/>\n";
+          "\" stroke-width=\"" + number(width) + "\" stroke-linecap=\"round\" " + more + "d=\"" + d +
+          "\"/>\n";
+}
+
+/// Where curves of Z and the rim of the input cross the plane.
+void Drawing::curves() {
+  const auto circle = [&](PlanePoint p, const std::string& style, double radius) {
+    out_ +=
+        "<circle " + style + " cx=\"" + x(p.u) + "\" cy=\"" + y(p.v) + "\" r=\"" + number(radius) + "\"/>\n";
+  };
+  if (figure_.view.curves.shown())
+    for (const SectionGeometry::Crossing& c : geometry_.crossings)
+      circle(c.at, c.border ? "class=\"border\" fill=\"#000000\"" : "class=\"triple\" fill=\"#000000\"",
+             c.border ? 0.9 : 0.7);
+  const Rim* rim = figure_.scene && figure_.view.rim.shown() ? open_rim(*figure_.scene) : nullptr;
+  if (rim == nullptr) return;
+  for (const RimCrossing& p : rim_crossings(*rim, plane_))
+    circle(p.at,
+           "class=\"rim\" fill=\"none\" stroke=\"" + hex(colors_.rim) + "\" stroke-width=\"" +
+               (p.open ? "0.4\"" : "0.2\""),
+           1.6);
+}
+
+/// The boundary samples B.
+void Drawing::over_rim(double size) {
+  if (!figure_.view.over_rim.shown() || geometry_.over_rim.empty()) return;
+  std::string d;
+  const std::string r = number(0.65 * size);
+  for (const PlanePoint& p : geometry_.over_rim)
+    if (inside(p, size))
+      d += "M" + at(p) + "m0,-" + r + "l" + r + "," + r + "l-" + r + "," + r + "l-" + r + ",-" + r + "z";
+  out_ += "<path id=\"samples-over-rim\" fill=\"none\" stroke=\"" + hex(colors_.rim) + "\" stroke-width=\"" +
+          number(std::max(0.2 * size, 0.12)) + "\" d=\"" + d + "\"/>\n";
 }
 
 void Drawing::mark(const char* name, PlanePoint p, bool bad, bool outer, double size) {
@@ -212,6 +299,7 @@ void Drawing::samples() {
         mark(c.name, s.at, c.bad, c.outer, c.bad ? 1.4 * size : size);
     out_ += "</g>\n";
   }
+  over_rim(size);
 }
 
 void Drawing::next_point() {
@@ -259,6 +347,10 @@ void Drawing::legend(double top) {
   const ViewSettings& view = figure_.view;
   if (view.zero_set.shown()) next(stroke(colors_.section_zero, 0.7), "Z", 11);
   if (view.gamma.shown()) next(stroke(colors_.gamma, 0.5), "∂Γ", 13);
+  for (const int label : room_labels())
+    next("<rect x=\"" + number(left + 1) + "\" y=\"" + number(top - 1.4) +
+             "\" width=\"4\" height=\"2.8\" fill=\"url(#hatch-" + room_id(label) + ")\"/>\n",
+         label > 0 ? "outside" : "room " + std::to_string(-label), 20);
   if (!view.samples.shown()) return;
   if (view.good_samples.shown()) {
     next(circle("fill=\"" + hex(colors_.good) + "\""), "outer", 17);
@@ -268,6 +360,10 @@ void Drawing::legend(double top) {
     next("<path fill=\"none\" stroke=\"" + hex(colors_.bad) + "\" stroke-width=\"0.4\" d=\"M" +
              number(left + 2) + "," + number(top - 1) + "l2,2m0,-2l-2,2\"/>\n",
          "misclassified", 20);
+  if (view.over_rim.shown() && !geometry_.over_rim.empty())
+    next("<path fill=\"none\" stroke=\"" + hex(colors_.rim) + "\" stroke-width=\"0.3\" d=\"M" +
+             number(left + 3) + "," + number(top - 1.1) + "l1.1,1.1l-1.1,1.1l-1.1,-1.1z\"/>\n",
+         "over the rim", 20);
 }
 
 void Drawing::caption(double top) {
@@ -298,13 +394,19 @@ std::string Drawing::text() {
   out_ += "<title>" + escaped_markup(figure_.model) + ", section at step " + std::to_string(state_.step) +
           "</title>\n<desc>One millimetre is " + number(1 / scale_, "%.12g") + " scene units.</desc>\n";
   out_ += "<defs><clipPath id=\"frame\"><rect x=\"0\" y=\"0\" width=\"" + w + "\" height=\"" +
-          number(height_) + "\"/></clipPath></defs>\n<rect width=\"" + w + "\" height=\"" + h +
+          number(height_) + "\"/></clipPath>\n";
+  hatches();
+  out_ += "</defs>\n<rect width=\"" + w + "\" height=\"" + h +
           "\" fill=\"#ffffff\"/>\n<g id=\"section\" clip-path=\"url(#frame)\">\n";
   const ViewSettings& view = figure_.view;
+  rooms();
   tolerance();
   if (view.tetrahedra.shown()) segments("triangulation", geometry_.tetrahedra, colors_.section_line, 0.15);
   if (view.gamma.shown()) segments("gamma", geometry_.gamma, colors_.gamma, 0.5);
+  if (view.dropped.shown())
+    segments("dropped", geometry_.dropped, colors_.rim, 0.5, "stroke-dasharray=\"1.2,1.2\" ");
   if (view.zero_set.shown()) segments("zero-set", geometry_.zero_set, colors_.section_zero, 0.7);
+  curves();
   points();
   samples();
   next_point();

@@ -22,12 +22,14 @@ struct SectionFigure {
   double delta = 0;              ///< δ, scene units; 0: not known, the scale bar is in scene units then
   std::string model;             ///< named in the caption
   std::shared_ptr<const InputPoints> points = nullptr; ///< that φ is made of
+  std::shared_ptr<const Scene> scene = nullptr;        ///< whose rim is marked, where its input is open
 };
 
-/// An SVG 1.1 document: Ω filled, T thin, Z thick and black, ∂Γ blue, points of the input by weight, samples
-/// by class as disc, circle or cross, the next Steiner point ringed; a scale bar and a caption with step and
-/// parameters below. Coordinates are millimetres; the document says how many scene units one of them is.
-/// `grid` may be null.
+/// An SVG 1.1 document: Ω filled, rooms hatched, T thin, Z thick and black, what was cut off it dashed, ∂Γ
+/// blue, points of the input by weight, samples by class as disc, circle, cross or, over the rim, diamond,
+/// where the rim and the curves of Z cross the plane, the next Steiner point ringed; a scale bar and a
+/// caption with step and parameters below. Coordinates are millimetres; the document says how many scene
+/// units one of them is. `grid` may be null.
 std::string section_svg(const StateSnapshot& state, const DistanceGrid* grid, const SectionFigure& figure);
 
 /// Signed distance over δ on a lattice over the section of the grid's box; every value on the rim is beyond

@@ -61,8 +61,12 @@ struct ViewSettings {
   LayerSettings inner{true, 0.35f}; ///< inner boundary surface of Ω
   LayerSettings samples{true, 1.0f};
   LayerSettings good_samples{true, 1.0f}, bad_samples{true, 1.0f};
+  LayerSettings over_rim{true, 1.0f}; ///< the boundary samples B
   LayerSettings tetrahedra{true, 1.0f};
   LayerSettings zero_set{true, 1.0f};
+  LayerSettings curves{true, 1.0f};   ///< the border of Z, where sheets meet, and where these curves do
+  LayerSettings rim{true, 1.0f};      ///< the border of the input
+  LayerSettings dropped{false, 0.4f}; ///< what was cut off Z along the rim
   LayerSettings gamma{false, 1.0f};
   LayerSettings highlight{true, 1.0f}; ///< what the current operation touched
   LayerSettings xray{true, 1.0f};      ///< kernel, candidates and offenders of the selected edge
@@ -103,7 +107,7 @@ constexpr bool has(PickKinds set, PickKinds kind) {
 
 /// What is picked or selected.
 struct Pick {
-  enum class Kind : std::uint8_t { none, vertex, edge, tet, sample, facet, point };
+  enum class Kind : std::uint8_t { none, vertex, edge, tet, sample, facet, point, over_rim };
   Kind kind = Kind::none;
   std::uint32_t id = 0xffffffffu;    ///< of the element; of an edge: of one end
   Vec3 point;                        ///< where the ray met it

@@ -39,7 +39,7 @@ bool read_selection(const json& object, Bookmark& b) {
   const auto kind = object.find("kind"), point = object.find("point");
   if (kind == object.end() || !kind->is_string()) return false;
   bool known = false;
-  for (int k = 0; k <= static_cast<int>(Pick::Kind::point); ++k)
+  for (int k = 0; k <= static_cast<int>(Pick::Kind::over_rim); ++k)
     if (pick_word(static_cast<Pick::Kind>(k)) == kind->get<std::string>()) {
       b.picked.kind = static_cast<Pick::Kind>(k);
       known = true;

@@ -51,8 +51,11 @@ void TimelinePane::tabs(Ui& ui) {
   for (std::size_t i = 0; i < bottom_tabs.size(); ++i) {
     const std::string label = std::string(bottom_tabs[i].glyph) + "  " + bottom_tabs[i].title;
     const bool lit = tab == static_cast<BottomTab>(i);
-    // Of use for inputs whose tolerances were studied alone.
-    if (static_cast<BottomTab>(i) == BottomTab::tolerance && !lit && !has_study) continue;
+    // Of use for inputs whose tolerances were studied, or that have holes, alone.
+    const auto which = static_cast<BottomTab>(i);
+    if (!lit && ((which == BottomTab::tolerance && !has_study) ||
+                 (which == BottomTab::loops && ui.window.rim() == nullptr)))
+      continue;
     const ImVec2 extent = widgets::text_size(label);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = extent.x + ui.px(20), high = ui.px(28);
@@ -322,6 +325,9 @@ void TimelinePane::draw(Ui& ui) {
     break;
   case BottomTab::compare:
     panels::compare_tab(ui, comparison_);
+    break;
+  case BottomTab::loops:
+    panels::loops_tab(ui, asked_);
     break;
   case BottomTab::tolerance:
     panels::tolerance_tab(ui);

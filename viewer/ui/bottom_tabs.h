@@ -21,6 +21,7 @@ constexpr std::array<BottomTabName, bottom_tab_count> bottom_tabs{
      {"history", "History", icon::history},
      {"work", "Work", icon::bolt},
      {"compare", "Compare", icon::split},
-     {"tolerance", "Tolerance", icon::sliders}}};
+     {"tolerance", "Tolerance", icon::sliders},
+     {"loops", "Holes", icon::hole}}};
 
 } // namespace isoscope

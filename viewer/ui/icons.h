@@ -53,5 +53,6 @@ constexpr const char* graduation = "\uf19d";
 constexpr const char* star = "\uf005";
 constexpr const char* mouse = "\uf245";
 constexpr const char* dot = "\uf111";
+constexpr const char* hole = "\uf10c";
 
 } // namespace isoscope::icon

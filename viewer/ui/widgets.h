@@ -113,6 +113,8 @@ void heading(Ui& ui, const char* icon, const std::string& title, const std::stri
 void verdict_glyph(const Ui& ui, bool good);
 /// The same with a sentence behind it, small.
 void verdict_text(const Ui& ui, bool good, std::string_view text);
+/// The colour and the hatch of a side where there are several insides.
+void room_swatch(const Ui& ui, ImVec2 low, ImVec2 high, int label);
 /// A mark of the view in a panel; the radius in units of the interface.
 void glyph(const Ui& ui, ImVec2 middle, float radius, Rgb color, MarkerShape shape);
 void quiet_text(const Ui& ui, std::string_view text, bool wrapped = false);

@@ -11,7 +11,7 @@
 namespace isoscope::panels {
 namespace {
 
-enum class Swatch { surface, disc, cross, line, cell, ramp };
+enum class Swatch { surface, disc, cross, diamond, line, cell, ramp };
 
 struct Row {
   std::string_view layer;
@@ -21,7 +21,9 @@ struct Row {
 constexpr Row layer_rows[] = {
     {"outer", Swatch::surface, &Palette::outer}, {"inner", Swatch::surface, &Palette::inner},
     {"zero", Swatch::surface, &Palette::zero},   {"good", Swatch::disc, &Palette::good},
-    {"bad", Swatch::cross, &Palette::bad},       {"tets", Swatch::cell, &Palette::warning},
+    {"bad", Swatch::cross, &Palette::bad},       {"over-rim", Swatch::diamond, &Palette::rim},
+    {"curves", Swatch::line, &Palette::zero},    {"rim", Swatch::line, &Palette::rim},
+    {"dropped", Swatch::surface, &Palette::rim}, {"tets", Swatch::cell, &Palette::warning},
     {"gamma", Swatch::line, &Palette::gamma},    {"highlight", Swatch::line, &Palette::selection},
     {"xray", Swatch::cell, &Palette::inner},     {"points", Swatch::ramp, &Palette::quiet},
     {"input", Swatch::surface, &Palette::quiet},
@@ -36,6 +38,8 @@ ImU32 weight_color32(const Ui& ui, float weight, float strength) {
 bool has_layer(const Ui& ui, std::string_view layer) {
   const auto& scene = ui.window.run.scene;
   if (layer == "points") return scene && scene->points;
+  if (layer == "over-rim" || layer == "rim" || layer == "dropped") return ui.window.rim() != nullptr;
+  if (layer == "curves") return ui.window.rim() != nullptr || ui.window.has_rooms();
   if (layer == "input") return !scene || !scene->input || !scene->input->triangles.empty();
   return true;
 }
@@ -54,6 +58,10 @@ void draw_swatch(const Ui& ui, Swatch swatch, Rgb color, ImVec2 middle, float st
   case Swatch::cross:
     list.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, c, ui.px(2));
     list.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, c, ui.px(2));
+    break;
+  case Swatch::diamond:
+    list.AddQuad({middle.x, middle.y - r}, {middle.x + r, middle.y}, {middle.x, middle.y + r},
+                 {middle.x - r, middle.y}, c, ui.px(1.5f));
     break;
   case Swatch::ramp:
     for (int i = -1; i <= 1; ++i)
@@ -171,6 +179,28 @@ void weight_legend(const Ui& ui) {
   put(x + ui.px(9), "dropped");
 }
 
+/// Which colour and hatch is which room.
+void room_legend(const Ui& ui) {
+  const ImVec2 begin = ImGui::GetCursorScreenPos();
+  const float left = begin.x + ui.px(50), high = ui.px(22), box = ui.px(18), column = ui.px(82);
+  const float right = begin.x + ImGui::GetContentRegionAvail().x;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImVec2 at{left, begin.y};
+  for (const std::int8_t label : ui.window.side_labels()) {
+    if (at.x > left && at.x + column > right) at = {left, at.y + high};
+    const float top = at.y + (high - ui.px(14)) / 2;
+    widgets::room_swatch(ui, {at.x, top}, {at.x + box, top + ui.px(14)}, label);
+    widgets::draw_text(list, ui.fonts.small,
+                       {at.x + box + ui.px(6), at.y + (high - ui.fonts.small->FontSize) / 2},
+                       to_u32(ui.colors.text), label > 0 ? "outside" : side_text(label, true));
+    at.x += column;
+  }
+  ImGui::InvisibleButton("rooms", {right - begin.x, at.y + high - begin.y});
+  widgets::tip(ui, "Rooms",
+               "A facet of Z shows the room that lies behind it; its hatch has the colour of the room before "
+               "it. §4.2");
+}
+
 } // namespace
 
 void layers(Ui& ui) {
@@ -180,11 +210,13 @@ void layers(Ui& ui) {
     if (!has_layer(ui, row.layer)) continue;
     layer_row(ui, row);
     if (row.layer == "points" && ui.window.view.points.visible) weight_legend(ui);
+    if (row.layer == "zero" && ui.window.view.zero_set.visible && ui.window.has_rooms()) room_legend(ui);
   }
   ImGui::PopStyleVar();
-  // The group switch of the samples follows its two halves.
+  // The group switch of the samples follows its parts.
   ViewSettings& view = ui.window.view;
-  view.samples.visible = view.good_samples.visible || view.bad_samples.visible;
+  view.samples.visible = view.good_samples.visible || view.bad_samples.visible ||
+                         (view.over_rim.visible && ui.window.rim() != nullptr);
   ImGui::Dummy({0, ui.px(4)});
 }
 

@@ -36,13 +36,15 @@ std::string pick_line(const WindowState& m, const Pick& pick) {
     return "edge " + grouped(pick.id) + " – " + grouped(pick.other);
   case Pick::Kind::point:
     return "point " + grouped(pick.id);
+  case Pick::Kind::over_rim:
+    return "boundary sample " + grouped(pick.id) + "   over the rim, on no side";
   case Pick::Kind::facet:
     return "facet " + grouped(pick.id);
   case Pick::Kind::tet:
     return "tetrahedron " + grouped(pick.id) +
-           (state->complex.form != ZeroForm::embedded || pick.id >= state->complex.tets.size() ? ""
-            : state->complex.tets[pick.id].side < 0 ? "   inner side"
-                                                    : "   outer side");
+           (state->complex.form != ZeroForm::embedded || pick.id >= state->complex.tets.size()
+                ? ""
+                : "   " + side_text(state->complex.tets[pick.id].side, m.has_rooms()) + " side");
   case Pick::Kind::sample:
     if (pick.id < state->errors.size())
       return "sample " + grouped(pick.id) +

@@ -50,6 +50,10 @@ Status pick_element(WindowState& m, const Arguments& a) {
     if (!state->samples || pick.id >= state->samples->size()) return absent;
     pick.kind = Pick::Kind::sample;
     pick.point = state->samples->positions[pick.id];
+  } else if (a[0] == "over-rim") {
+    if (!state->samples || pick.id >= state->samples->over_rim.size()) return absent;
+    pick.kind = Pick::Kind::over_rim;
+    pick.point = state->samples->over_rim[pick.id];
   } else if (a[0] == "point") {
     const auto& scene = m.run.scene;
     if (!scene || !scene->points || pick.id >= scene->points->points->points.size())
@@ -108,7 +112,7 @@ void add_pick_commands(CommandTable& table, WindowState& m) {
   const auto has_state = [&m] { return m.has_state(); };
   table.add({{.name = "pick",
               .title = "Select…",
-              .usage = "vertex | tet | facet | sample | point ID, edge ID ID",
+              .usage = "vertex | tet | facet | sample | over-rim | point ID, edge ID ID",
               .help = "Selects an element by its number, an edge by its ends.",
               .run = on(m, pick_element),
               .enabled = has_state},
