@@ -3,7 +3,7 @@
 # Targets for the rest of the build: CGAL::CGAL, TBB::tbb, nlohmann_json::nlohmann_json, CLI11::CLI11,
 # nanoflann::nanoflann, SQLite::SQLite3, ZLIB::ZLIB;
 # with ISOSCOPE_VIEWER: glfw, X11::X11, imgui::imgui (with its GLFW, OpenGL 3 and FreeType parts), glm::glm, glad::glad, stb::stb;
-# with ISOSCOPE_TESTS: doctest::doctest.
+# with ISOSCOPE_TESTS: doctest::doctest, and meshoptimizer::meshoptimizer where it is there.
 
 # isoscope_need(LABEL FOUND WHERE PACKAGE): logs where a dependency came from, or names the package that brings it.
 function(isoscope_need label found where package)
@@ -35,6 +35,8 @@ isoscope_need("zlib ${ZLIB_VERSION_STRING}" "${ZLIB_FOUND}" "${ZLIB_LIBRARIES}" 
 if(ISOSCOPE_TESTS)
   find_package(doctest QUIET)
   isoscope_need("doctest ${doctest_VERSION}" "${doctest_FOUND}" "${doctest_DIR}" doctest-dev)
+  # A peer of the experiments, which not every distribution has.
+  find_package(meshoptimizer QUIET)
 endif()
 
 if(ISOSCOPE_VIEWER)

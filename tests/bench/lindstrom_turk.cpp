@@ -121,6 +121,10 @@ std::unique_ptr<SurfaceMesh> surface_of(const TriangleSoup& soup) {
   return nullptr;
 }
 
+Error no_manifold() {
+  return {ErrorCode::unsupported, "The input is no oriented 2-manifold.", ""};
+}
+
 TriangleMesh plain(SurfaceMesh& mesh) {
   mesh.collect_garbage();
   TriangleMesh result;
@@ -143,7 +147,7 @@ TriangleMesh plain(SurfaceMesh& mesh) {
 
 Result<Simplified> lindstrom_turk(const TriangleSoup& input, double delta, CollapseFilter filter) {
   const std::unique_ptr<SurfaceMesh> mesh = surface_of(input);
-  if (!mesh) return Error{ErrorCode::unsupported, "The input is no oriented 2-manifold.", ""};
+  if (!mesh) return no_manifold();
   const sms::Count_stop_predicate<SurfaceMesh> never(0);
   if (filter == CollapseFilter::certificate) {
     const ClosestPointIndex index(input);
@@ -153,6 +157,17 @@ Result<Simplified> lindstrom_turk(const TriangleSoup& input, double delta, Colla
     sms::edge_collapse(*mesh, never,
                        CGAL::parameters::filter(sms::Polyhedral_envelope_filter<Kernel>(delta)));
   }
+  return Simplified{plain(*mesh), pmp::does_self_intersect(*mesh)};
+}
+
+Result<Simplified> lindstrom_turk_to(const TriangleSoup& input, std::size_t vertices) {
+  const std::unique_ptr<SurfaceMesh> mesh = surface_of(input);
+  if (!mesh) return no_manifold();
+  // χ stays: V − E/3 of a closed surface is χ all along.
+  const auto used = mesh->number_of_vertices(), edges = mesh->number_of_edges();
+  const std::size_t gone = used > vertices ? used - vertices : 0;
+  const sms::Count_stop_predicate<SurfaceMesh> enough(edges > 3 * gone ? edges - 3 * gone : 0);
+  sms::edge_collapse(*mesh, enough);
   return Simplified{plain(*mesh), pmp::does_self_intersect(*mesh)};
 }
 

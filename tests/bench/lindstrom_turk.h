@@ -1,8 +1,10 @@
-// The tool to beat: CGAL's Lindstrom–Turk edge collapse, kept within δ of its input by a filter.
+// The tool to beat: CGAL's Lindstrom–Turk edge collapse, as it is or kept within δ of its input by a filter.
 #pragma once
 
 #include "base/status.h"
 #include "input/triangle_soup.h"
+
+#include <cstddef>
 
 namespace isoscope::bench {
 
@@ -21,5 +23,8 @@ struct Simplified {
 /// Collapses edges of the input until the filter lets none pass. `delta` is absolute. Fails with unsupported
 /// where the soup is no oriented 2-manifold, with or without border, after merging equal points.
 Result<Simplified> lindstrom_turk(const TriangleSoup& input, double delta, CollapseFilter filter);
+/// The same without a filter: no error is bounded, `vertices` are about as many as a closed surface is left
+/// with.
+Result<Simplified> lindstrom_turk_to(const TriangleSoup& input, std::size_t vertices);
 
 } // namespace isoscope::bench

@@ -1,8 +1,9 @@
-// The bench's parts: Lindstrom–Turk stays within δ of a sphere, the icosphere is one, lines and sums are
-// right.
+// The bench's parts: Lindstrom–Turk stays within δ of a sphere, peers are measured, the icosphere is one,
+// lines and sums are right.
 #include "bench/cases.h"
 #include "bench/lindstrom_turk.h"
 #include "bench/measure.h"
+#include "bench/peer.h"
 #include "bench/table.h"
 
 #include "tolerance/border_gate.h"
@@ -143,6 +144,54 @@ TEST_CASE("An open surface keeps its border within δ of the input's, both ways"
   CHECK(border.size() * 2 < rim.size());
   for (const Segment3& edge : border) CHECK(BorderGate(rim, delta).keeps_to_rim(edge).proven);
   for (const Segment3& edge : rim) CHECK(BorderGate(border, delta).keeps_to_rim(edge).proven);
+}
+
+TEST_CASE("Without a bound the collapse ends at the number of vertices that was asked for") {
+  const TriangleSoup sphere = icosphere(3);
+  for (const std::size_t vertices : {300u, 50u}) {
+    const auto result = lindstrom_turk_to(sphere, vertices);
+    REQUIRE(result.ok());
+    // The collapse stops at the first count below, and an edge less is a third of a vertex.
+    CHECK(result->mesh.points.size() <= vertices + 1);
+    CHECK(result->mesh.points.size() + 2 >= vertices);
+  }
+  CHECK(lindstrom_turk_to(sphere, 10000)->mesh.points.size() == sphere.points.size());
+}
+
+TEST_CASE("Peers are asked by name and measured both ways") {
+  const TriangleSoup sphere = icosphere(3);
+  const Tolerance delta{0.1, false};
+  CHECK(!peer_of("nobody"));
+  for (const std::string& name : peer_names()) {
+    CAPTURE(name);
+    Asked asked{*peer_of(name), delta, {}};
+    if (asked.peer == Peer::lindstrom_turk) {
+      CHECK(ask_peer(sphere, asked).error().code == ErrorCode::usage);
+      asked = {asked.peer, {}, 60};
+    }
+    const auto result = ask_peer(sphere, asked);
+    if (!result.ok()) {
+      // A peer that was not built in says what is missing.
+      CHECK(result.error().code == ErrorCode::unsupported);
+      CHECK(!result.error().remedy.empty());
+      CHECK((asked.peer == Peer::meshoptimizer || asked.peer == Peer::alpha_wrap));
+      continue;
+    }
+    CHECK(result->mesh.points.size() > 8);
+    CHECK(result->longest_edge == doctest::Approx(sphere.bounds().longest_edge()));
+    CHECK(result->output_distance.lower <= result->output_distance.upper);
+    CHECK(result->output_distance.upper < 3 * delta.value);
+    CHECK(result->input_distance.upper < 3 * delta.value);
+    if (asked.peer == Peer::certificate || asked.peer == Peer::envelope)
+      CHECK(result->output_distance.lower <= delta.value);
+    CHECK(!result->intersects_itself);
+    const std::string line = json_line(*result);
+    CHECK(line.find("\"vertices\":" + std::to_string(result->mesh.points.size())) != std::string::npos);
+    CHECK(line.find('\n') == std::string::npos);
+  }
+  CHECK(ask_peer(sphere, {Peer::certificate, {}, {}}).error().code == ErrorCode::usage);
+  CHECK(ask_peer(sphere, {Peer::certificate, Tolerance{0, false, true}, {}}).error().code ==
+        ErrorCode::usage);
 }
 
 TEST_CASE("Work in a process of its own is measured, whatever becomes of it") {

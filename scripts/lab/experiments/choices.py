@@ -1,0 +1,36 @@
+"""What is run at each size. The whole is what the paper shows; everything else leaves the smallest tolerances out."""
+
+SIZES = ("tiny", "quick", "short", "whole")
+
+DELTAS = {
+    "fig18": {"tiny": ["6"], "quick": ["1.5"], "short": ["1.5"], "whole": ["0.15", "0.35", "0.9", "1.5"]},
+    "fig19": {"tiny": ["8"], "quick": ["2", "8"], "short": ["0.8", "2", "4", "8"],
+              "whole": ["0.15", "0.25", "0.4", "0.8", "2", "4", "8"]},
+    "fig20": {"tiny": ["8"], "quick": ["3"], "short": ["0.9", "3"], "whole": ["0.1", "0.3", "0.9", "3"]},
+}
+# Of the run that tells of stages; of normals; of threads.
+STAGES = {"tiny": "6", "quick": "1.5", "short": "1.5", "whole": "0.6"}
+NORMALS = {"tiny": "8", "quick": "4", "short": "2", "whole": "0.2"}
+LUCY = {"tiny": "8", "quick": "2", "short": "0.8", "whole": "0.13"}
+THREADS = {"tiny": "8", "quick": "8", "short": "8", "whole": "0.4"}
+# Of the mode that keeps to the paper: model, δ in percent, σ/δ. Its time grows with the number of samples.
+SAMPLED = {"tiny": ("gallery:sphere", "12", "0.3"), "quick": ("gallery:sphere", "8", "0.2"),
+           "short": ("gallery:blob", "8", "0.2"), "whole": ("gallery:bracket", "2", "0.125")}
+# Numbers of vertices down to which the collapse without a bound goes.
+COUNTS = {"tiny": [200, 100, 50]}
+COUNTS_ELSE = [1600, 800, 400, 200, 100, 50]
+UNDULATING = {"tiny": (24, "10"), "quick": (48, "10"), "short": (72, "10"), "whole": (144, "10")}
+# Figure 28: number of points, and δ in percent of each case.
+ROBUSTNESS = {
+    "tiny": (1500, {"points": "8", "soup": "8"}),
+    "quick": (6000, {"points": "3", "soup": "3"}),
+    "short": (10000, {"points": "2.5", "soup": "2", "noisy points": "4", "noisy soup": "5"}),
+    "whole": (200000, {"points": "0.9", "soup": "1.2", "noisy points": "2", "noisy soup": "5"}),
+}
+
+
+def views(model):
+    """From where a model is looked at, and what is up."""
+    known = {"elephant.off": ((1.0, 0.25, 0.75), (0, 1, 0)), "turbine.off": ((1.0, 0.4, 0.6), (0, 1, 0)),
+             "armadillo.off": ((0.2, 0.1, -1.0), (0, 1, 0))}
+    return known.get(model, ((0.5, -1.0, 0.8), (0, 0, 1)))
