@@ -83,7 +83,8 @@ std::optional<RimInspection> inspect_rim(const Scene& scene, Vec3 p) {
   RimInspection x;
   x.closest = closest.point;
   x.distance = closest.distance();
-  x.over_rim = scene.volume->open_sides()->side(p, closest) == 0;
+  x.over_rim =
+      scene.volume->open_sides()->is_open(closest.triangle) && rim->is_nearest(p, closest.distance());
   x.on_rim = on_rim.point;
   x.to_rim = on_rim.distance();
   x.loop = rim->loop_near(p);

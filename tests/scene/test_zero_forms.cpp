@@ -115,7 +115,7 @@ TEST_CASE("a section cuts Z and the cells of both sides") {
   const SectionGeometry cut = section_geometry(state, plane, {});
   CHECK(cut.zero_set.size() == 1);
   REQUIRE(cut.cells.size() == 2);
-  CHECK(cut.cells[0].negative != cut.cells[1].negative);
+  CHECK(cut.cells[0].label != cut.cells[1].label);
   const auto area = [](const SectionGeometry::Cell& cell) {
     double twice = 0;
     for (std::size_t i = 0; i < cell.count; ++i) {
