@@ -62,12 +62,14 @@ def parsed(arguments):
     return asked
 
 
-def preface(lab, paper):
+def preface(names, lab, paper):
+    chosen = "" if len(names) == len(EXPERIMENTS) else " ".join(names) + " "
     cores = len(os.sched_getaffinity(0))
     return [
-        f"Published numbers are those of {paper['source']}; ours are of a run of `scripts/experiments --size {lab.size} --effort {lab.effort}` on "
-        f"{cores} cores: {lab.runs} runs, {lab.cpu_seconds / 60:.1f} minutes of CPU time. Times are CPU seconds, so that "
-        "other programs on the machine do not count.",
+        f"Published numbers are those of {paper['source']}; ours are of a run of "
+        f"`scripts/experiments {chosen}--size {lab.size} --effort {lab.effort}` on {cores} cores: "
+        f"{lab.runs} runs, {lab.cpu_seconds / 60:.1f} minutes of CPU time. Times are CPU seconds, so that other programs on "
+        "the machine do not count.",
         "Models differ: where the paper's own are not at hand, others stand in, as each section says, so counts are beside "
         "each other for their order and their slope, not for a contest. Tolerances are percentages of the longest edge of the "
         "bounding box. Our δ is the distance to the input, Ω = {d ≤ δ}, as §2.4 of the paper has it for its Figure 14; §2.2 "
@@ -83,8 +85,8 @@ def make_page(names, lab, paper):
         section.write_csv(os.path.join(lab.output, name + ".csv"))
         sections.append(section)
         # After each, so that what is there can be read while the rest runs.
-        for file, text in (("README.md", markdown(TITLE, preface(lab, paper), sections)),
-                           ("index.html", as_html(TITLE, preface(lab, paper), sections))):
+        for file, text in (("README.md", markdown(TITLE, preface(names, lab, paper), sections)),
+                           ("index.html", as_html(TITLE, preface(names, lab, paper), sections))):
             with open(os.path.join(lab.output, file), "w", encoding="utf-8") as out:
                 out.write(text)
 

@@ -163,10 +163,10 @@ Result<Simplified> lindstrom_turk(const TriangleSoup& input, double delta, Colla
 Result<Simplified> lindstrom_turk_to(const TriangleSoup& input, std::size_t vertices) {
   const std::unique_ptr<SurfaceMesh> mesh = surface_of(input);
   if (!mesh) return no_manifold();
-  // χ stays: V − E/3 of a closed surface is χ all along.
-  const auto used = mesh->number_of_vertices(), edges = mesh->number_of_edges();
-  const std::size_t gone = used > vertices ? used - vertices : 0;
-  const sms::Count_stop_predicate<SurfaceMesh> enough(edges > 3 * gone ? edges - 3 * gone : 0);
+  // Each collapse takes a vertex and three edges of a closed surface; the predicate stops below its number.
+  const std::size_t used = mesh->number_of_vertices(), edges = mesh->number_of_edges();
+  const std::size_t gone = used > vertices ? 3 * (used - vertices) : 0;
+  const sms::Count_stop_predicate<SurfaceMesh> enough(edges >= gone ? edges + 1 - gone : 0);
   sms::edge_collapse(*mesh, enough);
   return Simplified{plain(*mesh), pmp::does_self_intersect(*mesh)};
 }

@@ -23,8 +23,8 @@ struct Simplified {
 /// Collapses edges of the input until the filter lets none pass. `delta` is absolute. Fails with unsupported
 /// where the soup is no oriented 2-manifold, with or without border, after merging equal points.
 Result<Simplified> lindstrom_turk(const TriangleSoup& input, double delta, CollapseFilter filter);
-/// The same without a filter: no error is bounded, `vertices` are about as many as a closed surface is left
-/// with.
+/// The same without a filter, down to a number of vertices, which a closed surface is left with exactly: no
+/// error is bounded.
 Result<Simplified> lindstrom_turk_to(const TriangleSoup& input, std::size_t vertices);
 
 } // namespace isoscope::bench

@@ -10,7 +10,7 @@ DELTAS = {
 }
 # Of the run that tells of stages; of normals; of threads.
 STAGES = {"tiny": "6", "quick": "1.5", "short": "1.5", "whole": "0.6"}
-NORMALS = {"tiny": "8", "quick": "4", "short": "2", "whole": "0.2"}
+NORMALS = {"tiny": "8", "quick": "4", "short": "4", "whole": "0.2"}
 LUCY = {"tiny": "8", "quick": "2", "short": "0.8", "whole": "0.13"}
 THREADS = {"tiny": "8", "quick": "8", "short": "8", "whole": "0.4"}
 # Of the mode that keeps to the paper: model, δ in percent, σ/δ. Its time grows with the number of samples.
