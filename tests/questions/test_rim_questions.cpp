@@ -6,6 +6,7 @@
 #include "mesh/incidence.h"
 #include "mesh/zero_curves.h"
 #include "questions/edge_standing.h"
+#include "questions/state_at.h"
 #include "run/complete_run.h"
 #include "tolerance/open_shapes.h"
 
@@ -27,11 +28,6 @@ std::unique_ptr<CompleteRun> finished(TriangleSoup soup, double percent, const c
   run->soup = shared(std::move(soup));
   REQUIRE(run->run());
   return run;
-}
-
-std::shared_ptr<const StateSnapshot> state_at(const CompleteRun& run, Step step) {
-  Playback playback(run.journal);
-  return make_snapshot(playback, step, {}, nullptr);
 }
 
 /// The first step after a stage began.
@@ -111,8 +107,8 @@ TEST_CASE("edges of two rooms: sheets, the triple curve, and the link conditions
   const Incidence incidence(complex);
   const ZeroSet zero = extract_zero_set(complex);
   const auto standing = [&](std::uint32_t a, std::uint32_t b) {
-    const EdgeStar star =
-        gather_edge_star(complex, incidence, zero.vertices[a].negative, zero.vertices[b].negative, 1);
+    const EdgeStar star = gather_edge_star(complex, incidence, zero.vertices[a].negative,
+                                           zero.vertices[b].negative, CostRing::one);
     return edge_standing(star, check_link(star, true));
   };
   const ZeroCurves curves = zero_curves(zero);

@@ -2,6 +2,7 @@
 #include "questions/state_check.h"
 
 #include "journal/synthetic.h"
+#include "questions/state_at.h"
 #include "questions/topology_report.h"
 #include "run/complete_run.h"
 
@@ -22,11 +23,6 @@ const CompleteRun& torus_run() {
     return made;
   }();
   return *run;
-}
-
-std::shared_ptr<const StateSnapshot> state_at(const CompleteRun& run, Step step) {
-  Playback playback(run.journal);
-  return make_snapshot(playback, step, {}, nullptr);
 }
 
 /// Random insertions; operation `at` moves a vertex through its star, later ones leave it there.
