@@ -97,7 +97,7 @@ TEST_CASE("Wrong usage is named on one line with status 2") {
   }
 }
 
-TEST_CASE("Input that is no closed surface is named with status 3") {
+TEST_CASE("Input that is no surface is named with status 3") {
   const TemporaryFolder folder;
   const Ended missing = run_batch({(folder / "missing.off").string()});
   CHECK(missing.status == 3);
@@ -105,8 +105,9 @@ TEST_CASE("Input that is no closed surface is named with status 3") {
   const Ended garbage = run_batch({folder.file("garbage.off", "OFF\n1 2 banana\n").string()});
   CHECK(garbage.status == 3);
   CHECK(garbage.error.find("garbage.off") != std::string::npos);
-  const Ended open = run_batch(
-      {folder.file("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").string(), "--tolerance", "2%"});
+  const char* crossing =
+      "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n0.1 0.1 0.01\n1 0.2 0\n0.2 1 0.01\n3 0 1 2\n3 3 4 5\n";
+  const Ended open = run_batch({folder.file("open.off", crossing).string(), "--tolerance", "2%"});
   CHECK(open.status == 3);
   CHECK(open.error.find("open") != std::string::npos);
   const Ended unknown = run_batch({"gallery:teapot"});

@@ -138,7 +138,7 @@ TEST_CASE("stages on a cut sphere and a cut torus keep loops and χ, and the bor
       {"sphere", [](Vec3 p) { return p.z > -0.1; }}, {"torus", [](Vec3 p) { return p.x > -0.3; }}};
   for (const auto& [model, kept] : cases) {
     CAPTURE(std::string(model));
-    CutOpen open(model, 4, kept);
+    CutOpen open(model, 3, kept);
     CHECK(open.before.loops == (std::string(model) == "sphere" ? 1u : 2u));
     const Step first = open.s.bench.journal->steps();
     const Result<bool> done = open.simplification->run();
