@@ -42,7 +42,7 @@ TEST_CASE("a view survives the journey, all of it") {
   s.camera.orientation = {0.5, -0.5, 0.5, 0.5};
   float opacity = 0.25f;
   for (const LayerName& layer : layer_names())
-    s.view.*layer.member = {!(s.view.*layer.member).visible, opacity += 0.0625f};
+    s.view.*layer.member = {!(s.view.*layer.member).visible, opacity += 0.03125f};
   s.view.clip.point = {1, 2, 3};
   s.view.clip.normal = {0, 0, -1};
   s.section = {0.1, 0.2, 3};
