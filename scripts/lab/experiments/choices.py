@@ -22,7 +22,7 @@ COUNTS_ELSE = [1600, 800, 400, 200, 100, 50]
 UNDULATING = {"tiny": (24, "10"), "quick": (48, "10"), "short": (72, "10"), "whole": (144, "10")}
 # Figure 28: number of points, and δ in percent of each case.
 ROBUSTNESS = {
-    "tiny": (1500, {"points": "8", "soup": "8"}),
+    "tiny": (4000, {"points": "8", "soup": "8"}),
     "quick": (6000, {"points": "3", "soup": "3"}),
     "short": (10000, {"points": "2.5", "soup": "2", "noisy points": "4", "noisy soup": "5"}),
     "whole": (200000, {"points": "0.9", "soup": "1.2", "noisy points": "2", "noisy soup": "5"}),
