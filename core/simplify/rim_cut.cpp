@@ -244,12 +244,12 @@ std::vector<double> RimCut::lengths_by_loop(const RimPatch& patch) const {
 /// One loop of the rim makes one patch that is dropped and has one that is kept: others are joined to the
 /// largest of their kind where the way is short; crumbs for which there is none are dropped.
 void RimCut::join_patches() {
-  std::vector<RimPatch> all = patches();
-  for (bool joined = true; joined && !log_.stopped();) {
-    joined = false;
+  for (bool again = true; again && !log_.stopped();) {
+    again = false;
+    const std::vector<RimPatch> all = patches();
     std::vector<std::vector<double>> lengths;
     for (const RimPatch& patch : all) lengths.push_back(lengths_by_loop(patch));
-    for (std::size_t i = 0; i < all.size() && !joined; ++i) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
       const auto longest = std::max_element(lengths[i].begin(), lengths[i].end());
       if (longest == lengths[i].end() || *longest == 0) continue;
       const auto loop = static_cast<std::size_t>(longest - lengths[i].begin());
@@ -257,14 +257,15 @@ void RimCut::join_patches() {
       for (std::size_t k = 0; k < all.size(); ++k)
         if (all[k].kept == all[i].kept && lengths[k][loop] > *longest) larger.push_back(&all[k]);
       if (larger.empty()) continue;
-      const std::size_t before = all.size();
-      joined = join(all[i], larger) && patches().size() < before;
-      if (!joined && all[i].kept && is_crumb(all[i])) {
+      bool changed = join(all[i], larger);
+      again = changed && patches().size() < all.size();
+      if (!again && all[i].kept && is_crumb(all[i])) {
         turn(all[i]);
-        joined = patches().size() < before;
+        changed = true;
+        again = patches().size() < all.size();
       }
+      if (changed) break; // the patches are others now; without progress they wait for the next round
     }
-    if (joined) all = patches();
   }
 }
 
