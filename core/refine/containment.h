@@ -52,11 +52,11 @@ class ContainmentCondition {
   bool has_room(Vec3 p, TetId t) const;
   /// φ(p) − δ'.
   double clearance(Vec3 p) const;
+  /// Whether nothing of Ω' is between two places that are both outside of it.
+  bool joined_outside(Vec3 p, Vec3 q) const;
   /// Whether a place outside of Ω, with the side that it is on, is joined to a vertex of t on another side:
   /// open surfaces have such places beyond a jagged rim, where nearest places jump from one face to the
   /// other.
-  /// Whether nothing of Ω' is between two places that are both outside of it.
-  bool joined_outside(Vec3 p, Vec3 q) const;
   bool meets_other_side(TetId t, Vec3 p, int label) const;
   /// Whether a place outside of Ω' is on a side: round the rim of an open surface a way leads to the other.
   bool on_side(Vec3 p, int label) const;

@@ -88,8 +88,8 @@ class Sampler {
     if (volume_.open_sides() != nullptr) {
       settle_open_sides(control);
       set_boundary_samples_apart();
+      add_wall_samples();
     }
-    add_wall_samples();
     return std::move(samples_);
   }
 
@@ -125,7 +125,7 @@ class Sampler {
     if (control.cancelled()) return;
     samples_.labels = std::move(result.labels);
     volume_.settle_open_sides(std::make_shared<const OpenSides>(
-        volume_.open_sides()->settled(result.contested, std::move(result.votes), 2 * samples_.sigma)));
+        volume_.open_sides()->settled(std::move(result.rim), std::move(result.votes), 2 * samples_.sigma)));
   }
 
   void add_wall_samples() {

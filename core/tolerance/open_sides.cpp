@@ -61,10 +61,9 @@ int OpenSides::vote_near(Vec3 p) const {
   return nearest == nullptr ? 0 : nearest->side;
 }
 
-OpenSides OpenSides::settled(std::span<const std::uint8_t> more_open, std::vector<SideVote> votes,
-                             double vote_reach) const {
+OpenSides OpenSides::settled(Rim rim, std::vector<SideVote> votes, double vote_reach) const {
   OpenSides settled = *this;
-  settled.rim_ = rim_.opened(more_open);
+  settled.rim_ = std::move(rim);
   settled.votes_ = std::move(votes);
   settled.vote_reach_ = vote_reach;
   if (settled.votes_.empty()) return settled;

@@ -31,10 +31,9 @@ class OpenSides {
             std::vector<std::uint8_t> open, std::span<const std::int8_t> turns, double boundary,
             const RunControl& control);
 
-  /// The same where more pieces of the rim are open, and where near to some places their sides are known
-  /// better than by normals. `vote_reach`: how near.
-  OpenSides settled(std::span<const std::uint8_t> more_open, std::vector<SideVote> votes,
-                    double vote_reach) const;
+  /// The same with a rim of which more is open, and where near to some places their sides are known better
+  /// than by normals. `vote_reach`: how near.
+  OpenSides settled(Rim rim, std::vector<SideVote> votes, double vote_reach) const;
 
   const Rim& rim() const { return rim_; }
   /// Whether a triangle is part of an open surface.

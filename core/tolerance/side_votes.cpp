@@ -32,7 +32,7 @@ class Vote {
 
   SideVotes run(const RunControl& control) {
     const double boundary = volume_.thresholds().boundary;
-    result_.contested.assign(volume_.open_sides()->rim().pieces().size(), 0);
+    result_.rim = volume_.open_sides()->rim();
     if (samples_.sigma > largest_sigma * boundary) return std::move(result_);
     find_contested(control);
     if (!control.cancelled()) elect(control);
@@ -57,7 +57,7 @@ class Vote {
   }
 
   void find_contested(const RunControl& control) {
-    const auto pieces = volume_.open_sides()->rim().pieces();
+    const auto pieces = result_.rim.pieces();
     std::vector<Segment3> bridged;
     std::vector<std::uint32_t> piece;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
@@ -74,15 +74,17 @@ class Vote {
     });
     SparsePoll poll(control, samples_between_questions);
     std::vector<std::uint32_t> near;
+    std::vector<std::uint8_t> contested(pieces.size(), 0);
     for (std::uint32_t i = 0; i < over.size() && !poll.cancelled(); ++i) {
       if (!over[i].valid()) continue;
       bool both = false;
       for_each_near(i, near, [&](std::uint32_t j) { both |= result_.labels[j] == -result_.labels[i]; });
-      if (both) result_.contested[piece[over[i].index()]] = 1;
+      if (both) contested[piece[over[i].index()]] = 1;
     }
-    const Rim rim = volume_.open_sides()->rim().opened(result_.contested);
+    if (std::find(contested.begin(), contested.end(), 1) != contested.end())
+      result_.rim = result_.rim.opened(contested);
     parallel_until(over.size(), 64, control, [&](std::size_t i) {
-      if (over[i].valid() && rim.is_nearest(samples_.positions[i], reach)) result_.labels[i] = 0;
+      if (over[i].valid() && result_.rim.is_nearest(samples_.positions[i], reach)) result_.labels[i] = 0;
     });
   }
 

@@ -9,8 +9,8 @@
 namespace isoscope {
 
 struct SideVotes {
-  std::vector<std::int8_t> labels;     ///< by sample; 0: over the rim after all
-  std::vector<std::uint8_t> contested; ///< by piece of the rim: 1 for bridged ones that part two sides
+  std::vector<std::int8_t> labels; ///< by sample; 0: over the rim after all
+  Rim rim;                         ///< with the bridged pieces open that part two sides
   std::vector<SideVote> votes; ///< samples near to those whose side is not the one that their normal tells
 };
 

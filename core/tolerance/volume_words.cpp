@@ -6,8 +6,6 @@
 #include <algorithm>
 
 namespace isoscope {
-namespace {} // namespace
-
 std::string ToleranceVolume::thickening_note(const RunControl& control) const {
   if (thickening()) return {};
   std::size_t outer = 0, inner = 0;

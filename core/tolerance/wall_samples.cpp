@@ -8,7 +8,7 @@
 namespace isoscope {
 namespace {
 
-/// How far before the rim the pairs stand, in units of δ'.
+/// How far before the rim the pairs stand, and how far from the sheet, in units of δ'.
 constexpr double before_rim = 0.05, height = 0.7;
 /// In a fold of the sheet a point is nearer to it than it was set, but no nearer than this share of that.
 constexpr double least_share = 0.5;
