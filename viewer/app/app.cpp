@@ -443,7 +443,8 @@ bool App::advance_script() {
   model_->wait_until = 0;
   model_->wait_for = AppModel::Wait::time;
   if (script_->done()) return false;
-  frames_since_command_ = 0;
+  // What only asks leaves nothing to show.
+  if (!script_->next_is("expect")) frames_since_command_ = 0;
   const Status status = script_->next(model_->commands);
   if (status) return true;
   std::fprintf(stderr, "isoscope: %s\n", status.error().line().c_str());

@@ -29,16 +29,19 @@ void ViewPicture::draw(const Ui& ui, ViewArea area, Key key, const Render& rende
     request.quality = quality;
     frame_ = render(request);
   };
+  // A script looks only where it takes a picture.
+  const bool looked_at = !m.scripted || !m.requests.screenshots.empty();
   if (key != key_) {
     const bool first = changed_at_ < 0;
     key_ = key;
     changed_at_ = m.clock;
-    unfinished_ = !first && !m.scripted;
-    make(unfinished_ ? Quality::moving : Quality::rest);
-  } else if (unfinished_ && m.clock - changed_at_ > settle_seconds) {
-    unfinished_ = false;
+    coarse_ = m.scripted ? !looked_at : !first;
+    make(coarse_ ? Quality::moving : Quality::rest);
+  } else if (coarse_ && looked_at && (m.scripted || m.clock - changed_at_ > settle_seconds)) {
+    coarse_ = false;
     make(Quality::rest);
   }
+  unfinished_ = coarse_ && looked_at;
   if (frame_.texture == 0) return;
   const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(frame_.texture));
   ImGui::GetWindowDrawList()->AddImage(texture, area.low,

@@ -48,6 +48,7 @@ class ViewPicture {
   Renderer::Frame frame_;
   double changed_at_ = -1;
   float pixel_scale_ = 1;
+  bool coarse_ = false; ///< not at full quality
   bool unfinished_ = false;
 };
 
