@@ -57,11 +57,12 @@ std::string point_words(const PointDistances::Quantiles& q, double delta) {
 std::string holds_words(const RunResult& result, const Scene& scene) {
   using Topology = Certificate::Topology;
   const Certificate& c = result.certificate;
-  std::string words = c.border            ? "holds: with border, oriented"
+  const bool has_border = c.border && c.boundary_loops > 0; // all holes may be filled
+  std::string words = has_border          ? "holds: with border, oriented"
                       : c.regions.empty() ? "holds: closed, oriented"
                                           : "holds: every region closed and oriented";
   words += ", free of intersections, " + containment_words(c, scene) + ", sides separated";
-  if (c.border)
+  if (has_border)
     words += ", border and rim within " + number("%.4f", c.border->to_rim / scene.delta) + " and " +
              number("%.4f", c.border->from_rim / scene.delta) + " δ of each other";
   if (const auto filled = std::count(result.holes.facets.begin(), result.holes.facets.end(), 1); filled > 0)

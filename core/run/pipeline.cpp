@@ -163,7 +163,7 @@ struct Pipeline::Impl {
   std::shared_ptr<Journal> journal;
   Gate* gate;
   RunControl* control;
-  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Scene> scene, examined;
   std::shared_ptr<const BoundarySamples> current_samples;
   std::optional<ToleranceVolume> volume;
   double most_bytes = 0; ///< that the octree and the samples may take
@@ -397,6 +397,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   const ToleranceVolume::Options options = m.volume_options(scene->delta);
   if (Status built = m.build_volume(*scene, soup, options, thin); !built) {
     if (m.control->cancelled()) return cancelled_error(*m.control);
+    if (scene->study) m.examined = scene;
     return m.refused(built.error(), *scene, options);
   }
   scene->volume_seconds = watch.seconds() - scene->input_seconds;
@@ -450,6 +451,10 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   m.current_samples = scene->samples;
   m.seconds = watch.seconds();
   return m.scene;
+}
+
+std::shared_ptr<const Scene> Pipeline::examined() const {
+  return impl_->examined;
 }
 
 Status Pipeline::branch(const BranchPoint& branch, std::shared_ptr<Journal> journal) {

@@ -89,6 +89,9 @@ class Pipeline {
   Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr,
                                                std::vector<InputNote> notes = {},
                                                ThinParts thin = ThinParts::refuse);
+  /// Where prepare() failed after the tolerances had been studied: what is known then, without volume and
+  /// samples, so that another δ can be chosen; null otherwise.
+  std::shared_ptr<const Scene> examined() const;
   /// After prepare() and instead of the refinement: writes to `journal`, which holds the branch's prefix, and
   /// collapses its edge; run() goes on from there. Fails with usage where that cannot be.
   Status branch(const BranchPoint& branch, std::shared_ptr<Journal> journal);

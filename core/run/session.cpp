@@ -156,7 +156,7 @@ struct Session::Impl : public Gate {
 
   /// Starts the writer once the run is prepared, and tells it the end once there is one. Under the mutex.
   void serve_writer() {
-    if (!writer || !shown.scene) return;
+    if (!writer || !shown.scene || (shown.phase == SessionPhase::failed && !writer->started())) return;
     if (!writer->started())
       writer->start(recording_header(started, shown.scene->input, shown.scene->notes), shown.journal);
     if (shown.phase == SessionPhase::finished && shown.result)
@@ -182,7 +182,10 @@ struct Session::Impl : public Gate {
     // A branch's journal has its beginning already: what preparing says goes to one that nobody reads.
     Pipeline pipeline(parameters, branch ? std::make_shared<Journal>() : journal, *this, control);
     auto prepared = pipeline.prepare(std::move(soup), std::move(notes));
-    if (!prepared) return fail(prepared.error());
+    if (!prepared) {
+      if (const auto examined = pipeline.examined()) publish([&](SessionSnapshot& s) { s.scene = examined; });
+      return fail(prepared.error());
+    }
     const std::shared_ptr<const Scene> scene = *prepared;
     publish([&](SessionSnapshot& s) {
       s.scene = scene;

@@ -363,7 +363,7 @@ CertificateRow manifold_row(const Certificate& c) {
   const RowVerdict verdict = c.manifold ? RowVerdict::good : RowVerdict::bad;
   if (!c.regions.empty())
     return {"every region closed", verdict, "The boundary of each region is a closed 2-manifold."};
-  if (c.border)
+  if (c.border && c.boundary_loops > 0)
     return {"2-manifold with border", verdict,
             "Every edge has two triangles, or one on the border; every vertex one fan."};
   return {"closed 2-manifold", verdict, "Every edge has two triangles, every vertex one fan."};

@@ -25,7 +25,8 @@ std::shared_ptr<const DistanceGrid> grid_of(const std::shared_ptr<const Scene>& 
   auto made =
       make_distance_grid(*scene->field, scene->delta, resolution_for(*scene), control, margin_for(*scene));
   if (!made ||
-      !find_sides(*made, *scene->field, scene->volume->sides(), scene->delta, scene->regions, control))
+      (scene->volume && // without one, Ω is looked at for another δ
+       !find_sides(*made, *scene->field, scene->volume->sides(), scene->delta, scene->regions, control)))
     return nullptr;
   return std::make_shared<const DistanceGrid>(*std::move(made));
 }
