@@ -315,21 +315,21 @@ constexpr auto fields_of(const RunParameters*) {
              .tip = "Auto: parity where closed parts do not meet, and the winding number where they overlap "
                     "or touch, so that what lies in several parts is inside. Multi: every region that walls "
                     "enclose is an inside of its own, §4.2. Needs a restart."}),
-      field(
-          &P::fill,
-          {.name = "fill",
-           .symbol = "filled holes",
-           .help = "holes of an open surface that are closed with what Z has there, outside of Ω by intent: "
-                   "none, all, flat, or numbers of the loops that the report lists (1,3); the run ends "
-                   "inside T then",
-           .words = "holes of an open surface that are filled: none, all, flat or numbers of loops",
-           .unreadable = "not none, all, flat or numbers of loops",
-           .unreadable_remedy = "Loops are numbered from 1 on, as the report lists them: 1,3.",
-           .place = 8,
-           .title = "Holes to be filled",
-           .tip = "Holes of an open surface that are closed with what Z has there: none, all, those in a "
-                  "plane, or by the numbers of their loops, as 1,3. What fills lies outside of Ω by intent, "
-                  "and the run ends before Z leaves T. Needs a restart. §4.1"}),
+      field(&P::fill,
+            {.name = "fill",
+             .symbol = "filled holes",
+             .help = "holes of an open surface that are closed, outside of Ω by intent, between the vertices "
+                     "of their borders or with what Z has there inside T: none, all, flat, or numbers of the "
+                     "loops that the report lists (1,3)",
+             .words = "holes of an open surface that are filled: none, all, flat or numbers of loops",
+             .unreadable = "not none, all, flat or numbers of loops",
+             .unreadable_remedy = "Loops are numbered from 1 on, as the report lists them: 1,3.",
+             .place = 8,
+             .title = "Holes to be filled",
+             .tip =
+                 "Holes of an open surface that are closed, between the vertices of their borders or with "
+                 "what Z has there inside T: none, all, those in a plane, or by the numbers of their loops, "
+                 "as 1,3. What fills lies outside of Ω by intent. Needs a restart. §4.1"}),
       field(&P::conditions, {.name = "conditions",
                              .option = "--no-condition",
                              .symbol = "conditions",
