@@ -322,6 +322,14 @@ struct Pipeline::Impl {
     }
   }
 
+  /// Keeps what was studied, for the choice of another δ: the proposed one, where there is one.
+  void examine(const Scene& made) {
+    if (!made.study) return;
+    auto kept = std::make_shared<Scene>(made);
+    if (made.study->found()) kept->delta = made.study->proposed;
+    examined = std::move(kept);
+  }
+
   Result<std::shared_ptr<const BoundarySamples>> sample(double sigma) {
     const Status fits =
         check_memory(estimate_samples(*volume), sigma, volume->thresholds().delta, most_bytes);
@@ -397,7 +405,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   const ToleranceVolume::Options options = m.volume_options(scene->delta);
   if (Status built = m.build_volume(*scene, soup, options, thin); !built) {
     if (m.control->cancelled()) return cancelled_error(*m.control);
-    if (scene->study) m.examined = scene;
+    m.examine(*scene);
     return m.refused(built.error(), *scene, options);
   }
   scene->volume_seconds = watch.seconds() - scene->input_seconds;

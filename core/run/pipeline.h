@@ -90,7 +90,7 @@ class Pipeline {
                                                std::vector<InputNote> notes = {},
                                                ThinParts thin = ThinParts::refuse);
   /// Where prepare() failed after the tolerances had been studied: what is known then, without volume and
-  /// samples, so that another δ can be chosen; null otherwise.
+  /// samples, so that another δ can be chosen, and with the proposed one; null otherwise.
   std::shared_ptr<const Scene> examined() const;
   /// After prepare() and instead of the refinement: writes to `journal`, which holds the branch's prefix, and
   /// collapses its edge; run() goes on from there. Fails with usage where that cannot be.
