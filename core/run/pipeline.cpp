@@ -161,6 +161,7 @@ Result<TriangleSoup> load_input(const RunParameters& parameters) {
 
 struct Pipeline::Impl {
   std::shared_ptr<Journal> journal;
+  std::shared_ptr<Journal> scratch; ///< of a branch: what is made once more
   Gate* gate;
   RunControl* control;
   std::shared_ptr<const Scene> scene, examined;
@@ -217,11 +218,79 @@ struct Pipeline::Impl {
     return last;
   }
 
-  /// Refines, again with other samples as long as σ changes.
+  /// Where the beginning of a branch is made once more, the decisions taken from its journal: scratch holds
+  /// what is made meanwhile.
+  Status go_on_from(const BranchPoint& branch, std::shared_ptr<Journal> prefix) {
+    if (Status can = can_go_on(*branch.from, branch.step); !can) return can;
+    const RehearsalStart start = rehearsal_start(*prefix);
+    Playback playback(prefix);
+    playback.seek(prefix->steps());
+    current_samples = playback.samples();
+    resampling.emplace(*gate, criteria_before(*prefix, prefix->events().size()).sigma);
+    refinement.reset();
+    scratch = std::exchange(journal, prefix);
+    recorder.emplace(*journal, *resampling);
+    recorder->rehearse(*scratch, start.event);
+    branched = describe(branch);
+    const CriteriaParameters criteria = criteria_before(*journal, start.event);
+    if (start.stage == Stage::refinement) {
+      refinement = std::make_unique<Refinement>(*volume, journal->sample_sets()[0], criteria,
+                                                expected_before_the_cut(*volume, scene->expected),
+                                                RefinementLimits{}, *recorder, *control);
+      return {};
+    }
+    // Which regions of the complement are known depends on the places that the refinement asked for.
+    for (std::size_t i = 0; i < start.event; ++i)
+      if (const Event& e = journal->events()[i];
+          e.condition == Condition::containment && e.stage == Stage::refinement)
+        volume->label_at(e.witness, *control);
+    playback.seek(start.step);
+    simplification =
+        std::make_unique<Simplification>(*volume, current_samples, criteria, parameters->simplification(),
+                                         *recorder, *control, playback.complex());
+    refined.end = RefinementOutcome::End::finished;
+    if (!start.by_hand) {
+      simplification->begin_at(start.stage);
+      return {};
+    }
+    const Event e = journal->events()[start.event];
+    const StageAt at = stage_at(*journal, start.step);
+    return simplification->begin_with(at.stage, at.open, at.seconds, e.vertex, e.other, e.point);
+  }
+
+  /// Why a branch has not come to the step that it was to go on from.
+  Status follow_failed() const {
+    if (control->cancelled())
+      return Error{ErrorCode::cancelled, "The run was stopped before it came to the step of its branch.", ""};
+    return Error{ErrorCode::unsupported,
+                 "What the run did before this step comes out differently now: it cannot go on from there.",
+                 "Restart with these parameters."};
+  }
+
   Status refine() {
+    if (Status refined_now = refine_on(); !refined_now) return refined_now;
+    return recorder->rehearsal() != nullptr ? follow_failed() : Status();
+  }
+
+  /// Runs the simplification; one that is repeated goes on where the run that it follows did.
+  Result<bool> simplify() {
+    for (;;) {
+      auto finished = simplification->run();
+      if (!finished) return finished;
+      if (recorder->rehearsal() == nullptr) {
+        scratch.reset();
+        return finished;
+      }
+      if (*finished || recorder->astray() || control->cancelled()) return follow_failed().error();
+    }
+  }
+
+  /// Refines, again with other samples as long as σ changes.
+  Status refine_on() {
     for (;;) {
       const double wanted_sigma = gate->wanted_parameters().sigma;
-      if (wanted_sigma > 0 && wanted_sigma != resampling->sigma()) {
+      const bool followed = recorder->rehearsal() != nullptr; // σ changes where the journal says so
+      if (!followed && wanted_sigma > 0 && wanted_sigma != resampling->sigma()) {
         auto samples = sample(wanted_sigma);
         if (!samples) return samples.error();
         resampling->resampled(wanted_sigma);
@@ -467,6 +536,7 @@ std::shared_ptr<const Scene> Pipeline::examined() const {
 
 Status Pipeline::branch(const BranchPoint& branch, std::shared_ptr<Journal> journal) {
   Impl& m = *impl_;
+  if (!branch.by_hand()) return m.go_on_from(branch, std::move(journal));
   if (Status can = can_branch(*branch.from, branch.step); !can) return can;
   Playback playback(branch.from);
   playback.seek(branch.step);
@@ -496,6 +566,7 @@ Result<RunResult> Pipeline::run() {
   bool stopped = false;
   if (!m.simplification) {
     if (Status refined = m.refine(); !refined) return refined.error();
+    m.scratch.reset();
     stopped = m.refined.end == End::stopped;
     if (m.refined.end == End::finished && !m.control->cancelled() &&
         parameters_.last_stage() > Stage::refinement) {
@@ -503,7 +574,7 @@ Result<RunResult> Pipeline::run() {
     }
   }
   if (m.simplification) {
-    const Result<bool> finished = m.simplification->run();
+    const Result<bool> finished = m.simplify();
     if (!finished) return finished.error();
     stopped = !*finished;
   }

@@ -92,8 +92,12 @@ class Pipeline {
   /// Where prepare() failed after the tolerances had been studied: what is known then, without volume and
   /// samples, so that another δ can be chosen, and with the proposed one; null otherwise.
   std::shared_ptr<const Scene> examined() const;
-  /// After prepare() and instead of the refinement: writes to `journal`, which holds the branch's prefix, and
-  /// collapses its edge; run() goes on from there. Fails with usage where that cannot be.
+  /// After prepare() and instead of the refinement: writes to `journal`, which holds what the runs have in
+  /// common (common_events), and collapses the branch's edge; run() goes on from there. A branch with
+  /// parameters of its own is prepared with those of the journal's beginning (parameters_at_start); its run()
+  /// first makes the journal's end once more, up to the decisions, which it takes from there, and then asks
+  /// the gate for the new ones. With the old ones it goes on as the run that it left did, to the last bit.
+  /// Fails with usage where that cannot be.
   Status branch(const BranchPoint& branch, std::shared_ptr<Journal> journal);
   /// Refines, simplifies, extracts Z, certifies. May be called again after the gate's parameters changed: it
   /// goes on where it was. Once the simplification has begun, σ and conditions 1, 2 and 4 are what they were.

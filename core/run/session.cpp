@@ -180,7 +180,9 @@ struct Session::Impl : public Gate {
                     const std::optional<BranchPoint>& branch) {
     const ThreadLimit threads(parameters.threads);
     // A branch's journal has its beginning already: what preparing says goes to one that nobody reads.
-    Pipeline pipeline(parameters, branch ? std::make_shared<Journal>() : journal, *this, control);
+    const bool follows = branch && !branch->by_hand();
+    Pipeline pipeline(follows ? parameters_at_start(parameters, *journal) : parameters,
+                      branch ? std::make_shared<Journal>() : journal, *this, control);
     auto prepared = pipeline.prepare(std::move(soup), std::move(notes));
     if (!prepared) {
       if (const auto examined = pipeline.examined()) publish([&](SessionSnapshot& s) { s.scene = examined; });
@@ -191,6 +193,10 @@ struct Session::Impl : public Gate {
       s.scene = scene;
       s.phase = SessionPhase::running;
       wanted = s.parameters.criteria(scene->delta, scene->default_sigma);
+      if (follows) {
+        parameters_pending = true; // heard once the step is reached
+        update_attention();
+      }
       serve_writer();
     });
     if (branch) {
@@ -410,7 +416,7 @@ void Session::start_branch(const BranchPoint& branch, RunParameters parameters, 
                            std::uint64_t after) {
   Impl& m = *impl_;
   auto journal = m.begin(parameters, false, after);
-  journal->take_prefix(*branch.from, branch.step);
+  journal->take_prefix(*branch.from, branch.step, common_events(branch));
   m.launch([&m, branch, parameters = std::move(parameters), soup = scene.input, notes = scene.notes,
             journal = std::move(journal)] { m.run_pipeline(parameters, soup, notes, journal, branch); });
 }

@@ -71,7 +71,8 @@ class Session {
   void start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup = nullptr,
              bool paused = false, std::vector<InputNote> notes = {});
   /// Starts a run that goes on from a step of another one; its journal holds what was before. The input is
-  /// taken from `scene`; the generation is one more than `after`.
+  /// taken from `scene`; the generation is one more than `after`. Without a collapse it goes on with α, σ,
+  /// shrink and conditions of `parameters`; the others must be those of the run that it leaves.
   void start_branch(const BranchPoint& branch, RunParameters parameters, const Scene& scene,
                     std::uint64_t after);
   void pause();

@@ -274,6 +274,11 @@ Status Simplification::begin_with(Stage stage, bool open, double seconds, Vertex
   return {};
 }
 
+void Simplification::begin_at(Stage stage) {
+  const auto at = std::find(stage_order.begin(), stage_order.end(), stage);
+  if (at != stage_order.end()) impl_->next = static_cast<std::size_t>(at - stage_order.begin());
+}
+
 Result<bool> Simplification::run() {
   Impl& m = *impl_;
   m.log.resume();

@@ -289,20 +289,31 @@ void App::draw_window(Ui& ui) {
     if (p.show_left) {
       Pane pane("##left", {0, middle_y + high + grip}, {left, middle_high - high - grip}, true, padding,
                 ui.colors.panel);
-      panels::parameters(ui, m.steering);
+      panels::parameters_foot(ui, m.steering);
+      ImGui::Separator();
+      panels::parameters(ui);
       ImGui::Separator();
       panels::layers(ui);
       ImGui::Separator();
       panels::clip_and_filter(ui);
     }
   } else if (left > 0) {
+    // What a slider does and the buttons are always in sight, but where nothing else would be.
+    const float foot = panels::parameters_foot_height(ui), rest = middle_high - foot - grip;
+    const bool pinned = rest >= ui.px(100);
     {
-      Pane pane("##left", {0, middle_y}, {left, middle_high}, true, padding, ui.colors.panel);
+      Pane pane("##left", {0, middle_y}, {left, pinned ? rest : middle_high}, true, padding, ui.colors.panel);
+      if (!pinned) panels::parameters_foot(ui, m.steering);
       panels::layers(ui);
       ImGui::Separator();
-      panels::parameters(ui, m.steering);
+      panels::parameters(ui);
       ImGui::Separator();
       panels::clip_and_filter(ui);
+    }
+    if (pinned) {
+      Pane pane("##parameters", {0, middle_y + rest + grip}, {left, foot}, false, {padding.x, ui.px(8)},
+                ui.colors.panel);
+      panels::parameters_foot(ui, m.steering);
     }
     splitter(ui, "##grip-left", {left, middle_y}, {grip, middle_high}, true, p.left, 1, 240, width * 0.35f);
   }

@@ -29,7 +29,7 @@ CameraPose first_pose() {
 AppModel::AppModel(const std::function<void()>& notify)
     : WindowState(notify), probe(*this, notify), debug(*this, probe, notify), investigation(*this, notify),
       talk(*this), exports(*this), comparison(debug, notify, [this] { forget_run(); }),
-      steering(debug, notify), lessons(*this, commands, values, exports),
+      steering(debug, comparison, notify), lessons(*this, commands, values, exports),
       expected_genus_(std::make_shared<std::atomic<double>>(std::nan(""))) {
   debug.breakpoints->set_expected([expected = expected_genus_]() -> std::optional<double> {
     const double genus = expected->load();
@@ -48,6 +48,7 @@ void AppModel::add_commands() {
   debug.add_event_commands(commands);
   add_pace_commands(commands, *this);
   steering.add_run_commands(commands);
+  steering.add_parameter_commands(commands);
   steering.add_tolerance_commands(commands);
   debug.add_commands(commands);
   add_pick_commands(commands, *this);
@@ -68,6 +69,7 @@ void AppModel::add_commands() {
 
 void AppModel::add_values() {
   steering.add_parameter_values(values);
+  steering.add_plan_values(values);
   add_view_values(values, *this);
   add_run_values(values, *this);
   steering.add_tolerance_values(values);

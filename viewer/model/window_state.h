@@ -98,6 +98,13 @@ struct StepPlace {
   bool at_gate(std::size_t which) const { return level == DebugLevel::gate && gate == which; }
 };
 
+/// What going on with the panel's parameters would take.
+struct Forecast {
+  Step from = 0;      ///< the step at which it begins
+  double seconds = 0; ///< to the end of the run, as far as the present one tells
+  friend bool operator==(const Forecast&, const Forecast&) = default;
+};
+
 /// The window before an audience: one scene, one sentence.
 struct Presenter {
   bool on = false;
@@ -111,6 +118,9 @@ class WindowState : public ShownRun {
   using ShownRun::ShownRun;
 
   RunParameters draft; ///< what the parameter panel shows: asked for when applied
+  /// At the state shown, under the draft; null where that is what the run has.
+  std::shared_ptr<const ViolationPreview> would_violate;
+  std::optional<Forecast> forecast; ///< for the draft; absent where it would change nothing
 
   // The view.
   ViewSettings view;

@@ -282,6 +282,10 @@ void Renderer::set_annotation(std::shared_ptr<const Annotation> annotation) {
   impl_->shown.annotation = std::move(annotation);
 }
 
+void Renderer::set_preview(std::shared_ptr<const ViolationPreview> preview) {
+  impl_->shown.preview = std::move(preview);
+}
+
 Box3 Renderer::bounds() const {
   return impl_->bounds();
 }

@@ -55,6 +55,8 @@ class Renderer {
   void set_xray(std::shared_ptr<const EdgeXray> xray);
   void set_study(std::shared_ptr<const TargetStudy> study);
   void set_annotation(std::shared_ptr<const Annotation> annotation);
+  /// What would violate in the state under other parameters.
+  void set_preview(std::shared_ptr<const ViolationPreview> preview);
   Box3 bounds() const;
 
   /// Renders the 3D view; returns the colour texture's name, valid until the next call

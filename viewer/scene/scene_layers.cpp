@@ -94,6 +94,7 @@ void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
   highlight_.update(state, frame);
   attempt_.update(view.xray.shown() ? inputs.xray.get() : nullptr, inputs.study.get(), frame);
   annotations_.update(inputs.annotation.get(), frame);
+  preview_.update(state, inputs.preview.get(), frame);
 }
 
 void SceneLayers::draw_opaque(Programs& programs, const ViewFrame& frame, const FrameQuality& quality) {
@@ -144,6 +145,7 @@ void SceneLayers::draw_cells(Programs& programs, const ViewFrame& frame) {
 }
 
 void SceneLayers::draw_over(Programs& programs, const ViewFrame& frame) {
+  preview_.draw(programs);
   highlight_.draw(programs, frame);
   attempt_.draw(programs, frame);
   annotations_.draw(programs, frame);

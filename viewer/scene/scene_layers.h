@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/layer_points.h"
+#include "scene/layer_preview.h"
 #include "scene/layer_samples.h"
 #include "scene/layer_tolerance.h"
 #include "scene/layers.h"
@@ -19,6 +20,7 @@ struct LayerInputs {
   std::shared_ptr<const EdgeXray> xray;
   std::shared_ptr<const TargetStudy> study;
   std::shared_ptr<const Annotation> annotation;
+  std::shared_ptr<const ViolationPreview> preview; ///< of the state
 
   /// The rim of an open input, null where there is none.
   const Rim* rim() const;
@@ -71,6 +73,7 @@ class SceneLayers {
   HighlightLayer highlight_;
   AttemptLayer attempt_;
   AnnotationLayer annotations_;
+  PreviewLayer preview_;
 };
 
 } // namespace isoscope

@@ -1,6 +1,7 @@
 // Draws the 2D section as the paper's figures do.
 #include "scene/section.h"
 
+#include "scene/layer_preview.h"
 #include "scene/pick_geometry.h"
 
 #include <glad/gl.h>
@@ -127,6 +128,21 @@ void SectionLayer::update(const LayerInputs& inputs, const ViewFrame& frame) {
         for (const PlanePoint at : geometry.over_rim)
           samples.push_back({frame.space.local(plane.lift(at)), color8(c.rim, frame.view.over_rim.opacity),
                              MarkerShape::hollow_diamond, diamond});
+    }
+    if (inputs.preview) {
+      const double near = section_sample_distance(*state);
+      for_each_marked(
+          *state, *inputs.preview,
+          [&](SampleId s) {
+            const Vec3 p = state->samples->positions[s.index()];
+            if (std::abs(plane.height(p)) <= near)
+              marks.push_back({frame.space.local(plane.lift(plane.project(p))), color8(c.warning, 0.9f),
+                               MarkerShape::circle, 13});
+          },
+          [&](TetId t, bool misoriented) {
+            outline(state->complex.positions(t), plane, frame.space,
+                    color8(misoriented ? c.misoriented : c.warning, 0.9f), 1.6f, true, marked);
+          });
     }
     const auto ring = [&](Vec3 p, glm::vec3 color, std::uint8_t diameter) {
       // Far from the plane the ring only hints at where the point is.

@@ -271,6 +271,7 @@ void TimelinePane::timeline(Ui& ui) {
   density(ui, {low.x, top}, {size.x, bottom - top - ui.px(6)}, gutter);
   list.PushClipRect({low.x - ui.px(6), low.y}, {low.x + size.x + ui.px(6), low.y + size.y}, true);
   stage_lane(ui, low, {size.x, stage_high});
+  forecast_band(ui, low, {size.x, bottom - low.y});
   marks(ui, low, size, bottom - ui.px(1));
   ruler(ui, {low.x, bottom}, {size.x, ruler_high});
   const float live_x = to_x(m.live_step(), low, size);

@@ -53,6 +53,8 @@ class TimelinePane {
   float range_chip(Ui& ui, float left, float y) const;
   /// What lies outside of the chosen range steps back.
   void shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const;
+  /// From the step at which the panel's parameters would be taken: how long the rest would take.
+  void forecast_band(const Ui& ui, ImVec2 low, ImVec2 size) const;
   void breadcrumb_line(const Ui& ui, float left, float y) const;
   void playhead(const Ui& ui, ImVec2 low, ImVec2 size) const;
   float to_x(double step, ImVec2 low, ImVec2 size) const;

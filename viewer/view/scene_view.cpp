@@ -31,6 +31,8 @@ void SceneView::draw(Ui& ui) {
   renderer_->set_study(study_);
   annotation_ = asked_.annotation();
   renderer_->set_annotation(annotation_);
+  preview_ = m.would_violate;
+  renderer_->set_preview(preview_);
   frame_requests(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
@@ -67,6 +69,7 @@ void SceneView::render(Ui& ui, Area area, bool section) {
   key.xray = xray_.get();
   key.study = study_.get();
   key.annotation = annotation_.get();
+  key.preview = preview_.get();
   key.mark = m.selection.mark;
   key.selection = m.selection.picked;
   key.hover = m.selection.hovered;

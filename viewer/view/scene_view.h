@@ -56,6 +56,7 @@ class SceneView {
   std::shared_ptr<const EdgeXray> xray_;
   std::shared_ptr<const TargetStudy> study_;
   std::shared_ptr<const Annotation> annotation_;
+  std::shared_ptr<const ViolationPreview> preview_;
   TargetHandle handle_;
   CameraMouse mouse_;
   float framed_aspect_ = 0; ///< what the camera was framed for, while nobody has moved it
