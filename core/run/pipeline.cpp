@@ -13,6 +13,8 @@
 #include "run/closing_tolerance.h"
 #include "run/coordinate_check.h"
 #include "run/make_field.h"
+#include "run/point_field.h"
+#include "tolerance/facet_copies.h"
 
 #include <sys/resource.h>
 
@@ -127,7 +129,7 @@ std::string tolerance_text(const RunParameters& parameters, const Scene& scene) 
 
 int RunResult::exit_status() const {
   if (end != End::finished) return 4;
-  return certificate.holds() ? 0 : 1;
+  return certificate.holds() && !failure ? 0 : 1;
 }
 
 Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes) {
@@ -445,6 +447,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
     return Error{ErrorCode::bad_input, "The input has neither triangles nor points.", "Give a surface."};
   scene->input = soup;
   scene->longest_edge = soup->bounds().longest_edge();
+  if (!is_field_of_points(*soup, parameters_)) soup = without_needless_copies(soup, *m.control);
   if (!soup->gives_volume()) {
     const auto delta = m.find_delta(*scene, soup);
     if (!delta) return delta.error();
@@ -575,8 +578,8 @@ Result<RunResult> Pipeline::run() {
   }
   if (m.simplification) {
     const Result<bool> finished = m.simplify();
-    if (!finished) return finished.error();
-    stopped = !*finished;
+    if (!finished) result.failure = finished.error();
+    stopped = finished && !*finished;
   }
   if (m.control->cancelled() || stopped) {
     result.end = m.control->timed_out() ? RunResult::End::limit : RunResult::End::stopped;

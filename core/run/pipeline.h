@@ -59,6 +59,8 @@ std::string tolerance_text(const RunParameters& parameters, const Scene& scene);
 struct RunResult {
   enum class End { finished, stopped, limit };
   End end = End::finished;
+  std::optional<Error>
+      failure; ///< why the stages ended before the last one: then the mesh is what was reached
   RefinementOutcome refinement;
   TriangleMesh mesh;                      ///< Z
   Stage last_stage = Stage::refinement;   ///< the stage that was reached
@@ -71,7 +73,7 @@ struct RunResult {
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
   std::string branch;      ///< where it left another run and how; empty: it began at the beginning
-  int exit_status() const; ///< 0 finished and certified, 1 not certified, 4 stopped
+  int exit_status() const; ///< 0 finished and certified, 1 not certified or not finished, 4 stopped
 };
 
 /// What becomes of parts that are thinner than 2δ everywhere where the parameters do not leave them out. A

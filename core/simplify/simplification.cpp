@@ -100,7 +100,10 @@ struct Simplification::Impl {
 
   Status tessellate() {
     Result<Delta> delta = mutual_tessellation(live->complex());
-    if (!delta) return delta.error();
+    if (!delta) {
+      log.warn(delta.error().line());
+      return delta.error();
+    }
     live->apply(*delta);
     Event e;
     e.kind = EventKind::tessellation;
@@ -229,7 +232,10 @@ struct Simplification::Impl {
       if (!context.criteria.certified) collapse(EdgeKind::gamma, false, most_rounds);
       break;
     case Stage::tessellation:
-      if (Status made = tessellate(); !made) return made;
+      if (Status made = tessellate(); !made) {
+        log.end();
+        return made;
+      }
       break;
     case Stage::rim:
       cut_along_rim();

@@ -54,7 +54,7 @@ class Sampler {
  public:
   Sampler(ToleranceVolume& volume, double sigma) : volume_(volume), grid_(volume.domain().lo, sigma) {
     samples_.sigma = sigma;
-    samples_.snap_unit = std::ldexp(1.0, std::ilogb(volume.field().bounds().longest_edge()) - 40);
+    samples_.snap_unit = snap_unit(volume.field().bounds().longest_edge(), volume.domain());
     options_.target_bound = sigma;
     options_.crevice_side = sigma / 4;
     options_.smallest_side = sigma / 8;
