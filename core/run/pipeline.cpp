@@ -578,6 +578,7 @@ Result<RunResult> Pipeline::run() {
   }
   if (m.simplification) {
     const Result<bool> finished = m.simplify();
+    if (!finished && m.recorder->rehearsal() != nullptr) return finished.error();
     if (!finished) result.failure = finished.error();
     stopped = finished && !*finished;
   }
