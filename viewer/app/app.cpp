@@ -126,8 +126,10 @@ Status App::setup(const ProgramOptions& options) {
 
 void App::save() {
   if (!model_ || settings_path_.empty()) return;
-  model_->settings.theme = model_->view.theme;
-  save_settings(settings_path_, model_->settings);
+  Settings kept = model_->settings;
+  kept.theme = model_->view.theme;
+  kept.panes = model_->kept_layout();
+  save_settings(settings_path_, kept);
 }
 
 void App::close() {
@@ -202,7 +204,14 @@ void App::take_drops() {
 
 void App::upload_thumbnails() {
   Thumbnails& thumbnails = overlays_->thumbnails();
-  if (model_->overlay != Overlay::gallery && model_->overlay != Overlay::welcome) return;
+  const Overlay over = model_->overlay;
+  if (over != Overlay::gallery && over != Overlay::welcome && over != Overlay::lessons) return;
+  if (const auto& lessons = bundled_lessons(); lessons && overlays_->lesson_textures.empty())
+    for (const Lesson& lesson : *lessons) {
+      const auto picture = decode_picture(picture_of(lesson));
+      overlays_->lesson_textures.push_back(
+          picture ? make_texture(picture->width, picture->height, picture->pixels.data()) : 0);
+    }
   thumbnails.begin(480, 300, [] { Window::wake(); });
   for (std::size_t i = 0; i < thumbnails.textures.size(); ++i)
     if (const auto picture = thumbnails.picture(i); picture && thumbnails.textures[i] == 0)
@@ -238,10 +247,14 @@ void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright
 
 void App::draw_talk(Ui& ui, ImVec2 size) {
   const bool lesson = model_->lessons.runner.shown() != nullptr;
-  const float bar = ui.px(lesson ? 96 : 48);
+  const bool covered = model_->overlay != Overlay::none;
+  const float bar = lesson ? panels::lesson_caption_height(ui, model_->lessons.runner, size.x)
+                           : panels::presenter_bar_height(ui, model_->talk, size.x);
+  float below = 0;
   {
     Pane pane("##view", {0, 0}, {size.x, size.y - bar}, false, {0, 0}, ui.colors.ground);
     run_views_->draw(ui);
+    if (!covered && !model_->comparison.beside()) below = panels::presenter_legend(ui, model_->talk, {0, 0});
   }
   {
     Pane pane("##talk", {0, size.y - bar}, {size.x, bar}, false, {0, 0}, ui.colors.panel);
@@ -250,9 +263,10 @@ void App::draw_talk(Ui& ui, ImVec2 size) {
     else
       panels::presenter_bar(ui, model_->talk);
   }
-  if (model_->overlay == Overlay::none && !lesson)
-    panels::slide_title(ui, model_->talk.bookmarks, {0, 0}, size.x);
-  panels::messages(ui, {ui.px(12), ui.px(64)}, std::min(size.x - ui.px(24), ui.px(560)));
+  constexpr double pointer_seconds = 1; ///< it rests before it goes
+  if (!covered && model_->clock - active_at_ > pointer_seconds) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  // Messages wait until the audience is gone.
+  if (!covered && !lesson) panels::slide_title(ui, model_->talk.bookmarks, {0, below}, size.x);
   overlays_->draw(ui, size);
 }
 

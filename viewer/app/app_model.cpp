@@ -153,6 +153,7 @@ void AppModel::watch_view() {
   unsigned unasked = 0;
   if (!camera.was_set()) unasked |= ViewHistory::camera;
   if (!section_set) unasked |= ViewHistory::section;
+  if (presenter.on && transport.moving()) unasked |= ViewHistory::selection; // of moments
   if (std::exchange(clip_placed_, false)) unasked |= ViewHistory::look;
   if (!state()) unasked = ~0u;
   history.observe(memento(), clock, dragging, unasked);

@@ -1,6 +1,7 @@
 // Gallery, help, palette and about.
 #include "app/overlays.h"
 
+#include "app/lesson_cards.h"
 #include "app/welcome.h"
 
 #include "command/command_search.h"
@@ -97,33 +98,11 @@ void drop_zone(Ui& ui, ImVec2 size) {
                      to_u32(hovered ? ui.colors.text : ui.colors.quiet), text);
 }
 
-/// The way to the lessons, and the first of them.
-void lesson_row(Ui& ui) {
-  const auto& lessons = bundled_lessons();
-  if (!lessons) return;
-  constexpr std::size_t most = 4;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(icon::graduation);
-  ImGui::SameLine();
-  widgets::bold_text(ui, "Lessons");
-  for (std::size_t i = 0; i < std::min(lessons->size(), most); ++i) {
-    const Lesson& lesson = (*lessons)[i];
-    ImGui::SameLine(0, ui.px(10));
-    if (widgets::plain_button(ui, (std::to_string(lesson.number) + "  " + lesson.title).c_str()))
-      ui.commands.post("lesson", {lesson.name});
-  }
-  ImGui::SameLine(0, ui.px(10));
-  if (widgets::plain_button(ui, ("All " + std::to_string(lessons->size())).c_str()))
-    ui.commands.post("lesson");
-}
-
 } // namespace
 
 void Overlays::gallery(Ui& ui) {
   heading(ui, "Gallery",
-          "Bundled models, each with what it teaches. A click opens it and refinement begins.");
-  lesson_row(ui);
-  ImGui::Dummy({0, ui.px(2)});
+          "Lessons, and bundled models, each with what it teaches. A click opens it and refinement begins.");
   ImGui::BeginChild("cards", {0, -ui.px(66)});
   constexpr int columns = 3;
   const float gap = ui.px(14),
@@ -131,6 +110,7 @@ void Overlays::gallery(Ui& ui) {
   const ImVec2 size{width, ui.px(226)};
   int column = 0;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  panels::lesson_cards(ui, lesson_textures);
   for (std::size_t i = 0; i < isoscope::gallery().size(); ++i) {
     card(ui, isoscope::gallery()[i], i < thumbnails_.textures.size() ? thumbnails_.textures[i] : 0, size);
     if (++column % columns != 0) ImGui::SameLine(0, gap);
@@ -335,13 +315,13 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   case Overlay::welcome:
     heading(ui, "Isoscope",
             "A coarse mesh with the right topology, found inside a tolerance volume. Where to begin?");
-    panels::welcome(ui, thumbnails_);
+    panels::welcome(ui, thumbnails_, lesson_textures);
     break;
   case Overlay::lessons:
     heading(ui, "Lessons",
             "Prepared scenes with questions and things to try. PageDown and PageUp, or Enter and Backspace, "
             "turn the stops; P shows one to an audience.");
-    panels::lesson_list(ui);
+    panels::lesson_list(ui, lesson_textures);
     break;
   case Overlay::none:
     break;

@@ -9,6 +9,8 @@
 #include "ui/ui.h"
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 namespace isoscope {
 
@@ -18,6 +20,8 @@ class Overlays {
   /// `size` is the window's.
   void draw(Ui& ui, ImVec2 size);
   Thumbnails& thumbnails() { return thumbnails_; }
+  /// The pictures of bundled_lessons(), which the program fills in: 0 where there is none.
+  std::vector<std::uint32_t> lesson_textures;
 
  private:
   void gallery(Ui& ui);

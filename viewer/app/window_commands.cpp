@@ -143,6 +143,13 @@ void add_window_values(NamedValues& values, WindowState& m) {
                                                      "about", "bookmarks", "pictures", "lessons", "welcome"};
     return names.at(static_cast<std::size_t>(m.overlay));
   });
+  for (const PaneCommand& pane : panes) {
+    const std::string name(pane.name);
+    values.add(name, "whether that pane is shown",
+               [&m, shown = pane.shown] { return m.settings.panes.*shown; });
+    values.add(name + ".kept", "whether it is shown in the layout that is remembered",
+               [&m, shown = pane.shown] { return m.kept_layout().*shown; });
+  }
   values.add("coach.closed", "first hints that are closed, as bits",
              [&m] { return int{m.settings.coach_closed}; });
 }

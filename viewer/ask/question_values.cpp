@@ -170,6 +170,7 @@ void add_topology_questions(NamedValues& t, Investigation& m) {
       "nan")("distance", "the largest d on the facet that a collapse of the improver left above δ, in δ",
              [&m](const RefusedFacet& facet) { return facet.distance / m.window.run.scene->delta; });
 
+  t.bind("topology.shown", "whether the topology of Z is judged and drawn", {}, m.topology_shown);
   using T = TopologyReport;
   const auto topology = t.readings("topology.", [&m] { return m.topology(); });
   topology("verdict", "whether Z has the expected topology",

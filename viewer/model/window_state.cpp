@@ -32,6 +32,16 @@ void WindowState::open_tab(BottomTab tab) {
   settings.panes.show_bottom = true;
 }
 
+void WindowState::lend_layout(LayoutGuest guest) {
+  if (guests_ == 0) kept_layout_ = settings.panes;
+  guests_ |= static_cast<unsigned>(guest);
+}
+
+void WindowState::end_loan(LayoutGuest guest) {
+  guests_ &= ~static_cast<unsigned>(guest);
+  if (guests_ == 0) kept_layout_.reset();
+}
+
 ViewMemento WindowState::memento() const {
   ViewMemento m;
   m.view = {camera.goal(), view, section};

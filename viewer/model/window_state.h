@@ -111,6 +111,9 @@ struct Presenter {
   bool slow_down = true; ///< playing dwells at moments
 };
 
+/// Who shows another layout for a while than the one that is kept.
+enum class LayoutGuest : std::uint8_t { lesson = 1, two_views = 2 };
+
 /// The active run, and how the window looks at it. Features keep a reference to it; plain settings are
 /// changed in place.
 class WindowState : public ShownRun {
@@ -156,6 +159,13 @@ class WindowState : public ShownRun {
   /// Lays it over the window, or takes it away where it lies there.
   void toggle(Overlay which);
   void open_tab(BottomTab tab);
+  /// From now on the panes of the settings are only what is shown: the layout that was there stays the one
+  /// that is kept, until the last guest has left. A guest that is there already changes nothing.
+  void lend_layout(LayoutGuest guest);
+  void end_loan(LayoutGuest guest);
+  bool has_guest(LayoutGuest guest) const { return (guests_ & static_cast<unsigned>(guest)) != 0; }
+  /// The layout that is remembered between sessions.
+  const PaneLayout& kept_layout() const { return kept_layout_ ? *kept_layout_ : settings.panes; }
 
   /// What undo would bring back of the present window, and bringing it back.
   ViewMemento memento() const;
@@ -175,6 +185,8 @@ class WindowState : public ShownRun {
 
  private:
   void add(Message message);
+  std::optional<PaneLayout> kept_layout_; ///< while there are guests
+  unsigned guests_ = 0;                   ///< as bits
 };
 
 } // namespace isoscope

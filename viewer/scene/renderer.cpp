@@ -4,6 +4,7 @@
 #include "embedded/shaders.h"
 #include "gl/device.h"
 #include "gl/shader_source.h"
+#include "scene/first_box.h"
 #include "scene/frame_targets.h"
 #include "scene/overlay.h"
 #include "scene/picking.h"
@@ -89,6 +90,7 @@ Box3 Renderer::Impl::visible_bounds(const ViewSettings& view) const {
   if (shown.state)
     for (const Vertex& v : shown.state->complex.vertices)
       if (v.alive && (v.kind != VertexKind::box || view.tets.box)) box.add(v.position);
+  if (shown.state) box.add(first_box(*shown.state));
   return box;
 }
 

@@ -39,6 +39,19 @@ void add_run_readings(NamedValues& t, const WindowState& m) {
   t.add("vertices_moved", "vertices that it moved", [&m] { return m.state() ? m.state()->moves.size() : 0; });
 }
 
+/// χ of Ω's boundaries on one side, taken together.
+void add_volume_readings(NamedValues& t, const WindowState& m) {
+  const auto euler = [&m](bool outer) -> std::optional<long> {
+    if (!m.run.scene) return std::nullopt;
+    long sum = 0;
+    for (const BoundaryComponent& b : m.run.scene->boundary_components)
+      if ((b.label > 0) == outer) sum += b.euler_characteristic;
+    return sum;
+  };
+  t.add("omega.euler.outer", "χ of the outer boundary of Ω", [=] { return euler(true); });
+  t.add("omega.euler.inner", "χ of the inner boundary of Ω", [=] { return euler(false); });
+}
+
 void add_event_readings(NamedValues& t, const WindowState& m) {
   const auto of_event = t.readings("event.", [&m]() -> std::optional<Event> {
     const auto index = m.selected_event();
@@ -97,6 +110,7 @@ void add_run_values(NamedValues& t, const WindowState& m) {
     return 2 * (q[0] * q[2] + q[3] * q[1]);
   });
   add_run_readings(t, m);
+  add_volume_readings(t, m);
   add_event_readings(t, m);
 }
 

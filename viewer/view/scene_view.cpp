@@ -1,6 +1,7 @@
 // Mouse, pictures and what lies over them.
 #include "view/scene_view.h"
 
+#include "scene/first_box.h"
 #include "scene/pick_geometry.h"
 #include "ui/widgets.h"
 #include "view/scene_overlay.h"
@@ -12,6 +13,11 @@ namespace isoscope {
 namespace {
 
 constexpr double hover_delay = 0.12;
+
+/// A box whose corners are in sight when it is framed: a model's may lie outside of the picture.
+Box3 roomy(const Box3& box) {
+  return box.empty() ? box : box.grown(0.12 * box.longest_edge());
+}
 
 ImVec2 local(ImVec2 mouse, ImVec2 low) {
   return {mouse.x - low.x, mouse.y - low.y};
@@ -153,7 +159,7 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
       picked(ui, renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
-  if (hovered && !ImGui::IsAnyMouseDown()) {
+  if (hovered && !ImGui::IsAnyMouseDown() && !m.presenter.on) {
     m.selection.hovered = hover_pick(ui, area, false);
     overlay::hover_tip(ui);
   } else if (scene_shown_ && !section_shown_) {
@@ -194,7 +200,7 @@ void SceneView::section_mouse(Ui& ui, Area area) {
                                          m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
-  if (hovered && !ImGui::IsAnyMouseDown()) {
+  if (hovered && !ImGui::IsAnyMouseDown() && !m.presenter.on) {
     m.selection.hovered = hover_pick(ui, area, true);
     overlay::hover_tip(ui);
   } else if (section_shown_ && !scene_shown_) {
@@ -205,15 +211,21 @@ void SceneView::section_mouse(Ui& ui, Area area) {
 // Until somebody moves the camera, the whole model stays in sight, however narrow the view becomes.
 void SceneView::frame_untouched(Ui& ui, float aspect) {
   WindowState& m = ui.window;
-  const Box3 box = m.scene_bounds();
+  Box3 box = m.scene_bounds();
   if (m.camera.was_set() || box.empty()) return;
+  // Before an audience the box that T begins as is seen too.
+  const auto state = m.state();
+  if (m.presenter.on && state) box.add(roomy(first_box(*state)));
   if (aspect == framed_aspect_ && box.lo == framed_box_.lo && box.hi == framed_box_.hi) return;
   framed_aspect_ = aspect;
   framed_box_ = box;
+  const bool ease = m.presenter.on && !m.scripted;
+  const CameraPose before = m.camera.pose();
   m.camera.frame(box, false);
   CameraPose pose = m.camera.pose();
   pose.distance /= std::min(1.0, static_cast<double>(aspect));
-  m.camera.set(pose);
+  if (ease) m.camera.set(before);
+  m.camera.set(pose, ease);
 }
 
 // The same for the section: what the plane cuts of the input is centred.
@@ -263,6 +275,7 @@ void SceneView::frame_requests(Ui& ui) {
   if (box.empty()) box = renderer_->bounds();
   const Pick& pick = m.selection.picked;
   const auto state = m.state();
+  if (all && state && m.view.tets.box) box.add(roomy(first_box(*state)));
   if (selected && !all && pick.kind != Pick::Kind::none && state) {
     const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * box.longest_edge();
     box = pick_bounds(*state, pick);
