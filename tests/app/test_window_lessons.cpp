@@ -110,7 +110,7 @@ TEST_CASE(
 wait settled
 look z
 set clip plane
-set layer.samples off
+set layer.inner off
 filter +reject
 pane-left
 section
@@ -119,7 +119,7 @@ key Ctrl+L
 expect overlay == lessons
 lesson tessellation
 wait answers
-expect lesson.phase == reading and lesson.stop == 1 and clip == none and layer.samples == on
+expect lesson.phase == reading and lesson.stop == 1 and clip == none and layer.inner == on
 expect pane-left == off and pane-right == off and pane-bottom == off
 expect pane-right.kept == on and pane-bottom.kept == on
 key Enter
@@ -145,7 +145,7 @@ pane-bottom
 expect pane-bottom == on
 lesson-end
 expect lesson.phase == off and pane-left == off and pane-right == on and pane-bottom == on
-expect clip == plane and layer.samples == off and heading == 0 and mode == section
+expect clip == plane and layer.inner == off and heading == 0 and mode == section
 expect pane-left.kept == off and pane-right.kept == on
 quit
 )",
@@ -156,9 +156,12 @@ TEST_CASE("a lesson is gone through by the mouse") {
   CHECK(run_window("lesson-mouse", R"(
 wait settled
 expect lesson.stop == 1 and lesson.phase == reading
-click 190 560
+click 190 556
 wait answers
 expect lesson.stop == 2 and lesson.phase == asking
+click 60 556
+wait answers
+expect lesson.stop == 1
 quit
 )",
                    "lesson:tessellation --size 900x600") == 0);

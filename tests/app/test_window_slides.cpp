@@ -112,7 +112,7 @@ expect presenter == off and slow_down == on and moments >= 12 and moment.told ==
 seek 1
 key P
 expect presenter == on
-expect caption != none and caption.why != none and caption.figure == "Figure 3"
+expect caption != none and caption.why != none and caption.figure == "Figure 1"
 speed 64
 expect speed == 64
 key ,
@@ -138,16 +138,16 @@ expect caption.why == "f is positive at all corners: there is no Z yet, and all 
 seek 0
 key PageDown
 expect moment.told == 1 and state_step == 0 and caption != "a box around the samples, before the first point goes in"
-seek 25
+seek 12
 expect moment.told == 0
 key PageUp
-expect moment.told > 1 and state_step < 25 and state_step > 0
+expect moment.told > 1 and state_step < 12 and state_step > 0
 slow-down
 expect slow_down == off
 speed 64
 play
 wait 0.5
-expect step > 25
+expect step == steps
 key P
 expect presenter == off
 key P
