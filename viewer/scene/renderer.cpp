@@ -282,6 +282,10 @@ void Renderer::set_annotation(std::shared_ptr<const Annotation> annotation) {
   impl_->shown.annotation = std::move(annotation);
 }
 
+void Renderer::set_zero_map(std::shared_ptr<const ZeroMap> map) {
+  impl_->shown.zero_map = std::move(map);
+}
+
 Box3 Renderer::bounds() const {
   return impl_->bounds();
 }
