@@ -101,7 +101,7 @@ Status App::setup(const ProgramOptions& options) {
   m.talk.bookmarks_home = settings_path_;
   m.view.theme = options.theme.value_or(m.settings.theme);
   if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
-  scene_view_ = std::make_unique<SceneView>(*renderer_, m.probe, m.investigation);
+  scene_view_ = std::make_unique<SceneView>(*renderer_, m.probe, m.investigation, m.zero_maps);
   run_views_ = std::make_unique<RunViews>(*scene_view_, m.comparison);
   timeline_.emplace(m.debug, m.talk, m.investigation, m.comparison);
   overlays_.emplace(m);
@@ -166,7 +166,26 @@ App::~App() {
 }
 
 void App::keys(CommandSink& commands) {
+  const bool in_menu = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   for (const KeyPress& press : window_->take_keys()) {
+    // Alt alone, or with the first letter of a menu, opens it; within it keys are the menu's.
+    if (press.key == GLFW_KEY_LEFT_ALT || press.alt) {
+      for (const std::string_view menu : menu_names)
+        if (press.key == GLFW_KEY_LEFT_ALT || menu.front() == static_cast<char>(press.key)) {
+          commands.post("menu", {std::string(menu)});
+          break;
+        }
+      continue;
+    }
+    if (in_menu) {
+      const auto at = std::find(menu_names.begin(), menu_names.end(), model_->menu);
+      if (at != menu_names.end() && (press.key == GLFW_KEY_LEFT || press.key == GLFW_KEY_RIGHT)) {
+        const auto n = static_cast<std::ptrdiff_t>(menu_names.size());
+        const auto to = (at - menu_names.begin() + (press.key == GLFW_KEY_RIGHT ? 1 : n - 1)) % n;
+        commands.post("menu", {std::string(menu_names.at(static_cast<std::size_t>(to)))});
+      }
+      continue;
+    }
     const Command* command =
         press.alt ? nullptr : model_->commands.find(Chord{press.key, press.control, press.shift});
     if (command == nullptr) continue;
@@ -360,7 +379,7 @@ void App::draw_window(Ui& ui) {
     panels::coach_marks(ui, {{{{view_x, middle_y}, {view_end - view_x, middle_high}},
                               {{0, bottom_y}, {bottom > 0 ? size.x : 0, bottom}},
                               {{size.x - right, middle_y}, {right, middle_high}}}});
-  panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(46)},
+  panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(m.warnings().empty() ? 46 : 78)},
                    std::min(view_end - view_x - ui.px(24), ui.px(560)));
   overlays_->draw(ui, size);
 }

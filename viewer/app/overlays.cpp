@@ -4,7 +4,6 @@
 #include "app/lesson_cards.h"
 #include "app/welcome.h"
 
-#include "command/command_search.h"
 #include "input/gallery.h"
 #include "journal/vocabulary.h"
 #include "model/words.h"
@@ -17,6 +16,10 @@
 
 namespace isoscope {
 namespace {
+
+/// Of the help: one a menu, then the rest.
+constexpr std::array<const char*, menu_names.size() + 3> help_sections{
+    "File", "Run", "Select", "Ask", "View", "Talk", "Window", "Help", "No menu", "Reasons", "Values"};
 
 void heading(Ui& ui, const char* title, const char* note) {
   ImGui::PushFont(ui.fonts.title);
@@ -126,9 +129,17 @@ void Overlays::help(Ui& ui) {
           "Every command with its key; scripts use the name on the left. In the view: left-drag turns, "
           "Shift-left- or right-drag moves, the wheel zooms to the cursor, a click selects, a double-click "
           "sets the centre.");
-  ImGui::SetNextItemWidth(ui.px(320));
+  ImGui::SetNextItemWidth(ui.px(230));
   ImGui::InputTextWithHint("##help", (std::string(icon::search) + "  filter").c_str(), query_.data(),
                            query_.size());
+  {
+    const widgets::Font font(ui.fonts.small);
+    for (std::size_t i = 0; i < help_sections.size(); ++i) {
+      ImGui::SameLine(0, ui.px(i == 0 ? 14 : 4));
+      if (ImGui::GetContentRegionAvail().x < ui.px(70)) break;
+      if (widgets::plain_button(ui, help_sections.at(i), true, 0, ui.px(24))) section_ = static_cast<int>(i);
+    }
+  }
   ImGui::BeginChild("commands", {0, 0});
   ImGui::PushFont(ui.fonts.small);
   if (ImGui::BeginTable("table", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
@@ -151,21 +162,50 @@ void Overlays::help(Ui& ui) {
       ImGui::TextUnformatted(text.data(), text.data() + text.size());
       ImGui::PopTextWrapPos();
     };
-    for (const Command& command : ui.table.all()) {
+    const auto section = [&](std::size_t i, bool holds_any) {
+      if (!holds_any) return false;
+      ImGui::TableNextRow(0, ui.px(30));
+      ImGui::TableNextColumn();
+      if (section_ == static_cast<int>(i)) {
+        ImGui::SetScrollHereY(0);
+        section_ = -1;
+      }
+      ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, to_u32(ui.colors.accent, 0.14f));
+      ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(6));
+      widgets::bold_text(ui, help_sections.at(i));
+      return true;
+    };
+    const auto keys_of = [](const Command& command) {
       std::string keys;
       for (const Chord& chord : command.keys) keys += (keys.empty() ? "" : ", ") + text(chord);
-      row(command.name + (command.usage.empty() ? "" : " " + command.usage), keys, command.help);
+      return keys;
+    };
+    const auto told = [&](const std::string& text) { return contains_folded(text, query_.data()); };
+    for (std::size_t m = 0; m <= menu_names.size(); ++m) {
+      // Those without a menu stand together.
+      const std::string_view menu = m < menu_names.size() ? menu_names.at(m) : std::string_view();
+      const auto found = [&](const Command& c) {
+        return c.menu == menu && told(c.name + " " + c.usage + " " + keys_of(c) + " " + c.help);
+      };
+      if (!section(m, std::any_of(ui.table.all().begin(), ui.table.all().end(), found))) continue;
+      for (const Command& c : ui.table.all())
+        if (c.menu == menu) row(c.name + (c.usage.empty() ? "" : " " + c.usage), keys_of(c), c.help);
     }
-    for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
-      const ReasonWords& style = words(static_cast<Reason>(r));
-      const std::string word(name(static_cast<Reason>(r)));
-      if (!contains_folded(word + " " + std::string(style.title) + " " + std::string(style.help),
-                           query_.data()))
-        continue;
-      row(word, std::string(style.title), style.help);
+    const auto reason_text = [](const ReasonWords& r) {
+      return std::string(r.name) + " " + std::string(r.title) + " " + std::string(r.help);
+    };
+    section(menu_names.size() + 1, std::any_of(reason_table.begin(), reason_table.end(), [&](const auto& r) {
+              return rejects(r.value) && told(reason_text(r));
+            }));
+    for (const ReasonWords& style : reason_table) {
+      if (!rejects(style.value) || !told(reason_text(style))) continue;
+      row(std::string(style.name), std::string(style.title), style.help);
       const ImVec2 low = ImGui::GetItemRectMin();
       widgets::glyph(ui, {low.x - ui.px(146), low.y + ui.px(7)}, 4.5f, style.color, style.shape);
     }
+    const auto value_text_of = [](const NamedValue& v) { return v.name + " " + v.get() + " " + v.help; };
+    section(menu_names.size() + 2, std::any_of(model_.values.all().begin(), model_.values.all().end(),
+                                               [&](const NamedValue& v) { return told(value_text_of(v)); }));
     for (const NamedValue& value : model_.values.all())
       row((value.set ? "set " : "expect ") + value.name, value.get(), value.help);
     ImGui::EndTable();
@@ -175,52 +215,73 @@ void Overlays::help(Ui& ui) {
 }
 
 void Overlays::palette(Ui& ui) {
-  if (shown_ != Overlay::palette) ImGui::SetKeyboardFocusHere();
+  if (shown_ != Overlay::palette || !completed_.empty()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##palette", (std::string(icon::search) + "  type a command").c_str(),
-                               query_.data(), query_.size()))
+  // A completed text leaves the cursor at its end.
+  const auto at_end = [](ImGuiInputTextCallbackData* data) {
+    auto& wanted = *static_cast<std::string*>(data->UserData);
+    if (wanted.empty()) return 0;
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, wanted.c_str());
+    wanted.clear();
+    return 0;
+  };
+  if (ImGui::InputTextWithHint("##palette",
+                               (std::string(icon::search) + "  a command, an event, an element, a setting, a "
+                                                            "lesson")
+                                   .c_str(),
+                               query_.data(), query_.size(), ImGuiInputTextFlags_CallbackAlways, at_end,
+                               &completed_))
     chosen_ = 0;
-  const std::vector<const Command*> found = search_commands(ui.table, query_.data());
-  const int count = static_cast<int>(found.size());
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) chosen_ = std::min(chosen_ + 1, count - 1);
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) chosen_ = std::max(chosen_ - 1, 0);
+  if (std::string(query_.data()) != found_for_ || shown_ != Overlay::palette) {
+    found_for_ = query_.data();
+    found_ = palette_entries(model_, found_for_);
+  }
+  const int count = static_cast<int>(found_.size());
+  bool moved = false;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)))
+    chosen_ = std::min(chosen_ + 1, count - 1), moved = true;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)))
+    chosen_ = std::max(chosen_ - 1, 0), moved = true;
   const bool entered = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
   ImGui::BeginChild("found", {0, 0});
-  if (found.empty()) widgets::quiet_text(ui, "No command says this.");
+  if (found_.empty()) widgets::quiet_text(ui, "Nothing says this.");
   for (int i = 0; i < count; ++i) {
-    const Command& command = *found[static_cast<std::size_t>(i)];
-    const bool enabled = command.is_enabled();
+    const PaletteEntry& entry = found_[static_cast<std::size_t>(i)];
     widgets::Row row(ui, 44);
     const bool pressed = row.button(static_cast<std::size_t>(i)), lit = i == chosen_;
+    if (lit && moved) ImGui::SetScrollHereY(0.6f);
     if (lit || row.hovered()) row.ground(lit ? ui.colors.accent : ui.colors.hover, lit ? 0.18f : 1.0f);
-    const float strength = enabled ? 1.0f : 0.5f;
+    const float strength = entry.enabled ? 1.0f : 0.5f;
     const ImVec2 at = row.at;
     ImDrawList& list = row.list;
-    if (command.icon)
+    if (entry.icon)
       widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(12), at.y + ui.px(14)},
-                         to_u32(ui.colors.quiet, strength), command.icon);
-    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)},
-                       to_u32(ui.colors.text, strength),
-                       command.title + (command.usage.empty() ? "" : "  " + command.usage));
+                         to_u32(ui.colors.quiet, strength), entry.icon);
+    const float room = row.width - ui.px(170);
+    {
+      const widgets::Font font(ui.fonts.ui);
+      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)},
+                         to_u32(ui.colors.text, strength), widgets::fitted(entry.title, room));
+    }
     const widgets::Font font(ui.fonts.small);
     widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(40), at.y + ui.px(23)},
-                       to_u32(ui.colors.quiet, strength),
-                       widgets::fitted(command.help, row.width - ui.px(170)));
-    if (!command.keys.empty() || !enabled) {
+                       to_u32(ui.colors.quiet, strength), widgets::fitted(entry.help, room));
+    if (!entry.key.empty() || !entry.enabled) {
       // Not by paleness alone: what cannot be done now says so where its key stands.
       const std::string key =
-          enabled ? text(command.keys.front())
-                  : (command.keys.empty() ? "" : text(command.keys.front()) + "  ") + "not now";
+          entry.enabled ? entry.key : (entry.key.empty() ? "" : entry.key + "  ") + "not now";
       const float extent = widgets::width_of(ui.fonts.mono, key);
       widgets::draw_text(list, ui.fonts.mono, {at.x + row.width - extent - ui.px(12), at.y + ui.px(14)},
                          to_u32(ui.colors.accent_text, strength), key);
     }
-    if (enabled && (pressed || (entered && i == chosen_))) {
-      ui.commands.post("clear");
-      // What is typed after the name are its arguments: "seek 120".
-      const CommandCall typed = ui.table.parse(query_.data());
-      ui.commands.post(command.name, typed.name == command.name ? typed.arguments : Arguments{});
+    if (!entry.enabled || !(pressed || (entered && i == chosen_))) continue;
+    if (!entry.complete.empty()) {
+      completed_ = entry.complete;
+      continue;
     }
+    ui.commands.post("clear");
+    ui.commands.post(entry.call.name, entry.call.arguments);
   }
   ImGui::EndChild();
 }

@@ -1,7 +1,7 @@
 // What lies over the whole window: gallery, files, help, command palette, about.
 #pragma once
 
-#include "app/app_model.h"
+#include "app/palette_entries.h"
 #include "export/export_dialog.h"
 #include "steering/file_browser.h"
 #include "talk/bookmarks_panel.h"
@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace isoscope {
@@ -36,6 +37,10 @@ class Overlays {
   Thumbnails thumbnails_;
   std::array<char, 128> query_{};
   int chosen_ = 0;
+  std::vector<PaletteEntry> found_;
+  std::string found_for_; ///< what was typed
+  std::string completed_; ///< to be put into the field
+  int section_ = -1;      ///< of the help, to be scrolled to
   Overlay shown_ = Overlay::none;
 };
 

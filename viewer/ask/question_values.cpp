@@ -51,8 +51,9 @@ void add_tet_questions(NamedValues& t, Investigation& m) {
         m.shrink = *n > 0 ? std::optional<double>(*n) : std::nullopt;
         return {};
       });
-  violations("misoriented", "tetrahedra that violate condition 3",
-             [](const StateSnapshot& s) { return misoriented_tets(s).size(); });
+  violations("misoriented", "tetrahedra that violate condition 3", [](const StateSnapshot& s) {
+    return s.orientation_judged ? std::optional(misoriented_tets(s).size()) : std::nullopt;
+  });
   violations("flat", "tetrahedra that carry Z below 2σ/α",
              [](const StateSnapshot& s) { return violating_tets(s, ViolationKind::flat).size(); });
   const auto tests = [&tet](const char* name, const char* help, auto counts) {

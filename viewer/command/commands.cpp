@@ -98,7 +98,11 @@ Result<long> count_argument(const Arguments& a, const std::string& things) {
 }
 
 void CommandTable::add(std::initializer_list<Command> commands) {
-  commands_.insert(commands_.end(), commands);
+  if (commands.size() > 1) begin_group();
+  for (const Command& command : commands) {
+    commands_.push_back(command);
+    commands_.back().group = group_;
+  }
 }
 
 void CommandTable::move_to_end(std::string_view name) {

@@ -44,6 +44,7 @@ Status try_target(EdgeProbe& m, const Arguments& a) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
   const Vec3 from = m.window.selection.what_if.value_or(first_target(*xray));
+  m.window.bring_into_sight(AnswerKind::what_if);
   if (a.empty()) {
     m.window.selection.try_target(from);
     return {};

@@ -5,6 +5,8 @@
 #include "export/tiled_picture.h"
 #include "platform/child_process.h"
 
+#include <imgui.h>
+
 #include <future>
 #include <memory>
 
@@ -26,7 +28,8 @@ class Exporter {
   void begin(Exports& desk, const ViewExtent& extent);
   void begin_figure(Exports& desk, const FigureRequest& request, const ViewExtent& extent);
   void draw(Exports& desk, Renderer& renderer);
-  void write(Image image);
+  void write(const Exports& desk, Image image);
+  void add_key(const Exports& desk, Image& image);
   void written(Exports& desk);
   void start_film(Exports& desk);
   void watch_film(Exports& desk);
@@ -46,6 +49,9 @@ class Exporter {
   std::filesystem::path film_log_;
   Step return_to_ = 0;
   bool return_following_ = false;
+  std::unique_ptr<ImFontAtlas> key_fonts_; ///< at the scale of the pictures
+  ImFont* key_font_ = nullptr;
+  float key_scale_ = 0;
 };
 
 } // namespace isoscope

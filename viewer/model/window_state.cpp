@@ -10,7 +10,21 @@ constexpr std::size_t message_limit = 4;
 
 } // namespace
 
+float Message::strength(double clock) const {
+  if (error) return 1;
+  const double left = since + shown - clock;
+  return static_cast<float>(std::clamp(left / fade, 0.0, 1.0));
+}
+
 void WindowState::add(Message message) {
+  // The same words again are no second line.
+  const auto same = std::find_if(messages.begin(), messages.end(), [&](const Message& m) {
+    return m.error == message.error && m.text == message.text && m.remedy == message.remedy;
+  });
+  if (same != messages.end()) {
+    message.times = same->times + 1;
+    messages.erase(same);
+  }
   messages.push_back(std::move(message));
   while (messages.size() > message_limit) messages.pop_front();
 }
@@ -40,6 +54,18 @@ void WindowState::lend_layout(LayoutGuest guest) {
 void WindowState::end_loan(LayoutGuest guest) {
   guests_ &= ~static_cast<unsigned>(guest);
   if (guests_ == 0) kept_layout_.reset();
+}
+
+std::string_view name(AnswerKind answer) {
+  constexpr std::array<std::string_view, 7> words{"none",        "unlock",   "advice", "what-if",
+                                                  "certificate", "topology", "check"};
+  return words.at(static_cast<std::size_t>(answer));
+}
+
+void WindowState::bring_into_sight(AnswerKind which) {
+  settings.panes.show_right = true;
+  answer.wanted = which;
+  answer.awaited = false;
 }
 
 ViewMemento WindowState::memento() const {

@@ -16,12 +16,24 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isoscope {
 
 /// What lies over the window.
-enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, bookmarks, pictures, lessons, welcome };
+enum class Overlay : std::uint8_t {
+  none,
+  gallery,
+  files,
+  help,
+  palette,
+  about,
+  bookmarks,
+  pictures,
+  lessons,
+  welcome
+};
 
 /// What is done with what is chosen among the files.
 enum class FilesFor : std::uint8_t { open, beside, between };
@@ -30,7 +42,11 @@ enum class FilesFor : std::uint8_t { open, beside, between };
 struct Message {
   bool error = false;
   std::string text, remedy;
-  double since = 0; ///< on the window's clock
+  double since = 0;                            ///< on the window's clock
+  unsigned times = 1;                          ///< it was told, the same words again
+  static constexpr double shown = 8, fade = 1; ///< seconds; what is no error goes away by itself
+  /// In [0, 1]: how solid it is drawn.
+  float strength(double clock) const;
 };
 
 /// A picture asked for; taken after the next frame at full quality.
@@ -83,6 +99,18 @@ struct Selection {
   }
 };
 
+/// Answers of the inspector that are brought into sight once they are there.
+enum class AnswerKind : std::uint8_t { none, unlock, advice, what_if, certificate, topology, check };
+std::string_view name(AnswerKind answer);
+
+/// Which one is waited for, and which one flashes because it has come.
+struct AnswerInSight {
+  AnswerKind wanted = AnswerKind::none, shown = AnswerKind::none;
+  bool awaited = false;                ///< where it will come was scrolled to already
+  double since = -1e9;                 ///< on the window's clock
+  static constexpr double flash = 1.2; ///< seconds
+};
+
 /// How deep one steps.
 enum class DebugLevel : std::uint8_t {
   stage,
@@ -132,14 +160,22 @@ class WindowState : public ShownRun {
   bool section_set = false; ///< a person or a script has chosen the section's place
   Selection selection;
   ListFilter filter;             ///< of the event list
+  EventSort event_sort;          ///< and its order
   std::optional<StepSpan> range; ///< limits lanes, plots, lists and maps
   StepPlace place;
   std::optional<double> preview_delta; ///< Ω is drawn at this tolerance instead of the run's; absolute
   bool plot_time = false;              ///< plots over seconds instead of steps
   bool blinking = false;               ///< before and after of the operation in turn
+  bool warnings_open = false;          ///< the chip of warnings shows them in full
   ViewHistory history;                 ///< undo of view, filter, selection and layout
   bool dragging = false; ///< a mouse button is held: what it changes is one entry of the history
   Presenter presenter;
+  AnswerInSight answer;
+  std::string open_menu;      ///< asked for by a key: opened in the next frame
+  std::string menu;           ///< that is open
+  float inspector_scroll = 0; ///< pixels; told by the inspector
+  Pick inspected;             ///< what it told of in the last frame, and of which event
+  std::optional<std::uint32_t> inspected_event;
 
   // The window.
   Settings settings;
@@ -166,6 +202,8 @@ class WindowState : public ShownRun {
   bool has_guest(LayoutGuest guest) const { return (guests_ & static_cast<unsigned>(guest)) != 0; }
   /// The layout that is remembered between sessions.
   const PaneLayout& kept_layout() const { return kept_layout_ ? *kept_layout_ : settings.panes; }
+  /// Opens the inspector, which brings the answer into sight.
+  void bring_into_sight(AnswerKind which);
 
   /// What undo would bring back of the present window, and bringing it back.
   ViewMemento memento() const;

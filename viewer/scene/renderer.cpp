@@ -288,6 +288,10 @@ void Renderer::set_preview(std::shared_ptr<const ViolationPreview> preview) {
   impl_->shown.preview = std::move(preview);
 }
 
+void Renderer::set_zero_map(std::shared_ptr<const ZeroMap> map) {
+  impl_->shown.zero_map = std::move(map);
+}
+
 Box3 Renderer::bounds() const {
   return impl_->bounds();
 }

@@ -68,8 +68,10 @@ void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
   const StateSnapshot* state = inputs.state.get();
   Built zero_wanted = wanted;
   zero_wanted.moment = view.moment;
-  refresh(view.zero_set, zero_wanted, zero_set_,
-          [&](ZeroSetLayer& layer) { layer.update(*state, view.moment, clip, frame.colors, frame.space); });
+  zero_wanted.map = inputs.zero_map;
+  refresh(view.zero_set, zero_wanted, zero_set_, [&](ZeroSetLayer& layer) {
+    layer.update(*state, view.moment, inputs.zero_map.get(), clip, frame.colors, frame.space);
+  });
   refresh(view.curves, wanted, curves_,
           [&](CurvesLayer& layer) { layer.update(*state, clip, frame.colors, frame.space); });
   refresh(view.dropped, wanted, dropped_,
@@ -82,6 +84,7 @@ void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
   sample_wanted.good = view.good_samples.shown();
   sample_wanted.bad = view.bad_samples.shown();
   sample_wanted.over_rim = view.over_rim.shown();
+  sample_wanted.near_samples = view.near_samples;
   refresh(view.samples, sample_wanted, samples_,
           [&](SamplesLayer& layer) { layer.update(*state, view, clip, frame.space); });
   // Cut tetrahedra depend on the clip too: only those that it touches or keeps are uploaded.

@@ -21,6 +21,7 @@ struct LayerInputs {
   std::shared_ptr<const TargetStudy> study;
   std::shared_ptr<const Annotation> annotation;
   std::shared_ptr<const ViolationPreview> preview; ///< of the state
+  std::shared_ptr<const ZeroMap> zero_map; ///< of the state
 
   /// The rim of an open input, null where there is none.
   const Rim* rim() const;
@@ -50,10 +51,11 @@ class SceneLayers {
   struct Built {
     bool made = false;
     const void* source = nullptr;
+    std::shared_ptr<const ZeroMap> map{};
     ClipSettings clip;
     ThemeKind theme = ThemeKind::dark;
     TetFilter tets;
-    bool good = true, bad = true, over_rim = true;
+    bool good = true, bad = true, over_rim = true, near_samples = true;
     Moment moment = Moment::both;
     friend bool operator==(const Built&, const Built&) = default;
   };

@@ -7,6 +7,7 @@
 #include "questions/rim_questions.h"
 #include "scene/level_loops.h"
 #include "scene/palette.h"
+#include "scene/section_attempt_svg.h"
 #include "scene/section_view.h"
 
 #include <algorithm>
@@ -160,7 +161,7 @@ std::string room_id(int label) {
 /// One tile of each hatch that is used, in its room's colours.
 void Drawing::hatches() {
   for (const int label : room_labels()) {
-    const RoomStyle style = room_style(label);
+    const RoomStyle style{side_color(label, true, colors_), room_style(label).hatch};
     const std::string ink = "fill=\"none\" stroke=\"" + hex(style.color) + "\" stroke-width=\"0.5\"";
     const bool turned =
         style.hatch == Hatch::rising || style.hatch == Hatch::falling || style.hatch == Hatch::crossed;
@@ -410,6 +411,13 @@ std::string Drawing::text() {
   points();
   samples();
   next_point();
+  if (figure_.xray && view.xray.shown())
+    out_ += attempt_svg(attempt_section(*figure_.xray, figure_.study.get(), plane_,
+                                        {view.invalid_regions, view.octree_cells, colors_}),
+                        [this](PlanePoint p) {
+                          return PlanePoint{figure_.width / 2 + scale_ * (p.u - figure_.section.u),
+                                            height_ / 2 - scale_ * (p.v - figure_.section.v)};
+                        });
   out_ += "</g>\n<g id=\"caption\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"" +
           number(text_size) + "\" fill=\"#000000\">\n";
   legend(height_ + line_height);

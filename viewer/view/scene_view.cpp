@@ -4,7 +4,9 @@
 #include "scene/first_box.h"
 #include "scene/pick_geometry.h"
 #include "ui/widgets.h"
+#include "view/scene_key.h"
 #include "view/scene_overlay.h"
+#include "view/warning_chip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +41,8 @@ void SceneView::draw(Ui& ui) {
   renderer_->set_annotation(annotation_);
   preview_ = m.would_violate;
   renderer_->set_preview(preview_);
+  zero_map_ = maps_.map();
+  renderer_->set_zero_map(zero_map_);
   frame_requests(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
@@ -58,7 +62,9 @@ void SceneView::draw(Ui& ui) {
   if (!m.presenter.on) {
     overlay::mode_switch(ui, {low.x + all.x, low.y});
     overlay::caption(ui, low, all);
-    overlay::preview(ui, low, all);
+    const float chip = overlay::warning_chip(ui, low, all);
+    overlay::preview(ui, {low.x, low.y + chip}, all);
+    overlay::key(ui, scene_key(m, maps_, m.shown_view()), low, all);
   }
   overlay::progress(ui, m, "stop", low, all);
   overlay::invitation(ui, low, all);
@@ -76,6 +82,7 @@ void SceneView::render(Ui& ui, Area area, bool section) {
   key.study = study_.get();
   key.annotation = annotation_.get();
   key.preview = preview_.get();
+  key.zero_map = zero_map_.get();
   key.mark = m.selection.mark;
   key.selection = m.selection.picked;
   key.hover = m.selection.hovered;
@@ -99,6 +106,7 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   scene_mouse(ui, area);
   render(ui, area, false);
   const WindowState& m = ui.window;
+  clip_handle_.draw(ui, area);
   overlay::axes(ui, m.camera, area.low, area.size);
   overlay::scale_bar(ui, m.run.scene ? m.run.scene->delta : 0, area.low, area.size,
                      overlay::height_at_target(m.camera));
@@ -150,6 +158,10 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
     return renderer_->point_under(m.camera, m.shown_view(), at.x, at.y, width, height);
   };
   if (handle_.update(ui, probe_, area.low, area.size, hovered)) {
+    mouse_.take();
+    return;
+  }
+  if (clip_handle_.update(ui, area, hovered)) {
     mouse_.take();
     return;
   }
