@@ -18,13 +18,13 @@ using P = RunParameters;
 constexpr float foot_row = 26, foot_gap = 4, foot_counts = 34, foot_line = 18, foot_buttons = 28;
 constexpr std::array<double P::*, 3> foot_sliders{&P::alpha, &P::sigma, &P::shrink};
 
-/// The number with its unit, σ also as a length: the text of the slider. Ctrl and a click types.
-std::string slider_format(const Ui& ui, const Field<P, double>& f, double value) {
-  std::string format = std::string(f.format) + std::string(f.counted_in.empty() ? f.unit : f.counted_in);
+/// What is said of a slider where the mouse rests on it: σ as a length too.
+std::string slider_tip(const Ui& ui, const Field<P, double>& f, double value) {
+  std::string tip = std::string(f.tip) + " Ctrl and a click types a number.";
   const auto& scene = ui.window.run.scene;
   if (f.member == &P::sigma && scene && std::isfinite(value))
-    format += "  =  " + short_number(value * scene->delta);
-  return format;
+    tip += " Here " + short_number(value * scene->delta) + " long.";
+  return tip;
 }
 
 /// What a slider offers: the field's range, one digit inside where an end is not part of it. A number that is
@@ -37,9 +37,10 @@ void parameter_slider(const Ui& ui, const Field<P, double>& f, double& value) {
   auto shown = static_cast<float>(value);
   const widgets::Font font(ui.fonts.mono);
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderFloat(unlabelled(f).c_str(), &shown, static_cast<float>(low), static_cast<float>(high),
-                         slider_format(ui, f, value).c_str(),
-                         f.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None))
+  if (ImGui::SliderFloat(
+          unlabelled(f).c_str(), &shown, static_cast<float>(low), static_cast<float>(high),
+          (std::string(f.format) + std::string(f.counted_in.empty() ? f.unit : f.counted_in)).c_str(),
+          f.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None))
     value = std::round(static_cast<double>(shown) * 1e4) / 1e4;
 }
 
@@ -59,7 +60,7 @@ void parameter_slider_row(Ui& ui, const Field<P, double>& f, const P& used) {
   const double before = value;
   parameter_label(ui, f, state, foot_row - foot_gap);
   parameter_slider(ui, f, value);
-  widgets::tip(ui, f.title, std::string(f.tip) + " Ctrl and a click types a number.");
+  widgets::tip(ui, f.title, slider_tip(ui, f, value));
   if (value != before) p.*(f.member) = value;
   if (state.error.empty()) return;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
