@@ -97,17 +97,21 @@ Step end_of(const Journal& journal, Stage stage) {
 } // namespace
 
 TEST_CASE("A branch with unchanged parameters is the run that it left, from any stage") {
+  check_same_from_everywhere(quick("sphere", 12), true);
+}
+
+TEST_CASE("So it is from any stage of a torus" * doctest::test_suite("soak")) {
   check_same_from_everywhere(quick("torus"), true);
 }
 
-TEST_CASE("So it is in sampled mode, where samples are followed through T") {
+TEST_CASE("So it is in sampled mode, where samples are followed through T" * doctest::test_suite("soak")) {
   RunParameters parameters = quick("sphere", 12);
   parameters.containment = Containment::sampled;
   parameters.sigma = 0.25;
   check_same_from_everywhere(parameters, false);
 }
 
-TEST_CASE("So it is where the topology is mended, and on an open surface") {
+TEST_CASE("So it is where the topology is mended, and on an open surface" * doctest::test_suite("soak")) {
   check_same_from_everywhere(quick("double-torus", 4), false);
   check_same_from_everywhere(quick("hemisphere", 6), false);
 }
