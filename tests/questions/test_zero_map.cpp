@@ -24,10 +24,6 @@ const CompleteRun& sphere_run() {
   return *run;
 }
 
-double area(const Triangle3& t) {
-  return 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
-}
-
 /// The pieces of each polygon cover it.
 void check_pieces(const StateSnapshot& state, const ZeroMap& map) {
   REQUIRE(map.begin.size() == state.zero_set.polygons.size() + 1);

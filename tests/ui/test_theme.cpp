@@ -84,9 +84,9 @@ TEST_CASE("misoriented tetrahedra, condition 3 and their layer have one colour, 
   for (const ThemeKind theme : {ThemeKind::dark, ThemeKind::light, ThemeKind::paper}) {
     const Palette& c = palette(theme);
     const SceneColors scene = scene_colors(theme);
-    CHECK(condition_color(theme, orientation) == meaning::misoriented);
-    CHECK(c.misoriented == meaning::misoriented);
-    CHECK(scene.misoriented == rgb(meaning::misoriented));
+    CHECK(condition_color(theme, orientation) == meaning_color::misoriented);
+    CHECK(c.misoriented == meaning_color::misoriented);
+    CHECK(scene.misoriented == rgb(meaning_color::misoriented));
     CHECK(scene.good == rgb(c.good));
     CHECK(scene.bad == rgb(c.bad));
     CHECK(scene.outer == rgb(c.outer));
@@ -102,7 +102,7 @@ TEST_CASE("misoriented tetrahedra, condition 3 and their layer have one colour, 
       others.push_back(fate_style(static_cast<OctreeCell::Fate>(i)).color);
     for (const Rgb other : others) {
       CAPTURE(other);
-      CHECK(difference(meaning::misoriented, other) > 0.1);
+      CHECK(difference(meaning_color::misoriented, other) > 0.1);
     }
   }
 }

@@ -31,6 +31,6 @@ void add_ghost(AttemptBuilder& b, const TargetStudy& study, const SceneColors& c
 void add_cost_ellipsoid(AttemptBuilder& b, const EdgeXray& xray, Vec3 target, glm::vec3 color);
 
 /// Of the kernel.
-constexpr std::uint32_t kernel_color = meaning::kernel;
+constexpr std::uint32_t kernel_color = meaning_color::kernel;
 
 } // namespace isoscope

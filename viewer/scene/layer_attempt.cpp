@@ -11,7 +11,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::uint32_t offender_color = meaning::offender;
+constexpr std::uint32_t offender_color = meaning_color::offender;
 
 struct Builder : AttemptBuilder {
   void kernel(const KernelPolyhedron& k) {

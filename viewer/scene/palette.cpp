@@ -9,13 +9,13 @@ namespace isoscope {
 
 SceneColors scene_colors(ThemeKind theme) {
   SceneColors c;
-  c.good = rgb(meaning::good);
-  c.bad = rgb(meaning::bad);
-  c.warning = rgb(meaning::warning);
-  c.misoriented = rgb(meaning::misoriented);
-  c.gamma = rgb(meaning::gamma);
-  c.outer = rgb(meaning::outer);
-  c.inner = rgb(meaning::inner);
+  c.good = rgb(meaning_color::good);
+  c.bad = rgb(meaning_color::bad);
+  c.warning = rgb(meaning_color::warning);
+  c.misoriented = rgb(meaning_color::misoriented);
+  c.gamma = rgb(meaning_color::gamma);
+  c.outer = rgb(meaning_color::outer);
+  c.inner = rgb(meaning_color::inner);
   c.selection = rgb(0xF0E442);
   c.accent = rgb(0x56B4E9);
   switch (theme) {
@@ -80,7 +80,7 @@ glm::vec3 side_color(int label, bool rooms, const SceneColors& colors) {
 }
 
 RoomStyle room_style(int label) {
-  if (label > 0) return {rgb(meaning::outer), Hatch::none};
+  if (label > 0) return {rgb(meaning_color::outer), Hatch::none};
   // Six of the eight colours of Okabe and Ito (2008), those of the outside and of lines left out.
   constexpr std::array<std::uint32_t, 6> colors{0xCC79A7, 0xE69F00, 0x009E73, 0x0072B2, 0xF0E442, 0xD55E00};
   constexpr std::array<Hatch, 7> hatches{Hatch::none,  Hatch::rising,  Hatch::falling, Hatch::dots,

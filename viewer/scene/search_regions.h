@@ -11,7 +11,7 @@
 namespace isoscope {
 
 /// Of Ψ, faces and hatching.
-constexpr std::uint32_t invalid_color = meaning::invalid;
+constexpr std::uint32_t invalid_color = meaning_color::invalid;
 
 /// Translucent faces, hatching, and a solid outline where Ψ meets the kernel or one of its own planes.
 void add_invalid_regions(const EdgeXray& xray, const SceneSpace& space, LineBuilder& lines,

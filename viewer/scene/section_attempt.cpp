@@ -61,7 +61,8 @@ class Builder {
 
   void kernel() {
     if (Points p = cut_polyhedron(xray_.kernel, plane_); !p.empty())
-      out.areas.push_back({AttemptSection::Role::kernel, std::move(p), rgb(meaning::kernel), 0.3f, 0.95f});
+      out.areas.push_back(
+          {AttemptSection::Role::kernel, std::move(p), rgb(meaning_color::kernel), 0.3f, 0.95f});
   }
 
   /// Of an empty one the half-spaces that already have no common point: their lines, each with a spike to
@@ -81,21 +82,21 @@ class Builder {
       const double reach = 0.3 * size_, spike = 0.06 * size_;
       out.lines.push_back({{foot.u - reach * n.v, foot.v + reach * n.u},
                            {foot.u + reach * n.v, foot.v - reach * n.u},
-                           rgb(meaning::kernel),
+                           rgb(meaning_color::kernel),
                            0.95f,
                            2.0f});
       const PlanePoint tip{foot.u + spike * n.u, foot.v + spike * n.v};
-      out.lines.push_back({foot, tip, rgb(meaning::kernel), 0.9f, 1.4f});
-      out.marks.push_back({tip, rgb(meaning::kernel), MarkerShape::triangle, 7, 1});
+      out.lines.push_back({foot, tip, rgb(meaning_color::kernel), 0.9f, 1.4f});
+      out.marks.push_back({tip, rgb(meaning_color::kernel), MarkerShape::triangle, 7, 1});
     }
-    mark(k.center, rgb(meaning::kernel), MarkerShape::circle, 11);
+    mark(k.center, rgb(meaning_color::kernel), MarkerShape::circle, 11);
   }
 
   void invalid_regions() {
     for (const EdgeXray::Invalid& region : xray_.invalid)
       if (Points p = cut_polyhedron(region.shape, plane_); !p.empty())
         out.areas.push_back(
-            {AttemptSection::Role::invalid, std::move(p), rgb(meaning::invalid), 0.1f, 0.95f, true});
+            {AttemptSection::Role::invalid, std::move(p), rgb(meaning_color::invalid), 0.1f, 0.95f, true});
   }
 
   void cells() {
@@ -115,11 +116,11 @@ class Builder {
       for (const VertexId id : simplex)
         for (const auto& v : xray_.star.vertices)
           if (v.id == id) places.push_back(v.position);
-      if (places.size() == 1) mark(places[0], rgb(meaning::offender), MarkerShape::square, 12);
-      if (places.size() == 2) line(places[0], places[1], rgb(meaning::offender), 1, 2.8f);
+      if (places.size() == 1) mark(places[0], rgb(meaning_color::offender), MarkerShape::square, 12);
+      if (places.size() == 2) line(places[0], places[1], rgb(meaning_color::offender), 1, 2.8f);
       if (places.size() == 3)
         if (const auto s = cut_triangle({places[0], places[1], places[2]}, plane_))
-          out.lines.push_back({(*s)[0], (*s)[1], rgb(meaning::offender), 1, 2.8f});
+          out.lines.push_back({(*s)[0], (*s)[1], rgb(meaning_color::offender), 1, 2.8f});
     }
   }
 
