@@ -3,17 +3,14 @@
 
 #include "base/numbers.h"
 #include "base/stopwatch.h"
-#include "input/gallery.h"
-#include "input/gallery_shapes.h"
-#include "input/grid_readers.h"
 #include "input/input_mesh.h"
-#include "input/label_walls.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
 #include "run/closing_tolerance.h"
 #include "run/coordinate_check.h"
 #include "run/make_field.h"
 #include "run/point_field.h"
+#include "run/run_input.h"
 #include "tolerance/facet_copies.h"
 
 #include <sys/resource.h>
@@ -40,54 +37,6 @@ Error cancelled_error(const RunControl& control) {
           control.timed_out() ? "The time limit was reached before the refinement began."
                               : "The run was stopped before the refinement began.",
           ""};
-}
-
-/// Reads the walls of a volume: the outer one first.
-Result<InputMesh> load_walls(const std::string& outer, const std::string& inner, const RunControl& control) {
-  auto walls = read_input_mesh(outer, control);
-  if (!walls) return walls.error();
-  auto inside = read_input_mesh(inner, control);
-  if (!inside) return inside.error();
-  TriangleSoup& soup = walls->soup;
-  soup.outer_triangles = soup.triangles.size();
-  append(soup, inside->soup);
-  soup.name += " and " + inside->soup.name;
-  walls->notes.insert(walls->notes.end(), inside->notes.begin(), inside->notes.end());
-  return walls;
-}
-
-Result<InputMesh> load(const RunParameters& parameters, const RunControl& control) {
-  const std::string& input = parameters.input;
-  if (input.starts_with(gallery_prefix)) {
-    auto soup = make_gallery_model(input.substr(gallery_prefix.size()));
-    if (!soup) return soup.error();
-    return InputMesh{std::move(*soup), {}};
-  }
-  if (!parameters.inside.empty()) return load_walls(input, parameters.inside, control);
-  if (!is_grid_file(input)) return read_input_mesh(input, control);
-  auto grid = read_grid(input, control);
-  if (!grid) return grid.error();
-  if (parameters.sides == SidesMode::multi) {
-    auto walls = walls_between_labels(*grid);
-    if (!walls) return walls.error();
-    return InputMesh{std::move(*walls), {}};
-  }
-  InputMesh mesh;
-  mesh.soup.name = grid->name;
-  mesh.soup.grid = std::make_shared<const ScalarGrid>(std::move(*grid));
-  return mesh;
-}
-
-/// Whether what is asked of a volume that the input gives fits the input.
-Status check_volume(const TriangleSoup& soup, const RunParameters& p) {
-  if (!soup.grid && (p.levels.given() || p.label))
-    return Error{ErrorCode::usage,
-                 std::string(p.label ? "--label" : "--levels") + " is given, and the input is no grid.",
-                 "Give a NRRD file, or raw data with a header."};
-  if (soup.gives_volume() && (p.drop_small > 0 || p.drop_thin))
-    return Error{ErrorCode::usage, "Nothing can be left out of an input that gives the volume itself.",
-                 std::string("Leave ") + (p.drop_thin ? "--drop-thin" : "--drop-small") + " out."};
-  return {};
 }
 
 /// Lets the refinement end when σ changed, so that S can be replaced before it goes on.
@@ -153,12 +102,6 @@ Status check_memory(const SampleEstimate& estimate, double sigma, double delta, 
                   margin * std::sqrt(estimate.bytes(sparsest * delta) / most_bytes));
   }
   return Error{ErrorCode::unsupported, message, remedy};
-}
-
-Result<TriangleSoup> load_input(const RunParameters& parameters) {
-  auto mesh = load(parameters, RunControl{});
-  if (!mesh) return mesh.error();
-  return std::move(mesh->soup);
 }
 
 struct Pipeline::Impl {
@@ -433,7 +376,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
 
   m.control->report("input", -1);
   if (!soup) {
-    auto loaded = load(parameters_, *m.control);
+    auto loaded = read_run_input(parameters_, *m.control);
     if (!loaded) return m.control->cancelled() ? cancelled_error(*m.control) : loaded.error();
     soup = std::make_shared<const TriangleSoup>(std::move(loaded->soup));
     notes = std::move(loaded->notes);

@@ -6,6 +6,8 @@
 #include "scene/section_svg.h"
 #include "view/scene_key.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -53,6 +55,8 @@ Status write_text(const fs::path& file, const std::string& text) {
 }
 
 } // namespace
+
+Exporter::Exporter() = default;
 
 Exporter::~Exporter() {
   if (file_.valid()) file_.wait();

@@ -5,10 +5,11 @@
 #include "export/tiled_picture.h"
 #include "platform/child_process.h"
 
-#include <imgui.h>
-
 #include <future>
 #include <memory>
+
+struct ImFont;
+struct ImFontAtlas;
 
 namespace isoscope {
 
@@ -20,6 +21,7 @@ struct ViewExtent {
 
 class Exporter {
  public:
+  Exporter();
   ~Exporter();
   /// Does a frame's worth of work. The renderer holds the state shown. True when something changed.
   bool advance(Exports& desk, Renderer& renderer, const ViewExtent& extent);

@@ -13,7 +13,7 @@ namespace meaning_color {
 inline constexpr std::uint32_t good = 0x009E73, bad = 0xD55E00, warning = 0xE69F00, gamma = 0x0072B2,
                                outer = 0x56B4E9, inner = 0xCC79A7,
                                misoriented = 0x6647FF, ///< condition 3, and the tetrahedra that violate it
-    kernel = 0xA98BF0, offender = 0xE83FD0, invalid = 0xD9542B; ///< Ψ
+    kernel = 0xA98BF0, offender = 0xE83FD0, invalid = 0xC0352E; ///< Ψ
 } // namespace meaning_color
 
 struct Meaning {
