@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <vector>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -80,13 +82,10 @@ void check_told(const ToleranceVolume& v) {
   }
 }
 
-} // namespace
-
-TEST_CASE("walls and gaps of little more than twice the tolerance are counted right, or not at all") {
+void check_thin_walls(const std::vector<double>& widths) {
   const double delta = 0.064;
   int told = 0, tried = 0;
-  // Below 2.2 δ the lattice may break a ring at one place alone, which leaves a piece that can be.
-  for (const double width : {2.2, 2.3, 2.45, 2.6, 2.66, 2.8}) {
+  for (const double width : widths) {
     CAPTURE(width);
     TriangleSoup slab;
     testing::add_box(slab, {0, 0, 0}, {width * delta, 1, 1.6});
@@ -102,7 +101,18 @@ TEST_CASE("walls and gaps of little more than twice the tolerance are counted ri
     }
     if (ring->topology_told()) CHECK(euler(*ring, -1) == 0);
   }
-  CHECK(told >= tried - 3);
+  CHECK(2 * told > tried);
+}
+
+} // namespace
+
+TEST_CASE("walls and gaps of little more than twice the tolerance are counted right, or not at all") {
+  check_thin_walls({2.3, 2.66});
+}
+
+// Below 2.2 δ the lattice may break a ring at one place alone, which leaves a piece that can be.
+TEST_CASE("walls and gaps of any such width are counted right, or not at all" * doctest::test_suite("soak")) {
+  check_thin_walls({2.2, 2.3, 2.45, 2.6, 2.66, 2.8});
 }
 
 TEST_CASE("a tolerance that takes too much memory is refused at once, with one that does not") {
