@@ -139,19 +139,19 @@ quit
 TEST_CASE("parameters go on from the step that is shown, and the run that was left is kept") {
   CHECK(run_window("parameters-branch", R"(
 wait settled
-seek 20
+seek 8
 wait settled
 set alpha 0.6
 wait settled
-expect apply.would == branch and apply.step == 20 and preview.samples > beyond_margin
-expect forecast.from == 20 and forecast.seconds > 0
+expect apply.would == branch and apply.step == 8 and preview.samples > beyond_margin
+expect forecast.from == 8 and forecast.seconds > 0
 apply
 wait settled
 expect runs == 2 and phase == finished and alpha == 0.6 and compare.active == b
-expect compare.common >= 20 and certified == on and preview.samples == nan
+expect compare.common >= 8 and certified == on and preview.samples == nan
 other-run
 wait settled
-expect compare.active == a and step == 20 and alpha == 0.2
+expect compare.active == a and step == 8 and alpha == 0.2
 quit
 )",
                    "gallery:sphere --tolerance 12%") == 0);
