@@ -64,7 +64,7 @@ warnings
 expect warnings.shown == on
 quit
 )",
-                   "gallery:sphere --tolerance 12% --sigma 0.9 --until refinement") == 0);
+                   "gallery:noisy-sphere --until refinement") == 0);
 }
 
 TEST_CASE("the section passes through the selected edge, and its handle moves the plane") {
@@ -139,6 +139,7 @@ TEST_CASE("a lane is a filter, and the list is sorted by its columns") {
   CHECK(run_window("lanes", R"(
 wait settled
 tab timeline
+seek 0
 lane collapse
 expect lane == collapse
 next-event

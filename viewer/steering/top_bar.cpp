@@ -63,7 +63,7 @@ template <class Draw> void bar_word(Ui& ui, const char* id, const std::string& l
   if (ImGui::BeginPopup("entries")) {
     ui.window.menu = id;
     // The next one was asked for by a key.
-    if (!ui.window.open_menu.empty() && ui.window.open_menu != id) ImGui::CloseCurrentPopup();
+    if (!ui.window.open_menu.empty() && !opens) ImGui::CloseCurrentPopup();
     draw();
     ImGui::EndPopup();
   }
