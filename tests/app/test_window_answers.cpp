@@ -152,6 +152,7 @@ tab events
 lane classification
 sort-events value
 expect events.sort == -value
+seek 0
 next-event
 expect event.here == events.first
 sort-events value

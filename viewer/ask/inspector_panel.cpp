@@ -464,8 +464,10 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
         true);
     return;
   }
-  if (!(picked == ui.window.inspected) || m.selection.event != ui.window.inspected_event) {
-    // What is selected anew begins at the top.
+  const bool at_end = m.transport.step() >= m.live_step(), leaves_end = ui.window.inspected_end && !at_end;
+  ui.window.inspected_end = at_end;
+  if (leaves_end || !(picked == ui.window.inspected) || m.selection.event != ui.window.inspected_event) {
+    // What is selected anew begins at the top, and so does what no certificate stands below any more.
     ui.window.inspected = picked;
     ui.window.inspected_event = m.selection.event;
     ui.window.answer.wanted = AnswerKind::none;

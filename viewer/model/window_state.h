@@ -176,6 +176,7 @@ class WindowState : public ShownRun {
   float inspector_scroll = 0; ///< pixels; told by the inspector
   Pick inspected;             ///< what it told of in the last frame, and of which event
   std::optional<std::uint32_t> inspected_event;
+  bool inspected_end = false; ///< it was asked about at the end of the run
 
   // The window.
   Settings settings;
