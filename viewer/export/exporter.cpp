@@ -6,8 +6,6 @@
 #include "scene/section_svg.h"
 #include "view/scene_key.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
