@@ -32,10 +32,6 @@ std::vector<Part> parts_of(const ZeroSet& zero, const ZeroSet::Polygon& polygon)
   return {part(0, 1, 2, 7 & ~2), part(0, 2, 3, 7 & ~4)}; // without the diagonal between 0 and 2
 }
 
-Vec3 area_vector(const Triangle3& t) {
-  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
-}
-
 /// The k² congruent pieces of a triangle.
 void add_pieces(const Part& part, std::size_t k, std::vector<ZeroMap::Piece>& out) {
   const auto n = static_cast<double>(k);
@@ -56,7 +52,7 @@ void add_pieces(const Part& part, std::size_t k, std::vector<ZeroMap::Piece>& ou
 void add_kites(const Part& part, const std::vector<std::uint32_t>& valence,
                std::vector<ZeroMap::Piece>& out) {
   const Triangle3& t = part.corners;
-  const Vec3 middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
+  const Vec3 middle = centroid(t);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     const auto value = static_cast<float>(valence[part.vertices[i]]);
@@ -108,13 +104,13 @@ std::optional<std::vector<float>> ages(const StateSnapshot& state, const Journal
 
 /// Cuts every polygon into so many pieces that there are about as many as wanted, by area.
 void cut_evenly(const ZeroSet& zero, ZeroMap& map) {
-  double area = 0;
+  double whole = 0;
   for (const ZeroSet::Polygon& polygon : zero.polygons)
-    for (const Part& part : parts_of(zero, polygon)) area += length(area_vector(part.corners));
+    for (const Part& part : parts_of(zero, polygon)) whole += area(part.corners);
   for (const ZeroSet::Polygon& polygon : zero.polygons) {
     map.begin.push_back(static_cast<std::uint32_t>(map.pieces.size()));
     for (const Part& part : parts_of(zero, polygon)) {
-      const double share = area > 0 ? length(area_vector(part.corners)) / area : 0;
+      const double share = whole > 0 ? area(part.corners) / whole : 0;
       const double k = std::ceil(std::sqrt(wanted_pieces * share));
       add_pieces(part, static_cast<std::size_t>(std::clamp(k, 1.0, 64.0)), map.pieces);
     }
@@ -125,10 +121,9 @@ bool measure(const Scene& scene, ZeroMap& map, const RunControl& control) {
   const double delta = scene.delta > 0 ? scene.delta : 1;
   const ClosestPointIndex* const surface = scene.field->surface();
   const bool angles = map.kind == ZeroMapKind::normals;
-  const auto stop = [&control] { return control.cancelled(); };
-  return parallel_until(map.pieces.size(), 64, stop, [&](std::size_t i) {
+  return parallel_until(map.pieces.size(), 64, control, [&](std::size_t i) {
     ZeroMap::Piece& piece = map.pieces[i];
-    const Vec3 middle = (1.0 / 3) * (piece.corners[0] + piece.corners[1] + piece.corners[2]);
+    const Vec3 middle = centroid(piece.corners);
     if (!angles) {
       piece.value = static_cast<float>(scene.field->distance(middle) / delta);
       return;
@@ -142,16 +137,16 @@ bool measure(const Scene& scene, ZeroMap& map, const RunControl& control) {
 
 /// What the colours span, and what is said of the values.
 void summarize(ZeroMap& map) {
-  double area = 0, sum = 0;
+  double whole = 0, sum = 0;
   map.least = map.pieces.empty() ? 0 : map.pieces[0].value;
   for (const ZeroMap::Piece& piece : map.pieces) {
-    const double a = length(area_vector(piece.corners));
-    area += a;
+    const double a = area(piece.corners);
+    whole += a;
     sum += a * static_cast<double>(piece.value);
     map.least = std::min(map.least, piece.value);
     map.largest = std::max(map.largest, piece.value);
   }
-  map.mean = static_cast<float>(area > 0 ? sum / area : 0);
+  map.mean = static_cast<float>(whole > 0 ? sum / whole : 0);
   constexpr float least_angle = 30, few = 3, many = 9;
   switch (map.kind) {
   case ZeroMapKind::distance:

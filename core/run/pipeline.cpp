@@ -204,17 +204,17 @@ struct Pipeline::Impl {
   }
 
   /// Why a branch has not come to the step that it was to go on from.
-  Status follow_failed() const {
+  Error follow_failed() const {
     if (control->cancelled())
-      return Error{ErrorCode::cancelled, "The run was stopped before it came to the step of its branch.", ""};
-    return Error{ErrorCode::unsupported,
-                 "What the run did before this step comes out differently now: it cannot go on from there.",
-                 "Restart with these parameters."};
+      return {ErrorCode::cancelled, "The run was stopped before it came to the step of its branch.", ""};
+    return {ErrorCode::unsupported,
+            "What the run did before this step comes out differently now: it cannot go on from there.",
+            "Restart with these parameters."};
   }
 
   Status refine() {
     if (Status refined_now = refine_on(); !refined_now) return refined_now;
-    return recorder->rehearsal() != nullptr ? follow_failed() : Status();
+    return recorder->rehearsal() != nullptr ? Status(follow_failed()) : Status();
   }
 
   /// Runs the simplification; one that is repeated goes on where the run that it follows did.
@@ -226,7 +226,7 @@ struct Pipeline::Impl {
         scratch.reset();
         return finished;
       }
-      if (*finished || recorder->astray() || control->cancelled()) return follow_failed().error();
+      if (*finished || recorder->astray() || control->cancelled()) return follow_failed();
     }
   }
 

@@ -116,7 +116,4 @@ class Pipeline {
 /// `sigma` and `delta` are absolute.
 Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes);
 
-/// Resolves gallery:NAME or reads the file; two files where the parameters name the walls of a volume.
-Result<TriangleSoup> load_input(const RunParameters& parameters);
-
 } // namespace isoscope

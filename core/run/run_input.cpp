@@ -5,7 +5,6 @@
 #include "input/gallery_shapes.h"
 #include "input/grid_readers.h"
 #include "input/label_walls.h"
-#include "run/pipeline.h"
 
 #include <memory>
 #include <string>

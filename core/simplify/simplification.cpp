@@ -158,19 +158,25 @@ struct Simplification::Impl {
     if (std::exchange(filled, true) || context.volume.open_sides() == nullptr ||
         parameters.fill.rule == HoleChoice::Rule::none)
       return;
-    if (!live) {
-      FreeFilling made =
-          fill_free_holes(free, context.volume, parameters.fill, [this] { return log.stopped(); });
-      if (log.stopped()) return;
-      for (const FreeFilling::Refusal& refusal : made.refused) refuse_to_fill(refusal.loop, refusal.why);
-      if (made.delta.added_facets.empty()) return;
-      free.apply(made.delta);
-      const Event e = filling(made.delta.added_facets.size(), made.loops);
-      StepFigures figures; // no vertex comes or goes
-      if (!log.journal().operations().empty()) figures = log.journal().operations().back().figures;
-      log.operation(e, std::move(made.delta), figures);
-      return;
-    }
+    if (live)
+      fill_in_complex();
+    else
+      fill_free();
+  }
+
+  void fill_free() {
+    FreeFilling made =
+        fill_free_holes(free, context.volume, parameters.fill, [this] { return log.stopped(); });
+    if (log.stopped()) return;
+    for (const FreeFilling::Refusal& refusal : made.refused) refuse_to_fill(refusal.loop, refusal.why);
+    if (made.delta.added_facets.empty()) return;
+    free.apply(made.delta);
+    // No vertex comes or goes.
+    const StepFigures figures = log.journal().operations().back().figures;
+    log.operation(filling(made.delta.added_facets.size(), made.loops), std::move(made.delta), figures);
+  }
+
+  void fill_in_complex() {
     const auto loops = context.volume.open_sides()->rim().loops();
     std::vector<DroppedFacet> facets;
     std::vector<std::uint32_t> filled_loops;
@@ -226,16 +232,14 @@ struct Simplification::Impl {
 
   Status run_stage(Stage stage) {
     if (!std::exchange(rejoined, false)) log.begin(stage);
+    Status made;
     switch (stage) {
     case Stage::gamma:
       collapse(EdgeKind::gamma, true, most_rounds);
       if (!context.criteria.certified) collapse(EdgeKind::gamma, false, most_rounds);
       break;
     case Stage::tessellation:
-      if (Status made = tessellate(); !made) {
-        log.end();
-        return made;
-      }
+      made = tessellate();
       break;
     case Stage::rim:
       cut_along_rim();
@@ -254,7 +258,7 @@ struct Simplification::Impl {
       break;
     }
     log.end();
-    return {};
+    return made;
   }
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 namespace isoscope {
+
 std::string ToleranceVolume::thickening_note(const RunControl& control) const {
   if (thickening()) return {};
   std::size_t outer = 0, inner = 0;
