@@ -171,7 +171,7 @@ void App::keys(CommandSink& commands) {
     // Alt alone, or with the first letter of a menu, opens it; within it keys are the menu's.
     if (press.key == GLFW_KEY_LEFT_ALT || press.alt) {
       for (const std::string_view menu : menu_names)
-        if (press.key == GLFW_KEY_LEFT_ALT || menu.front() == static_cast<char>(press.key)) {
+        if (press.key == GLFW_KEY_LEFT_ALT || press.key == menu.front()) {
           commands.post("menu", {std::string(menu)});
           break;
         }
@@ -186,8 +186,7 @@ void App::keys(CommandSink& commands) {
       }
       continue;
     }
-    const Command* command =
-        press.alt ? nullptr : model_->commands.find(Chord{press.key, press.control, press.shift});
+    const Command* command = model_->commands.find(Chord{press.key, press.control, press.shift});
     if (command == nullptr) continue;
     // While text is typed, only what cannot be text is a command.
     const bool function_key = press.key >= GLFW_KEY_F1 && press.key <= GLFW_KEY_F25;

@@ -3,7 +3,7 @@
 
 #include "app/lesson_cards.h"
 #include "app/welcome.h"
-
+#include "base/folded.h"
 #include "input/gallery.h"
 #include "journal/vocabulary.h"
 #include "model/words.h"
@@ -11,15 +11,20 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 
 namespace isoscope {
 namespace {
 
 /// Of the help: one a menu, then the rest.
-constexpr std::array<const char*, menu_names.size() + 3> help_sections{
-    "File", "Run", "Select", "Ask", "View", "Talk", "Window", "Help", "No menu", "Reasons", "Values"};
+constexpr auto help_sections = [] {
+  std::array<const char*, menu_names.size() + 3> sections{};
+  for (std::size_t i = 0; i < menu_names.size(); ++i) sections.at(i) = menu_names.at(i).data();
+  sections.at(menu_names.size()) = "No menu";
+  sections.at(menu_names.size() + 1) = "Reasons";
+  sections.at(menu_names.size() + 2) = "Values";
+  return sections;
+}();
 
 void heading(Ui& ui, const char* title, const char* note) {
   ImGui::PushFont(ui.fonts.title);
@@ -30,13 +35,6 @@ void heading(Ui& ui, const char* title, const char* note) {
   if (widgets::icon_button(ui, "close", icon::close)) ui.commands.post("clear");
   widgets::quiet_text(ui, note, true);
   ImGui::Dummy({0, ui.px(6)});
-}
-
-bool contains_folded(std::string_view text, std::string_view part) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
 void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size) {
@@ -146,8 +144,22 @@ void Overlays::help(Ui& ui) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(250));
     ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, ui.px(130));
     ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+    std::optional<std::size_t> section; // whose heading is still to come, with its first row
+    const auto heading_row = [&](std::size_t i) {
+      ImGui::TableNextRow(0, ui.px(30));
+      ImGui::TableNextColumn();
+      if (section_ == static_cast<int>(i)) {
+        ImGui::SetScrollHereY(0);
+        section_ = -1;
+      }
+      ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, to_u32(ui.colors.accent, 0.14f));
+      ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(6));
+      widgets::bold_text(ui, help_sections.at(i));
+    };
+    // Whether it is drawn.
     const auto row = [&](const std::string& name, const std::string& key, std::string_view text) {
-      if (!contains_folded(name + " " + key + " " + std::string(text), query_.data())) return;
+      if (!contains_folded(name + " " + key + " " + std::string(text), query_.data())) return false;
+      if (section) heading_row(*std::exchange(section, std::nullopt));
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       ImGui::PushFont(ui.fonts.mono);
@@ -161,18 +173,6 @@ void Overlays::help(Ui& ui) {
       ImGui::PushTextWrapPos(0);
       ImGui::TextUnformatted(text.data(), text.data() + text.size());
       ImGui::PopTextWrapPos();
-    };
-    const auto section = [&](std::size_t i, bool holds_any) {
-      if (!holds_any) return false;
-      ImGui::TableNextRow(0, ui.px(30));
-      ImGui::TableNextColumn();
-      if (section_ == static_cast<int>(i)) {
-        ImGui::SetScrollHereY(0);
-        section_ = -1;
-      }
-      ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, to_u32(ui.colors.accent, 0.14f));
-      ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(6));
-      widgets::bold_text(ui, help_sections.at(i));
       return true;
     };
     const auto keys_of = [](const Command& command) {
@@ -180,32 +180,21 @@ void Overlays::help(Ui& ui) {
       for (const Chord& chord : command.keys) keys += (keys.empty() ? "" : ", ") + text(chord);
       return keys;
     };
-    const auto told = [&](const std::string& text) { return contains_folded(text, query_.data()); };
     for (std::size_t m = 0; m <= menu_names.size(); ++m) {
+      section = m;
       // Those without a menu stand together.
       const std::string_view menu = m < menu_names.size() ? menu_names.at(m) : std::string_view();
-      const auto found = [&](const Command& c) {
-        return c.menu == menu && told(c.name + " " + c.usage + " " + keys_of(c) + " " + c.help);
-      };
-      if (!section(m, std::any_of(ui.table.all().begin(), ui.table.all().end(), found))) continue;
       for (const Command& c : ui.table.all())
         if (c.menu == menu) row(c.name + (c.usage.empty() ? "" : " " + c.usage), keys_of(c), c.help);
     }
-    const auto reason_text = [](const ReasonWords& r) {
-      return std::string(r.name) + " " + std::string(r.title) + " " + std::string(r.help);
-    };
-    section(menu_names.size() + 1, std::any_of(reason_table.begin(), reason_table.end(), [&](const auto& r) {
-              return rejects(r.value) && told(reason_text(r));
-            }));
+    section = menu_names.size() + 1;
     for (const ReasonWords& style : reason_table) {
-      if (!rejects(style.value) || !told(reason_text(style))) continue;
-      row(std::string(style.name), std::string(style.title), style.help);
+      if (!rejects(style.value) || !row(std::string(style.name), std::string(style.title), style.help))
+        continue;
       const ImVec2 low = ImGui::GetItemRectMin();
       widgets::glyph(ui, {low.x - ui.px(146), low.y + ui.px(7)}, 4.5f, style.color, style.shape);
     }
-    const auto value_text_of = [](const NamedValue& v) { return v.name + " " + v.get() + " " + v.help; };
-    section(menu_names.size() + 2, std::any_of(model_.values.all().begin(), model_.values.all().end(),
-                                               [&](const NamedValue& v) { return told(value_text_of(v)); }));
+    section = menu_names.size() + 2;
     for (const NamedValue& value : model_.values.all())
       row((value.set ? "set " : "expect ") + value.name, value.get(), value.help);
     ImGui::EndTable();

@@ -1,6 +1,7 @@
 // Commands by any letters in order, the rest by the text itself.
 #include "app/palette_entries.h"
 
+#include "base/folded.h"
 #include "command/command_search.h"
 #include "input/gallery.h"
 #include "model/words.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace isoscope {
 namespace {
@@ -17,10 +17,7 @@ namespace {
 constexpr std::size_t most_of_a_kind = 12;
 
 bool holds_text(std::string_view text, std::string_view part) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  return !part.empty() && std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+  return !part.empty() && contains_folded(text, part);
 }
 
 std::string trimmed(const std::string& text) {

@@ -91,8 +91,8 @@ void before_the_operation(Ui& ui, const StateSnapshot& s, std::uint32_t id, int 
   const bool judged = e.condition == Condition::classification;
   widgets::subtitle(ui, "Before this operation");
   if (judged) {
-    widgets::verdict_text(ui, e.value < 1,
-                          e.value < 1 ? "good, but beyond 1 − α" : "bad: f had the wrong sign here");
+    widgets::verdict_text(ui, !is_bad(e.value),
+                          !is_bad(e.value) ? "good, but beyond 1 − α" : "bad: f had the wrong sign here");
     widgets::value_row(ui, "f(s)", short_number((1 - e.value) * (label > 0 ? 1 : -1)));
     widgets::limit_bar(ui, "error ε(s)", e.value, e.limit, e.value <= e.limit, "", true);
   } else {
@@ -464,7 +464,8 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
         true);
     return;
   }
-  const bool at_end = m.transport.step() >= m.live_step(), leaves_end = ui.window.inspected_end && !at_end;
+  const bool at_end = m.run.result && m.transport.step() >= m.live_step(),
+             leaves_end = ui.window.inspected_end && !at_end;
   ui.window.inspected_end = at_end;
   if (leaves_end || !(picked == ui.window.inspected) || m.selection.event != ui.window.inspected_event) {
     // What is selected anew begins at the top, and so does what no certificate stands below any more.

@@ -2,6 +2,7 @@
 #include "ask/pinned_verdict.h"
 
 #include "edge/edge_inspector.h"
+#include "mesh/sample_sets.h"
 #include "model/words.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -14,7 +15,7 @@ namespace {
 void judge_sample(const Ui& ui, const StateSnapshot& s, std::uint32_t id, ElementVerdict& v) {
   if (id >= s.errors.size()) return;
   const auto error = static_cast<double>(s.errors[id]);
-  const bool bad = error >= 1;
+  const bool bad = is_bad(error);
   v.words = std::string(bad ? "bad" : "good") + ", ε = " + short_number(error);
   v.color = bad ? ui.colors.bad : ui.colors.good;
   v.shape = bad ? MarkerShape::cross : MarkerShape::disc;

@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -88,6 +89,8 @@ inline Error usage(std::string what) {
 std::optional<double> number_argument(const Arguments& a, std::size_t at, double low, double high);
 std::optional<std::size_t> whole_argument(const Arguments& a, std::size_t at, std::size_t low,
                                           std::size_t high = 4000000000);
+/// Two arguments, and no others, as a way on the screen.
+std::optional<std::array<float, 2>> pixels_of(const Arguments& a);
 /// The first argument as a count of `things`, 1 without it.
 Result<long> count_argument(const Arguments& a, const std::string& things);
 

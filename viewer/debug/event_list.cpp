@@ -238,20 +238,22 @@ void EventList::draw(Ui& ui, const Debugger& debugger) {
     const float high = ui.px(event_row_units);
     // The row of the play head or of the chosen event comes into sight when it moved.
     const Step step = m.transport.step();
-    const bool sorted = !(m.event_sort == EventSort());
-    const auto current =
-        sorted ? std::find(rows.begin(), rows.end(), static_cast<std::uint32_t>(debugger.current_event()))
-        : m.selection.event ? std::lower_bound(rows.begin(), rows.end(), *m.selection.event)
-                            : std::partition_point(rows.begin(), rows.end(), [&](std::uint32_t row) {
-                                const Event& e = journal->events()[row];
-                                return step_showing(e) < step;
-                              });
     const std::uint32_t place = m.selection.event.value_or(step);
     if (place != scrolled_to_) {
       scrolled_to_ = place;
+      const bool sorted = !(m.event_sort == EventSort());
+      const auto current =
+          sorted ? std::find(rows.begin(), rows.end(), static_cast<std::uint32_t>(debugger.current_event()))
+          : m.selection.event ? std::lower_bound(rows.begin(), rows.end(), *m.selection.event)
+                              : std::partition_point(rows.begin(), rows.end(), [&](std::uint32_t row) {
+                                  const Event& e = journal->events()[row];
+                                  return step_showing(e) < step;
+                                });
       const float y = static_cast<float>(current - rows.begin()) * high;
       const float scroll = ImGui::GetScrollY(), visible = ImGui::GetWindowHeight();
-      if (y < scroll || y + high > scroll + visible) ImGui::SetScrollY(std::max(0.0f, y - visible / 2));
+      const bool known = !sorted || current != rows.end();
+      if (known && (y < scroll || y + high > scroll + visible))
+        ImGui::SetScrollY(std::max(0.0f, y - visible / 2));
     }
     widgets::rows_in_sight(rows.size(), high, [&](std::size_t i) { row(ui, rows[i]); });
   }

@@ -33,7 +33,7 @@ bool is_length(const Event& e) {
 }
 
 std::uint32_t element_of(const Event& e) {
-  if (e.vertex.valid()) return e.vertex.value;
+  if (e.vertex.valid() && e.other.valid()) return e.vertex.value;
   if (e.sample.valid()) return e.sample.value;
   return e.tet.value;
 }
@@ -78,14 +78,18 @@ EventNumbers event_numbers(const Journal& journal, const JournalIndex& index, st
 const std::vector<std::uint32_t>& EventOrder::of(const FilteredEvents& listed, const JournalIndex& index,
                                                  EventSort sort) {
   const auto& rows = listed.rows();
-  if ((sort.column == EventColumn::step && !sort.descending) || rows.size() > most || !listed.journal())
+  if (sort == EventSort() || rows.size() > most || !listed.journal()) {
+    journal_.reset(); // it may be the last to keep it
     return rows;
-  if (journal_ == listed.journal() && query_ == listed.query() && sort_ == sort && taken_ == rows.size())
+  }
+  if (journal_ == listed.journal() && query_ == listed.query() && sort_ == sort && taken_ == rows.size() &&
+      indexed_ == index.steps())
     return rows_;
   journal_ = listed.journal();
   query_ = listed.query();
   sort_ = sort;
   taken_ = rows.size();
+  indexed_ = index.steps();
   if (sort.column == EventColumn::step) {
     rows_.assign(rows.rbegin(), rows.rend());
     return rows_;

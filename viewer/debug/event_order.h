@@ -23,7 +23,7 @@ struct EventNumbers {
 };
 EventNumbers event_numbers(const Journal& journal, const JournalIndex& index, std::uint32_t event);
 
-/// Sorted anew where rows or wish are others.
+/// Sorted anew where rows, times or wish are others.
 class EventOrder {
  public:
   /// The rows by a column; what has nothing there comes last, equals by step. By step, and of more than
@@ -37,6 +37,7 @@ class EventOrder {
   EventQuery query_;
   EventSort sort_;
   std::size_t taken_ = 0;
+  Step indexed_ = 0; ///< steps whose times were known
   std::vector<std::uint32_t> rows_;
 };
 

@@ -187,6 +187,7 @@ void Exporter::add_key(const Exports& desk, Image& image) {
   if (!key_fonts_ || key_scale_ != scale) {
     key_fonts_ = std::make_unique<ImFontAtlas>();
     key_scale_ = scale;
+    key_font_ = nullptr; // the old one went with its atlas
     const auto fonts = load_fonts(*key_fonts_, scale);
     if (!fonts) return desk.window.report(fonts.error());
     key_font_ = fonts->small;

@@ -82,7 +82,8 @@ bool Transport::dwell(Step step) {
 }
 
 std::optional<std::size_t> Transport::dwelling() const {
-  if (mode_ == Mode::paused || !(dwell_ > 0)) return std::nullopt;
+  // The moments may have become others meanwhile.
+  if (mode_ == Mode::paused || !(dwell_ > 0) || dwell_end_ > moments_.size()) return std::nullopt;
   const auto left = static_cast<std::size_t>(std::ceil(dwell_ / dwell_seconds));
   return dwell_end_ - std::min(left, dwell_end_);
 }

@@ -1,6 +1,8 @@
 // Messages, the window's memory of its look, and what follows from what is selected.
 #include "model/window_state.h"
 
+#include "scene/overlay.h"
+
 #include <algorithm>
 
 namespace isoscope {
@@ -14,6 +16,19 @@ float Message::strength(double clock) const {
   if (error) return 1;
   const double left = since + shown - clock;
   return static_cast<float>(std::clamp(left / fade, 0.0, 1.0));
+}
+
+bool WindowState::drag_in_scene(Vec3 place, float dx, float dy) {
+  const auto [x, y, width, height] = scene_area;
+  const ScreenPoint at = project(camera, place, static_cast<double>(width), static_cast<double>(height));
+  if (!at.visible) return false;
+  const float from_x = x + static_cast<float>(at.x), from_y = y + static_cast<float>(at.y);
+  constexpr int moves = 8;
+  for (int i = -2; i <= moves + 1; ++i) {
+    const float t = static_cast<float>(std::clamp(i, 0, moves)) / moves;
+    requests.mouse.push_back({from_x + t * dx, from_y + t * dy, 0, i >= 0 && i <= moves});
+  }
+  return true;
 }
 
 void WindowState::add(Message message) {

@@ -68,9 +68,10 @@ void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
   const StateSnapshot* state = inputs.state.get();
   Built zero_wanted = wanted;
   zero_wanted.moment = view.moment;
-  zero_wanted.map = inputs.zero_map;
+  // A picture may have another view than the window, whose map this is.
+  if (inputs.zero_map && inputs.zero_map->kind == view.zero_map) zero_wanted.map = inputs.zero_map;
   refresh(view.zero_set, zero_wanted, zero_set_, [&](ZeroSetLayer& layer) {
-    layer.update(*state, view.moment, inputs.zero_map.get(), clip, frame.colors, frame.space);
+    layer.update(*state, view.moment, zero_wanted.map.get(), clip, frame.colors, frame.space);
   });
   refresh(view.curves, wanted, curves_,
           [&](CurvesLayer& layer) { layer.update(*state, clip, frame.colors, frame.space); });

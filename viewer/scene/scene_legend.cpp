@@ -29,10 +29,8 @@ std::vector<LegendEntry> scene_legend(const StateSnapshot& state, const ViewSett
       "sample over the rim");
   if (view.tetrahedra.shown() && !section) {
     std::array<bool, 6> seen{};
-    for (std::size_t i = 0; i < state.tet_flags.size() && i < state.complex.tets.size(); ++i)
-      if (state.complex.tets[i].alive())
-        seen.at(static_cast<std::size_t>(
-            tet_role(state.tet_flags[i], view.tets, state.complex.form == ZeroForm::embedded))) = true;
+    for_each_visible_tet(state, view.tets, Clip(view.clip),
+                         [&](TetId, TetRole role) { seen.at(static_cast<std::size_t>(role)) = true; });
     const auto role = [&](TetRole r) { return seen.at(static_cast<std::size_t>(r)); };
     put(role(TetRole::violates_1), Sign::cell, c.bad, "violates condition 1");
     put(role(TetRole::violates_2), Sign::cell, c.warning, "violates condition 2: too flat");

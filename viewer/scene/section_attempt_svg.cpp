@@ -1,30 +1,17 @@
 // Widths and sizes in pixels of the interface become millimetres.
 #include "scene/section_attempt_svg.h"
 
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include "scene/svg_words.h"
+
+#include <string>
+#include <vector>
 
 namespace isoscope {
 namespace {
 
+using svg::hex, svg::number;
+
 constexpr double millimetres = 0.26; ///< a pixel of the interface
-
-std::string number(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.3f", value);
-  std::string s = text.data();
-  while (s.back() == '0') s.pop_back();
-  if (s.back() == '.') s.pop_back();
-  return s == "-0" ? "0" : s;
-}
-
-std::string hex(glm::vec3 color) {
-  std::array<char, 8> text{};
-  const auto byte = [](float c) { return static_cast<unsigned>(std::lround(255 * c)); };
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(color.r), byte(color.g), byte(color.b));
-  return text.data();
-}
 
 std::string at(PlanePoint p) {
   return number(p.u) + "," + number(p.v);

@@ -9,37 +9,22 @@
 #include "scene/palette.h"
 #include "scene/section_attempt_svg.h"
 #include "scene/section_view.h"
+#include "scene/svg_words.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace isoscope {
 namespace {
 
+using svg::hex, svg::number;
+
 constexpr double margin = 3, line_height = 4.6, text_size = 3.2; // millimetres
 constexpr int lattice_most = 1200;                               ///< values along the longer side
 
-std::string number(double value, const char* format = "%.3f") {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  std::string s = text.data();
-  if (s.find('.') != std::string::npos && s.find('e') == std::string::npos) {
-    while (s.back() == '0') s.pop_back();
-    if (s.back() == '.') s.pop_back();
-  }
-  return s == "-0" ? "0" : s;
-}
 std::string short_number(double value) {
   return number(value, "%.4g");
-}
-
-std::string hex(glm::vec3 color) {
-  std::array<char, 8> text{};
-  const auto byte = [](float c) { return static_cast<unsigned>(std::lround(255 * c)); };
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(color.r), byte(color.g), byte(color.b));
-  return text.data();
 }
 
 /// d/δ with its side at a point, linear between voxel centres.

@@ -31,6 +31,8 @@ FieldState field_state(const Field<RunParameters, T>& f, const RunParameters& dr
 void parameter_label(const Ui& ui, const FieldFacts& f, const FieldState& state, float units);
 /// After the control, the last item: a red frame around a wrong one, and below what is wrong.
 void parameter_verdict(const Ui& ui, const FieldState& state);
+/// That frame alone, around the last item.
+void wrong_value_frame(const Ui& ui);
 /// The identifier of a control that has its label on the left.
 std::string unlabelled(const FieldFacts& f);
 

@@ -62,13 +62,11 @@ void parameter_slider_row(Ui& ui, const Field<P, double>& f, const P& used) {
   parameter_slider(ui, f, value);
   widgets::tip(ui, f.title, slider_tip(ui, f, value));
   if (value != before) p.*(f.member) = value;
-  if (state.error.empty()) return;
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  ImGui::GetWindowDrawList()->AddRect(low, high, to_u32(ui.colors.bad), ui.px(4), 0, ui.px(1.5f));
+  if (!state.error.empty()) wrong_value_frame(ui);
 }
 
-/// A count with its name above: what violates now, and what would.
-void violation_count(const Ui& ui, const char* name, const char* help, std::size_t now,
+/// A count with its name above: what violates now, nothing where that is not judged, and what would.
+void violation_count(const Ui& ui, const char* name, const char* help, std::optional<std::size_t> now,
                      std::optional<std::size_t> then, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(name);
@@ -78,8 +76,11 @@ void violation_count(const Ui& ui, const char* name, const char* help, std::size
   ImDrawList& list = *ImGui::GetWindowDrawList();
   widgets::draw_text(list, ui.fonts.small, at, to_u32(ui.colors.quiet), name);
   const bool known = then && *then != now;
-  const std::string text = known ? grouped(now) + " → " + grouped(*then) : grouped(now);
-  const Rgb color = !known ? ui.colors.text : *then > now ? ui.colors.bad_text : ui.colors.good_text;
+  const std::string before = now ? grouped(*now) : "–",
+                    text = known ? before + " → " + grouped(*then) : before;
+  const Rgb color = !known                    ? ui.colors.text
+                    : *then > now.value_or(0) ? ui.colors.bad_text
+                                              : ui.colors.good_text;
   const widgets::Font font(ui.fonts.mono);
   widgets::draw_text(list, ui.fonts.mono, {at.x, at.y + ui.px(15)}, to_u32(color),
                      widgets::fitted(text, width - ui.px(4)));
@@ -102,7 +103,8 @@ void violation_counts(const Ui& ui) {
   ImGui::SameLine(0, 0);
   violation_count(ui, "misoriented",
                   "Tetrahedra whose shrunk copy misclassifies its nearest samples. §2.3, Figure 4",
-                  state ? state->violating_3 : 0, then(&ViolationPreview::misoriented), each);
+                  state && state->orientation_judged ? std::optional(state->violating_3) : std::nullopt,
+                  then(&ViolationPreview::misoriented), each);
 }
 
 /// What Apply would do, in one line.

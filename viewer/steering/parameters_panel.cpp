@@ -387,10 +387,14 @@ void parameter_label(const Ui& ui, const FieldFacts& f, const FieldState& state,
   ImGui::SameLine(0, 0);
 }
 
+void wrong_value_frame(const Ui& ui) {
+  ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), to_u32(ui.colors.bad),
+                                      ui.px(4), 0, ui.px(1.5f));
+}
+
 void parameter_verdict(const Ui& ui, const FieldState& state) {
   if (state.error.empty()) return;
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  ImGui::GetWindowDrawList()->AddRect(low, high, to_u32(ui.colors.bad), ui.px(4), 0, ui.px(1.5f));
+  wrong_value_frame(ui);
   const widgets::Font font(ui.fonts.small);
   ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.bad_text));
   widgets::wrapped_text(state.error);

@@ -8,6 +8,10 @@
 
 namespace isoscope {
 
+float Canvas::text_width(std::string_view words) const {
+  return font_.CalcTextSizeA(font_.FontSize, 1e9f, 0, words.data(), words.data() + words.size()).x;
+}
+
 void WindowCanvas::rect(ImVec2 low, ImVec2 high, Rgb color, float alpha) {
   list_.AddRectFilled(low, high, to_u32(color, alpha));
 }
@@ -23,11 +27,8 @@ void WindowCanvas::ring(ImVec2 middle, float radius, Rgb color, float width) {
 void WindowCanvas::text(ImVec2 at, std::string_view words, Rgb color) {
   list_.AddText(&font_, font_.FontSize, at, to_u32(color), words.data(), words.data() + words.size());
 }
-float WindowCanvas::text_width(std::string_view words) const {
-  return font_.CalcTextSizeA(font_.FontSize, 1e9f, 0, words.data(), words.data() + words.size()).x;
-}
 
-ImageCanvas::ImageCanvas(Image& image, ImFontAtlas& atlas, const ImFont& font) : image_(image), font_(font) {
+ImageCanvas::ImageCanvas(Image& image, ImFontAtlas& atlas, const ImFont& font) : Canvas(font), image_(image) {
   unsigned char* pixels = nullptr;
   atlas.GetTexDataAsAlpha8(&pixels, &atlas_width_, &atlas_height_);
   pixels_ = pixels;
@@ -114,10 +115,6 @@ void ImageCanvas::text(ImVec2 at, std::string_view words, Rgb color) {
                 255);
     x += glyph->AdvanceX;
   }
-}
-
-float ImageCanvas::text_width(std::string_view words) const {
-  return font_.CalcTextSizeA(font_.FontSize, 1e9f, 0, words.data(), words.data() + words.size()).x;
 }
 
 } // namespace isoscope

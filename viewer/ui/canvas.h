@@ -11,6 +11,8 @@ namespace isoscope {
 /// Lengths and places in pixels, y downwards.
 class Canvas {
  public:
+  /// `font`: of its texts.
+  explicit Canvas(const ImFont& font) : font_(font) {}
   virtual ~Canvas() = default;
   virtual void rect(ImVec2 low, ImVec2 high, Rgb color, float alpha = 1) = 0;
   virtual void line(ImVec2 a, ImVec2 b, Rgb color, float width) = 0;
@@ -18,24 +20,24 @@ class Canvas {
   virtual void ring(ImVec2 middle, float radius, Rgb color, float width) = 0;
   /// Small text, its top left there.
   virtual void text(ImVec2 at, std::string_view words, Rgb color) = 0;
-  virtual float text_width(std::string_view words) const = 0;
-  virtual float text_height() const = 0;
+  float text_width(std::string_view words) const;
+  float text_height() const { return font_.FontSize; }
+
+ protected:
+  const ImFont& font_;
 };
 
 /// Into the present window's list.
 class WindowCanvas final : public Canvas {
  public:
-  explicit WindowCanvas(const ImFont& font) : font_(font), list_(*ImGui::GetWindowDrawList()) {}
+  explicit WindowCanvas(const ImFont& font) : Canvas(font), list_(*ImGui::GetWindowDrawList()) {}
   void rect(ImVec2 low, ImVec2 high, Rgb color, float alpha) override;
   void line(ImVec2 a, ImVec2 b, Rgb color, float width) override;
   void disc(ImVec2 middle, float radius, Rgb color) override;
   void ring(ImVec2 middle, float radius, Rgb color, float width) override;
   void text(ImVec2 at, std::string_view words, Rgb color) override;
-  float text_width(std::string_view words) const override;
-  float text_height() const override { return font_.FontSize; }
 
  private:
-  const ImFont& font_;
   ImDrawList& list_;
 };
 
@@ -49,8 +51,6 @@ class ImageCanvas final : public Canvas {
   void disc(ImVec2 middle, float radius, Rgb color) override;
   void ring(ImVec2 middle, float radius, Rgb color, float width) override;
   void text(ImVec2 at, std::string_view words, Rgb color) override;
-  float text_width(std::string_view words) const override;
-  float text_height() const override { return font_.FontSize; }
 
  private:
   void blend(int x, int y, Rgb color, float alpha);
@@ -58,7 +58,6 @@ class ImageCanvas final : public Canvas {
   template <class Distance>
   void shape(ImVec2 low, ImVec2 high, Rgb color, float alpha, const Distance& distance);
   Image& image_;
-  const ImFont& font_;
   const unsigned char* pixels_ = nullptr; ///< of the atlas, coverage
   int atlas_width_ = 0, atlas_height_ = 0;
 };

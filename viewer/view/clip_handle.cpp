@@ -47,7 +47,7 @@ std::optional<Places> places(const Ui& ui, ImVec2 size) {
       pose.orthographic ? pose.distance : dot(p.anchor - m.camera.eye(), m.camera.to_world({0, 0, -1}));
   const ScreenPoint disc = screen(p.anchor);
   if (!disc.visible || !(depth > 0)) return std::nullopt;
-  p.unit = 2 * depth * std::tan(pose.fov * 3.14159265358979 / 360) / static_cast<double>(size.y);
+  p.unit = depth / (pose.distance * pixels_per_unit(m.camera, static_cast<double>(size.y)));
   const double long_as = static_cast<double>(ui.px(arrow)) * p.unit;
   const ScreenPoint tip = screen(p.anchor + long_as * clip.normal);
   if (!tip.visible) return std::nullopt;

@@ -112,6 +112,7 @@ SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSe
   if (view.zero_map != ZeroMapKind::none && view.zero_set.shown() && !section) {
     const ZeroMapWords& w = words(view.zero_map);
     key.map = maps.map();
+    if (key.map && key.map->kind != view.zero_map) key.map = nullptr;
     key.title = "Z by " + std::string(w.title) +
                 (w.unit.empty() || w.unit == "δ" || w.unit == "edges" ? "" : ", " + std::string(w.unit));
     if (maps.makes_no_sense()) key.note = "nothing to colour Z by: the input is no surface";

@@ -3,7 +3,6 @@
 
 #include "command/commands.h"
 #include "edge/probe.h"
-#include "scene/overlay.h"
 #include "ui/icons.h"
 #include "view/section_through.h"
 
@@ -39,22 +38,10 @@ Status cut_through_selection(WindowState& m, const EdgeProbe& probe) {
 
 /// As the mouse does it; scripts know no place on the screen.
 Status drag_clip(WindowState& m, const Arguments& a) {
-  std::array<float, 2> by{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto number = a.size() == 2 ? read_number(a[i]) : std::nullopt;
-    if (!number) return wrong_arguments("By how many pixels?");
-    by.at(i) = static_cast<float>(*number);
-  }
-  const auto [x, y, width, height] = m.scene_area;
-  const ScreenPoint at = project(m.camera, clip_anchor(m.view.clip, m.scene_bounds()),
-                                 static_cast<double>(width), static_cast<double>(height));
-  if (!at.visible) return usage("The handle is not in sight.");
-  const float from_x = x + static_cast<float>(at.x), from_y = y + static_cast<float>(at.y);
-  constexpr int moves = 8;
-  for (int i = -2; i <= moves + 1; ++i) {
-    const float t = static_cast<float>(std::clamp(i, 0, moves)) / moves;
-    m.requests.mouse.push_back({from_x + t * by[0], from_y + t * by[1], 0, i >= 0 && i <= moves});
-  }
+  const auto by = pixels_of(a);
+  if (!by) return wrong_arguments("By how many pixels?");
+  if (!m.drag_in_scene(clip_anchor(m.view.clip, m.scene_bounds()), (*by)[0], (*by)[1]))
+    return usage("The handle is not in sight.");
   return {};
 }
 

@@ -85,10 +85,10 @@ std::optional<SectionThrough> section_through(const StateSnapshot& state, const 
       out.normal = tet_normal(state, TetId(pick.id), eye);
     } else if (pick.kind == Pick::Kind::facet) {
       const auto& v = state.complex.facets[pick.id].v;
-      surface = cross(state.complex.position(v[1]) - state.complex.position(v[0]),
-                      state.complex.position(v[2]) - state.complex.position(v[0]));
-      out.point = (1.0 / 3) * (state.complex.position(v[0]) + state.complex.position(v[1]) +
-                               state.complex.position(v[2]));
+      const Triangle3 facet{state.complex.position(v[0]), state.complex.position(v[1]),
+                            state.complex.position(v[2])};
+      surface = area_vector(facet);
+      out.point = centroid(facet);
       out.normal = across(surface, eye);
     } else {
       out.normal = across(surface, eye);

@@ -43,7 +43,7 @@ ZeroMaps::ZeroMaps(WindowState& shared, std::function<void()> notify)
                             auto map = zero_map(*q.state, *q.scene, *q.journal, q.kind, control);
                             return map ? std::make_shared<const ZeroMap>(std::move(*map)) : nullptr;
                           },
-                          std::move(notify), Overtaken::finished) {}
+                          std::move(notify), Overtaken::cancelled) {}
 
 ZeroMaps::Question ZeroMaps::wanted() const {
   Question q;
