@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace isoscope {
 
@@ -540,7 +541,10 @@ Result<RunResult> Pipeline::run() {
       {parameters_.cover, parameters_.topology == TopologyMode::separate, true}, result.holes);
   result.crumbs = count_small_parts(result.mesh, crumb_size * m.scene->delta);
   if (m.volume->has_surface()) result.normals = measure_normal_deviation(result.mesh, *m.volume, *m.control);
-  if (m.scene->points) result.points = measure_points(*m.scene->points, result.mesh, *m.control);
+  if (m.scene->points) {
+    const double limit = parameters_.cover.value_or(std::numeric_limits<double>::infinity()) * m.scene->delta;
+    result.points = measure_points(*m.scene->points, result.mesh, limit, *m.control);
+  }
   m.seconds += watch.seconds();
   result.seconds = m.seconds;
   result.peak_memory_bytes = peak_memory_bytes();
