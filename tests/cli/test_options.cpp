@@ -1,5 +1,6 @@
 // The command line: what is answered, what is refused, and with which exit status.
 #include "input/temporary_folder.h"
+#include "run/parameters.h"
 #include "support/run_program.h"
 
 #include <doctest/doctest.h>
@@ -18,13 +19,11 @@ TEST_CASE("Questions are answered on standard output with status 0") {
   CHECK(version.out.starts_with("isoscope-run "));
   const Ended help = run_batch({"--help"});
   CHECK(help.status == 0);
-  for (const char* option :
-       {"--tolerance",    "--sigma",       "--alpha",    "--shrink",       "--until",
-        "--threads",      "--containment", "--topology", "--time-limit",   "-o",
-        "--report",       "--quiet",       "--compare",  "--no-condition", "--no-normals",
-        "--list-gallery", "--skip",        "--target",   "--cost-ring",    "--effort",
-        "--improver",     "--drop-small",  "--cover",    "--drop-thin",    "--sides",
-        "--inside",       "--outside",     "--levels",   "--label",        "--robust"}) {
+  std::vector<std::string> options{
+      "-o",           "--report",       "--quiet",  "--compare", "--no-condition",
+      "--no-normals", "--list-gallery", "--outside"};
+  for_each_field<RunParameters>([&](const auto& f) { options.push_back(f.option_name()); });
+  for (const std::string& option : options) {
     CAPTURE(option);
     CHECK(help.out.find(option) != std::string::npos);
   }
