@@ -1,6 +1,8 @@
 // Keys are read once a row.
 #include "debug/event_order.h"
 
+#include "journal/describe.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,29 +10,6 @@
 
 namespace isoscope {
 namespace {
-
-/// Whether an event measured a length.
-bool is_length(const Event& e) {
-  switch (e.kind) {
-  case EventKind::repair:
-  case EventKind::relaxation:
-  case EventKind::shake:
-    return true;
-  case EventKind::rejection:
-    switch (e.reason) {
-    case Reason::outside_tolerance:
-    case Reason::unproven:
-    case Reason::stays_above:
-    case Reason::kernel_empty:
-    case Reason::border_distance:
-      return true;
-    default:
-      return false;
-    }
-  default:
-    return e.condition == Condition::height || e.condition == Condition::containment;
-  }
-}
 
 std::uint32_t element_of(const Event& e) {
   if (e.vertex.valid() && e.other.valid()) return e.vertex.value;
@@ -62,10 +41,11 @@ EventNumbers event_numbers(const Journal& journal, const JournalIndex& index, st
   EventNumbers n;
   n.element = element_of(e);
   if (e.value != 0 || e.limit != 0) {
-    const double unit = is_length(e) ? journal.parameters_at(e.step).unit() : 1;
+    const bool length = is_length(measure_of(e));
+    const double unit = length ? journal.parameters_at(e.step).unit() : 1;
     n.value = e.value / unit;
     if (e.limit != 0) n.limit = e.limit / unit;
-    if (is_length(e)) n.unit = "δ";
+    if (length) n.unit = "δ";
   }
   const auto& seconds = index.values(Figure::seconds);
   if (e.operation && e.step < seconds.size()) {
