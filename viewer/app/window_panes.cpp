@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace isoscope {
 namespace {
@@ -59,8 +60,10 @@ void splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, flo
 void WindowPanes::present(Ui& ui, ImVec2 size, bool resting) {
   const bool lesson = model_.lessons.runner.shown() != nullptr;
   const bool covered = model_.overlay != Overlay::none;
-  const float bar = lesson ? panels::lesson_caption_height(ui, model_.lessons.runner, size.x)
-                           : panels::presenter_bar_height(ui, model_.talk, size.x);
+  std::optional<panels::PresenterBar> presenter;
+  if (!lesson) presenter.emplace(ui, model_.talk, size.x);
+  const float bar =
+      presenter ? presenter->height(ui) : panels::lesson_caption_height(ui, model_.lessons.runner, size.x);
   float below = 0;
   {
     Pane pane("##view", {0, 0}, {size.x, size.y - bar}, false, {0, 0}, ui.colors.ground);
@@ -69,10 +72,10 @@ void WindowPanes::present(Ui& ui, ImVec2 size, bool resting) {
   }
   {
     Pane pane("##talk", {0, size.y - bar}, {size.x, bar}, false, {0, 0}, ui.colors.panel);
-    if (lesson)
-      panels::lesson_caption(ui, model_.lessons.runner);
+    if (presenter)
+      presenter->draw(ui);
     else
-      panels::presenter_bar(ui, model_.talk);
+      panels::lesson_caption(ui, model_.lessons.runner);
   }
   if (!covered && resting) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
   // Messages wait until the audience is gone.
