@@ -207,6 +207,7 @@ struct ConditionWords {
   std::string_view name, title;
   std::string_view insertion, plain_insertion; ///< a point goes in for it
   std::string_view stays, plain_stays;         ///< it stays violated, no point is left
+  std::string_view cause;                      ///< what points go in for, in many words
   Measure measure;
   std::string_view why;         ///< why a point has to go in, for an audience
   std::string_view figure = {}; ///< of the paper
@@ -214,44 +215,48 @@ struct ConditionWords {
 inline constexpr std::array condition_table{
     ConditionWords{Condition::none, "none", "set-up", "a point goes in", "a point goes in",
                    "condition 4: nothing left to try here{in tet}", "no point is left to try here",
-                   Measure::none,
+                   "the set-up", Measure::none,
                    "f is positive at all corners: there is no Z yet, and all samples inside are wrong."},
     ConditionWords{Condition::classification, "classification", "1 classification",
                    "condition 1: {sample} with ε = {value} (limit {limit}) goes in",
                    "the sample with the largest error, {value}, goes in",
                    "condition 1 stays violated: ε = {value} (limit {limit}){in tet}",
-                   "a sample stays on the wrong side: no point is left to try", Measure::error,
+                   "a sample stays on the wrong side: no point is left to try", "samples on the wrong side",
+                   Measure::error,
                    "Where a sample is on the wrong side, Z has left Ω. At the new point f is right.",
                    "Figure 3"},
     ConditionWords{Condition::height, "height", "2 height",
                    "condition 2: {tet} is {value δ} high (at least {limit δ}); {place}",
                    "a tetrahedron is too flat, {value δ} high: a point splits it",
                    "condition 2 stays violated: height {value δ} (at least {limit δ}){in tet}",
-                   "a tetrahedron stays too flat: no point is left to try", Measure::depth,
+                   "a tetrahedron stays too flat: no point is left to try", "flat tetrahedra", Measure::depth,
                    "A flat tetrahedron makes f steep: between samples Z could leave Ω unseen.", "Figure 5"},
     ConditionWords{Condition::orientation, "orientation", "3 orientation",
                    "condition 3: {tet} is misoriented (f·F = {value} at a nearest sample, must be above 0); "
                    "{place}",
                    "a tetrahedron faces the wrong way: a point splits it",
                    "condition 3 stays violated: misoriented{in tet}",
-                   "a tetrahedron keeps facing the wrong way: no point is left to try", Measure::alignment,
+                   "a tetrahedron keeps facing the wrong way: no point is left to try",
+                   "tetrahedra that face the wrong way", Measure::alignment,
                    "All samples may be right while Z runs across Ω instead of along it.", "Figure 4"},
     ConditionWords{Condition::topology, "topology", "4 topology",
                    "condition 4: Z has not the expected topology; {place}",
                    "Z has too many or too few handles: a point goes in to mend it",
                    "condition 4: nothing left to try here{in tet}", "no point is left to try here",
-                   Measure::none, "Collapses will keep the topology, so it has to be right before them."},
+                   "the topology of Z", Measure::none,
+                   "Collapses will keep the topology, so it has to be right before them."},
     ConditionWords{Condition::containment, "containment", "containment",
                    "containment: Z reaches d = {value δ} (limit {limit δ}) in {tet}; {place}",
                    "Z may leave the tolerance, d = {value δ}: a point pulls it back",
                    "containment stays unproven: d = {value δ} (limit {limit δ}){in tet}",
-                   "part of Z stays unproven: no point is left to try", Measure::length,
+                   "part of Z stays unproven: no point is left to try",
+                   "places where Z may leave the tolerance", Measure::length,
                    "Samples are only points: it takes a proof for whole facets to keep Z in Ω."},
     ConditionWords{Condition::witness, "witness", "witness",
                    "witness: a region's deepest point lies on the wrong side of Z; it goes in",
                    "a region lies on the wrong side of Z: its deepest point goes in",
                    "condition 4: nothing left to try here{in tet}", "no point is left to try here",
-                   Measure::none,
+                   "regions on the wrong side", Measure::none,
                    "A thin region may lie between all samples; its deepest point speaks for it."},
 };
 
