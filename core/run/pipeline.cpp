@@ -7,6 +7,7 @@
 
 #include <sys/resource.h>
 
+#include <limits>
 #include <utility>
 
 namespace isoscope {
@@ -281,7 +282,10 @@ Result<RunResult> Pipeline::run() {
   result.crumbs = count_small_parts(result.mesh, crumb_size * m.scene->delta);
   if (m.preparation.volume().has_surface())
     result.normals = measure_normal_deviation(result.mesh, m.preparation.volume(), *m.control);
-  if (m.scene->points) result.points = measure_points(*m.scene->points, result.mesh, *m.control);
+  if (m.scene->points) {
+    const double limit = parameters_.cover.value_or(std::numeric_limits<double>::infinity()) * m.scene->delta;
+    result.points = measure_points(*m.scene->points, result.mesh, limit, *m.control);
+  }
   m.seconds += watch.seconds();
   result.seconds = m.seconds;
   result.peak_memory_bytes = peak_memory_bytes();

@@ -153,7 +153,9 @@ Json points_json(const Scene& scene, const RunResult& result) {
             {"distances", nullptr}};
   if (result.points)
     json["distances"] = {{"kept", quantiles_json(result.points->kept)},
-                         {"all", quantiles_json(result.points->all)}};
+                         {"all", quantiles_json(result.points->all)},
+                         {"beyond_cover", result.points->far},
+                         {"farthest", point_json(result.points->farthest)}};
   return json;
 }
 

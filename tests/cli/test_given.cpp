@@ -2,11 +2,14 @@
 #include "input/gallery_shapes.h"
 #include "input/mesh_io.h"
 #include "input/temporary_folder.h"
+#include "support/clouds.h"
 #include "support/run_program.h"
 
 #include <nlohmann/json.hpp>
 
 #include <doctest/doctest.h>
+
+#include <fstream>
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -110,4 +113,27 @@ TEST_CASE("A grid and a segmentation from files") {
   std::filesystem::remove(header);
   CHECK(run_batch({"replay", recording, "--check"}).status == 0);
   CHECK(run_batch({header}).status == 3);
+}
+
+TEST_CASE("Points that the result does not follow are told, also quietly, and are no failure") {
+  const TemporaryFolder folder;
+  testing::Random random(12);
+  std::vector<Vec3> points = testing::sphere_points(random, 4000, 1, 0.005);
+  while (points.size() < 8000) { // a brim, which has no inside
+    const Vec3 p = 2 * random.in_box({{-1, -1, 0}, {1, 1, 0}});
+    if (length(p) > 1 && length(p) < 2) points.push_back(p + testing::noise(random, 0.005));
+  }
+  const std::string file = (folder / "hat.xyz").string();
+  {
+    std::ofstream text(file);
+    text.precision(9);
+    for (const Vec3& p : points) text << p.x << ' ' << p.y << ' ' << p.z << '\n';
+    REQUIRE(text.good());
+  }
+  const Ended ended = run_batch({file, "--until", "refinement", "--quiet"});
+  CAPTURE(ended.error);
+  CHECK(ended.status == 0);
+  CHECK(ended.error.find("of the points are farther than 3 δ from the result") != std::string::npos);
+  const Ended unasked = run_batch({file, "--until", "refinement", "--quiet", "--cover", "off"});
+  CHECK(unasked.error.find("farther than") == std::string::npos);
 }
