@@ -1,8 +1,8 @@
 // Sessions of the real window: scripts with expectations, pictures against references, a real mouse and
 // keyboard.
 #include "app/picture_regions.h"
-#include "app/window_script.h"
 #include "platform/image_file.h"
+#include "support/window_script.h"
 
 #include <doctest/doctest.h>
 

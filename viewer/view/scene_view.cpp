@@ -4,7 +4,6 @@
 #include "scene/first_box.h"
 #include "scene/pick_geometry.h"
 #include "ui/widgets.h"
-#include "view/scene_key.h"
 #include "view/scene_overlay.h"
 #include "view/warning_chip.h"
 
@@ -64,7 +63,7 @@ void SceneView::draw(Ui& ui) {
     const float lower = overlay::caption(ui, low, all);
     const float chip = lower + overlay::warning_chip(ui, {low.x, low.y + lower}, all);
     overlay::preview(ui, {low.x, low.y + chip}, all);
-    overlay::key(ui, scene_key(m, maps_, m.shown_view()), low, all);
+    overlay::key(ui, scene_key(m, maps_, m.shown_view(), legend_), low, all);
   }
   overlay::progress(ui, m, "stop", low, all);
   overlay::invitation(ui, low, all);
