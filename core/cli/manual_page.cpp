@@ -8,7 +8,7 @@
 namespace isoscope {
 namespace {
 
-/// Text of a line that is no request: hyphens are those that a terminal takes when they are copied.
+/// Text that is no request: hyphens are those that a terminal takes when they are copied.
 std::string escaped(std::string_view text) {
   std::string out;
   if (text.starts_with('.') || text.starts_with('\'')) out = "\\&";
@@ -20,13 +20,12 @@ std::string escaped(std::string_view text) {
     else
       out += c;
   }
-  return out + "\n";
+  return out;
 }
 
 /// An argument of a macro, in quotes.
 std::string quoted(std::string_view text) {
   std::string out = escaped(text);
-  out.pop_back();
   for (std::size_t at = out.find('"'); at != std::string::npos; at = out.find('"', at + 2))
     out.replace(at, 1, "\"\"");
   return "\"" + out + "\"";
@@ -36,7 +35,7 @@ std::string paragraphs(std::string_view text) {
   std::string out;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    out += end == 0 ? ".PP\n" : escaped(text.substr(0, end));
+    out += end == 0 ? ".PP\n" : escaped(text.substr(0, end)) + "\n";
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return out;
@@ -71,7 +70,7 @@ std::string section(const std::string& title) {
 /// What is listed: the name in bold, what it takes in italics, the text below.
 std::string entry(const std::string& name, const std::string& values, const std::string& text) {
   return ".TP\n.BI " + quoted(name) + (values.empty() ? "" : " " + quoted(" " + values)) + "\n" +
-         escaped(text);
+         escaped(text) + "\n";
 }
 
 std::string entries(const std::string& title, const std::vector<ManualEntry>& all) {
@@ -89,11 +88,11 @@ std::string ManualPage::name() const {
 
 std::string ManualPage::troff() const {
   std::string out = ".TH " + quoted(upper(name())) + " 1 \"\" " + quoted("isoscope " + version) + "\n";
-  out += section("NAME") + name() + " \\- " + escaped(first_sentence(about));
+  out += section("NAME") + escaped(name()) + " \\- " + escaped(first_sentence(about)) + "\n";
   out += section("SYNOPSIS") + ".BI " + quoted(program) + " " + quoted(" " + usage) + "\n";
   for (const ManualVerb& v : verbs)
     out += ".br\n.BI " + quoted(program + " " + v.name) + " " + quoted(" " + v.arguments) + "\n";
-  out += section("DESCRIPTION") + escaped(about);
+  out += section("DESCRIPTION") + escaped(about) + "\n";
   out += entries("ARGUMENTS", arguments) + entries("OPTIONS", options);
   std::vector<std::string> others;
   if (const std::size_t verb = program.rfind(' '); verb != program.npos)
@@ -104,7 +103,7 @@ std::string ManualPage::troff() const {
     out += entry(program + " " + v.name, v.arguments, capital(v.does) + "; see " + others.back() + "(1).");
   }
   if (!notes.empty()) out += section("NOTES") + paragraphs(notes);
-  if (!exit_status.empty()) out += section("EXIT STATUS") + escaped(capital(exit_status));
+  if (!exit_status.empty()) out += section("EXIT STATUS") + escaped(capital(exit_status)) + "\n";
   others.insert(others.end(), see_also.begin(), see_also.end());
   if (!others.empty()) out += section("SEE ALSO");
   for (const std::string& other : others)
