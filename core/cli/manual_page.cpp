@@ -24,7 +24,7 @@ std::string escaped(std::string_view text) {
 }
 
 /// An argument of a macro, in quotes.
-std::string quoted(std::string_view text) {
+std::string argument(std::string_view text) {
   std::string out = escaped(text);
   for (std::size_t at = out.find('"'); at != std::string::npos; at = out.find('"', at + 2))
     out.replace(at, 1, "\"\"");
@@ -64,12 +64,12 @@ std::string hyphenated(std::string text) {
 }
 
 std::string section(const std::string& title) {
-  return ".SH " + quoted(title) + "\n";
+  return ".SH " + argument(title) + "\n";
 }
 
 /// What is listed: the name in bold, what it takes in italics, the text below.
 std::string entry(const std::string& name, const std::string& values, const std::string& text) {
-  return ".TP\n.BI " + quoted(name) + (values.empty() ? "" : " " + quoted(" " + values)) + "\n" +
+  return ".TP\n.BI " + argument(name) + (values.empty() ? "" : " " + argument(" " + values)) + "\n" +
          escaped(text) + "\n";
 }
 
@@ -87,11 +87,11 @@ std::string ManualPage::name() const {
 }
 
 std::string ManualPage::troff() const {
-  std::string out = ".TH " + quoted(upper(name())) + " 1 \"\" " + quoted("isoscope " + version) + "\n";
+  std::string out = ".TH " + argument(upper(name())) + " 1 \"\" " + argument("isoscope " + version) + "\n";
   out += section("NAME") + escaped(name()) + " \\- " + escaped(first_sentence(about)) + "\n";
-  out += section("SYNOPSIS") + ".BI " + quoted(program) + " " + quoted(" " + usage) + "\n";
+  out += section("SYNOPSIS") + ".BI " + argument(program) + " " + argument(" " + usage) + "\n";
   for (const ManualVerb& v : verbs)
-    out += ".br\n.BI " + quoted(program + " " + v.name) + " " + quoted(" " + v.arguments) + "\n";
+    out += ".br\n.BI " + argument(program + " " + v.name) + " " + argument(" " + v.arguments) + "\n";
   out += section("DESCRIPTION") + escaped(about) + "\n";
   out += entries("ARGUMENTS", arguments) + entries("OPTIONS", options);
   std::vector<std::string> others;
@@ -107,7 +107,7 @@ std::string ManualPage::troff() const {
   others.insert(others.end(), see_also.begin(), see_also.end());
   if (!others.empty()) out += section("SEE ALSO");
   for (const std::string& other : others)
-    out += ".BR " + quoted(other) + (&other == &others.back() ? " (1)\n" : " (1),\n");
+    out += ".BR " + argument(other) + (&other == &others.back() ? " (1)\n" : " (1),\n");
   return out;
 }
 
