@@ -68,7 +68,8 @@ std::string section(const std::string& title) {
 }
 
 /// What is listed: the name in bold, what it takes in italics, the text below.
-std::string entry(const std::string& name, const std::string& values, const std::string& text) {
+std::string entry(std::string name, const std::string& values, const std::string& text) {
+  if (const std::size_t comma = name.find(','); comma != name.npos) name.insert(comma + 1, " ");
   return ".TP\n.BI " + argument(name) + (values.empty() ? "" : " " + argument(" " + values)) + "\n" +
          escaped(text) + "\n";
 }

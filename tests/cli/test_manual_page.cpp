@@ -53,7 +53,7 @@ Lights a lamp. It stays lit.
 \&.lamprc names them
 .SH "OPTIONS"
 .TP
-.BI "\-b,\-\-brightness" " FLOAT"
+.BI "\-b, \-\-brightness" " FLOAT"
 of "1" or C:\elamp
 .TP
 .BI "\-\-red"
@@ -90,7 +90,7 @@ TEST_CASE("a command line writes its page, whatever is missing on it, and help e
   CHECK(page.ends_with("(1)\n"));
   for (const char* lines :
        {".BI \"lamp\" \" [OPTIONS] LAMP\"\n", ".BI \"LAMP\" \" TEXT REQUIRED\"\nwhich one\n",
-        ".BI \"\\-b,\\-\\-brightness\" \" FLOAT\"\nof its light; 0 to 1.5\n",
+        ".BI \"\\-b, \\-\\-brightness\" \" FLOAT\"\nof its light; 0 to 1.5\n",
         ".BI \"\\-\\-colour\" \" red|blue\"\nof its light\n", ".BI \"\\-\\-man\"\n",
         ".BR \"lamp\\-test\" (1)\n"}) {
     CAPTURE(lines);
