@@ -164,12 +164,13 @@ void App::keys(CommandSink& commands) {
     }
     const Command* command = model_->commands.find(Chord{press.key, press.control, press.shift});
     if (command == nullptr) continue;
-    // While text is typed, only what cannot be text is a command.
+    // While text is typed or a pane has the keys, only what cannot be text is a command.
     const bool function_key = press.key >= GLFW_KEY_F1 && press.key <= GLFW_KEY_F25;
     const bool text_key = !press.control && press.key != GLFW_KEY_ESCAPE && !function_key;
     constexpr std::array<int, 6> edits{'A', 'C', 'V', 'X', 'Y', 'Z'};
     const bool editing = press.control && std::find(edits.begin(), edits.end(), press.key) != edits.end();
     if (ImGui::GetIO().WantTextInput && (text_key || editing)) continue;
+    if (model_->pane_of_keys != PaneOfKeys::none && text_key) continue;
     if (!command->is_enabled()) continue;
     commands.post(command->name);
   }
@@ -245,7 +246,8 @@ void App::frame() {
                       ImGui::GetIO().MousePos.y}; // the real mouse must not disturb a script
   }
   upload_thumbnails();
-  imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : -1);
+  imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : -1,
+                      m.pane_of_keys != PaneOfKeys::none);
   CommandSink commands;
   Ui ui{m, m.commands, commands, palette(m.view.theme), m.view.theme, imgui_->fonts(), scale};
   if (!m.scripted || hands)

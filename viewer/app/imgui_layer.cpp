@@ -45,12 +45,12 @@ Status ImguiLayer::prepare(float scale, ThemeKind theme) {
   return {};
 }
 
-void ImguiLayer::begin_frame(const MouseStep* mouse, double step) {
+void ImguiLayer::begin_frame(const MouseStep* mouse, double step, bool keys_in_pane) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
-  // Arrows and Enter go through open menus; everywhere else they are the window's own.
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+  // Arrows and Enter go through open menus and the pane that has the keys; else they are the window's own.
+  if (keys_in_pane || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   else
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;

@@ -20,8 +20,8 @@ class ImguiLayer {
   /// Loads fonts and style anew when scale or theme changed. Between frames only.
   Status prepare(float scale, ThemeKind theme);
   /// `mouse`: a scripted mouse that replaces the real one for this frame; `step` seconds of time, negative:
-  /// the clock's.
-  void begin_frame(const MouseStep* mouse, double step);
+  /// the clock's. `keys_in_pane`: arrows and Enter go through a pane.
+  void begin_frame(const MouseStep* mouse, double step, bool keys_in_pane);
   void end_frame();
   const Fonts& fonts() const { return fonts_; }
   float scale() const { return scale_; }

@@ -3,10 +3,12 @@
 
 #include "app/welcome.h"
 #include "steering/steering.h"
+#include "ui/key_mark.h"
 #include "ui/theme.h"
 #include "view/view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -18,7 +20,11 @@ constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoDecoration | ImGuiWin
                                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 
 struct Pane {
-  Pane(const char* name, ImVec2 low, ImVec2 size, bool scrolls, ImVec2 padding, Rgb color) {
+  /// `keyed`: arrows, Enter and letters are its own.
+  Pane(const char* name, ImVec2 low, ImVec2 size, bool scrolls, ImVec2 padding, Rgb color,
+       const Ui* keyed = nullptr)
+      : keyed_(keyed) {
+    if (keyed != nullptr && keyed->window.keys_moved) ImGui::SetNextWindowFocus();
     ImGui::SetNextWindowPos(low);
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
@@ -26,16 +32,27 @@ struct Pane {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(color));
     const ImGuiWindowFlags flags = scrolls ? pane_flags & ~ImGuiWindowFlags_NoScrollbar
                                            : pane_flags | ImGuiWindowFlags_NoScrollWithMouse;
-    ImGui::Begin(name, nullptr, flags);
+    ImGui::Begin(name, nullptr, keyed != nullptr ? flags & ~ImGuiWindowFlags_NoNavInputs : flags);
   }
   ~Pane() {
+    if (keyed_ != nullptr) mark_keys(*keyed_, keyed_->window.keys_moved);
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
   }
   Pane(const Pane&) = delete;
   Pane& operator=(const Pane&) = delete;
+
+ private:
+  const Ui* keyed_;
 };
+
+/// Whether the pane that has the keys is there and nobody went on with the mouse.
+bool keeps_keys(const WindowState& m, bool left) {
+  const std::array<bool, 4> there{false, left, m.settings.panes.show_right, m.settings.panes.show_bottom};
+  return !m.presenter.on && m.overlay == Overlay::none &&
+         there.at(static_cast<std::size_t>(m.pane_of_keys)) && !ImGui::IsAnyMouseDown();
+}
 
 /// A strip between two panes that is dragged; `value` is the size of one of them in unscaled pixels, `sign`
 /// the direction in which it grows.
@@ -98,6 +115,8 @@ void WindowPanes::draw(Ui& ui, bool resting) {
   const float middle_y = top + grip, bottom_y = size.y - status - bottom;
   const float middle_high = bottom_y - middle_y - (bottom > 0 ? grip : 0);
   const ImVec2 padding{ui.px(14), ui.px(10)};
+  if (!keeps_keys(m, left > 0)) m.pane_of_keys = PaneOfKeys::none;
+  const auto keyed = [&](PaneOfKeys pane) { return m.pane_of_keys == pane ? &ui : nullptr; };
   if (m.presenter.on) {
     present(ui, size, resting);
     return;
@@ -110,7 +129,8 @@ void WindowPanes::draw(Ui& ui, bool resting) {
   if (lesson) {
     const float high = std::round((p.show_left ? 0.55f : 1.0f) * middle_high);
     {
-      Pane pane("##lesson", {0, middle_y}, {left, high}, false, padding, ui.colors.panel);
+      Pane pane("##lesson", {0, middle_y}, {left, high}, false, padding, ui.colors.panel,
+                keyed(PaneOfKeys::left));
       panels::lesson(ui, m.lessons.runner);
     }
     if (p.show_left) {
@@ -129,7 +149,8 @@ void WindowPanes::draw(Ui& ui, bool resting) {
     const float foot = panels::parameters_foot_height(ui), rest = middle_high - foot - grip;
     const bool pinned = rest >= ui.px(100);
     {
-      Pane pane("##left", {0, middle_y}, {left, pinned ? rest : middle_high}, true, padding, ui.colors.panel);
+      Pane pane("##left", {0, middle_y}, {left, pinned ? rest : middle_high}, true, padding, ui.colors.panel,
+                keyed(PaneOfKeys::left));
       if (!pinned) panels::parameters_foot(ui, m.steering);
       panels::layers(ui);
       ImGui::Separator();
@@ -146,7 +167,8 @@ void WindowPanes::draw(Ui& ui, bool resting) {
   }
   if (right > 0) {
     {
-      Pane pane("##right", {size.x - right, middle_y}, {right, middle_high}, true, padding, ui.colors.panel);
+      Pane pane("##right", {size.x - right, middle_y}, {right, middle_high}, true, padding, ui.colors.panel,
+                keyed(PaneOfKeys::right));
       panels::inspector(ui, m.probe, m.debug, m.investigation);
     }
     splitter(ui, "##grip-right", {size.x - right - grip, middle_y}, {grip, middle_high}, true, p.right, -1,
@@ -155,7 +177,8 @@ void WindowPanes::draw(Ui& ui, bool resting) {
   if (bottom > 0) {
     splitter(ui, "##grip-bottom", {0, bottom_y - grip}, {size.x, grip}, false, p.bottom, -1, 110,
              height * 0.6f);
-    Pane pane("##bottom", {0, bottom_y}, {size.x, bottom}, false, {ui.px(10), ui.px(4)}, ui.colors.panel);
+    Pane pane("##bottom", {0, bottom_y}, {size.x, bottom}, false, {ui.px(10), ui.px(4)}, ui.colors.panel,
+              keyed(PaneOfKeys::bottom));
     timeline_.draw(ui);
   }
   const float view_x = left > 0 ? left + grip : 0, view_end = right > 0 ? size.x - right - grip : size.x;
@@ -176,6 +199,7 @@ void WindowPanes::draw(Ui& ui, bool resting) {
   panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(m.warnings().empty() ? 46 : 78)},
                    std::min(view_end - view_x - ui.px(24), ui.px(560)));
   overlays_.draw(ui, size);
+  m.keys_moved = false;
 }
 
 } // namespace isoscope
