@@ -147,6 +147,12 @@ lesson-end
 expect lesson.phase == off and pane-left == off and pane-right == on and pane-bottom == on
 expect clip == plane and layer.inner == off and heading == 0 and mode == section
 expect pane-left.kept == off and pane-right.kept == on
+lesson tessellation
+wait answers
+reset-layout
+expect pane-left == on and pane-left.kept == on
+lesson-end
+expect pane-left == on and pane-right == on and pane-bottom == on
 quit
 )",
                    "gallery:sphere --tolerance 12% --until refinement --size 900x600") == 0);

@@ -162,6 +162,8 @@ void App::keys(CommandSink& commands) {
       }
       continue;
     }
+    const bool in_pane = model_->pane_of_keys != PaneOfKeys::none;
+    if (in_pane && !press.control) imgui_->press(press.key);
     const Command* command = model_->commands.find(Chord{press.key, press.control, press.shift});
     if (command == nullptr) continue;
     // While text is typed or a pane has the keys, only what cannot be text is a command.
@@ -170,7 +172,7 @@ void App::keys(CommandSink& commands) {
     constexpr std::array<int, 6> edits{'A', 'C', 'V', 'X', 'Y', 'Z'};
     const bool editing = press.control && std::find(edits.begin(), edits.end(), press.key) != edits.end();
     if (ImGui::GetIO().WantTextInput && (text_key || editing)) continue;
-    if (model_->pane_of_keys != PaneOfKeys::none && text_key) continue;
+    if (in_pane && text_key) continue;
     if (!command->is_enabled()) continue;
     commands.post(command->name);
   }
@@ -254,6 +256,7 @@ void App::frame() {
     keys(commands);
   else
     window_->take_keys();
+  if (imgui_->has_presses()) frames_owed_ = std::max(frames_owed_, 2);
   panes_->draw(ui, m.clock - active_at_ > pointer_seconds);
   m.dragging = ImGui::IsAnyMouseDown();
 

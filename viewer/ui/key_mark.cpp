@@ -15,14 +15,13 @@ void mark_keys(const Ui& ui, bool moved) {
   list.AddRect({pane.Pos.x + inset, pane.Pos.y + inset},
                {pane.Pos.x + pane.Size.x - inset, pane.Pos.y + pane.Size.y - inset}, color, ui.px(3), 0,
                ui.px(1.5f));
-  const ImGuiWindow* const at = g.NavWindow;
+  ImGuiWindow* const at = g.NavWindow;
   if (at == nullptr || at->RootWindow != pane.RootWindow || g.NavId == 0 || g.NavDisableHighlight) return;
-  const ImRect item = at->NavRectRel[g.NavLayer];
+  const ImRect item = ImGui::WindowRectRelToAbs(at, at->NavRectRel[g.NavLayer]);
   const float around = ui.px(2);
   list.PushClipRect(at->InnerRect.Min, at->InnerRect.Max, true);
-  list.AddRect({at->Pos.x + item.Min.x - around, at->Pos.y + item.Min.y - around},
-               {at->Pos.x + item.Max.x + around, at->Pos.y + item.Max.y + around}, color, ui.px(4), 0,
-               ui.px(2));
+  list.AddRect({item.Min.x - around, item.Min.y - around}, {item.Max.x + around, item.Max.y + around}, color,
+               ui.px(4), 0, ui.px(2));
   list.PopClipRect();
 }
 
