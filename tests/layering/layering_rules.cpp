@@ -50,8 +50,8 @@ const Tiers& viewer_tiers() {
 }
 
 /// Of tests: those that are no room's.
-constexpr std::array<std::string_view, 6> common_test_folders{"bench", "corpus",   "experiments",
-                                                              "fuzz",  "layering", "support"};
+constexpr std::array<std::string_view, 7> common_test_folders{"bench",    "corpus",  "experiments", "fuzz",
+                                                              "layering", "package", "support"};
 
 /// Where a folder stands; both ladders in one, the viewer's on top. Nothing for a folder that is in neither.
 std::optional<std::size_t> tier_of(std::string_view folder) {
