@@ -92,12 +92,10 @@ ViewSettings WindowState::shown_view() const {
 }
 
 std::optional<std::array<double, 2>> WindowState::preview_range() const {
-  constexpr double below_clamp = 0.95; ///< what is clamped is no value
   const auto shown = grid.grid();
   if (!run.scene || !run.scene->study || run.scene->study->curve.empty() || !shown) return std::nullopt;
   const auto& curve = run.scene->study->curve;
-  const double most =
-      std::min(curve.back().delta, below_clamp * static_cast<double>(shown->clamp) * run.scene->delta);
+  const double most = std::min(curve.back().delta, static_cast<double>(shown->level) * run.scene->delta);
   if (!(most > curve.front().delta)) return std::nullopt;
   return std::array{curve.front().delta, most};
 }

@@ -21,7 +21,18 @@
 namespace isoscope {
 
 /// What lies over the window.
-enum class Overlay : std::uint8_t { none, gallery, files, help, palette, about, bookmarks, pictures, lessons, welcome };
+enum class Overlay : std::uint8_t {
+  none,
+  gallery,
+  files,
+  help,
+  palette,
+  about,
+  bookmarks,
+  pictures,
+  lessons,
+  welcome
+};
 
 /// What is done with what is chosen among the files.
 enum class FilesFor : std::uint8_t { open, beside, between };
@@ -136,6 +147,7 @@ class WindowState : public ShownRun {
   std::deque<Message> messages;
   WindowRequests requests;
   std::array<float, 4> scene_area{}; ///< where the 3D view lies in the window: low x, y, width, height
+  int stills = 32;                   ///< frames that are averaged where a view rests, at least 1
   double clock = 0;                  ///< seconds since the start
   bool scripted = false;             ///< no easing, nothing remembered, following is immediate
   /// After the last update: the state shown is the one asked for, and nothing under way would change it.

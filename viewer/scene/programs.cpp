@@ -18,8 +18,10 @@ Result<Programs> Programs::build(const gl::ShaderSource& source) {
       {&Programs::sample, "sample", "sample.vert", "sample.frag"},
       {&Programs::point, "point", "point.vert", "point.frag"},
       {&Programs::volume, "volume", "fullscreen.vert", "volume.frag"},
+      {&Programs::volume_sided, "volume_sided", "fullscreen.vert", "volume_sided.frag"},
       {&Programs::composite, "composite", "fullscreen.vert", "composite.frag"},
       {&Programs::section, "section", "fullscreen.vert", "section.frag"},
+      {&Programs::copy, "copy", "fullscreen.vert", "copy.frag"},
   };
   Programs programs;
   for (const Entry& entry : entries) {

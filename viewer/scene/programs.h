@@ -9,7 +9,7 @@ namespace isoscope {
 
 struct Programs {
   gl::Program background, mesh_opaque, mesh_translucent, mesh_flat, line, marker, sample, point, volume,
-      composite, section;
+      volume_sided, composite, section, copy;
 
   /// Compiles them all; fails with device and the driver's log.
   static Result<Programs> build(const gl::ShaderSource& source);

@@ -66,8 +66,10 @@ struct Renderer::Impl {
   void composite(const FrameTargets& drawn, bool with_cells, bool with_volume);
   ViewFrame view_frame(const Camera& camera, const ViewSettings& view, const FrameRequest& request, int width,
                        int height) const;
-  Renderer::Frame finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
-                         Quality quality);
+  /// Takes the result into the average, by that part.
+  void average(FrameTargets& drawn, float part);
+  Renderer::Frame finish(FrameTargets& drawn, std::chrono::steady_clock::time_point start,
+                         const FrameRequest& request);
   PickScene pick_scene_data() const {
     return {shown.state.get(), shown.scene ? shown.scene->input.get() : nullptr, grid.get(),
             shown.points.get()};
@@ -107,10 +109,8 @@ void Renderer::Impl::upload_grid() {
     layers.tolerance.clear();
     return;
   }
-  const Vec3 extent = grid->box.extent();
   // The robust distance is nowhere 0: what lies between the sides is no zero of a signed function.
-  layers.tolerance.set(*grid, shown.scene ? shown.scene->delta : extent.x / std::max(grid->size[0], 1),
-                       shown.points == nullptr);
+  layers.tolerance.set(grid, shown.points == nullptr);
 }
 
 void Renderer::Impl::reload_shaders() {
@@ -130,6 +130,7 @@ ViewFrame Renderer::Impl::view_frame(const Camera& camera, const ViewSettings& v
   frame.hover = request.hover;
   frame.pulse = request.pulse;
   frame.mark = request.mark;
+  frame.phase = std::fmod(0.6180339887f * static_cast<float>(request.still), 1.0f);
   frame.pixels_per_unit = pixels_per_unit(camera, request.tile ? request.tile->full_height : height);
   if (request.tile) {
     const auto row = [&](int y) {
@@ -137,6 +138,7 @@ ViewFrame Renderer::Impl::view_frame(const Camera& camera, const ViewSettings& v
     };
     frame.rows = {row(request.tile->y + height), row(request.tile->y)};
   }
+  frame.eye = camera.eye();
   const Vec3 toward = normalized(camera.eye() - camera.pose().target);
   frame.toward = {static_cast<float>(toward.x), static_cast<float>(toward.y), static_cast<float>(toward.z)};
   return frame;
@@ -144,13 +146,14 @@ ViewFrame Renderer::Impl::view_frame(const Camera& camera, const ViewSettings& v
 
 void Renderer::Impl::upload_frame(const Camera& camera, const ClipSettings& clip, const FrameRequest& request,
                                   const ViewFrame& frame) {
-  if (!request.tile) {
-    block.upload(frame_uniforms(camera, space, clip, frame.width, frame.height, frame.pixel_scale));
-    return;
-  }
+  const auto upload = [&](const FrameUniforms& uniforms) {
+    block.upload(moved_uniforms(uniforms, still_offset(request.still)));
+  };
+  if (!request.tile)
+    return upload(frame_uniforms(camera, space, clip, frame.width, frame.height, frame.pixel_scale));
   const FrameUniforms whole = frame_uniforms(camera, space, clip, request.tile->full_width,
                                              request.tile->full_height, frame.pixel_scale);
-  block.upload(tile_uniforms(whole, *request.tile, frame.width, frame.height));
+  upload(tile_uniforms(whole, *request.tile, frame.width, frame.height));
 }
 
 void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request,
@@ -217,8 +220,24 @@ void Renderer::Impl::composite(const FrameTargets& drawn, bool with_cells, bool 
   glDepthMask(GL_TRUE);
 }
 
-Renderer::Frame Renderer::Impl::finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
-                                       Quality quality) {
+void Renderer::Impl::average(FrameTargets& drawn, float part) {
+  if (!drawn.prepare_average()) return;
+  drawn.averaging.bind(drawn.width, drawn.height);
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendColor(0, 0, 0, part);
+  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+  programs.copy.use();
+  drawn.result.bind(0);
+  programs.copy.set("picture", 0);
+  glBindVertexArray(empty_array);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+}
+
+Renderer::Frame Renderer::Impl::finish(FrameTargets& drawn, std::chrono::steady_clock::time_point start,
+                                       const FrameRequest& request) {
+  if (request.still > 0) average(drawn, 1 / static_cast<float>(request.still + 1));
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glBindVertexArray(0);
@@ -227,8 +246,8 @@ Renderer::Frame Renderer::Impl::finish(const FrameTargets& drawn, std::chrono::s
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glFinish();
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  control.took(quality, seconds);
-  return {drawn.result.id(), drawn.width, drawn.height};
+  control.took(request.quality, seconds);
+  return {(request.still > 0 ? drawn.average : drawn.result).id(), drawn.width, drawn.height};
 }
 
 Renderer::Renderer() = default;
@@ -293,7 +312,8 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   r.reload_shaders();
   const auto start = std::chrono::steady_clock::now();
   FrameQuality quality = r.control.choose(request.quality);
-  quality.samples = std::min(quality.samples, r.device.max_samples);
+  // Averaging smooths edges without samples.
+  quality.samples = request.still > 0 ? 1 : std::min(quality.samples, r.device.max_samples);
   const auto scaled = [](int pixels, double scale) {
     return std::max(1, static_cast<int>(std::lround(pixels * scale)));
   };
@@ -303,6 +323,7 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   FrameTargets& targets = request.tile ? r.tile_targets : r.targets;
   if (!targets.resize(width, height, quality.samples, volume_width, volume_height)) return {};
 
+  if (request.still == 1) r.average(targets, 1);
   const ViewFrame frame = r.view_frame(camera, view, request, width, height);
   r.layers.update(r.shown, frame);
   Camera bounded = camera;
@@ -320,13 +341,13 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
     targets.volume.bind(volume_width, volume_height);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(r.empty_array);
-    r.layers.tolerance.march(r.programs.volume, frame, targets.depth, quality.coarseness);
+    r.layers.tolerance.march(r.programs, frame, targets.depth, quality.coarseness);
   }
   r.composite(targets, with_cells, with_volume);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   r.layers.draw_over(r.programs, frame);
-  return r.finish(targets, start, request.quality);
+  return r.finish(targets, start, request);
 }
 
 Renderer::Frame Renderer::render_section(const SectionView& section, const ViewSettings& view,
@@ -338,15 +359,16 @@ Renderer::Frame Renderer::render_section(const SectionView& section, const ViewS
   FrameTargets& targets = request.tile ? r.tile_targets : r.section_targets;
   if (!targets.resize(request.width, request.height, 1, 1, 1)) return {};
   const Camera camera = section_camera(section, view.clip);
+  if (request.still == 1) r.average(targets, 1);
   const ViewFrame frame = r.view_frame(camera, view, request, request.width, request.height);
-  r.section.update(r.shown, frame);
+  if (request.still == 0) r.section.update(r.shown, frame);
   ClipSettings plane = view.clip;
   plane.shape = ClipSettings::Shape::none;
   r.upload_frame(camera, plane, request, frame);
   targets.output.bind(request.width, request.height);
   glBindVertexArray(r.empty_array);
   r.section.draw(r.programs, frame, r.layers.tolerance, request.transparent_background ? 0.0f : 1.0f);
-  return r.finish(targets, start, request.quality);
+  return r.finish(targets, start, request);
 }
 
 Pick Renderer::pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height,

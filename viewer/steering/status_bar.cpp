@@ -126,6 +126,8 @@ void status_bar(Ui& ui, const HistoryMemory& h) {
             (m.run.scene->warnings.size() == 1 ? " warning" : " warnings"),
         ui.colors.warning_text);
   if (m.run.scene) put(m.run.scene->thickening_note, ui.colors.warning_text);
+  if (const auto grid = m.grid.grid(); grid && !m.grid.working())
+    put(coarseness_in_words(*grid), ui.colors.warning_text);
 }
 
 void messages(Ui& ui, ImVec2 low, float width) {

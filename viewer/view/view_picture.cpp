@@ -1,12 +1,15 @@
 // When a picture is made, and at which quality.
 #include "view/view_picture.h"
 
+#include <GLFW/glfw3.h>
+
 #include <cstdint>
 
 namespace isoscope {
 namespace {
 
 constexpr double settle_seconds = 0.15; ///< after the last change the picture is drawn at full quality
+constexpr double still_seconds = 0.03;  ///< that frames of a picture at rest may add to one of the window
 
 } // namespace
 
@@ -28,8 +31,10 @@ void ViewPicture::draw(const Ui& ui, ViewArea area, Key key, const Render& rende
   const auto make = [&](Quality quality) {
     request.quality = quality;
     frame_ = render(request);
+    stills_ = quality == Quality::rest ? 1 : 0;
   };
   // A script looks only where it takes a picture.
+  bool made = false;
   const bool looked_at = !m.scripted || !m.requests.screenshots.empty();
   if (key != key_) {
     const bool first = changed_at_ < 0;
@@ -37,11 +42,25 @@ void ViewPicture::draw(const Ui& ui, ViewArea area, Key key, const Render& rende
     changed_at_ = m.clock;
     coarse_ = m.scripted ? !looked_at : !first;
     make(coarse_ ? Quality::moving : Quality::rest);
+    made = true;
   } else if (coarse_ && looked_at && (m.scripted || m.clock - changed_at_ > settle_seconds)) {
     coarse_ = false;
     make(Quality::rest);
+    made = true;
   }
-  unfinished_ = coarse_ && looked_at;
+  // While somebody moves the mouse or turns a wheel, frames must be quick.
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool busy = !m.scripted && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 ||
+                                    ImGui::IsAnyMouseDown());
+  if (!made && !coarse_ && looked_at && !busy && (!m.scripted || m.is_current())) {
+    request.quality = Quality::rest;
+    const double begun = glfwGetTime();
+    while (stills_ < m.stills && (m.scripted || glfwGetTime() - begun < still_seconds)) {
+      request.still = stills_++;
+      frame_ = render(request);
+    }
+  }
+  unfinished_ = looked_at && (coarse_ || stills_ < m.stills);
   if (frame_.texture == 0) return;
   const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(frame_.texture));
   ImGui::GetWindowDrawList()->AddImage(texture, area.low,

@@ -1,5 +1,5 @@
 // The picture of a view: drawn again only when something that it depends on has changed, at full quality once
-// it rests.
+// it rests, smoother with every frame that it rests longer.
 #pragma once
 
 #include "scene/renderer.h"
@@ -36,6 +36,8 @@ class ViewPicture {
   void draw(const Ui& ui, ViewArea area, Key key, const Render& render);
   /// Another frame is due although nothing asks for one.
   bool unfinished() const { return unfinished_; }
+  /// How many frames of the picture at rest are averaged in it.
+  int stills() const { return stills_; }
   /// It is not shown: nothing is due.
   void rest() { unfinished_ = false; }
   const Renderer::Frame& frame() const { return frame_; }
@@ -50,6 +52,7 @@ class ViewPicture {
   float pixel_scale_ = 1;
   bool coarse_ = false; ///< not at full quality
   bool unfinished_ = false;
+  int stills_ = 0; ///< frames that are averaged in the picture
 };
 
 } // namespace isoscope

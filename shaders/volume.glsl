@@ -1,0 +1,180 @@
+// Ω by ray marching: g = ±φ/δ (the sign is the side), its boundaries are g = level (outer) and g = -level (inner). Where φ is
+// nowhere 0 between the sides the bricks hold |g|, and others the sides: between them g would pass through 0. Between the
+// boundaries a haze, thicker or thinner by g, tells how much of Ω a ray goes through.
+#include "frame.glsl"
+#include "light.glsl"
+#include "bricks.glsl"
+#include "contours.glsl"
+in vec2 uv;
+uniform float level;
+uniform sampler2D scene_depth;
+uniform float voxel;           // scene units
+uniform float delta;
+uniform vec4 outer_tint, inner_tint; // a: opacity
+uniform vec3 haze;             // optical depth of a way of δ at g = level, 0, -level
+uniform float jitter_phase;    // in [0, 1): frames that are averaged start differently
+uniform int max_steps;
+uniform float coarseness;      // 1 at rest, larger while moving
+layout(location = 0) out vec4 colour; // premultiplied
+layout(location = 1) out vec4 depth;
+
+vec3 origin, direction;
+vec3 q_origin, q_direction, inverse_q; // the ray in places
+// Software drivers run both sides of every branch: fetches stand outside of branches where they can, and a loop that ends
+// early is what saves time.
+
+vec3 gradient(vec3 p) {
+  float e = 0.9 * voxel;
+  vec3 a = vec3(1, -1, -1), b = vec3(-1, -1, 1), c = vec3(-1, 1, -1), d = vec3(1, 1, 1);
+  return a * value_at(p + a * e) + b * value_at(p + b * e) + c * value_at(p + c * e) + d * value_at(p + d * e);
+}
+
+float side_at(float t) {
+  vec3 q = q_origin + t * q_direction;
+  return side_in(q, entry_at(q));
+}
+
+void add(vec3 rgb, float alpha, float t) {
+  if (colour.a == 0.0) depth = vec4(t * dot(direction, forward.xyz) + dot(origin - eye.xyz, forward.xyz));
+  colour += vec4(rgb, 1.0) * alpha * (1.0 - colour.a);
+}
+
+// The boundary where the grid's value is `value`.
+void surface(float t, float value) {
+  bool outer = value * side_at(t) > 0.0;
+  vec4 tint = outer ? outer_tint : inner_tint;
+  if (tint.a <= 0.0) return;
+  vec3 n = normalize(gradient(origin + t * direction));
+  float facing = dot(n, -direction), across = abs(facing);
+  bool outside = facing * value > 0.0; // seen from outside of Ω
+  vec3 rgb = lit(tint.rgb, facing < 0.0 ? -n : n, -direction) * (outside ? 1.0 : 0.8);
+  // The outer boundary is clear where one looks straight through it and shows at its rim, as glass does; the inner one is
+  // a thin shell, more opaque where it is seen edge-on.
+  float edge_on = pow(1.0 - across, 2.5);
+  float alpha = outer ? mix(0.5 * tint.a, min(0.85, 2.6 * tint.a), edge_on) : 1.0 - pow(1.0 - tint.a, 1.0 / max(across, 0.25));
+  if (tint.a >= 0.995) alpha = 1.0;
+  add(rgb, alpha, t);
+}
+
+// What a stretch of Ω that ends at t takes from the light behind it.
+void add_haze(float g, float side, float stretch, float t) {
+  float s = clamp(g * side / level, -1.0, 1.0);
+  float density = s > 0.0 ? mix(haze.y, haze.x, s) : mix(haze.y, haze.z, -s);
+  vec3 rgb = mix(inner_tint.rgb, outer_tint.rgb, smoothstep(-0.6, 0.6, s));
+  add(rgb * 0.92, 1.0 - exp(-density * stretch / delta), t);
+}
+
+// Where the clip cuts through Ω, its thickness shows: tinted from side to side with contours of d, the input's surface a line.
+void cap(float t) {
+  vec3 p = origin + t * direction, q = in_places(p);
+  uint entry = entry_at(q);
+  float g = value_in(q, entry), strength = max(outer_tint.a, inner_tint.a);
+  if (!is_full(entry) || abs(g) >= level || strength <= 0.0) return;
+  vec3 cut = clip_shape.x > 2.5 ? normalize(p - clip_point.xyz) : clip_normal.xyz, n = normalize(gradient(p));
+  vec4 face = band(g * side_in(q, entry) / level, level * delta * pixels_per_unit(p) / max(length(n - dot(n, cut) * cut), 0.2),
+                   inner_tint.rgb, outer_tint.rgb);
+  add(face.rgb, clamp(face.a * (0.35 + 0.65 * clamp(0.6 + strength, 0.0, 1.0)), 0.0, 1.0), t);
+}
+
+void march(float from, float to, bool cap_from, bool cap_to, float jitter) {
+  // Neither finer than what the picture shows nor coarser than what Ω takes.
+  float pixel = 1.0 / max(pixels_per_unit(origin + from * direction), 1e-20);
+  float fine = max(max(0.45 * voxel, 0.2 * delta), 0.4 * pixel) * coarseness;
+  if (cap_from && from < to) cap(from);
+  bool with_haze = haze.x + haze.y + haze.z > 0.0;
+  float t = min(from + 0.02 * fine + fine * jitter * float(!cap_from), to), before = from, g_before = 0.0;
+  bool known = false; // what g is just before t
+  for (int hit = 0; hit < 8; ++hit) {
+    float g = g_before, value = 0.0;
+    bool end = from >= to;
+    for (int i = 0; i < max_steps && !end; ++i) {
+      vec3 q = q_origin + t * q_direction, place = floor(q);
+      uint entry = entry_at(q);
+      g = value_in(q, entry);
+      bool full = is_full(entry);
+      bool meets_outer = (g_before - level) * (g - level) < 0.0 && (outer_tint.a > 0.0 || is_signed == 0);
+      bool meets_inner = (g_before + level) * (g + level) < 0.0 && inner_tint.a > 0.0;
+      if (full && known && (meets_outer || meets_inner)) {
+        value = meets_outer && (!meets_inner || g < g_before) ? level : -level;
+        break;
+      }
+      if (with_haze && full && known && max(abs(g), abs(g_before)) < 1.02 * level)
+        add_haze(0.5 * (g + g_before), side_in(q, entry), t - before, t);
+      end = t >= to || colour.a > 0.98;
+      before = t;
+      g_before = g;
+      known = full;
+      // Just beyond what the distance proves empty, so that a surface is crossed at once; or out of the empty places.
+      float rings = float(entry & 0xffu);
+      vec3 leave = (place + mix(vec3(1.0 - rings), vec3(rings), greaterThan(q_direction, vec3(0.0))) - q) * inverse_q;
+      float step_in = abs(abs(g) - level) * delta * 0.9 + fine;
+      if (with_haze && abs(g) < level && coarseness <= 1.0) step_in = min(step_in, 0.5 * delta);
+      float step_out = max(min(leave.x, min(leave.y, leave.z)), 0.0) + 1e-3 * place_side;
+      t = min(t + (full ? step_in : step_out), to);
+    }
+    if (value == 0.0) break;
+    float met = mix(before, t, clamp((value - g_before) / (g - g_before), 0.0, 1.0));
+    if (coarseness <= 1.0) {
+      vec3 q = q_origin + met * q_direction;
+      float g_met = value_in(q, entry_at(q));
+      bool beyond = (g_met - value) * (g - value) > 0.0;
+      float a = beyond ? before : met, ga = beyond ? g_before : g_met, b = beyond ? met : t, gb = beyond ? g_met : g;
+      met = mix(a, b, abs(gb - ga) < 1e-6 ? 0.5 : clamp((value - ga) / (gb - ga), 0.0, 1.0));
+    }
+    if (with_haze && max(abs(value), abs(g_before)) < 1.02 * level) add_haze(0.5 * (value + g_before), side_at(met), met - before, met);
+    surface(met, value);
+    before = met;
+    g_before = value + (g > g_before ? 1e-4 : -1e-4);
+    if (colour.a > 0.98) return;
+  }
+  if (cap_to && from < to && colour.a < 0.98) cap(to);
+}
+
+void main() {
+  colour = vec4(0.0);
+  depth = vec4(0.0);
+  vec2 ndc = uv * 2.0 - 1.0;
+  vec4 near_h = inverse_view_projection * vec4(ndc, -1.0, 1.0), far_h = inverse_view_projection * vec4(ndc, 1.0, 1.0);
+  vec3 near_p = near_h.xyz / near_h.w, far_p = far_h.xyz / far_h.w;
+  origin = near_p;
+  direction = normalize(far_p - near_p);
+  q_origin = in_places(origin);
+  q_direction = direction / place_side;
+  q_direction = mix(q_direction, vec3(1e-12), lessThan(abs(q_direction), vec3(1e-12)));
+  inverse_q = 1.0 / q_direction;
+  vec3 to_lo = (box_lo - origin) / direction, to_hi = (box_hi - origin) / direction;
+  vec3 t_in = min(to_lo, to_hi), t_out = max(to_lo, to_hi);
+  float from = max(max(t_in.x, max(t_in.y, t_in.z)), 0.0), to = min(t_out.x, min(t_out.y, t_out.z));
+  float z = texture(scene_depth, uv).r;
+  vec4 hit = inverse_view_projection * vec4(ndc, z * 2.0 - 1.0, 1.0);
+  if (z < 1.0) to = min(to, dot(hit.xyz / hit.w - origin, direction));
+  if (from >= to) return;
+  float jitter = fract(jitter_phase + 52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+
+  // The unflipped clip keeps one stretch [a, b] of the ray; flipped, what is before and after it.
+  float a = -1e30, b = 1e30;
+  vec3 offset = origin - clip_point.xyz;
+  float height = dot(offset, clip_normal.xyz), rate = dot(direction, clip_normal.xyz);
+  rate = abs(rate) < 1e-9 ? 1e-9 : rate;
+  if (clip_shape.x > 2.5) {
+    float middle = -dot(offset, direction), disc = middle * middle - dot(offset, offset) + clip_point.w * clip_point.w;
+    a = disc < 0.0 ? 1e30 : middle - sqrt(disc);
+    b = disc < 0.0 ? -1e30 : middle + sqrt(disc);
+  } else if (clip_shape.x > 0.5) {
+    float upper = ((clip_shape.x > 1.5 ? clip_point.w : 0.0) - height) / rate;
+    float lower = clip_shape.x > 1.5 ? (-clip_point.w - height) / rate : (rate > 0.0 ? -1e30 : 1e30);
+    a = min(upper, lower);
+    b = max(upper, lower);
+  }
+  bool flipped = clip_shape.x > 0.5 && clip_normal.w < 0.0;
+  int parts = flipped ? 2 : 1;
+  for (int part = 0; part < parts; ++part) {
+    bool whole = flipped && a > b && part == 0;
+    float start = flipped ? (part == 0 ? from : max(from, a > b ? to : b)) : max(from, a);
+    float stop = flipped ? (part == 0 && !whole ? min(to, a) : to) : min(to, b);
+    bool cap_start = flipped ? part == 1 && b > from : a > from;
+    bool cap_stop = flipped ? part == 0 && !whole && a < to : b < to;
+    march(start, stop, cap_start, cap_stop, jitter);
+    if (colour.a > 0.98) break;
+  }
+}
