@@ -16,6 +16,24 @@
 
 using namespace isoscope;
 
+namespace {
+
+GridWish wish_for(double delta, double voxel) {
+  GridWish wish;
+  wish.delta = delta;
+  wish.voxel = voxel;
+  return wish;
+}
+
+Vec3 position(const DistanceGrid& grid, std::size_t brick, std::size_t sample) {
+  const auto i = static_cast<int>(sample), n = DistanceGrid::samples;
+  return grid.corner(grid.at[brick]) + grid.voxel * Vec3{static_cast<double>(i % n),
+                                                         static_cast<double>(i / n % n),
+                                                         static_cast<double>(i / (n * n))};
+}
+
+} // namespace
+
 TEST_CASE("sides of a grid are those of the surface, also where voxels are coarser than Ω") {
   const auto soup = make_gallery_model("sphere");
   REQUIRE(soup);
@@ -25,25 +43,21 @@ TEST_CASE("sides of a grid are those of the surface, also where voxels are coars
   const RunControl control;
   const double edge = soup->bounds().longest_edge();
   for (const double part : {0.03, 0.004}) {
-    auto grid = make_distance_grid(index, part * edge, 40, control);
+    auto grid = make_distance_grid(index, wish_for(part * edge, 0.025 * edge), control);
     REQUIRE(grid);
-    REQUIRE(find_sides(*grid, index, sides, part * edge, {}, control));
-    REQUIRE(grid->sides.size() == grid->values.size());
+    REQUIRE(find_sides(*grid, {index, sides, part * edge, {}}, control));
+    CHECK(grid->has_sides);
     std::size_t wrong = 0;
-    for (int z = 0; z < grid->size[2]; z += 3)
-      for (int y = 0; y < grid->size[1]; y += 3)
-        for (int x = 0; x < grid->size[0]; ++x) {
-          const Vec3 e = grid->box.extent();
-          const Vec3 p = grid->box.lo + Vec3{(x + 0.5) * e.x / grid->size[0], (y + 0.5) * e.y / grid->size[1],
-                                             (z + 0.5) * e.z / grid->size[2]};
-          const auto i = (static_cast<std::size_t>(z) * static_cast<std::size_t>(grid->size[1]) +
-                          static_cast<std::size_t>(y)) *
-                             static_cast<std::size_t>(grid->size[0]) +
-                         static_cast<std::size_t>(x);
-          const int expected = index.inside_by_parity(p) ? -1 : 1;
-          if (grid->sides[i] != expected) ++wrong;
-        }
+    for (std::size_t b = 0; b < grid->bricks(); b += 3)
+      for (std::size_t i = 0; i < DistanceGrid::brick_size; ++i) {
+        const int expected = index.inside_by_parity(position(*grid, b, i)) ? -1 : 1;
+        if ((grid->brick(b)[i] < 0 ? -1 : 1) != expected) ++wrong;
+      }
     CHECK(wrong == 0);
+    // Empty places too.
+    CHECK(grid->signed_value(soup->bounds().center()) < 0);
+    CHECK(grid->signed_value(grid->box.lo) > 0);
+    CHECK(std::count(grid->index.begin(), grid->index.end(), DistanceGrid::inner) > 0);
   }
 }
 
@@ -51,35 +65,46 @@ TEST_CASE("finding sides can be cancelled") {
   const auto soup = make_gallery_model("sphere");
   const auto index = std::make_shared<const ClosestPointIndex>(*soup);
   RunControl control;
-  auto grid = make_distance_grid(*index, 0.05, 24, control);
+  auto grid = make_distance_grid(*index, wish_for(0.05, 0.1), control);
   REQUIRE(grid);
   control.cancel();
   const Status status =
-      find_sides(*grid, *index, InputSides(index, SideRule::parity, nullptr), 0.05, {}, control);
+      find_sides(*grid, {*index, InputSides(index, SideRule::parity, nullptr), 0.05, {}}, control);
   REQUIRE_FALSE(status);
   CHECK(status.error().code == ErrorCode::cancelled);
 }
 
-TEST_CASE("no jump through empty space passes over Ω") {
+TEST_CASE("no way through empty places passes over Ω") {
   DistanceGrid grid;
-  grid.size = {40, 33, 25};
-  grid.box.add(Vec3{0, 0, 0});
-  grid.box.add(Vec3{40, 33, 25});
-  grid.values.assign(40 * 33 * 25, 4.0f);
-  const auto voxel = [](int x, int y, int z) { return static_cast<std::size_t>((z * 33 + y) * 40 + x); };
-  const std::array<std::array<int, 3>, 3> full{{{3, 30, 2}, {35, 4, 20}, {20, 20, 12}}};
-  for (const auto& f : full) grid.values[voxel(f[0], f[1], f[2])] = 0.5f;
-  const GridBlocks blocks = grid_blocks(grid, 8);
-  const std::array<int, 3>& size = blocks.size;
-  const std::vector<float> jump = empty_space(blocks, 1, 1.0);
-  CHECK(size == std::array<int, 3>{5, 5, 4});
-  float longest = 0;
-  for (int z = 0; z < 25; ++z)
-    for (int y = 0; y < 33; ++y)
-      for (int x = 0; x < 40; ++x) {
-        const float j = jump[static_cast<std::size_t>(((z / 8) * size[1] + y / 8) * size[0] + x / 8)];
-        longest = std::max(longest, j);
-        for (const auto& f : full) CHECK(std::hypot(x - f[0], y - f[1], z - f[2]) >= static_cast<double>(j));
+  grid.places = {30, 23, 17};
+  grid.clamp = 4;
+  grid.index.assign(30 * 23 * 17, DistanceGrid::outer);
+  const std::vector<std::array<int, 3>> full{{{3, 20, 2}, {25, 4, 14}, {14, 12, 8}}};
+  for (const auto& place : full) {
+    grid.index[grid.place(place)] = static_cast<std::int32_t>(grid.at.size());
+    grid.at.push_back(place);
+  }
+  grid.at.push_back({0, 0, 0}); // a brick without Ω
+  grid.index[0] = 3;
+  grid.values.assign(4 * DistanceGrid::brick_size, DistanceGrid::most);
+  for (std::size_t b = 0; b < 3; ++b) grid.values[b * DistanceGrid::brick_size + 77] = DistanceGrid::most / 8;
+  const std::vector<float> least = least_in_bricks(grid);
+  CHECK(least[0] == doctest::Approx(0.5).epsilon(0.001));
+  const auto entries = place_entries(grid, least, 1);
+  std::uint32_t longest = 0;
+  for (int z = 0; z < 17; ++z)
+    for (int y = 0; y < 23; ++y)
+      for (int x = 0; x < 30; ++x) {
+        int nearest = 1000;
+        for (const auto& f : full)
+          nearest = std::min(nearest, std::max({std::abs(x - f[0]), std::abs(y - f[1]), std::abs(z - f[2])}));
+        const std::uint32_t entry = entries[grid.place({x, y, z})];
+        if (nearest == 0) {
+          CHECK((entry & full_place) != 0);
+          continue;
+        }
+        CHECK(entry == static_cast<std::uint32_t>(nearest));
+        longest = std::max(longest, entry);
       }
   CHECK(longest >= 8);
 }
