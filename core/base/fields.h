@@ -32,6 +32,7 @@ struct Choice {
   std::string_view script = {}; ///< in scripts, where it is another
   std::string_view words = {};  ///< a flag's own words
   std::string_view tip = {};    ///< a flag's own tooltip
+  std::string_view until = {};  ///< a flag's own FieldFacts::until
   bool offered = true;          ///< false: old files may hold it, nobody may ask for it
 };
 
@@ -41,6 +42,11 @@ struct FieldRange {
   bool low_included = true, high_included = true;
   std::string_view wrong = {}; ///< what any other is, "no time"; empty: "not in [low, high]"
   std::string_view remedy = {};
+  /// "[low, high]", with round brackets at ends that are not part of it.
+  std::string text() const {
+    return std::string(low_included ? "[" : "(") + shortest(low) + ", " + shortest(high) +
+           (high_included ? "]" : ")");
+  }
 };
 
 /// What a change of the field changes of the journal: nothing, only where it ends, anything.
@@ -66,13 +72,15 @@ struct FieldFacts {
   int values = 1;               ///< words that make one text on the command line
   bool restart = true;          ///< a run that goes on cannot take a change
   JournalChange journal = JournalChange::any;
+  std::string_view until = {}; ///< the last stage that asks for it, where a run that goes on takes a change
   // In the window's panel.
   int place = 0;               ///< rows ascend by it, tens make groups; 0: no row
   std::string_view label = {}; ///< where it is not the symbol
   std::string_view title = {}, tip = {};
-  std::string_view format = {}; ///< of a slider; empty: a number is typed
-  double slider_from = 0;       ///< the least that a slider offers, where it is not the range's
-  bool logarithmic = false;     ///< a slider's scale
+  std::string_view counted_in = {}; ///< the unit behind its number, where it is not `unit`
+  std::string_view format = {};     ///< of a slider; empty: a number is typed
+  double slider_from = 0;           ///< the least that a slider offers, where it is not the range's
+  bool logarithmic = false;         ///< a slider's scale
 
   /// The option, and what errors call the field.
   std::string option_name() const { return option.empty() ? "--" + script_name() : std::string(option); }
@@ -177,10 +185,7 @@ inline Status check_range(const FieldFacts& f, const std::string& asked, double 
   if ((r.low_included ? value >= r.low : value > r.low) &&
       (r.high_included ? value <= r.high : value < r.high) && std::isfinite(value))
     return {};
-  const std::string wrong = !r.wrong.empty()
-                                ? std::string(r.wrong)
-                                : std::string("not in ") + (r.low_included ? "[" : "(") + shortest(r.low) +
-                                      ", " + shortest(r.high) + (r.high_included ? "]" : ")");
+  const std::string wrong = !r.wrong.empty() ? std::string(r.wrong) : "not in " + r.text();
   return Error{ErrorCode::usage, asked + " is " + shortest(value) + ", which is " + wrong + ".",
                std::string(r.remedy)};
 }

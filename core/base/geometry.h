@@ -67,6 +67,10 @@ using Triangle3 = std::array<Vec3, 3>;
 inline Vec3 centroid(const Triangle3& t) {
   return (t[0] + t[1] + t[2]) / 3.0;
 }
+/// The normal, as long as the area.
+inline Vec3 area_vector(const Triangle3& t) {
+  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+}
 inline double area(const Triangle3& t) {
   return 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
 }

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace isoscope {
@@ -68,6 +69,9 @@ Status PendingFile::open(const fs::path& target, WriteTarget allowed) {
     if (descriptor_ < 0 && errno != EEXIST) break;
   }
   if (descriptor_ < 0) return io_error(named_, "cannot be written", errno);
+  // What takes a file's place is read and written by those who could before.
+  struct stat before {};
+  if (::stat(target_.c_str(), &before) == 0) ::fchmod(descriptor_, before.st_mode & 0777);
   return {};
 }
 

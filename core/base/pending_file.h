@@ -29,7 +29,7 @@ class PendingFile {
   PendingFile& operator=(const PendingFile&) = delete;
 
   /// Fails with io when nothing can be created beside `target`; links are followed, so that what they point
-  /// to is replaced or made.
+  /// to is replaced, keeping its permissions, or made.
   Status open(const std::filesystem::path& target, WriteTarget allowed = WriteTarget::file);
   void append(const void* data, std::size_t size);
   void append(std::string_view text) { append(text.data(), text.size()); }

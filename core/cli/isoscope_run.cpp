@@ -189,6 +189,7 @@ int run(int argc, char** argv) {
 
   constexpr int stopped_at_breakpoint = 5;
   int status = gate.hit() ? stopped_at_breakpoint : result->exit_status();
+  if (result->failure) fail(*result->failure, status);
   if (gate.hit()) {
     std::fprintf(stderr, "isoscope-run: %s: %s\n", gate.hit()->note().c_str(),
                  describe(*journal, journal->events()[gate.hit()->event]).c_str());
@@ -208,7 +209,10 @@ int run(int argc, char** argv) {
     Status written = report_to_stdout ? print(text) : write_text_file(outputs.report, text);
     if (!written) status = fail(written.error(), 1);
   }
-  if (!quiet && !report_to_stdout) {
+  if (quiet || report_to_stdout) {
+    for (const std::string& warning : warnings(*parameters, **scene, *result, gate.hit().has_value()))
+      note(warning);
+  } else {
     if (Status written = print(
             summary(*parameters, **scene, *result, stages, gate.hit() ? gate.hit()->note() : std::string()));
         !written) {

@@ -3,7 +3,7 @@
 
 #include "base/field_options.h"
 #include "input/gallery.h"
-#include "input/mesh_io.h"
+#include "input/point_files.h"
 
 #include <cstdio>
 #include <optional>
@@ -62,7 +62,7 @@ Result<RunParameters> RunOptions::finish() const {
     if (!entry->gives_volume() && !given("--tolerance")) p.tolerance = {entry->tolerance_percent, true};
     if (!given("--levels")) p.levels = {entry->low, entry->high};
   }
-  if (!given("--tolerance") && is_named_as_points(p.input)) p.tolerance.automatic = true;
+  if (!given("--tolerance") && holds_points_alone(p.input)) p.tolerance.automatic = true;
   // Half-spaces are learnt from facets that leave Ω, which sampled mode does not look at.
   if (p.containment == Containment::sampled && !line_.given("--target")) p.target = TargetStrategy::sampling;
   if (r.no_normals) p.conditions[2] = false;

@@ -12,6 +12,7 @@
 #include "run/parameters_json.h"
 #include "run/recorded_run.h"
 #include "run/replay_check.h"
+#include "run/run_input.h"
 
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-// The summary's lines, aligned.
+// The summary's lines, aligned, and those of them that are warnings.
 #include "cli/summary.h"
 
 #include "base/place.h"
@@ -57,11 +57,12 @@ std::string point_words(const PointDistances::Quantiles& q, double delta) {
 std::string holds_words(const RunResult& result, const Scene& scene) {
   using Topology = Certificate::Topology;
   const Certificate& c = result.certificate;
-  std::string words = c.border            ? "holds: with border, oriented"
+  const bool has_border = c.border && c.boundary_loops > 0; // all holes may be filled
+  std::string words = has_border          ? "holds: with border, oriented"
                       : c.regions.empty() ? "holds: closed, oriented"
                                           : "holds: every region closed and oriented";
   words += ", free of intersections, " + containment_words(c, scene) + ", sides separated";
-  if (c.border)
+  if (has_border)
     words += ", border and rim within " + number("%.4f", c.border->to_rim / scene.delta) + " and " +
              number("%.4f", c.border->from_rim / scene.delta) + " δ of each other";
   if (const auto filled = std::count(result.holes.facets.begin(), result.holes.facets.end(), 1); filled > 0)
@@ -77,10 +78,10 @@ std::string region_words(const Certificate& c) {
   return c.regions.empty() ? "" : ", " + counted(c.regions.size(), "region");
 }
 
-std::string end_words(RunResult::End end) {
-  switch (end) {
+std::string end_words(const RunResult& result) {
+  switch (result.end) {
   case RunResult::End::finished:
-    return "finished";
+    return result.failure ? "ended before its last stage" : "finished";
   case RunResult::End::stopped:
     return "stopped by the user";
   case RunResult::End::limit:
@@ -89,7 +90,37 @@ std::string end_words(RunResult::End end) {
   return {};
 }
 
+/// Where the input is not covered, in lines of their own.
+std::vector<std::string> uncovered_lines(const Certificate& c, double delta) {
+  std::vector<std::string> lines;
+  for (const UncoveredPlace& p : c.uncovered)
+    lines.push_back("  " + number("%.4g", p.distance / delta) + " δ at " + place(p.point, 6) + ", " +
+                    number("%.3g", p.size) + " long (" + number("%.3g", p.size / delta) + " δ)");
+  if (c.uncovered_count > c.uncovered.size())
+    lines.push_back("  and " + counted(c.uncovered_count - c.uncovered.size(), "nearer place"));
+  return lines;
+}
+
 } // namespace
+
+std::vector<std::string> warnings(const RunParameters& parameters, const Scene& scene,
+                                  const RunResult& result, bool stop_told) {
+  const Certificate& c = result.certificate;
+  std::vector<std::string> lines;
+  if (result.end != RunResult::End::finished && !stop_told)
+    lines.push_back("The run was " + end_words(result) + ": the mesh is what it had reached.");
+  // What was asked for is no warning.
+  const bool wanted =
+      c.topology == Certificate::Topology::not_asked && parameters.topology == TopologyMode::separate;
+  if (!c.topology_note.empty() && !wanted) lines.push_back(c.topology_note);
+  for (const std::string& note : {c.cover_note, c.gap_note})
+    if (!note.empty()) lines.push_back(note);
+  if (!c.holds()) lines.push_back("The certificate does NOT hold.");
+  lines.insert(lines.end(), c.failures.begin(), c.failures.end());
+  const std::vector<std::string> places = uncovered_lines(c, scene.delta);
+  lines.insert(lines.end(), places.begin(), places.end());
+  return lines;
+}
 
 std::string summary(const RunParameters& parameters, const Scene& scene, const RunResult& result,
                     const std::vector<StageStatistics>& stages, const std::string& stopped_at) {
@@ -136,12 +167,8 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
   for (const std::string& note : {c.cover_note, c.gap_note})
     if (!note.empty()) text += line("", note);
   for (const std::string& failure : c.failures) text += line("", failure);
-  for (const UncoveredPlace& p : c.uncovered)
-    text += line("", "  " + number("%.4g", p.distance / scene.delta) + " δ at " + place(p.point, 6) + ", " +
-                         number("%.3g", p.size) + " long (" + number("%.3g", p.size / scene.delta) + " δ)");
-  if (c.uncovered_count > c.uncovered.size())
-    text += line("", "  and " + counted(c.uncovered_count - c.uncovered.size(), "nearer place"));
-  text += line("Run", (stopped_at.empty() ? end_words(result.end) : "stopped at " + stopped_at) + ", " +
+  for (const std::string& where : uncovered_lines(c, scene.delta)) text += line("", where);
+  text += line("Run", (stopped_at.empty() ? end_words(result) : "stopped at " + stopped_at) + ", " +
                           number("%.2f", result.seconds) + " s, " +
                           number("%.0f", static_cast<double>(result.peak_memory_bytes) / 1e6) + " MB");
   return text;

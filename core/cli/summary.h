@@ -14,4 +14,10 @@ namespace isoscope {
 std::string summary(const RunParameters& parameters, const Scene& scene, const RunResult& result,
                     const std::vector<StageStatistics>& stages, const std::string& stopped_at = {});
 
+/// What of it nobody may miss, for those who do not see it: that the run was stopped, what the certificate
+/// lacks and where, what Ω closed. Empty where a run finished, is certified and lost nothing. `stop_told`:
+/// why it was stopped is known already.
+std::vector<std::string> warnings(const RunParameters& parameters, const Scene& scene,
+                                  const RunResult& result, bool stop_told = false);
+
 } // namespace isoscope

@@ -31,6 +31,7 @@ struct CollapseStage::Candidate {
   EdgeStar star;
   std::vector<Vec3> samples;
   CollapseAttempt attempt;
+  bool judged = false;
 };
 
 CollapseStage::CollapseStage(LiveComplex& live, const EvaluationContext& context,
@@ -99,7 +100,7 @@ std::vector<CollapseStage::Candidate> CollapseStage::next_batch(CollapseQueue& q
     const std::uint32_t last = changed(e.a, e.b);
     if (failures_.failed_since(e.a, e.b, last)) continue;
     const auto [stays, goes] = oriented_edge(live_.complex(), live_.incidence(), e.a, e.b);
-    Candidate candidate{e, live_.star(stays, goes, ring_), {}, {}};
+    Candidate candidate{e, live_.star(stays, goes, ring_), {}, {}, false};
     if (e.time < last) {
       const double error = collapse_priority(candidate.star, settings_);
       if (!std::isinf(error)) queue.push(ordered(e.a, e.b, error, live_.clock()));
@@ -121,9 +122,10 @@ std::vector<CollapseStage::Candidate> CollapseStage::next_batch(CollapseQueue& q
   return batch;
 }
 
-void CollapseStage::evaluate(std::vector<Candidate>& batch) const {
-  parallel_until(batch.size(), 1, log_.control(), [&](std::size_t i) {
-    Candidate& c = batch[i];
+void CollapseStage::evaluate(std::span<Candidate> candidates) const {
+  parallel_until(candidates.size(), 1, log_.control(), [&](std::size_t i) {
+    Candidate& c = candidates[i];
+    c.judged = true;
     CollapseSettings settings = settings_;
     if (targets_) settings.search.kernel_samples = most_sample_targets;
     c.attempt = evaluate_collapse(c.star, settings, context_, EvaluationDetail::decision, c.samples);
@@ -145,7 +147,6 @@ bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
   e.other = attempt.b;
   e.count = attempt.tried;
   if (!attempt.possible()) {
-    failures_.add(candidate.edge.a, candidate.edge.b, {live_.clock(), false});
     e.kind = EventKind::rejection;
     e.reason = attempt.rejected;
     if (const CheckVerdict* failed = attempt.first_failed()) {
@@ -154,8 +155,7 @@ bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
       e.witness = failed->witness;
     }
     e.point = attempt.optimum;
-    log_.event(e);
-    return false;
+    return carry_out(candidate.edge, e, queue);
   }
   if (rests_on_changed_border(candidate)) {
     queue.push(ordered(candidate.edge.a, candidate.edge.b, candidate.edge.error, live_.clock()));
@@ -167,9 +167,30 @@ bool CollapseStage::commit(const Candidate& candidate, CollapseQueue& queue) {
   e.witness = attempt.optimum;
   e.value = attempt.cost;
   e.limit = attempt.unconstrained_cost;
-  Delta delta = live_.collapse(attempt.a, attempt.b, attempt.target);
+  return carry_out(candidate.edge, e, queue);
+}
+
+bool CollapseStage::follow(const Candidate& candidate, CollapseQueue& queue) {
+  const Event e = log_.rehearsal()->event();
+  const bool verdict = e.kind == EventKind::rejection || e.kind == EventKind::collapse;
+  const QueuedEdge& edge = candidate.edge;
+  if (!verdict || std::minmax(e.vertex, e.other) != std::minmax(edge.a, edge.b)) {
+    log_.go_astray();
+    return false;
+  }
+  return carry_out(edge, e, queue);
+}
+
+/// Does what the event of an edge says, and records it.
+bool CollapseStage::carry_out(const QueuedEdge& edge, Event e, CollapseQueue& queue) {
+  if (e.kind == EventKind::rejection) {
+    failures_.add(edge.a, edge.b, {live_.clock(), false});
+    log_.event(e);
+    return false;
+  }
+  Delta delta = live_.collapse(e.vertex, e.other, e.point);
   live_.apply(delta);
-  push_around(attempt.a, queue);
+  push_around(e.vertex, queue);
   log_.operation(e, std::move(delta), live_.step_figures());
   return true;
 }
@@ -188,10 +209,17 @@ std::size_t CollapseStage::run_round() {
   std::size_t collapses = 0;
   while (!queue.empty() && !log_.stopped()) {
     std::vector<Candidate> batch = next_batch(queue);
-    evaluate(batch);
-    for (const Candidate& candidate : batch) {
-      if (log_.stopped()) break;
-      collapses += commit(candidate, queue);
+    if (log_.rehearsal() == nullptr) evaluate(batch);
+    for (std::size_t i = 0; i < batch.size() && !log_.stopped(); ++i) {
+      const bool followed = log_.rehearsal() != nullptr;
+      // What was pushed back has no event: whether it was is found out.
+      if (!batch[i].judged && followed && !rests_on_changed_border(batch[i])) {
+        collapses += follow(batch[i], queue);
+        continue;
+      }
+      // The rehearsal may end amidst a batch; its stars are those from before the batch.
+      if (!batch[i].judged) evaluate(std::span(batch).subspan(i, followed ? 1 : batch.size() - i));
+      collapses += commit(batch[i], queue);
     }
   }
   return collapses;

@@ -8,11 +8,13 @@
 #include "journal/stage_log.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace isoscope {
 
-/// Collapses edges of one kind until no one of them can be collapsed or it is told to stop.
+/// Collapses edges of one kind until no one of them can be collapsed or it is told to stop. During a
+/// rehearsal of the log the verdicts are those of the journal: queue and failures become what they were.
 class CollapseStage {
  public:
   /// `samples` are candidate targets of ∂Γ collapses and may be null otherwise.
@@ -29,8 +31,11 @@ class CollapseStage {
   std::vector<QueuedEdge> eligible_edges() const;
   std::size_t run_round();
   std::vector<Candidate> next_batch(CollapseQueue& queue);
-  void evaluate(std::vector<Candidate>& batch) const;
+  void evaluate(std::span<Candidate> candidates) const;
   bool commit(const Candidate& candidate, CollapseQueue& queue);
+  /// Takes the verdict from the journal that is followed.
+  bool follow(const Candidate& candidate, CollapseQueue& queue);
+  bool carry_out(const QueuedEdge& edge, Event event, CollapseQueue& queue);
   bool rests_on_changed_border(const Candidate& candidate) const;
   void push_around(VertexId v, CollapseQueue& queue);
   double priority(VertexId a, VertexId b) const;

@@ -9,7 +9,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<GalleryEntry, 16> entries{{
+constexpr std::array<GalleryEntry, 17> entries{{
     {"bracket", "Angle bracket",
      "Long thin triangles, sharp edges and drilled holes do not matter: only the volume around them does, "
      "and refinement "
@@ -69,6 +69,10 @@ constexpr std::array<GalleryEntry, 16> entries{{
      "An open surface: samples over its rim belong to no side, and the zero set, which goes on beyond it, is "
      "cut there.",
      3.0, 1, 0, 0, 1},
+    {"range-scan", "Range scan",
+     "What a scanner sees from one place, with holes behind three knobs: each is kept, or filled between the "
+     "vertices of its border.",
+     3.0, -2, 0, 0, 4},
 }};
 
 TriangleSoup make_nested_spheres() {
@@ -156,6 +160,8 @@ Result<TriangleSoup> make_gallery_model(std::string_view name) {
     model = make_density();
   else if (name == "hemisphere")
     model = make_hemisphere(24);
+  else if (name == "range-scan")
+    model = make_range_scan(100);
   else {
     std::string names;
     for (const GalleryEntry& e : entries) names += (names.empty() ? "" : ", ") + std::string(e.name);

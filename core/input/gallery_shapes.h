@@ -44,6 +44,10 @@ TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, s
 /// The upper half of the unit sphere, its border in the plane z = 0, as so many rings of triangles.
 TriangleSoup make_hemisphere(int rings);
 
+/// A knobby ball as a scanner with so many rays along a side of its square sees it from one place, with holes
+/// behind the knobs.
+TriangleSoup make_range_scan(int rays);
+
 /// The levels of make_density(), between which its ring of six beads is whole.
 constexpr double density_low = 0.25, density_high = 0.5;
 

@@ -149,10 +149,6 @@ Result<InputMesh> read_input_mesh(const std::filesystem::path& file, const RunCo
                    [](FileScanner& in) { return make_soup(in, read_polygons(in)); });
 }
 
-bool is_named_as_points(const std::filesystem::path& file) {
-  return is_points_extension(file.extension().string());
-}
-
 Result<TriangleSoup> read_mesh(const std::filesystem::path& file) {
   auto mesh = read_input_mesh(file, RunControl{});
   if (!mesh) return mesh.error();

@@ -14,9 +14,6 @@ namespace isoscope {
 /// a soup without triangles. Fails with bad_input (file, place, remedy) on anything else.
 Result<TriangleSoup> read_mesh(const std::filesystem::path& file);
 
-/// Whether a file is a list of points by its name.
-bool is_named_as_points(const std::filesystem::path& file);
-
 /// Writes by the extension: .off, .obj, .ply (binary) or .stl (binary). Goes through a temporary file in the
 /// same folder, so that a full disk leaves no half-written file behind. OFF and OBJ keep every bit of the
 /// coordinates. Labels, where the mesh has them, are properties of faces, "front" and "back", in PLY and

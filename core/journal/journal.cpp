@@ -81,6 +81,7 @@ void Journal::take_prefix(const Journal& from, Step step, std::size_t events) {
       std::min(events, operations < from.operations().size() ? from.operations()[operations].event
                                                              : from.events().size());
   std::size_t mark = 0, next = 0, texts = 1, repairs = 1, sets = 1;
+  std::size_t records = 1; // what it began with, and one for each change
   double age = 0;
   for (std::size_t i = 0; i < end; ++i) {
     const Event& event = from.events()[i];
@@ -88,6 +89,7 @@ void Journal::take_prefix(const Journal& from, Step step, std::size_t events) {
       age = from.stage_marks()[mark].seconds;
       stage_marks_.push_back(from.stage_marks()[mark++]);
     }
+    records += event.kind == EventKind::parameter_change ? 1 : 0;
     texts = std::max<std::size_t>(texts, event.text + 1);
     repairs = std::max<std::size_t>(repairs, event.detail + 1);
     if (next < operations && from.operations()[next].event == i) {
@@ -103,7 +105,7 @@ void Journal::take_prefix(const Journal& from, Step step, std::size_t events) {
   }
   for (std::size_t i = 0, n = std::min(sets, from.sample_sets().size()); i < n; ++i)
     add_sample_set(from.sample_sets()[i]);
-  for (std::size_t i = 0, n = from.parameters().size(); i < n && from.parameters()[i].step <= operations; ++i)
+  for (std::size_t i = 0, n = std::min(records, from.parameters().size()); i < n; ++i)
     parameters_.push_back(from.parameters()[i]);
   for (std::size_t i = 1; i < texts; ++i) add_text(from.texts()[i]);
   for (std::size_t i = 1; i < repairs; ++i) add_repair(from.repairs()[i]);

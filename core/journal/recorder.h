@@ -3,6 +3,9 @@
 #pragma once
 
 #include "journal/journal.h"
+#include "journal/rehearsal.h"
+
+#include <optional>
 
 namespace isoscope {
 
@@ -30,9 +33,23 @@ class Recorder {
   Journal& journal() { return *journal_; }
   Gate& gate() { return *gate_; }
 
+  /// The journal has the beginning of the run already, and from its event `next` on it is made once more:
+  /// that goes to `scratch`, and nobody is asked. Behind the journal's last event all is as ever.
+  void rehearse(Journal& scratch, std::size_t next);
+  /// Null outside of a rehearsal.
+  const Rehearsal* rehearsal() const { return rehearsal_ ? &*rehearsal_ : nullptr; }
+  /// Something was made that the journal does not have: the run cannot go on from there.
+  bool astray() const { return astray_; }
+  void go_astray() { astray_ = true; }
+
  private:
+  Gate::Verdict followed(const Event& made);
+
   Journal* journal_;
   Gate* gate_;
+  Journal* kept_ = nullptr; ///< during a rehearsal: the one that has the beginning
+  std::optional<Rehearsal> rehearsal_;
+  bool astray_ = false;
 };
 
 } // namespace isoscope

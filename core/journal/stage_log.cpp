@@ -33,6 +33,8 @@ void StageLog::event(Event event) {
 void StageLog::operation(Event event, Delta delta, StepFigures figures) {
   event.stage = stage_;
   event.operation = true;
+  if (const Rehearsal* ahead = rehearsal(); ahead != nullptr && !ahead->over() && ahead->event().operation)
+    rejoin(stage_, ahead->seconds());
   figures.seconds = std::chrono::duration<float>(std::chrono::steady_clock::now() - began_).count();
   hear(recorder_->operation(event, std::move(delta), figures));
 }
@@ -47,6 +49,15 @@ void StageLog::warn(std::string text) {
 void StageLog::hear(Gate::Verdict verdict) {
   stopped_ |= verdict == Gate::Verdict::stop;
   if (verdict == Gate::Verdict::parameters_changed && adopt_) adopt_(recorder_->gate().wanted_parameters());
+  hear_followed();
+}
+
+void StageLog::hear_followed() {
+  const Rehearsal* ahead = rehearsal();
+  if (ahead == nullptr || recorder_->astray()) return;
+  const EventKind next = ahead->event().kind;
+  stopped_ |= next == EventKind::stopped;
+  if (next == EventKind::parameter_change && adopt_) adopt_(ahead->criteria());
 }
 
 } // namespace isoscope

@@ -28,6 +28,12 @@ class StageLog {
   void warn(std::string text);
 
   bool stopped() const { return stopped_ || control_->cancelled(); }
+  /// Where the run repeats what its journal has: the next event; null outside.
+  const Rehearsal* rehearsal() const { return recorder_->rehearsal(); }
+  void go_astray() {
+    recorder_->go_astray();
+    stopped_ = true;
+  }
   /// Called with the gate's parameters when it says that they changed.
   void on_parameters(std::function<void(const CriteriaParameters&)> adopt) { adopt_ = std::move(adopt); }
   Journal& journal() { return recorder_->journal(); }
@@ -36,6 +42,8 @@ class StageLog {
 
  private:
   void hear(Gate::Verdict verdict);
+  /// A run that is repeated was stopped or given parameters where its next event says so.
+  void hear_followed();
 
   Recorder* recorder_;
   const RunControl* control_;

@@ -1,9 +1,9 @@
 // The value of an expression at an event.
+#include "base/folded.h"
 #include "journal/describe.h"
 #include "query/watch.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -16,13 +16,6 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 template <class Tag> double number_of(Id<Tag> id) {
   return id.valid() ? static_cast<double>(id.value) : unknown;
-}
-
-bool contains_folded(const std::string& text, const std::string& part) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
 double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {

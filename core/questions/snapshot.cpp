@@ -8,7 +8,6 @@
 #include "mesh/label_functions.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -244,28 +243,35 @@ ViolationPreview preview_violations(const StateSnapshot& state, const CriteriaPa
                                     const NearestSample* nearest) {
   ViolationPreview preview;
   const auto limit = static_cast<float>(criteria.error_limit());
-  for (const float error : state.errors) {
+  for (std::size_t i = 0; i < state.errors.size(); ++i) {
+    const float error = state.errors[i];
     if (is_bad(error)) ++preview.bad_samples;
-    if (error > limit) ++preview.beyond_margin;
+    // The margin is asked of the function before Z is embedded.
+    if (state.complex.form == ZeroForm::interpolated && error > limit) preview.samples.push_back(SampleId(i));
   }
+  preview.beyond_margin = preview.samples.size();
   const auto height = static_cast<float>(criteria.height_limit());
-  std::atomic<std::size_t> misoriented{0};
   const double reach = orientation_reach * criteria.delta;
   for (std::size_t i = 0; i < state.heights.size(); ++i) {
-    if ((state.tet_flags[i] & tet_heterogeneous) && state.heights[i] < height) ++preview.too_flat;
+    if ((state.tet_flags[i] & tet_heterogeneous) && state.heights[i] < height)
+      preview.flat_tets.push_back(TetId(i));
   }
+  preview.too_flat = preview.flat_tets.size();
   if (nearest != nullptr) {
+    std::vector<std::uint8_t> misoriented(state.tet_flags.size(), 0);
     parallel_for(state.tet_flags.size(), tets_per_task, [&](std::size_t i) {
       if (!(state.tet_flags[i] & tet_heterogeneous)) return;
       const TetId t(i);
       if (check_orientation(state.complex.positions(t), state.complex.values(t), state.complex.labels(t),
                             criteria.shrink, reach, *nearest)
               .misoriented) {
-        misoriented.fetch_add(1, std::memory_order_relaxed);
+        misoriented[i] = 1;
       }
     });
+    for (std::size_t i = 0; i < misoriented.size(); ++i)
+      if (misoriented[i] != 0) preview.misoriented_tets.push_back(TetId(i));
   }
-  preview.misoriented = misoriented.load();
+  preview.misoriented = preview.misoriented_tets.size();
   return preview;
 }
 

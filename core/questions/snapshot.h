@@ -76,9 +76,12 @@ std::shared_ptr<const StateSnapshot> make_snapshot(Playback& playback, Step step
                                                    const StateSnapshot* previous = nullptr);
 
 /// How many samples or tetrahedra would violate each condition under other parameters, on a given state
-/// (cheap: no journal).
+/// (cheap: no journal), and which ones, ascending; those that are bad whatever the margin is are among the
+/// ones beyond it.
 struct ViolationPreview {
   std::size_t bad_samples = 0, beyond_margin = 0, too_flat = 0, misoriented = 0;
+  std::vector<SampleId> samples;
+  std::vector<TetId> flat_tets, misoriented_tets;
 };
 ViolationPreview preview_violations(const StateSnapshot& state, const CriteriaParameters& criteria,
                                     const NearestSample* nearest);

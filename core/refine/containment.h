@@ -14,6 +14,8 @@ class ContainmentCondition {
  public:
   explicit ContainmentCondition(RefinementContext& context);
   Turn turn();
+  /// As the run that is followed found it: no vertex was found that would push Z back there.
+  void give_up(TetId t) { checklist_.set(t, Checklist::State::exhausted); }
   /// Polygons that are not proven inside Ω, among those judged.
   std::size_t unproven() const {
     return checklist_.exhausted() + checklist_.violated() + checklist_.undecided();

@@ -153,8 +153,13 @@ Gate::Verdict RefinementContext::take_verdict() {
   return std::exchange(verdict_, Gate::Verdict::go_on);
 }
 
-StepFigures RefinementContext::figures() const {
+StepFigures RefinementContext::figures() {
   StepFigures figures = live_.step_figures();
+  // A run that follows another one has its clock.
+  if (const Rehearsal* ahead = recorder_.rehearsal(); ahead != nullptr && ahead->event().operation)
+    began_ =
+        std::chrono::steady_clock::now() - std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                               std::chrono::duration<double>(ahead->seconds()));
   figures.seconds = std::chrono::duration<float>(std::chrono::steady_clock::now() - began_).count();
   return figures;
 }

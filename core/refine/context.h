@@ -74,7 +74,7 @@ class RefinementContext {
  private:
   void hear(Gate::Verdict verdict);
   void update_checklists();
-  StepFigures figures() const;
+  StepFigures figures();
 
   ToleranceVolume& volume_;
   LiveTriangulation live_;

@@ -28,6 +28,9 @@ struct Refinement::Impl {
 
   Turn turn();
   void begin();
+  /// Does what the journal that is followed has, to its last event.
+  void rehearse();
+  void follow(const Event& e, const Rehearsal& ahead);
   /// Goes on under the gate's parameters, when it has any (δ > 0) and they differ.
   void adopt_parameters();
   std::size_t insertion_limit() const;
@@ -83,6 +86,55 @@ void Refinement::Impl::begin() {
   if (started) return;
   started = true;
   context.start();
+}
+
+void Refinement::Impl::rehearse() {
+  Recorder& recorder = context.recorder();
+  while (const Rehearsal* ahead = recorder.rehearsal()) {
+    if (recorder.astray() || context.cancelled()) return;
+    const std::size_t place = ahead->place();
+    follow(ahead->event(), *ahead);
+    if (recorder.rehearsal() == ahead && ahead->place() == place) recorder.go_astray();
+  }
+}
+
+void Refinement::Impl::follow(const Event& e, const Rehearsal& ahead) {
+  // Which regions of the complement are known depends on the places that were asked for.
+  if (e.condition == Condition::containment) context.volume().label_at(e.witness, context.control());
+  switch (e.kind) {
+  case EventKind::insertion: {
+    // Where it looks next depends on what it looked for before: this condition alone has its turns again.
+    if (e.condition == Condition::topology) {
+      topology.turn();
+      return;
+    }
+    const Delta delta = ahead.delta();
+    if (!delta.added_vertices.empty()) context.insert(delta.added_vertices.front(), e.tet, e);
+    return;
+  }
+  case EventKind::topology_check:
+    topology.turn();
+    return;
+  case EventKind::parameter_change:
+    if (e.operation) {
+      if (const Delta delta = ahead.delta(); delta.sample_set)
+        context.replace_samples(ahead.followed().sample_sets()[delta.sample_set->after]);
+      return;
+    }
+    context.set_criteria(ahead.criteria());
+    topology.reconsider();
+    return;
+  case EventKind::exhausted:
+    if (e.condition == Condition::classification) context.live().block(e.sample);
+    if (e.condition == Condition::height) height.give_up(e.tet);
+    if (e.condition == Condition::containment) containment.give_up(e.tet);
+    if (e.condition == Condition::witness) witnesses.give_up(e.witness);
+    if (e.condition == Condition::orientation) orientation.give_up(e.tet);
+    break;
+  default:
+    break;
+  }
+  context.note(e);
 }
 
 void Refinement::Impl::adopt_parameters() {
@@ -156,7 +208,10 @@ RefinementOutcome Refinement::run() {
   RefinementContext& context = impl.context;
   context.take_verdict(); // what ended the last run does not end this one
   impl.begin();
-  impl.adopt_parameters();
+  if (context.recorder().rehearsal() != nullptr)
+    impl.rehearse();
+  else
+    impl.adopt_parameters();
   const std::size_t limit = impl.insertion_limit();
   for (;;) {
     const Gate::Verdict verdict = context.take_verdict();

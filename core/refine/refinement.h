@@ -35,7 +35,9 @@ struct RefinementOutcome {
 };
 
 /// One refinement of one Ω. Owns T; everything it does goes to the recorder. run() may be called again after
-/// it ended, with changed parameters (the gate's): it goes on from the present T.
+/// it ended, with changed parameters (the gate's): it goes on from the present T. During the recorder's
+/// rehearsal run() first does what the journal says, without judging anything, and so comes to the state that
+/// the followed run had there: T to the last slot, what was given up, how far the mending of the topology is.
 class Refinement {
  public:
   /// `volume` and `samples` must outlive the refinement. `samples` is set 0 of the journal.

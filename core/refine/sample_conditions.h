@@ -26,6 +26,8 @@ class HeightCondition {
  public:
   explicit HeightCondition(RefinementContext& context) : context_(context) { context.follow(checklist_); }
   Turn turn();
+  /// As the run that is followed found it: no candidate is left for t.
+  void give_up(TetId t) { checklist_.set(t, Checklist::State::exhausted); }
   std::size_t unmet() const { return checklist_.exhausted() + checklist_.violated(); }
 
  private:
@@ -41,6 +43,8 @@ class OrientationCondition {
     context.follow(checklist_);
   }
   Turn turn();
+  /// As the run that is followed found it.
+  void give_up(TetId t) { checklist_.set(t, Checklist::State::exhausted); }
   std::size_t unmet() const { return checklist_.exhausted() + checklist_.violated(); }
 
  private:

@@ -29,6 +29,13 @@ bool WitnessCondition::holds() {
   return true;
 }
 
+void WitnessCondition::give_up(Vec3 point) {
+  const auto witnesses = context_.volume().witnesses();
+  places_.resize(witnesses.size());
+  for (std::size_t i = 0; i < witnesses.size(); ++i)
+    if (witnesses[i].point == point) places_[i].given_up = true;
+}
+
 Turn WitnessCondition::turn() {
   const auto witnesses = context_.volume().witnesses();
   places_.resize(witnesses.size());

@@ -12,6 +12,8 @@ class WitnessCondition {
  public:
   explicit WitnessCondition(RefinementContext& context) : context_(context) {}
   Turn turn();
+  /// As the run that is followed found it: the witness at this point cannot become a vertex.
+  void give_up(Vec3 point);
   /// Whether every witness has its sign now.
   bool holds();
 

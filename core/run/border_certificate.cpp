@@ -78,7 +78,7 @@ std::vector<std::uint32_t> filled_loops(const TriangleMesh& mesh, const Rim& rim
 
 FilledHoles filled_holes(const Journal& journal, Step step, const Complex& complex, const ZeroSet& zero_set) {
   FilledHoles holes;
-  if (step == 0 || complex.form != ZeroForm::embedded) return holes;
+  if (step == 0 || complex.form == ZeroForm::interpolated) return holes;
   const Operation& last = journal.operations()[step - 1];
   if (journal.events()[last.event].kind != EventKind::fill) return holes;
   std::vector<std::array<VertexId, 3>> filled;
@@ -86,6 +86,7 @@ FilledHoles filled_holes(const Journal& journal, Step step, const Complex& compl
     for (std::size_t k = 0; k < 4; ++k)
       if (((change.before & ~change.after) >> k & 1) != 0)
         filled.push_back(sorted(complex.tet(change.tet).facet(k)));
+  for (const FacetRecord& added : last.delta().added_facets) filled.push_back(sorted(added.v));
   sort_unique(filled);
   for (const ZeroSet::Polygon& p : zero_set.polygons) {
     const auto vertex = [&](std::size_t k) { return zero_set.vertices[p.v[k]].negative; };

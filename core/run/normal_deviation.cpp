@@ -21,10 +21,6 @@ struct Measurement {
   std::uint32_t component = 0;
 };
 
-Vec3 area_vector(const Triangle3& t) {
-  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
-}
-
 /// The vector times a power of two, so that products of it stay in the range of a double at any size of the
 /// model.
 Vec3 near_one(Vec3 v) {

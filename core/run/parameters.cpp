@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +40,36 @@ SimplificationParameters RunParameters::simplification() const {
   s.improver = improver;
   s.fill = fill.choice();
   return s;
+}
+
+std::vector<LiveChange> live_changes(const RunParameters& from, const RunParameters& to,
+                                     double default_sigma) {
+  std::vector<LiveChange> changes;
+  // Samples that collapses move keep the margin as well.
+  const bool sampled = from.containment == Containment::sampled;
+  const auto last = [&](std::string_view until, bool margin) {
+    const auto named = std::find_if(stage_table.begin(), stage_table.end(),
+                                    [&](const StageWords& words) { return words.name == until; });
+    return (margin && sampled) || named == stage_table.end() ? Stage::all : named->value;
+  };
+  for_each_field<RunParameters>([&]<class T>(const Field<RunParameters, T>& f) {
+    if (f.restart) return;
+    if constexpr (FlagField<T>::value) {
+      for (std::size_t i = 0; i < f.choices.size(); ++i)
+        if ((from.*(f.member))[i] != (to.*(f.member))[i])
+          changes.push_back({"condition " + std::string(f.choices[i].name),
+                             (from.*(f.member))[i] ? "on" : "off", (to.*(f.member))[i] ? "on" : "off",
+                             last(f.choices[i].until, false)});
+    } else if constexpr (std::is_same_v<T, double>) {
+      const bool sigma = f.member == &RunParameters::sigma;
+      const double was = sigma ? from.sigma_ratio(default_sigma) : from.*(f.member);
+      const double is = sigma ? to.sigma_ratio(default_sigma) : to.*(f.member);
+      if (was != is)
+        changes.push_back({std::string(f.symbol), general(was, 4), general(is, 4),
+                           last(f.until, f.member == &RunParameters::alpha)});
+    }
+  });
+  return changes;
 }
 
 Status check(const RunParameters& p) {

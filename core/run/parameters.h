@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace isoscope {
 
@@ -87,20 +88,23 @@ inline constexpr std::array<Choice, 4> conditions{
     {{.name = "1",
       .shown = "1  classification",
       .words = "classification",
-      .tip = "ε(s) ≤ 1 − α for every sample s: f classifies S with a margin. §2.3"},
+      .tip = "ε(s) ≤ 1 − α for every sample s: f classifies S with a margin. §2.3",
+      .until = "refinement"},
      {.name = "2",
       .shown = "2  height",
       .words = "heights",
-      .tip = "Every tetrahedron that carries Z is at least 2σ/α high. §2.3, Figure 5"},
+      .tip = "Every tetrahedron that carries Z is at least 2σ/α high. §2.3, Figure 5",
+      .until = "refinement"},
      {.name = "3",
       .shown = "3  orientation",
       .words = "orientation",
-      .tip =
-          "The shrunk copy of a tetrahedron that carries Z classifies its nearest samples. §2.3, Figure 4"},
+      .tip = "The shrunk copy of a tetrahedron that carries Z classifies its nearest samples. §2.3, Figure 4",
+      .until = "all"},
      {.name = "4",
       .shown = "4  topology",
       .words = "topology",
-      .tip = "Z has the components and the genus that are expected. §2.3"}}};
+      .tip = "Z has the components and the genus that are expected. §2.3",
+      .until = "refinement"}}};
 
 /// The stages by name, those offered that a run may be asked for.
 constexpr std::array<Choice, stage_count> stages(bool (*is_offered)(Stage)) {
@@ -197,11 +201,13 @@ constexpr auto fields_of(const RunParameters*) {
                        .remedy = "It is relative to δ: 0.5 means δ/2."},
              .zero_is_default = true,
              .restart = false,
+             .until = "refinement",
              .place = 2,
-             .label = "σ/δ density",
+             .label = "σ density",
              .title = "Sampling density σ",
              .tip = "Radius within which every point of ∂Ω has a sample, as a fraction of δ, in (0, 1]. "
-                    "Smaller means more samples. §2.2",
+                    "Smaller means more samples. It matters until the refinement ends. §2.2",
+             .counted_in = " δ",
              .format = "%.3f",
              .slider_from = 0.05,
              .logarithmic = true}),
@@ -216,11 +222,13 @@ constexpr auto fields_of(const RunParameters*) {
                        .high_included = false,
                        .remedy = "The paper takes 0.2 everywhere."},
              .restart = false,
+             .until = "refinement",
              .place = 1,
              .label = "α margin",
              .title = "Margin α",
              .tip = "How far f must be on the right side at every sample: ε(s) ≤ 1 − α. No unit, in (0, 1); "
-                    "0.2 in the paper. Larger is safer and asks for more Steiner points. §2.3",
+                    "0.2 in the paper. Larger is safer and asks for more Steiner points. It matters until "
+                    "the refinement ends, in sampled mode to the last collapse inside T. §2.3",
              .format = "%.2f"}),
       field(&P::shrink,
             {.name = "shrink",
@@ -229,11 +237,12 @@ constexpr auto fields_of(const RunParameters*) {
              .words = "factor of condition 3's copy",
              .range = {.low = 0, .high = 1, .low_included = false, .remedy = "The paper takes 0.7."},
              .restart = false,
+             .until = "all",
              .place = 3,
              .title = "Shrink factor of condition 3",
              .tip =
                  "Size of the shrunk copy about its centroid by which condition 3 judges a tetrahedron. No "
-                 "unit, in (0, 1]; 0.7 in the paper. §2.3, Figure 4",
+                 "unit, in (0, 1]; 0.7 in the paper. It matters until the improver begins. §2.3, Figure 4",
              .format = "%.2f",
              .slider_from = 0.05}),
       field(&P::containment,
@@ -315,21 +324,21 @@ constexpr auto fields_of(const RunParameters*) {
              .tip = "Auto: parity where closed parts do not meet, and the winding number where they overlap "
                     "or touch, so that what lies in several parts is inside. Multi: every region that walls "
                     "enclose is an inside of its own, §4.2. Needs a restart."}),
-      field(
-          &P::fill,
-          {.name = "fill",
-           .symbol = "filled holes",
-           .help = "holes of an open surface that are closed with what Z has there, outside of Ω by intent: "
-                   "none, all, flat, or numbers of the loops that the report lists (1,3); the run ends "
-                   "inside T then",
-           .words = "holes of an open surface that are filled: none, all, flat or numbers of loops",
-           .unreadable = "not none, all, flat or numbers of loops",
-           .unreadable_remedy = "Loops are numbered from 1 on, as the report lists them: 1,3.",
-           .place = 8,
-           .title = "Holes to be filled",
-           .tip = "Holes of an open surface that are closed with what Z has there: none, all, those in a "
-                  "plane, or by the numbers of their loops, as 1,3. What fills lies outside of Ω by intent, "
-                  "and the run ends before Z leaves T. Needs a restart. §4.1"}),
+      field(&P::fill,
+            {.name = "fill",
+             .symbol = "filled holes",
+             .help = "holes of an open surface that are closed, outside of Ω by intent, between the vertices "
+                     "of their borders or with what Z has there inside T: none, all, flat, or numbers of the "
+                     "loops that the report lists (1,3)",
+             .words = "holes of an open surface that are filled: none, all, flat or numbers of loops",
+             .unreadable = "not none, all, flat or numbers of loops",
+             .unreadable_remedy = "Loops are numbered from 1 on, as the report lists them: 1,3.",
+             .place = 8,
+             .title = "Holes to be filled",
+             .tip =
+                 "Holes of an open surface that are closed, between the vertices of their borders or with "
+                 "what Z has there inside T: none, all, those in a plane, or by the numbers of their loops, "
+                 "as 1,3. What fills lies outside of Ω by intent. Needs a restart. §4.1"}),
       field(&P::conditions, {.name = "conditions",
                              .option = "--no-condition",
                              .symbol = "conditions",
@@ -463,5 +472,15 @@ template <class T> std::string_view word_of(T RunParameters::*member, const RunP
 }
 /// Checks every range; the error names the option, the value and the range.
 Status check(const RunParameters& parameters);
+
+/// What a run that goes on takes of a change.
+struct LiveChange {
+  std::string symbol; ///< "α", "condition 2"
+  std::string was, is;
+  Stage until = Stage::all; ///< the last stage that asks for it
+};
+/// The live parameters that differ; σ as it is in force, by default `default_sigma` times δ.
+std::vector<LiveChange> live_changes(const RunParameters& from, const RunParameters& to,
+                                     double default_sigma);
 
 } // namespace isoscope

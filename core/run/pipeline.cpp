@@ -3,16 +3,15 @@
 
 #include "base/numbers.h"
 #include "base/stopwatch.h"
-#include "input/gallery.h"
-#include "input/gallery_shapes.h"
-#include "input/grid_readers.h"
 #include "input/input_mesh.h"
-#include "input/label_walls.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
 #include "run/closing_tolerance.h"
 #include "run/coordinate_check.h"
 #include "run/make_field.h"
+#include "run/point_field.h"
+#include "run/run_input.h"
+#include "tolerance/facet_copies.h"
 
 #include <sys/resource.h>
 
@@ -38,54 +37,6 @@ Error cancelled_error(const RunControl& control) {
           control.timed_out() ? "The time limit was reached before the refinement began."
                               : "The run was stopped before the refinement began.",
           ""};
-}
-
-/// Reads the walls of a volume: the outer one first.
-Result<InputMesh> load_walls(const std::string& outer, const std::string& inner, const RunControl& control) {
-  auto walls = read_input_mesh(outer, control);
-  if (!walls) return walls.error();
-  auto inside = read_input_mesh(inner, control);
-  if (!inside) return inside.error();
-  TriangleSoup& soup = walls->soup;
-  soup.outer_triangles = soup.triangles.size();
-  append(soup, inside->soup);
-  soup.name += " and " + inside->soup.name;
-  walls->notes.insert(walls->notes.end(), inside->notes.begin(), inside->notes.end());
-  return walls;
-}
-
-Result<InputMesh> load(const RunParameters& parameters, const RunControl& control) {
-  const std::string& input = parameters.input;
-  if (input.starts_with(gallery_prefix)) {
-    auto soup = make_gallery_model(input.substr(gallery_prefix.size()));
-    if (!soup) return soup.error();
-    return InputMesh{std::move(*soup), {}};
-  }
-  if (!parameters.inside.empty()) return load_walls(input, parameters.inside, control);
-  if (!is_grid_file(input)) return read_input_mesh(input, control);
-  auto grid = read_grid(input, control);
-  if (!grid) return grid.error();
-  if (parameters.sides == SidesMode::multi) {
-    auto walls = walls_between_labels(*grid);
-    if (!walls) return walls.error();
-    return InputMesh{std::move(*walls), {}};
-  }
-  InputMesh mesh;
-  mesh.soup.name = grid->name;
-  mesh.soup.grid = std::make_shared<const ScalarGrid>(std::move(*grid));
-  return mesh;
-}
-
-/// Whether what is asked of a volume that the input gives fits the input.
-Status check_volume(const TriangleSoup& soup, const RunParameters& p) {
-  if (!soup.grid && (p.levels.given() || p.label))
-    return Error{ErrorCode::usage,
-                 std::string(p.label ? "--label" : "--levels") + " is given, and the input is no grid.",
-                 "Give a NRRD file, or raw data with a header."};
-  if (soup.gives_volume() && (p.drop_small > 0 || p.drop_thin))
-    return Error{ErrorCode::usage, "Nothing can be left out of an input that gives the volume itself.",
-                 std::string("Leave ") + (p.drop_thin ? "--drop-thin" : "--drop-small") + " out."};
-  return {};
 }
 
 /// Lets the refinement end when σ changed, so that S can be replaced before it goes on.
@@ -127,7 +78,7 @@ std::string tolerance_text(const RunParameters& parameters, const Scene& scene) 
 
 int RunResult::exit_status() const {
   if (end != End::finished) return 4;
-  return certificate.holds() ? 0 : 1;
+  return certificate.holds() && !failure ? 0 : 1;
 }
 
 Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes) {
@@ -153,17 +104,12 @@ Status check_memory(const SampleEstimate& estimate, double sigma, double delta, 
   return Error{ErrorCode::unsupported, message, remedy};
 }
 
-Result<TriangleSoup> load_input(const RunParameters& parameters) {
-  auto mesh = load(parameters, RunControl{});
-  if (!mesh) return mesh.error();
-  return std::move(mesh->soup);
-}
-
 struct Pipeline::Impl {
   std::shared_ptr<Journal> journal;
+  std::shared_ptr<Journal> scratch; ///< of a branch: what is made once more
   Gate* gate;
   RunControl* control;
-  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Scene> scene, examined;
   std::shared_ptr<const BoundarySamples> current_samples;
   std::optional<ToleranceVolume> volume;
   double most_bytes = 0; ///< that the octree and the samples may take
@@ -217,11 +163,79 @@ struct Pipeline::Impl {
     return last;
   }
 
-  /// Refines, again with other samples as long as σ changes.
+  /// Where the beginning of a branch is made once more, the decisions taken from its journal: scratch holds
+  /// what is made meanwhile.
+  Status go_on_from(const BranchPoint& branch, std::shared_ptr<Journal> prefix) {
+    if (Status can = can_go_on(*branch.from, branch.step); !can) return can;
+    const RehearsalStart start = rehearsal_start(*prefix);
+    Playback playback(prefix);
+    playback.seek(prefix->steps());
+    current_samples = playback.samples();
+    resampling.emplace(*gate, criteria_before(*prefix, prefix->events().size()).sigma);
+    refinement.reset();
+    scratch = std::exchange(journal, prefix);
+    recorder.emplace(*journal, *resampling);
+    recorder->rehearse(*scratch, start.event);
+    branched = describe(branch);
+    const CriteriaParameters criteria = criteria_before(*journal, start.event);
+    if (start.stage == Stage::refinement) {
+      refinement = std::make_unique<Refinement>(*volume, journal->sample_sets()[0], criteria,
+                                                expected_before_the_cut(*volume, scene->expected),
+                                                RefinementLimits{}, *recorder, *control);
+      return {};
+    }
+    // Which regions of the complement are known depends on the places that the refinement asked for.
+    for (std::size_t i = 0; i < start.event; ++i)
+      if (const Event& e = journal->events()[i];
+          e.condition == Condition::containment && e.stage == Stage::refinement)
+        volume->label_at(e.witness, *control);
+    playback.seek(start.step);
+    simplification =
+        std::make_unique<Simplification>(*volume, current_samples, criteria, parameters->simplification(),
+                                         *recorder, *control, playback.complex());
+    refined.end = RefinementOutcome::End::finished;
+    if (!start.by_hand) {
+      simplification->begin_at(start.stage);
+      return {};
+    }
+    const Event e = journal->events()[start.event];
+    const StageAt at = stage_at(*journal, start.step);
+    return simplification->begin_with(at.stage, at.open, at.seconds, e.vertex, e.other, e.point);
+  }
+
+  /// Why a branch has not come to the step that it was to go on from.
+  Error follow_failed() const {
+    if (control->cancelled())
+      return {ErrorCode::cancelled, "The run was stopped before it came to the step of its branch.", ""};
+    return {ErrorCode::unsupported,
+            "What the run did before this step comes out differently now: it cannot go on from there.",
+            "Restart with these parameters."};
+  }
+
   Status refine() {
+    if (Status refined_now = refine_on(); !refined_now) return refined_now;
+    return recorder->rehearsal() != nullptr ? Status(follow_failed()) : Status();
+  }
+
+  /// Runs the simplification; one that is repeated goes on where the run that it follows did.
+  Result<bool> simplify() {
+    for (;;) {
+      auto finished = simplification->run();
+      if (!finished) return finished;
+      if (recorder->rehearsal() == nullptr) {
+        scratch.reset();
+        return finished;
+      }
+      if (*finished || recorder->astray() || control->cancelled()) return follow_failed();
+    }
+  }
+
+  /// Refines, again with other samples as long as σ changes.
+  Status refine_on() {
     for (;;) {
       const double wanted_sigma = gate->wanted_parameters().sigma;
-      if (wanted_sigma > 0 && wanted_sigma != resampling->sigma()) {
+      const bool followed = recorder->rehearsal() != nullptr; // σ changes where the journal says so
+      if (!followed && wanted_sigma > 0 && wanted_sigma != resampling->sigma()) {
         auto samples = sample(wanted_sigma);
         if (!samples) return samples.error();
         resampling->resampled(wanted_sigma);
@@ -322,6 +336,14 @@ struct Pipeline::Impl {
     }
   }
 
+  /// Keeps what was studied, for the choice of another δ: the proposed one, where there is one.
+  void examine(const Scene& made) {
+    if (!made.study) return;
+    auto kept = std::make_shared<Scene>(made);
+    if (made.study->found()) kept->delta = made.study->proposed;
+    examined = std::move(kept);
+  }
+
   Result<std::shared_ptr<const BoundarySamples>> sample(double sigma) {
     const Status fits =
         check_memory(estimate_samples(*volume), sigma, volume->thresholds().delta, most_bytes);
@@ -354,7 +376,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
 
   m.control->report("input", -1);
   if (!soup) {
-    auto loaded = load(parameters_, *m.control);
+    auto loaded = read_run_input(parameters_, *m.control);
     if (!loaded) return m.control->cancelled() ? cancelled_error(*m.control) : loaded.error();
     soup = std::make_shared<const TriangleSoup>(std::move(loaded->soup));
     notes = std::move(loaded->notes);
@@ -368,6 +390,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
     return Error{ErrorCode::bad_input, "The input has neither triangles nor points.", "Give a surface."};
   scene->input = soup;
   scene->longest_edge = soup->bounds().longest_edge();
+  if (!is_field_of_points(*soup, parameters_)) soup = without_needless_copies(soup, *m.control);
   if (!soup->gives_volume()) {
     const auto delta = m.find_delta(*scene, soup);
     if (!delta) return delta.error();
@@ -397,6 +420,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   const ToleranceVolume::Options options = m.volume_options(scene->delta);
   if (Status built = m.build_volume(*scene, soup, options, thin); !built) {
     if (m.control->cancelled()) return cancelled_error(*m.control);
+    m.examine(*scene);
     return m.refused(built.error(), *scene, options);
   }
   scene->volume_seconds = watch.seconds() - scene->input_seconds;
@@ -452,8 +476,13 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   return m.scene;
 }
 
+std::shared_ptr<const Scene> Pipeline::examined() const {
+  return impl_->examined;
+}
+
 Status Pipeline::branch(const BranchPoint& branch, std::shared_ptr<Journal> journal) {
   Impl& m = *impl_;
+  if (!branch.by_hand()) return m.go_on_from(branch, std::move(journal));
   if (Status can = can_branch(*branch.from, branch.step); !can) return can;
   Playback playback(branch.from);
   playback.seek(branch.step);
@@ -483,6 +512,7 @@ Result<RunResult> Pipeline::run() {
   bool stopped = false;
   if (!m.simplification) {
     if (Status refined = m.refine(); !refined) return refined.error();
+    m.scratch.reset();
     stopped = m.refined.end == End::stopped;
     if (m.refined.end == End::finished && !m.control->cancelled() &&
         parameters_.last_stage() > Stage::refinement) {
@@ -490,9 +520,10 @@ Result<RunResult> Pipeline::run() {
     }
   }
   if (m.simplification) {
-    const Result<bool> finished = m.simplification->run();
-    if (!finished) return finished.error();
-    stopped = !*finished;
+    const Result<bool> finished = m.simplify();
+    if (!finished && m.recorder->rehearsal() != nullptr) return finished.error();
+    if (!finished) result.failure = finished.error();
+    stopped = finished && !*finished;
   }
   if (m.control->cancelled() || stopped) {
     result.end = m.control->timed_out() ? RunResult::End::limit : RunResult::End::stopped;

@@ -59,6 +59,8 @@ std::string tolerance_text(const RunParameters& parameters, const Scene& scene);
 struct RunResult {
   enum class End { finished, stopped, limit };
   End end = End::finished;
+  std::optional<Error>
+      failure; ///< why the stages ended before the last one: then the mesh is what was reached
   RefinementOutcome refinement;
   TriangleMesh mesh;                      ///< Z
   Stage last_stage = Stage::refinement;   ///< the stage that was reached
@@ -71,7 +73,7 @@ struct RunResult {
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
   std::string branch;      ///< where it left another run and how; empty: it began at the beginning
-  int exit_status() const; ///< 0 finished and certified, 1 not certified, 4 stopped
+  int exit_status() const; ///< 0 finished and certified, 1 not certified or not finished, 4 stopped
 };
 
 /// What becomes of parts that are thinner than 2δ everywhere where the parameters do not leave them out. A
@@ -89,8 +91,15 @@ class Pipeline {
   Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr,
                                                std::vector<InputNote> notes = {},
                                                ThinParts thin = ThinParts::refuse);
-  /// After prepare() and instead of the refinement: writes to `journal`, which holds the branch's prefix, and
-  /// collapses its edge; run() goes on from there. Fails with usage where that cannot be.
+  /// Where prepare() failed after the tolerances had been studied: what is known then, without volume and
+  /// samples, so that another δ can be chosen, and with the proposed one; null otherwise.
+  std::shared_ptr<const Scene> examined() const;
+  /// After prepare() and instead of the refinement: writes to `journal`, which holds what the runs have in
+  /// common (common_events), and collapses the branch's edge; run() goes on from there. A branch with
+  /// parameters of its own is prepared with those of the journal's beginning (parameters_at_start); its run()
+  /// first makes the journal's end once more, up to the decisions, which it takes from there, and then asks
+  /// the gate for the new ones. With the old ones it goes on as the run that it left did, to the last bit.
+  /// Fails with usage where that cannot be.
   Status branch(const BranchPoint& branch, std::shared_ptr<Journal> journal);
   /// Refines, simplifies, extracts Z, certifies. May be called again after the gate's parameters changed: it
   /// goes on where it was. Once the simplification has begun, σ and conditions 1, 2 and 4 are what they were.
@@ -106,8 +115,5 @@ class Pipeline {
 /// Fails with unsupported where so many samples take more than so many bytes, naming the σ that fits.
 /// `sigma` and `delta` are absolute.
 Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes);
-
-/// Resolves gallery:NAME or reads the file; two files where the parameters name the walls of a volume.
-Result<TriangleSoup> load_input(const RunParameters& parameters);
 
 } // namespace isoscope

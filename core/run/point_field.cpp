@@ -80,14 +80,18 @@ PointDistances::Quantiles quantiles(std::vector<double> distances) {
   return {at(0.5), at(0.9), at(0.99), at(1)};
 }
 
-Error nothing_inside(const DeltaStudy& study) {
-  std::string remedy = "Are these points of a closed surface?";
-  if (study.found()) {
-    remedy = "Ω encloses something for δ from " + general(study.least, 3) + " to " + general(study.most, 3) +
-             ": choose --tolerance auto, or a length between them.";
-  }
-  return {ErrorCode::open_surface, "At this tolerance the volume around the points encloses nothing.",
-          remedy};
+Error nothing_inside(const DeltaStudy& study, double delta) {
+  const std::string what = "At this tolerance the volume around the points encloses nothing";
+  if (!study.found()) return {ErrorCode::open_surface, what + ".", "Are these points of a closed surface?"};
+  const std::string why =
+      delta < study.least
+          ? ": it has holes, as between the points near " + place(study.saddle(), place_digits) + "."
+      : delta > study.most
+          ? ": the inside is closed up, as around " + place(study.closing(), place_digits) + "."
+          : ".";
+  return {ErrorCode::open_surface, what + why,
+          "Ω encloses something for δ from " + general(study.least, 3) + " to " + general(study.most, 3) +
+              ": choose --tolerance auto, or a length between them."};
 }
 
 } // namespace
@@ -189,7 +193,7 @@ Result<MadePointField> without_blobs(const MadePointField& from, const Tolerance
                                      const RunControl& control) {
   const auto regions = volume.regions();
   if (std::none_of(regions.begin(), regions.end(), [](const Region& r) { return r.label < 0 && !r.shallow; }))
-    return nothing_inside(from.points->study);
+    return nothing_inside(from.points->study, volume.thresholds().delta);
   const std::size_t components = volume.volume_component_count();
   std::vector<std::array<bool, 2>> has(components); // an inside, an outside
   for (const BoundaryComponent& c : volume.boundary_components())

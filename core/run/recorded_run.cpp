@@ -62,7 +62,8 @@ void read_certificate(const Json& json, Certificate& c) {
   if (distance.at("lower").is_number()) c.input_distance.lower = distance.at("lower").get<double>();
   if (distance.at("upper").is_number()) c.input_distance.upper = distance.at("upper").get<double>();
   c.separates = json.at("separates").get<bool>();
-  const bool as_expected = json.at("topology_as_expected").get<bool>();
+  const Json& told = json.at("topology_as_expected"); // null: nothing was asked
+  const bool as_expected = told.is_null() || told.get<bool>();
   c.topology_note = json.value("topology_note", "");
   // Older reports called as expected what was not required.
   using Topology = Certificate::Topology;

@@ -8,7 +8,7 @@
 #include "run/recorded_run.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <vector>
 
 namespace isoscope {
@@ -267,17 +267,14 @@ class Check {
 };
 
 /// A branch is recorded with the parameters of its own; what it left began with those of the journal.
-RunParameters parameters_at_start(RunParameters parameters, const Journal& recorded) {
-  if (recorded.parameters().empty()) return parameters;
+bool began_otherwise(const RunParameters& p, const Journal& recorded) {
+  if (recorded.parameters().empty()) return false;
   const CriteriaParameters& c = recorded.parameters()[0].criteria;
-  // Of the ratios next to σ/δ, one that gives σ back to the bit.
-  const double ratio = c.sigma / c.delta;
-  for (const double next : {std::nextafter(ratio, 0.0), std::nextafter(ratio, 2.0), ratio})
-    if (next * c.delta == c.sigma) parameters.sigma = next;
-  parameters.alpha = c.alpha;
-  parameters.shrink = c.shrink;
-  parameters.conditions = {c.condition_1, c.condition_2, c.condition_3, c.condition_4};
-  return parameters;
+  const std::array<bool, 4> conditions{c.condition_1, c.condition_2, c.condition_3, c.condition_4};
+  // What is taken by default is no less than this.
+  const bool other_sigma =
+      p.sigma > 0 ? p.sigma * c.delta != c.sigma : c.sigma < p.sigma_ratio() * c.delta * (1 - 1e-9);
+  return other_sigma || p.alpha != c.alpha || p.shrink != c.shrink || p.conditions != conditions;
 }
 
 } // namespace
@@ -286,7 +283,9 @@ Result<ReplayVerdict> check_replay(const RunParameters& parameters, std::shared_
                                    const Journal& recorded, bool ended, RunControl& control,
                                    std::vector<InputNote> notes) {
   const std::vector<RecordedBranch> branches = branches_of(recorded);
-  RunParameters unlimited = branches.empty() ? parameters : parameters_at_start(parameters, recorded);
+  RunParameters unlimited = branches.empty() && !began_otherwise(parameters, recorded)
+                                ? parameters
+                                : parameters_at_start(parameters, recorded);
   unlimited.time_limit = unlimited.memory_limit = 0;
   return Check(unlimited, recorded, ended, control).run(std::move(input), std::move(notes), branches);
 }

@@ -306,7 +306,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"gap_note", c.gap_note},
         {"input_distance", {{"lower", c.input_distance.lower}, {"upper", c.input_distance.upper}}},
         {"separates", c.separates},
-        {"topology_as_expected", c.topology_as_expected()},
+        {"topology_as_expected",
+         c.topology == Certificate::Topology::not_asked ? Json(nullptr) : Json(c.topology_as_expected())},
         {"topology", name(c.topology)},
         {"topology_note", c.topology_note},
         {"failures", c.failures}}},
@@ -315,6 +316,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
       {"seconds", result.seconds},
       {"peak_memory_bytes", result.peak_memory_bytes},
   };
+  if (result.failure) report["failure"] = result.failure->line();
   return report.dump(2) + "\n";
 }
 

@@ -28,15 +28,15 @@ std::vector<Facet> boundary_of(const TriangleMesh& mesh, int label) {
 
 /// An edge of a facet: its ends ascending, whether the facet runs up, and the number of the corner at its
 /// beginning.
-struct EdgeUse {
+struct FacetEdge {
   std::uint32_t low, high;
   bool up;
   std::uint32_t corner;
-  friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
+  friend auto operator<=>(const FacetEdge&, const FacetEdge&) = default;
 };
 
-std::vector<EdgeUse> edge_uses(const std::vector<Facet>& facets) {
-  std::vector<EdgeUse> uses;
+std::vector<FacetEdge> edge_uses(const std::vector<Facet>& facets) {
+  std::vector<FacetEdge> uses;
   uses.reserve(3 * facets.size());
   for (std::uint32_t f = 0; f < facets.size(); ++f)
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -53,7 +53,7 @@ constexpr std::uint32_t next_corner(std::uint32_t corner) {
 
 RegionCertificate certify_region(const TriangleMesh& mesh, int label) {
   const std::vector<Facet> facets = boundary_of(mesh, label);
-  const std::vector<EdgeUse> uses = edge_uses(facets);
+  const std::vector<FacetEdge> uses = edge_uses(facets);
   RegionCertificate region;
   region.label = label;
   region.facets = facets.size();
@@ -72,7 +72,7 @@ RegionCertificate certify_region(const TriangleMesh& mesh, int label) {
       fail("has an edge without exactly two facets", uses[i].low);
       continue;
     }
-    const EdgeUse &a = uses[i], &b = uses[i + 1];
+    const FacetEdge &a = uses[i], &b = uses[i + 1];
     if (a.up == b.up) {
       region.oriented = false;
       fail("has an edge along which two facets run the same way", a.low);

@@ -156,7 +156,7 @@ struct Session::Impl : public Gate {
 
   /// Starts the writer once the run is prepared, and tells it the end once there is one. Under the mutex.
   void serve_writer() {
-    if (!writer || !shown.scene) return;
+    if (!writer || !shown.scene || (shown.phase == SessionPhase::failed && !writer->started())) return;
     if (!writer->started())
       writer->start(recording_header(started, shown.scene->input, shown.scene->notes), shown.journal);
     if (shown.phase == SessionPhase::finished && shown.result)
@@ -180,14 +180,23 @@ struct Session::Impl : public Gate {
                     const std::optional<BranchPoint>& branch) {
     const ThreadLimit threads(parameters.threads);
     // A branch's journal has its beginning already: what preparing says goes to one that nobody reads.
-    Pipeline pipeline(parameters, branch ? std::make_shared<Journal>() : journal, *this, control);
+    const bool follows = branch && !branch->by_hand();
+    Pipeline pipeline(follows ? parameters_at_start(parameters, *journal) : parameters,
+                      branch ? std::make_shared<Journal>() : journal, *this, control);
     auto prepared = pipeline.prepare(std::move(soup), std::move(notes));
-    if (!prepared) return fail(prepared.error());
+    if (!prepared) {
+      if (const auto examined = pipeline.examined()) publish([&](SessionSnapshot& s) { s.scene = examined; });
+      return fail(prepared.error());
+    }
     const std::shared_ptr<const Scene> scene = *prepared;
     publish([&](SessionSnapshot& s) {
       s.scene = scene;
       s.phase = SessionPhase::running;
       wanted = s.parameters.criteria(scene->delta, scene->default_sigma);
+      if (follows) {
+        parameters_pending = true; // heard once the step is reached
+        update_attention();
+      }
       serve_writer();
     });
     if (branch) {
@@ -407,7 +416,7 @@ void Session::start_branch(const BranchPoint& branch, RunParameters parameters, 
                            std::uint64_t after) {
   Impl& m = *impl_;
   auto journal = m.begin(parameters, false, after);
-  journal->take_prefix(*branch.from, branch.step);
+  journal->take_prefix(*branch.from, branch.step, common_events(branch));
   m.launch([&m, branch, parameters = std::move(parameters), soup = scene.input, notes = scene.notes,
             journal = std::move(journal)] { m.run_pipeline(parameters, soup, notes, journal, branch); });
 }

@@ -38,10 +38,10 @@ struct RecordingState {
 /// except the journal, which is append-only and safe to read at any time.
 struct SessionSnapshot {
   SessionPhase phase = SessionPhase::idle;
-  std::uint64_t generation = 0;            ///< grows with each (re)start: a new journal
-  RunParameters parameters;                ///< as asked for, with later changes
-  std::shared_ptr<const Journal> journal;  ///< null when idle
-  std::shared_ptr<const Scene> scene;      ///< null until prepared
+  std::uint64_t generation = 0;           ///< grows with each (re)start: a new journal
+  RunParameters parameters;               ///< as asked for, with later changes
+  std::shared_ptr<const Journal> journal; ///< null when idle
+  std::shared_ptr<const Scene> scene;     ///< null until prepared; see Pipeline::examined() where that failed
   std::shared_ptr<const RunResult> result; ///< null until finished
   std::optional<Error> error;
   std::string part;       ///< what is being prepared or certified: "sampling"
@@ -71,7 +71,8 @@ class Session {
   void start(RunParameters parameters, std::shared_ptr<const TriangleSoup> soup = nullptr,
              bool paused = false, std::vector<InputNote> notes = {});
   /// Starts a run that goes on from a step of another one; its journal holds what was before. The input is
-  /// taken from `scene`; the generation is one more than `after`.
+  /// taken from `scene`; the generation is one more than `after`. Without a collapse it goes on with α, σ,
+  /// shrink and conditions of `parameters`; the others must be those of the run that it leaves.
   void start_branch(const BranchPoint& branch, RunParameters parameters, const Scene& scene,
                     std::uint64_t after);
   void pause();

@@ -8,6 +8,7 @@
 #include "improve/free_improvement.h"
 #include "journal/stage_log.h"
 #include "mesh/strata.h"
+#include "simplify/free_filling.h"
 #include "simplify/rim_cut.h"
 #include "simplify/tessellation.h"
 
@@ -61,8 +62,9 @@ struct Simplification::Impl {
         parameters.skipped[static_cast<std::size_t>(stage)])
       return false;
     if (context.volume.open_sides() == nullptr) return stage != Stage::rim;
-    // What Z has beyond the rim, which fills holes, stays in T.
-    return stage != Stage::improve || parameters.fill.rule == HoleChoice::Rule::none;
+    // What Z has beyond the rim stays as it is in T, and fills holes there.
+    return stage != Stage::improve || parameters.fill.rule == HoleChoice::Rule::none ||
+           parameters.improver == ImproverPlace::free;
   }
 
   /// σ, δ and what decides containment stay: they belong to what was refined.
@@ -98,7 +100,10 @@ struct Simplification::Impl {
 
   Status tessellate() {
     Result<Delta> delta = mutual_tessellation(live->complex());
-    if (!delta) return delta.error();
+    if (!delta) {
+      log.warn(delta.error().line());
+      return delta.error();
+    }
     live->apply(*delta);
     Event e;
     e.kind = EventKind::tessellation;
@@ -133,35 +138,64 @@ struct Simplification::Impl {
     if (!log.stopped()) improve_free_zero_set(free, context, parameters.effort, log);
   }
 
+  void refuse_to_fill(std::uint32_t loop, const std::string& why) {
+    log.warn("The hole of loop " + std::to_string(loop + 1) + " is not filled: " + why + ".");
+  }
+
+  /// The operation by which `count` facets fill the holes of these loops.
+  Event filling(std::size_t count, const std::vector<std::uint32_t>& loops) {
+    Event e;
+    e.kind = EventKind::fill;
+    e.count = static_cast<std::uint32_t>(count);
+    std::string names;
+    for (const std::uint32_t loop : loops) names += (names.empty() ? "" : ", ") + std::to_string(loop + 1);
+    e.text = log.journal().add_text("loops " + names);
+    return e;
+  }
+
   /// Closes the holes that are to be filled, once; says of those that cannot be why.
   void fill_holes() {
-    if (std::exchange(filled, true) || context.volume.open_sides() == nullptr || !live ||
+    if (std::exchange(filled, true) || context.volume.open_sides() == nullptr ||
         parameters.fill.rule == HoleChoice::Rule::none)
       return;
+    if (live)
+      fill_in_complex();
+    else
+      fill_free();
+  }
+
+  void fill_free() {
+    FreeFilling made =
+        fill_free_holes(free, context.volume, parameters.fill, [this] { return log.stopped(); });
+    if (log.stopped()) return;
+    for (const FreeFilling::Refusal& refusal : made.refused) refuse_to_fill(refusal.loop, refusal.why);
+    if (made.delta.added_facets.empty()) return;
+    free.apply(made.delta);
+    // No vertex comes or goes.
+    const StepFigures figures = log.journal().operations().back().figures;
+    log.operation(filling(made.delta.added_facets.size(), made.loops), std::move(made.delta), figures);
+  }
+
+  void fill_in_complex() {
     const auto loops = context.volume.open_sides()->rim().loops();
     std::vector<DroppedFacet> facets;
-    std::string loop_names;
+    std::vector<std::uint32_t> filled_loops;
     for (const Cap& cap : find_caps(live->complex(), context.volume)) {
       const bool wanted = std::any_of(cap.loops.begin(), cap.loops.end(), [&](std::uint32_t loop) {
         return parameters.fill.wants(loop, loops[loop]);
       });
       if (!wanted) continue;
       if (!cap.fills()) {
-        log.warn("The hole of loop " + std::to_string(cap.loops.front() + 1) +
-                 " is not filled: what Z has beyond it is no disc along that loop alone.");
+        refuse_to_fill(cap.loops.front(), "what Z has beyond it is no disc along that loop alone");
         continue;
       }
       facets.insert(facets.end(), cap.facets.begin(), cap.facets.end());
-      loop_names += (loop_names.empty() ? "" : ", ") + std::to_string(cap.loops.front() + 1);
+      filled_loops.push_back(cap.loops.front());
     }
     if (facets.empty()) return;
     Delta delta = fill_delta(live->complex(), facets);
     live->apply(delta);
-    Event e;
-    e.kind = EventKind::fill;
-    e.count = static_cast<std::uint32_t>(facets.size());
-    e.text = log.journal().add_text("loops " + loop_names);
-    log.operation(e, std::move(delta), live->step_figures());
+    log.operation(filling(facets.size(), filled_loops), std::move(delta), live->step_figures());
   }
 
   /// A person's operation: as safe as those of the stages.
@@ -198,13 +232,14 @@ struct Simplification::Impl {
 
   Status run_stage(Stage stage) {
     if (!std::exchange(rejoined, false)) log.begin(stage);
+    Status made;
     switch (stage) {
     case Stage::gamma:
       collapse(EdgeKind::gamma, true, most_rounds);
       if (!context.criteria.certified) collapse(EdgeKind::gamma, false, most_rounds);
       break;
     case Stage::tessellation:
-      if (Status made = tessellate(); !made) return made;
+      made = tessellate();
       break;
     case Stage::rim:
       cut_along_rim();
@@ -223,7 +258,7 @@ struct Simplification::Impl {
       break;
     }
     log.end();
-    return {};
+    return made;
   }
 };
 
@@ -247,6 +282,11 @@ Status Simplification::begin_with(Stage stage, bool open, double seconds, Vertex
   m.rejoined = open && again && at != stage_order.end();
   if (!again) ++m.next;
   return {};
+}
+
+void Simplification::begin_at(Stage stage) {
+  const auto at = std::find(stage_order.begin(), stage_order.end(), stage);
+  if (at != stage_order.end()) impl_->next = static_cast<std::size_t>(at - stage_order.begin());
 }
 
 Result<bool> Simplification::run() {

@@ -47,6 +47,8 @@ class Simplification {
   /// and goes on from there. `open`: that stage has not ended. Fails with usage where the check on the target
   /// that says no is named, or T has no such edge.
   Status begin_with(Stage stage, bool open, double seconds, VertexId a, VertexId b, Vec3 target);
+  /// Before the first run(): begins with this stage, on T as it was when the stage began.
+  void begin_at(Stage stage);
   /// Runs the stages that are left; when told to stop it may be called again and goes on where it was. False
   /// when it was stopped. Fails with internal where the tessellation is impossible.
   Result<bool> run();

@@ -2,14 +2,18 @@
 // delta.
 #include "simplify/tessellation.h"
 
+#include "base/numbers.h"
+#include "base/place.h"
 #include "mesh/junction.h"
 #include "mesh/predicates.h"
 #include "mesh/zero_set.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <span>
-#include <string>
 
 namespace isoscope {
 
@@ -94,12 +98,38 @@ std::int8_t side_of(const Complex& complex, const std::array<VertexId, 4>& v) {
   return 0;
 }
 
-Error turned_over(std::span<const VertexId> simplex) {
-  std::string names;
-  for (const VertexId v : simplex) names += (names.empty() ? "" : ", ") + std::to_string(v.value);
-  return {ErrorCode::internal,
-          "Mutual tessellation would turn a tetrahedron over between the vertices " + names + ".",
-          "Take a larger tolerance."};
+/// The spacing of doubles at the farthest coordinate of a point.
+double spacing_at(Vec3 p) {
+  const double farthest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return std::nextafter(farthest, std::numeric_limits<double>::infinity()) - farthest;
+}
+
+/// Splits an edge at its zero. Where rounding puts that into a tetrahedron that would turn over, a double
+/// next to it may be sound, or one farther along the edge: nothing where none is.
+std::optional<Vec3> split_edge(Splitting& splitting, std::span<const VertexId> edge, Vec3 zero, Vec3 negative,
+                               Vec3 positive) {
+  if (splitting.split(edge, zero)) return zero;
+  const double spacing = spacing_at(zero);
+  const auto split_around = [&](Vec3 place) -> std::optional<Vec3> {
+    for (const int x : {0, 1, -1})
+      for (const int y : {0, 1, -1})
+        for (const int z : {0, 1, -1}) {
+          const Vec3 p = place + spacing * Vec3{double(x), double(y), double(z)};
+          if (splitting.split(edge, p)) return p;
+        }
+    return std::nullopt;
+  };
+  for (const double share : {0.0, 1.0 / 64, 1.0 / 16, 1.0 / 4})
+    for (const Vec3 end : {negative, positive})
+      if (const auto place = split_around(zero + share * (end - zero))) return place;
+  return std::nullopt;
+}
+
+Error turned_over(Vec3 where, double spacing) {
+  return {ErrorCode::unsupported,
+          "The digits of the coordinates do not suffice to make Z facets of T near " +
+              place(where, proof_digits) + ", where they go in steps of " + general(spacing, 3) + ".",
+          "Move the model to the origin where it was made, or choose a larger tolerance."};
 }
 
 /// A tetrahedron of three labels or more, or a facet of three: where its zeros are joined.
@@ -158,14 +188,16 @@ Result<Delta> mutual_tessellation(const Complex& complex) {
       center = meeting.center + 0.5 * k * (middle - meeting.center);
       split = splitting.split(meeting.simplex, center);
     }
-    if (!split) return turned_over(meeting.simplex);
+    if (!split) return turned_over(center, spacing_at(center));
     add_vertex(center);
   }
   for (const ZeroSet::ZeroVertex& zero : extract_zero_set(complex).vertices) {
     if (zero.junction) continue;
     const std::array<VertexId, 2> edge{zero.negative, zero.positive};
-    if (!splitting.split(edge, zero.position)) return turned_over(edge);
-    add_vertex(zero.position);
+    const auto place = split_edge(splitting, edge, zero.position, complex.position(zero.negative),
+                                  complex.position(zero.positive));
+    if (!place) return turned_over(zero.position, spacing_at(zero.position));
+    add_vertex(*place);
   }
 
   delta.removed = splitting.removed();

@@ -3,6 +3,7 @@
 
 #include "base/labels.h"
 #include "base/parallel.h"
+#include "base/place.h"
 #include "base/snap.h"
 #include "tolerance/regions.h"
 #include "tolerance/sample_candidates.h"
@@ -43,11 +44,17 @@ Error stopped_sampling() {
   return {ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
 }
 
+Error crossing_sheets_near(Vec3 p) {
+  return {ErrorCode::unsupported,
+          "The input is not a manifold surface: sheets cross each other near " + place(p, place_digits) + ".",
+          "Cut them apart along that line, and leave out what is not wanted."};
+}
+
 class Sampler {
  public:
   Sampler(ToleranceVolume& volume, double sigma) : volume_(volume), grid_(volume.domain().lo, sigma) {
     samples_.sigma = sigma;
-    samples_.snap_unit = std::ldexp(1.0, std::ilogb(volume.field().bounds().longest_edge()) - 40);
+    samples_.snap_unit = snap_unit(volume.field().bounds().longest_edge(), volume.domain());
     options_.target_bound = sigma;
     options_.crevice_side = sigma / 4;
     options_.smallest_side = sigma / 8;
@@ -83,10 +90,10 @@ class Sampler {
     return {};
   }
 
-  BoundarySamples take(const RunControl& control) {
+  Result<BoundarySamples> take(const RunControl& control) {
     set_boundary_samples_apart();
     if (volume_.open_sides() != nullptr) {
-      settle_open_sides(control);
+      if (Status settled = settle_open_sides(control); !settled) return settled.error();
       set_boundary_samples_apart();
       add_wall_samples();
     }
@@ -120,12 +127,14 @@ class Sampler {
   }
 
   /// Single normals err where the sheet meets itself; all samples that hang together do not.
-  void settle_open_sides(const RunControl& control) {
+  Status settle_open_sides(const RunControl& control) {
     SideVotes result = vote_on_sides(volume_, samples_, control);
-    if (control.cancelled()) return;
+    if (control.cancelled()) return {};
+    if (result.crossing) return crossing_sheets_near(*result.crossing);
     samples_.labels = std::move(result.labels);
     volume_.settle_open_sides(std::make_shared<const OpenSides>(
         volume_.open_sides()->settled(std::move(result.rim), std::move(result.votes), 2 * samples_.sigma)));
+    return {};
   }
 
   void add_wall_samples() {
@@ -347,7 +356,7 @@ Result<BoundarySamples> sample_boundary(ToleranceVolume& volume, double sigma, c
   volume.settle_open_sides(volume.open_sides_found());
   Sampler sampler(volume, sigma);
   if (Status s = sampler.run(control); !s.ok()) return s.error();
-  BoundarySamples samples = sampler.take(control);
+  Result<BoundarySamples> samples = sampler.take(control);
   if (control.cancelled()) return stopped_sampling();
   return samples;
 }

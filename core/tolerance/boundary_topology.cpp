@@ -1,16 +1,21 @@
 // Counts vertices, edges and faces of the marching-tetrahedra surface without making it.
 #include "tolerance/boundary_topology.h"
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "tolerance/regions.h"
 
 #include <algorithm>
+#include <compare>
 #include <optional>
 
 namespace isoscope {
 namespace {
 
 constexpr std::size_t block_cells = 32768;
+/// Cells whose pieces are counted at most: some 100 bytes each.
+constexpr std::size_t most_careful_cells = 6'000'000;
 
 /// A lattice point: on which side it lies, and of what.
 struct Corner {
@@ -51,14 +56,96 @@ std::vector<Simplex> simplices_at_corner() {
   return list;
 }
 
+/// The pieces of the surface, from its vertices and what joins them.
+class Pieces {
+ public:
+  /// The vertex of the surface on the lattice's edge between two corners of a cell, of which `outer` is the
+  /// one that is behind the boundary.
+  static std::uint64_t vertex(const LatticeCell& c, unsigned outer, unsigned inner) {
+    const unsigned low = outer & inner, direction = outer ^ inner;
+    const auto coordinate = [&](std::uint32_t base, unsigned axis) {
+      return std::uint64_t{base} + ((low >> axis) & 1u);
+    };
+    return (std::uint64_t{outer != low} << 3 | direction) << (3 * piece_key_bits) |
+           coordinate(c.z, 2) << (2 * piece_key_bits) | coordinate(c.y, 1) << piece_key_bits |
+           coordinate(c.x, 0);
+  }
+  static bool fits(unsigned level) { return level < piece_key_bits; }
+
+  void add(std::uint64_t vertex, std::uint16_t component) { recent_.push_back({vertex, component}); }
+  void join(std::uint64_t a, std::uint64_t b) { recent_links_.push_back({a, b}); }
+
+  /// After some cells: what they have joined is kept as one link a vertex.
+  void settle() {
+    sort_unique(recent_);
+    DisjointSets sets(recent_.size());
+    join_all(sets, recent_, recent_links_, {});
+    for (std::size_t i = 0; i < recent_.size(); ++i) {
+      const Vertex& root = recent_[sets.find(static_cast<std::uint32_t>(i))];
+      vertices_.push_back(recent_[i]);
+      if (root.key != recent_[i].key) links_.push_back({recent_[i].key, root.key});
+    }
+    recent_.clear();
+    recent_links_.clear();
+  }
+
+  /// Of each boundary component; of no use once the control is cancelled.
+  std::vector<std::size_t> count(std::size_t components, const RunControl& control) {
+    sort_unique(vertices_);
+    DisjointSets sets(vertices_.size());
+    join_all(sets, vertices_, links_, control);
+    std::vector<std::pair<std::uint16_t, std::uint32_t>> pieces;
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+      pieces.emplace_back(vertices_[i].component, sets.find(static_cast<std::uint32_t>(i)));
+    sort_unique(pieces);
+    std::vector<std::size_t> counts(components, 0);
+    for (const auto& [component, root] : pieces) ++counts[component];
+    return counts;
+  }
+
+ private:
+  struct Vertex {
+    std::uint64_t key;
+    std::uint16_t component;
+    friend auto operator<=>(const Vertex&, const Vertex&) = default;
+  };
+  using Link = std::array<std::uint64_t, 2>;
+
+  /// Equal vertices of several components too. Links to what is no vertex of the list join nothing.
+  static void join_all(DisjointSets& sets, const std::vector<Vertex>& vertices,
+                       const std::vector<Link>& links, const RunControl& control) {
+    SparsePoll poll(control);
+    for (std::size_t i = 1; i < vertices.size(); ++i)
+      if (vertices[i].key == vertices[i - 1].key)
+        sets.unite(static_cast<std::uint32_t>(i - 1), static_cast<std::uint32_t>(i));
+    const auto find = [&](std::uint64_t key) {
+      return std::lower_bound(vertices.begin(), vertices.end(), Vertex{key, 0});
+    };
+    for (const auto& [a, b] : links) {
+      if (poll.cancelled()) return;
+      const auto i = find(a), j = find(b);
+      if (i == vertices.end() || i->key != a || j == vertices.end() || j->key != b) continue;
+      sets.unite(static_cast<std::uint32_t>(i - vertices.begin()),
+                 static_cast<std::uint32_t>(j - vertices.begin()));
+    }
+  }
+
+  static constexpr unsigned piece_key_bits = 20;
+  std::vector<Vertex> vertices_, recent_;
+  std::vector<Link> links_, recent_links_;
+};
+
 class Counter {
  public:
-  Counter(const ToleranceVolume& volume, unsigned halvings)
-      : volume_(volume), halvings_(halvings), level_(volume.octree().main_level() + halvings),
-        simplices_(simplices_at_corner()), counts_(volume.boundary_components().size(), 0) {}
+  Counter(const ToleranceVolume& volume, const BoundaryCounting& counting)
+      : volume_(volume), halvings_(counting.halvings), careful_(counting.careful),
+        level_(volume.octree().main_level() + counting.halvings), simplices_(simplices_at_corner()),
+        counts_(volume.boundary_components().size()) {}
 
   Status run(const RunControl& control) {
     const Regions& octree = volume_.octree();
+    if (careful_ && (!Pieces::fits(level_) || lattice_cells() > most_careful_cells))
+      return Error{ErrorCode::unsupported, "The boundaries of Ω are too large to count their pieces.", ""};
     std::vector<LatticeCell> block;
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
       const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
@@ -78,9 +165,25 @@ class Counter {
       return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
     return {};
   }
-  std::vector<long> take() { return std::move(counts_); }
+  std::vector<BoundaryCount> take(const RunControl& control) {
+    if (careful_) {
+      const std::vector<std::size_t> pieces = pieces_.count(counts_.size(), control);
+      for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i].pieces = pieces[i];
+    }
+    return std::move(counts_);
+  }
 
  private:
+  std::size_t lattice_cells() const {
+    const Regions& octree = volume_.octree();
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < octree.main_size(); ++i) {
+      const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
+      cells += c.kind == Regions::Kind::ambiguous && c.level == octree.main_level() ? 1 : 0;
+    }
+    return cells << (3 * halvings_);
+  }
+
   Vec3 position(std::uint64_t key) const {
     constexpr std::uint64_t mask = (std::uint64_t{1} << key_bits) - 1;
     const Vec3 u{static_cast<double>(key & mask), static_cast<double>(key >> key_bits & mask),
@@ -133,9 +236,23 @@ class Counter {
     corner.volume_component = volume_.component_below(p, closest);
     if (!told && closest.distance() > volume_.thresholds().boundary) {
       corner.region = finer_region.valid() ? finer_region : volume_.escape(p, closest).region;
+      if (careful_ && !corner.region.valid()) corner.region = only_region(p, corner.volume_component);
       corner.outside = corner.region.valid();
     }
     return corner;
+  }
+
+  /// The region on the side of a point outside of Ω', where there is but one on that side of what is below.
+  RegionId only_region(Vec3 p, std::uint32_t volume_component) const {
+    if (!volume_.sides().known()) return {};
+    const int label = volume_.sides().label(p);
+    RegionId region;
+    for (const BoundaryComponent& c : volume_.boundary_components()) {
+      if (c.volume_component != volume_component || c.label != label) continue;
+      if (region.valid()) return {};
+      region = c.region;
+    }
+    return region;
   }
 
   void count(const std::vector<LatticeCell>& cells, const RunControl& control) {
@@ -168,51 +285,68 @@ class Counter {
                              [](const Entry& e, std::uint64_t wanted) { return e.key < wanted; });
         at[k] = &corners[static_cast<std::size_t>(found - entries.begin())];
       }
-      count_cell(at);
+      count_cell(c, at);
     }
+    pieces_.settle();
   }
 
   /// Regions that come close to each other are counted one at a time, each against all that is not in it: so
   /// every count is that of a closed surface.
-  void count_cell(const std::array<const Corner*, 8>& at) {
+  void count_cell(const LatticeCell& cell, const std::array<const Corner*, 8>& at) {
     for (unsigned k = 0; k < 8; ++k) {
       if (!at[k]->outside) continue;
       const RegionId region = at[k]->region;
       const auto counted_before = [&](const Corner* c) { return c->outside && c->region == region; };
       if (std::any_of(at.begin(), at.begin() + k, counted_before)) continue;
-      for (const Simplex& s : simplices_) count_simplex(s, at, region);
+      for (const Simplex& s : simplices_) count_simplex(s, cell, at, region);
     }
   }
 
-  void count_simplex(const Simplex& s, const std::array<const Corner*, 8>& at, RegionId region) {
+  void count_simplex(const Simplex& s, const LatticeCell& cell, const std::array<const Corner*, 8>& at,
+                     RegionId region) {
+    const auto is_outer = [&](unsigned i) {
+      const Corner* c = at[s.corners[i]];
+      return c->outside && c->region == region;
+    };
     bool outer = false;
     const Corner* inner = nullptr;
     for (unsigned i = s.size; i-- > 0;) {
-      const Corner* c = at[s.corners[i]];
-      if (c->outside && c->region == region)
+      if (is_outer(i))
         outer = true;
       else
-        inner = c;
+        inner = at[s.corners[i]];
     }
     if (!outer || !inner) return;
     const auto component = volume_.boundary_component(region, inner->volume_component);
-    if (component) counts_[*component] += s.sign;
+    if (component) counts_[*component].euler_characteristic += s.sign;
+    if (!careful_ || s.size > 3) return;
+    std::array<std::uint64_t, 2> ends{};
+    std::size_t count = 0;
+    for (unsigned i = 0; i < s.size; ++i)
+      for (unsigned j = 0; j < s.size; ++j)
+        if (is_outer(i) && !is_outer(j)) ends[count++] = Pieces::vertex(cell, s.corners[i], s.corners[j]);
+    if (s.size == 3)
+      pieces_.join(ends[0], ends[1]);
+    else if (component)
+      pieces_.add(ends[0], *component);
   }
 
   const ToleranceVolume& volume_;
   unsigned halvings_;
+  bool careful_;
   unsigned level_;
   std::vector<Simplex> simplices_;
-  std::vector<long> counts_;
+  std::vector<BoundaryCount> counts_;
+  Pieces pieces_;
 };
 
 } // namespace
 
-Result<std::vector<long>> boundary_characteristics(const ToleranceVolume& volume, unsigned halvings,
-                                                   const RunControl& control) {
-  Counter counter(volume, halvings);
+Result<std::vector<BoundaryCount>>
+count_boundaries(const ToleranceVolume& volume, const BoundaryCounting& counting, const RunControl& control) {
+  Counter counter(volume, counting);
   if (Status status = counter.run(control); !status.ok()) return status.error();
-  return counter.take();
+  return counter.take(control);
 }
 
 } // namespace isoscope

@@ -5,14 +5,28 @@
 #include "base/status.h"
 #include "tolerance/tolerance_volume.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace isoscope {
 
-/// χ of each of volume.boundary_components(), counted on the surface that marching tetrahedra make of the
-/// signs of d - δ' at the corners of cells `halvings` times finer than the octree's main ones. Corners whose
-/// region the octree cannot tell count as part of Ω'. Fails with cancelled only.
-Result<std::vector<long>> boundary_characteristics(const ToleranceVolume& volume, unsigned halvings,
-                                                   const RunControl& control);
+/// What the surface that marching tetrahedra make of the signs of d - δ' has of a boundary component.
+struct BoundaryCount {
+  long euler_characteristic = 0;
+  std::size_t pieces = 0; ///< connected ones, where they were counted: a boundary component is one
+};
+
+/// How boundaries are counted.
+struct BoundaryCounting {
+  unsigned halvings = 0; ///< how often the lattice is finer than the octree's main cells
+  /// Counts pieces too, and tells what the octree's cells are too coarse for by its side: takes twice as
+  /// long.
+  bool careful = false;
+};
+
+/// Of each of volume.boundary_components(). Corners whose region cannot be told count as part of Ω'. Fails
+/// with cancelled, and with unsupported where a careful count would take too much memory.
+Result<std::vector<BoundaryCount>>
+count_boundaries(const ToleranceVolume& volume, const BoundaryCounting& counting, const RunControl& control);
 
 } // namespace isoscope

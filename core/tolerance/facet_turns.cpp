@@ -321,6 +321,35 @@ FacetTurns find_facet_turns(const WeldedMesh& mesh, const std::vector<EdgeUse>& 
   return result;
 }
 
+std::vector<std::uint32_t> needless_copies(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses) {
+  const std::vector<Copies> copies = find_copies(mesh);
+  Turns turns = once_each(mesh, copies);
+  if (copies.empty() || !has_even_edges(uses, turns)) return {};
+  const auto alike = [&](std::uint32_t s, std::uint32_t t) {
+    return runs_alike(mesh.triangles[s], mesh.triangles[t]);
+  };
+  const bool both_ways = std::any_of(copies.begin(), copies.end(), [&](const Copies& group) {
+    return std::any_of(group.begin(), group.end(), [&](std::uint32_t t) { return !alike(group.front(), t); });
+  });
+  if (both_ways && !uncancelled(mesh, uses, Turns(mesh.triangles.size(), 1)) &&
+      bounds_something(mesh, copies))
+    return {};
+  const bool oriented = !Orienter(mesh, uses, copies, turns).run();
+  std::vector<std::uint32_t> needless;
+  for (const Copies& group : copies) {
+    std::uint32_t kept = group.front();
+    if (oriented && turns[kept] < 0) {
+      const auto turned =
+          std::find_if(group.begin(), group.end(), [&](std::uint32_t t) { return !alike(group.front(), t); });
+      if (turned != group.end()) kept = *turned;
+    }
+    for (const std::uint32_t t : group)
+      if (t != kept) needless.push_back(t);
+  }
+  std::sort(needless.begin(), needless.end());
+  return needless;
+}
+
 PatchTurns orient_patches(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses) {
   const std::vector<Copies> copies = find_copies(mesh);
   PatchTurns result{once_each(mesh, copies), {}};

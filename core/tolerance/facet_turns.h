@@ -33,6 +33,12 @@ struct FacetTurns {
 /// or inwards inside an odd number of other parts.
 FacetTurns find_facet_turns(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses);
 
+/// Triangles that say again what another one says, ascending: without them what is left is closed all the
+/// same, and bounds the same. Of several that run both ways one that runs like its neighbours is left. Empty
+/// where the soup is open without them or where copies that run both ways close it, as the common face of two
+/// boxes does.
+std::vector<std::uint32_t> needless_copies(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses);
+
 /// How the triangles of a surface that need not be closed run: each patch of neighbours one way.
 struct PatchTurns {
   std::vector<std::int8_t> turns; ///< by triangle, as in FacetTurns

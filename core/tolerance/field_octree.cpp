@@ -12,7 +12,7 @@ namespace {
 /// How many cells go into a length of φ. Fewer, and not so small ones, where there are so many sites that the
 /// cells would take long.
 constexpr double fine = 3, coarse = 2.5, coarse_finest = 1.6;
-constexpr std::size_t many_sites = 200000;
+constexpr std::size_t many_sites = 10000;
 /// So much of the box lies around it.
 constexpr double margin = 0.1;
 /// Cells beyond which no level is added, and levels.

@@ -29,21 +29,29 @@ std::array<std::uint32_t, 3> position(const Regions::Cell& c) {
   return {c.x, c.y, c.z};
 }
 
+/// From so many cells on those of finer levels can be told, and how far beyond the memory limit they must be
+/// then not to be tried.
+constexpr std::size_t telling_cells = 20000;
+constexpr double clearly_more = 1.3;
+
 /// Whether the cells down to some level fit, and those of the levels that are left as far as can be told:
 /// along a surface, each level has four times as many as the one above.
 Status check_memory(std::size_t cells, unsigned levels_left, const Regions::Options& options) {
-  const double cell_bytes = sizeof(Regions::Cell) + sizeof(Regions::CellIndex);
-  if (static_cast<double>(cells) * cell_bytes <= options.most_bytes) return {};
-  const double in_all = static_cast<double>(cells) * std::pow(4.0, levels_left) * cell_bytes;
+  const double in_all = static_cast<double>(cells) * std::pow(4.0, levels_left);
+  const double told = cells < telling_cells ? 0 : std::min(in_all, options.expected_cells);
+  const double bytes = Regions::bytes_of_cell;
+  if (static_cast<double>(cells) * bytes <= options.most_bytes &&
+      told * bytes <= clearly_more * options.most_bytes)
+    return {};
   char message[200], remedy[200];
   std::snprintf(
       message, sizeof message,
       "The tolerance is too small for this input: the cells of its volume need about %.2g GB, more than "
       "may be used.",
-      1e-9 * in_all);
+      1e-9 * bytes * (told > 0 ? told : in_all));
   std::snprintf(remedy, sizeof remedy,
                 "Choose a tolerance about %.2g times as large, or give more with --memory-limit.",
-                std::sqrt(in_all / options.most_bytes));
+                std::sqrt(in_all * bytes / options.most_bytes));
   return Error{ErrorCode::unsupported, message, remedy};
 }
 

@@ -43,7 +43,12 @@ class Regions {
     double min_side = 0;  ///< and on demand down to this one
     double margin = 0;    ///< between the field's box and the domain's
     double most_bytes = std::numeric_limits<double>::infinity(); ///< that the main cells may take
+    /// How many main cells are expected, as far as is known: where coarse ones tell the same, and that does
+    /// not fit, the fine ones are not made.
+    double expected_cells = 0;
   };
+  /// What a cell takes.
+  static constexpr double bytes_of_cell = sizeof(Cell) + sizeof(CellIndex);
 
   /// Builds the main cells. Fails with unsupported when the tolerance is so small that their number would
   /// exceed 2^31 or their memory the limit, with cancelled when told to.

@@ -6,6 +6,7 @@
 #include "tolerance/sample_grid.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace isoscope {
@@ -16,6 +17,8 @@ constexpr double largest_sigma = 0.75;
 /// What is joined is on both sides where its smaller part is more than this share, unless it is a pocket:
 /// less than that share of all samples.
 constexpr double largest_minority = 0.2, largest_pocket = 0.05;
+/// Both sides meet over the rim, not so many δ' from it.
+constexpr double far_from_rim = 3;
 /// A sample whose distance to the border is d up to this share is over it.
 constexpr double over_border = 1e-5;
 constexpr std::size_t samples_between_questions = 4096;
@@ -104,7 +107,7 @@ class Vote {
       ++all[sets.find(i)];
       positive[sets.find(i)] += result_.labels[i] > 0;
     }
-    std::vector<std::uint32_t> turned;
+    std::vector<std::uint32_t> turned, on_both;
     for (std::uint32_t i = 0; i < samples_.size(); ++i) {
       if (!votes(i)) continue;
       const std::size_t total = all[sets.find(i)], plus = positive[sets.find(i)];
@@ -112,16 +115,37 @@ class Vote {
         return static_cast<double>(part) > share * static_cast<double>(whole);
       };
       if (exceeds(std::min(plus, total - plus), largest_minority, total) &&
-          exceeds(total, largest_pocket, samples_.size()))
+          exceeds(total, largest_pocket, samples_.size())) {
+        on_both.push_back(i);
         continue;
+      }
       const auto elected = static_cast<std::int8_t>(2 * plus > total ? +1 : -1);
       if (std::exchange(result_.labels[i], elected) != elected) turned.push_back(i);
     }
+    find_crossing(on_both, control);
     std::vector<std::uint8_t> told(samples_.size(), 0);
     for (const std::uint32_t i : turned)
       for_each_near(i, near, [&](std::uint32_t j) { told[j] = result_.labels[j] != 0 ? 1 : 0; });
     for (std::uint32_t i = 0; i < samples_.size(); ++i)
       if (told[i] != 0) result_.votes.push_back({samples_.positions[i], result_.labels[i]});
+  }
+
+  /// Of places where both sides meet the farthest from the rim, where it is far enough that the rim is not to
+  /// blame.
+  void find_crossing(std::span<const std::uint32_t> on_both, const RunControl& control) {
+    double farthest = far_from_rim * volume_.thresholds().boundary;
+    SparsePoll poll(control, samples_between_questions);
+    std::vector<std::uint32_t> near;
+    for (const std::uint32_t i : on_both) {
+      if (poll.cancelled()) return;
+      if (result_.labels[i] < 0) continue;
+      bool both = false;
+      for_each_near(i, near, [&](std::uint32_t j) { both |= result_.labels[j] < 0; });
+      if (!both) continue;
+      const Vec3 p = volume_.index().closest(samples_.positions[i]).point;
+      const double d = result_.rim.curve().closest(p).distance();
+      if (d > farthest) farthest = d, result_.crossing = p;
+    }
   }
 
   const ToleranceVolume& volume_;

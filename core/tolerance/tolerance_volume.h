@@ -49,6 +49,9 @@ struct BoundaryComponent {
   RegionId region;
   std::uint32_t volume_component = 0; ///< the component of Ω' on its other side
   int label = +1;
+  /// Whether χ is sure. It is not where walls or gaps of little more than 2 δ leave regions that are too thin
+  /// for the lattice on which it is counted.
+  bool told = true;
   long euler_characteristic = 0;
 };
 
@@ -151,6 +154,8 @@ class ToleranceVolume {
   /// Whether the boundary components of each side have the same Euler characteristic, so that Ω may be a
   /// thickening (§1.2); of rooms whether nothing deep goes uncounted.
   bool thickening() const;
+  /// Whether what the boundary components are is sure.
+  bool topology_told() const;
   /// Regions that no boundary component counts: they were too small to be seen before somebody asked for a
   /// point in them.
   std::size_t pockets() const;
@@ -215,6 +220,11 @@ class ToleranceVolume {
   bool touches(Vec3 p, double d, std::uint32_t component) const;
   void deepen(Region& region) const;
   Status label_regions(const RunControl& control);
+  Status count_boundary_topology(const RunControl& control);
+  /// Whether each component of Ω has as many boundaries as a thickening has.
+  bool has_paired_boundaries() const;
+  /// Whether those of each have the same Euler characteristic.
+  bool has_equal_characteristics() const;
   /// Several insides, where there are some: whether there are.
   Result<bool> label_rooms_of_input(const RunControl& control);
   void adopt(DepthLabels labels);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 namespace isoscope {
+
 std::string ToleranceVolume::thickening_note(const RunControl& control) const {
   if (thickening()) return {};
   std::size_t outer = 0, inner = 0;
@@ -14,9 +15,12 @@ std::string ToleranceVolume::thickening_note(const RunControl& control) const {
     ++(c.label > 0 ? outer : inner);
     (c.label > 0 ? outer_euler : inner_euler) += c.euler_characteristic;
   }
-  const auto part = [](std::size_t n, long euler) {
+  if (!topology_told() && has_paired_boundaries())
+    return "Whether the volume is a thickening at this tolerance could not be told: between walls or gaps of "
+           "about twice the tolerance it leaves regions too thin to count what they are.";
+  const auto part = [&](std::size_t n, long euler) {
     return std::to_string(n) + (n == 1 ? " boundary component" : " boundary components") +
-           " of Euler characteristic " + std::to_string(euler);
+           (topology_told() ? " of Euler characteristic " + std::to_string(euler) : "");
   };
   return "At this tolerance the volume is no thickening: it has " + part(outer, outer_euler) +
          " outside and " + part(inner, inner_euler) + " inside" +

@@ -113,17 +113,48 @@ quit
 TEST_CASE("parameters are applied and a run is begun again") {
   CHECK(run_window("parameters", R"(
 wait settled
+expect apply.would == nothing and draft.differs == off and draft.errors == 0 and forecast.seconds == nan
+# The refinement has ended: α matters no more, but where it ended it does.
 set alpha 0.5
-apply
 wait settled
-expect phase == finished and beyond_margin == 0
+expect apply.would == too-late and apply.possible == off and apply.step > 0 and forecast.seconds > 0
+apply-earlier
+wait settled
+expect phase == finished and runs == 2 and alpha == 0.5 and apply.would == nothing
+# Wrong values are told and block what would take them.
+type alpha 2
+expect apply.would == wrong and draft.errors == 1
+expect draft.error.alpha == "α is 2, which is not in (0, 1)."
+type alpha 0.5
+expect draft.errors == 0 and draft.error.alpha == none
 set tolerance 10%
-expect messages == 0
+expect messages == 0 and apply.would == restart
 restart
 wait settled
 expect phase == finished and bad_samples == 0
 quit
 )") == 0);
+}
+
+TEST_CASE("parameters go on from the step that is shown, and the run that was left is kept") {
+  CHECK(run_window("parameters-branch", R"(
+wait settled
+seek 8
+wait settled
+set alpha 0.6
+wait settled
+expect apply.would == branch and apply.step == 8 and preview.samples > beyond_margin
+expect forecast.from == 8 and forecast.seconds > 0
+apply
+wait settled
+expect runs == 2 and phase == finished and alpha == 0.6 and compare.active == b
+expect compare.common >= 8 and certified == on and preview.samples == nan
+other-run
+wait settled
+expect compare.active == a and step == 8 and alpha == 0.2
+quit
+)",
+                   "gallery:sphere --tolerance 12%") == 0);
 }
 
 TEST_CASE("a failed expectation ends the script with status 1") {

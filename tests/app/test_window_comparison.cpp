@@ -13,6 +13,8 @@ set alpha 0.5
 run-beside
 wait settled
 expect runs == 2 and compare.beside == on and compare.active == a and alpha == 0.2
+# Panes make room, but that is not what is remembered.
+expect pane-left == off and pane-left.kept == on and pane-right.kept == on
 expect compare.same == off and compare.parameters == 1 and compare.measure_event == 2
 expect compare.a.certified == on and compare.b.certified == on
 expect compare.first_event > 2 and compare.first_step > 1 and compare.only_a > 0 and compare.only_b > 0
@@ -43,6 +45,8 @@ front
 orthographic
 link-cameras
 frame-all
+side-by-side
+expect pane-left == on and pane-right == on
 quit
 )") == 0);
 }

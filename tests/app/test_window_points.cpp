@@ -69,7 +69,8 @@ fs::path octahedron(const std::string& name, double radius) {
 } // namespace
 
 TEST_CASE("noisy points: sprites by weight, the inspector of one, Ω at other tolerances, a run with one") {
-  const std::string picture = made("points.png").string(), tab = made("tolerance.png").string();
+  const std::string picture = made("points.png").string(), tab = made("tolerance.png").string(),
+                    refused = made("refused.png").string();
   CHECK(run_window("points", R"(
 wait settled
 expect phase == finished and certified == on and euler == 2 and components == 1
@@ -107,6 +108,17 @@ set preview_delta 8%
 take-delta
 wait settled
 expect preview_delta == off and tolerance == 8% and certified == on
+# too small to enclose anything: the diagram shows which would do
+set tolerance 1%
+restart
+wait settled
+expect phase == failed and study.least > 0
+set preview_delta proposed
+expect study.deep >= 1
+screenshot )" + refused + R"(
+take-delta
+wait settled
+expect phase == finished and certified == on
 section
 wait settled
 set mode split

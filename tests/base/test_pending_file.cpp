@@ -60,6 +60,21 @@ TEST_CASE("a committed file replaces its target and leaves no other behind") {
   CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("what replaces a file can be read and written by those who could before") {
+  const Folder folder("mode");
+  const fs::path target = folder.path / "mesh.off";
+  for (const auto mode : {fs::perms(0640), fs::perms(0600), fs::perms(0664)}) {
+    write(target, "old");
+    fs::permissions(target, mode);
+    PendingFile file;
+    REQUIRE(file.open(target).ok());
+    file.append("new");
+    CHECK(file.commit().ok());
+    CHECK(content(target) == "new");
+    CHECK(fs::status(target).permissions() == mode);
+  }
+}
+
 TEST_CASE("a file that is not committed leaves the target alone") {
   const Folder folder("dropped");
   const fs::path target = folder.path / "mesh.off";

@@ -1,5 +1,6 @@
 // Interrupts and limits: a run that is told to stop leaves what it has, with status 4.
 #include "batch/child_process.h"
+#include "cli/summary.h"
 #include "input/mesh_io.h"
 #include "input/temporary_folder.h"
 
@@ -76,6 +77,17 @@ TEST_CASE("A time limit ends a run with status 4") {
   const Ended ended = run_batch({"gallery:rings", "--tolerance", "0.3%", "--time-limit", "0.05"});
   CHECK(ended.status == 4);
   CHECK(ended.says("time limit"));
+}
+
+TEST_CASE("What a limit or a hand stopped is among the warnings, unless that is told already") {
+  const Scene scene;
+  RunResult result;
+  CHECK(warnings({}, scene, result).front() == "The certificate does NOT hold.");
+  result.end = RunResult::End::limit;
+  CHECK(warnings({}, scene, result).front().find("stopped by a limit") != std::string::npos);
+  CHECK(warnings({}, scene, result, true).front() == "The certificate does NOT hold.");
+  result.end = RunResult::End::stopped;
+  CHECK(warnings({}, scene, result).front().find("stopped by the user") != std::string::npos);
 }
 
 TEST_CASE("A terminal sees one line a part, rewritten in place" * doctest::test_suite("terminal")) {

@@ -82,6 +82,22 @@ TEST_CASE("A lost spike ends with 1 and its place, with --cover off or --topolog
   CHECK(separate.says("Only the sides had to be separated"));
   CHECK(separate.says("Asked for was the separation of the sides only"));
   CHECK(!separate.says("topology as expected"));
+  // Who wants nothing printed but warnings is warned of both all the same.
+  const Ended quiet = with({"--quiet"});
+  CHECK(quiet.status == 1);
+  CHECK(quiet.out.empty());
+  CHECK(quiet.error.find("The certificate does NOT hold") != std::string::npos);
+  CHECK(quiet.error.find("The input is farther than 3 δ from the mesh in one place") != std::string::npos);
+  CHECK(quiet.error.find(" δ at (") != std::string::npos);
+  const Ended quietly_separate = with({"--topology", "separate", "--quiet"});
+  CHECK(quietly_separate.status == 0);
+  CHECK(quietly_separate.out.empty());
+  CHECK(quietly_separate.error.find("Only the sides had to be separated") != std::string::npos);
+  CHECK(quietly_separate.error.find("any topology will do") == std::string::npos);
+  // So is who reads the report where the summary would be.
+  const Ended reported = with({"--report", "-"});
+  CHECK(reported.status == 1);
+  CHECK(reported.error.find("The input is farther than 3 δ") != std::string::npos);
   for (const char* wrong : {"0", "-1", "three", "", "nan", "inf"}) {
     const Ended refused = with({"--cover", wrong});
     CHECK(refused.status == 2);

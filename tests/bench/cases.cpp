@@ -1,7 +1,7 @@
 // The tables of models, tolerances and targets.
 #include "bench/cases.h"
 
-#include "run/pipeline.h"
+#include "run/run_input.h"
 #include "support/models.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The palette finds commands by a few letters, and the manual's page is the table's.
-#include "app/app_model.h"
+#include "app/palette_entries.h"
 #include "command/command_search.h"
 #include "command/commands.h"
 
@@ -80,4 +80,31 @@ TEST_CASE("the manual's page of commands is the one made from the table") {
   const std::string stored{std::istreambuf_iterator<char>(in), {}};
   // Made anew with ISOSCOPE_UPDATE_REFERENCES=1.
   CHECK(stored == page);
+}
+
+TEST_CASE("the palette also finds settings, lessons, models, events and elements by the words on screen") {
+  const auto calls = [](const std::string& typed) {
+    std::vector<std::string> lines;
+    for (const PaletteEntry& entry : palette_entries(model(), typed))
+      lines.push_back(joined([&] {
+        Arguments line{entry.call.name};
+        line.insert(line.end(), entry.call.arguments.begin(), entry.call.arguments.end());
+        return line;
+      }()));
+    return lines;
+  };
+  const auto finds = [&](const std::string& typed, const std::string& line) {
+    const auto all = calls(typed);
+    return std::find(all.begin(), all.end(), line) != all.end();
+  };
+  CHECK(finds("frame", "frame-all"));
+  CHECK(finds("legend of the scene", "set legend on"));
+  CHECK(finds("axes drawn", "set axes off"));
+  CHECK(finds("kernel", "lesson kernel"));
+  CHECK(finds("vertex 12", "pick vertex 12"));
+  CHECK(finds("edge 3 7", "pick edge 3 7"));
+  CHECK(finds("0", "seek 0"));
+  CHECK(finds("seek 120", "seek 120"));
+  for (const PaletteEntry& entry : palette_entries(model(), "size of samples"))
+    if (entry.call.name == "set") CHECK(entry.complete == "set sample-size ");
 }

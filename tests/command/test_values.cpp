@@ -52,6 +52,9 @@ TEST_CASE("expectations") {
   CHECK(!model.values.expect("step > 0").ok());
   CHECK(!model.values.expect("step == 0 and phase == running").ok());
   CHECK(model.values.expect("phase != running").ok());
+  // "topology" is a value too, and here a word.
+  model.values.add("told", "what is told", [] { return std::string("topology"); });
+  CHECK(model.values.expect("told == topology").ok());
   CHECK(model.values.expect("step = 0").error().code == ErrorCode::usage);
   CHECK(model.values.expect("step ==").error().code == ErrorCode::usage);
   CHECK(model.values.expect("stepp == 0").error().code == ErrorCode::usage);

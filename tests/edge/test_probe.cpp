@@ -1,12 +1,59 @@
 // The worker that looks at edges: the newest question is answered, wherever the edge is.
 #include "app/small_run.h"
 #include "edge/probe.h"
+#include "scene/section_attempt.h"
+#include "scene/section_attempt_svg.h"
+#include "view/section_through.h"
 
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <cmath>
+#include <string>
 
 using namespace isoscope;
+
+namespace {
+
+/// The section through an edge shows its kernel, and passes through both ends.
+void check_section(const StateSnapshot& state, const EdgeXray& xray) {
+  Pick pick;
+  pick.kind = Pick::Kind::edge;
+  pick.id = xray.star.vertices[0].id.value;
+  pick.other = xray.star.vertices[1].id.value;
+  const auto through = section_through(state, pick, &xray, {0, 0, 1});
+  REQUIRE(through.has_value());
+  SectionPlane plane;
+  plane.origin = through->point;
+  plane.axes = plane_axes(through->normal);
+  for (std::size_t i = 0; i < 2; ++i) CHECK(std::abs(plane.height(xray.star.vertices[i].position)) < 1e-9);
+  REQUIRE(xray.attempt.kernel.has_value());
+  const AttemptSection section =
+      attempt_section(xray, nullptr, plane, {true, true, scene_colors(ThemeKind::paper)});
+  using Role = AttemptSection::Role;
+  if (xray.attempt.kernel->empty) {
+    CHECK(section.count(Role::kernel) == 0);
+    CHECK(section.lines.size() > 1);
+  } else {
+    CHECK(section.count(Role::kernel) == 1);
+    CHECK(section.marks.size() >= 2);
+  }
+  const std::string svg = attempt_svg(section, [](const PlanePoint& p) { return p; });
+  CHECK(svg.find("<g id=\"edge-marks\">") != std::string::npos);
+  CHECK((svg.find("edge-kernel") != std::string::npos) == (section.count(Role::kernel) > 0));
+  // A tetrahedron is cut, and what has no edge is refused.
+  for (std::uint32_t t = 0; t < state.complex.tets.size(); ++t) {
+    if (!state.complex.tets[t].alive()) continue;
+    pick = {Pick::Kind::tet, t, {}};
+    const auto cell = section_through(state, pick, nullptr, {0, 0, 1});
+    REQUIRE(cell.has_value());
+    CHECK(length(cell->normal) == doctest::Approx(1));
+    break;
+  }
+  CHECK(!section_through(state, {Pick::Kind::tet, 4000000000u, {}}, nullptr, {0, 0, 1}).has_value());
+}
+
+} // namespace
 
 TEST_CASE("the newest question is answered last") {
   Session session;
@@ -42,6 +89,7 @@ TEST_CASE("the newest question is answered last") {
   CHECK(probe.answered()->answer->request == request);
   REQUIRE(probe.answered()->answer->xray != nullptr);
   CHECK(probe.answered()->answer->xray->attempt.kind == EdgeKind::zero);
+  check_section(*state, *probe.answered()->answer->xray);
 
   request.question = {VertexId(0), VertexId(0), {}, {}};
   probe.ask(request);

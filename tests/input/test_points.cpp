@@ -1,6 +1,7 @@
 // Points without triangles, in every dialect: read as meant, with a word on what was found and left out.
 #include "input/input_mesh.h"
 #include "input/mesh_io.h"
+#include "input/point_files.h"
 #include "input/temporary_folder.h"
 
 #include <doctest/doctest.h>
@@ -122,4 +123,31 @@ TEST_CASE("mesh files without faces are points") {
   };
   check_points(folder.file("a.ply", ply(5) + rows(" ")));
   check_points(folder.file("b.ply", ply(6) + nan + rows(" ")), {"the first on line 10"});
+}
+
+TEST_CASE("files of points alone are told before they are read") {
+  const TemporaryFolder folder;
+  const auto holds = [&](const char* name, const std::string& bytes) {
+    CAPTURE(name);
+    CAPTURE(bytes);
+    return holds_points_alone(folder.file(name, bytes));
+  };
+  const std::string ply = "ply\r\nformat ascii 1.0\r\ncomment element face 2\r\nelement vertex 2\r\n";
+  CHECK(holds("a.xyz", ""));
+  CHECK(holds("a.ply", ply + "property float x\r\nend_header\r\n"));
+  CHECK(holds("b.ply", ply + "element face 0\r\nend_header\r\n"));
+  CHECK_FALSE(holds("c.ply", ply + "element face 2\r\nend_header\r\n"));
+  CHECK_FALSE(holds("d.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n"));
+  CHECK_FALSE(holds("e.ply", ply));
+  CHECK(holds("a.off", "# points\nOFF\n\n3 0 0\n0 0 0\n"));
+  CHECK(holds("b.OFF", "COFF 3 0 0\n"));
+  CHECK_FALSE(holds("c.off", "OFF\n4 4 0\n0 0 0\n"));
+  CHECK_FALSE(holds("d.off", "OFF\n0 0 0\n"));
+  CHECK(holds("a.obj", "# f 1 2 3\rv 0 0 0\rvn 0 0 1\r"));
+  CHECK_FALSE(holds("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n  f 1 2 3\n"));
+  CHECK_FALSE(holds("c.obj", "vn 0 0 1\n"));
+  CHECK_FALSE(holds("a.stl", "solid\nendsolid\n"));
+  CHECK_FALSE(holds("d.obj", std::string(100000, 'v')));
+  CHECK_FALSE(holds_points_alone(folder / "missing.ply"));
+  CHECK_FALSE(holds_points_alone(folder.path()));
 }

@@ -118,15 +118,16 @@ TEST_CASE("texts say named values with as many digits as asked for") {
 TEST_CASE("the lessons that the program carries keep their rules") {
   const auto& lessons = bundled_lessons();
   REQUIRE_MESSAGE(lessons.ok(), lessons.error().message);
-  CHECK(lessons->size() >= 1);
+  CHECK(lessons->size() == 19);
   int number = 0;
   for (const Lesson& lesson : *lessons) {
     CAPTURE(lesson.name);
     CHECK(lesson.number > number);
     number = lesson.number;
     CHECK(lesson.minutes > 0);
-    CHECK(lesson.stops.size() >= 4);
+    CHECK(lesson.stops.size() >= 5);
     CHECK(lesson.stops.size() <= 8);
+    CHECK(!picture_of(lesson).empty());
     CHECK(find_lesson(lesson.name) == &lesson);
     CHECK(find_lesson(std::to_string(lesson.number)) == &lesson);
     CHECK(std::any_of(lesson.stops.begin(), lesson.stops.end(),
@@ -134,6 +135,11 @@ TEST_CASE("the lessons that the program carries keep their rules") {
     for (const LessonStop& stop : lesson.stops) {
       CAPTURE(stop.heading);
       CHECK(words_of(stop.text) <= 60);
+      // A step is found by what happens there; only the beginning has a number.
+      for (const std::string& command : stop.commands)
+        CHECK_MESSAGE((!command.starts_with("seek") || command == "seek 0"), command);
+      if (stop.question)
+        for (const std::string& command : stop.question->reveal) CHECK(!command.starts_with("seek"));
       CHECK(!(stop.text.empty() && !stop.question && !stop.task));
     }
   }

@@ -101,11 +101,11 @@ TEST_CASE("previews judge the state shown by other parameters") {
   head.wait();
   REQUIRE(head.preview().has_value());
   CHECK(head.preview()->criteria == criteria);
-  CHECK(head.preview()->violations.beyond_margin == 0);
+  CHECK(head.preview()->violations->beyond_margin == 0);
   criteria.alpha = 0.95;
   head.request_preview(criteria);
   head.wait();
-  CHECK(head.preview()->violations.beyond_margin > 0);
+  CHECK(head.preview()->violations->beyond_margin > 0);
 
   head.clear();
   CHECK(head.result() == nullptr);

@@ -1,7 +1,9 @@
 // Models of any size, and models far from the origin: a certified mesh, or a sentence that says which digits
 // are lost.
+#include "base/snap.h"
 #include "run/complete_run.h"
 #include "run/coordinate_check.h"
+#include "run/report.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
@@ -80,6 +82,44 @@ TEST_CASE("Far from the origin the run says how many digits are left, and refuse
   }
   // Near enough the origin nothing is said.
   CHECK_FALSE(warned_of(*run_of(egg(1, {1e4, 0, 0}), {4, true})->scene, "digits"));
+}
+
+TEST_CASE("A box far along an axis has the mesh that it has at the origin") {
+  for (const double offset : {1e6, -1e8, 1e8, 1e9})
+    for (int axis = 0; axis < 3; ++axis) {
+      CAPTURE(offset);
+      CAPTURE(axis);
+      Vec3 at;
+      at[axis] = offset;
+      TriangleSoup box;
+      testing::add_box(box, at, at + Vec3{1, 1, 1});
+      const auto run = run_of(box, {6, true});
+      REQUIRE_MESSAGE(run->result.has_value(), (run->error ? run->error->line() : ""));
+      CHECK_FALSE(run->result->failure.has_value());
+      CHECK(run->result->certificate.holds());
+      CHECK(run->result->exit_status() == 0);
+      CHECK(run->result->mesh.points.size() <= 12);
+    }
+}
+
+TEST_CASE("The grid of points leaves room for their midpoints, and is 2^-40 of the size near the origin") {
+  const auto around = [](double x) { return Box3{{x - 1, -1, -1}, {x + 1, 1, 1}}; };
+  for (const double x : {0.0, 10.0, 1000.0}) CHECK(snap_unit(1, around(x)) == std::ldexp(1.0, -40));
+  for (const double x : {1e4, 1e8, -3e12}) {
+    const double unit = snap_unit(1, around(x)), a = unit * std::round(x / unit), b = a + unit;
+    CHECK(a < 0.5 * (a + b));
+    CHECK(0.5 * (a + b) < b);
+  }
+}
+
+TEST_CASE("A run that has to end before its last stage is no success, and says why in its report") {
+  auto run = run_of(egg(1), {8, true});
+  REQUIRE(run->result.has_value());
+  CHECK(run->result->exit_status() == 0);
+  run->result->failure = Error{ErrorCode::unsupported, "The digits do not suffice.", ""};
+  CHECK(run->result->exit_status() == 1);
+  CHECK(report_json(run->parameters, *run->scene, *run->result, {}).find("The digits do not suffice.") !=
+        std::string::npos);
 }
 
 TEST_CASE("Digits are counted where the model lies") {

@@ -147,6 +147,51 @@ TEST_CASE("Holes are filled with what Z has there, and that is no part of what i
   for (const RimLoop& loop : loops) CHECK((loop.flatness > 0.1) == (loop.length > 2));
 }
 
+TEST_CASE("What fills the holes of the final mesh has no vertices of its own") {
+  const auto finish = [](const char* fill) {
+    CompleteRun run(gallery_parameters("hemisphere"));
+    run.parameters.until = Stage::improve;
+    run.parameters.effort = 0;
+    run.parameters.fill.holes = fill;
+    if (!run.run()) FAIL(run.error->line());
+    for (const std::string& failure : run.result->certificate.failures) MESSAGE(failure);
+    return std::move(*run.result);
+  };
+  const RunResult kept = finish("none"), filled = finish("all");
+  CHECK(kept.certificate.holds());
+  CHECK(kept.certificate.boundary_loops == 1);
+  CHECK(filled.certificate.holds());
+  CHECK(filled.certificate.closed_manifold);
+  CHECK(filled.certificate.euler_characteristic == 2);
+  CHECK(filled.certificate.intersection_free);
+  CHECK(filled.mesh.points == kept.mesh.points);
+  CHECK(filled.mesh.triangles.size() == 2 * kept.mesh.points.size() - 4);
+  CHECK(std::count(filled.holes.facets.begin(), filled.holes.facets.end(), 1) ==
+        std::ssize(filled.mesh.triangles) - std::ssize(kept.mesh.triangles));
+}
+
+TEST_CASE("Sheets end as they were cut: known answers of the whole way" * doctest::test_suite("soak")) {
+  struct Case {
+    const char* name;
+    TriangleSoup soup;
+    double percent;
+    long chi;
+    std::size_t loops;
+  };
+  const Case cases[] = {{"hemisphere", make_hemisphere(16), 3, 1, 1},
+                        {"annulus", strip(0), 3, 0, 2},
+                        {"ball with four holes", ball_with_holes(), 3, -2, 4}};
+  for (const Case& c : cases) {
+    CAPTURE(c.name);
+    CompleteRun run(open_parameters(c.percent));
+    run.parameters.until = Stage::improve;
+    run.parameters.effort = 0;
+    run.soup = shared(c.soup);
+    if (!run.run()) FAIL(run.error->line());
+    check_certified(run, c.chi, c.loops);
+  }
+}
+
 TEST_CASE("Bundled open models are what their cards say, at any number of threads the same") {
   for (const GalleryEntry& entry : gallery()) {
     if (entry.boundary_loops == 0) continue;

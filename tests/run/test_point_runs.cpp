@@ -1,15 +1,22 @@
 // Whole runs on points: noise, outliers, blobs, gaps, two scans, and soups that are taken as points.
 #include "base/parallel.h"
 #include "input/gallery.h"
+#include "input/mesh_io.h"
 #include "run/complete_run.h"
 #include "run/report.h"
 #include "run/statistics.h"
 #include "support/clouds.h"
+#include "support/models.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
+#include <utility>
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -46,6 +53,15 @@ void check_sphere(CompleteRun& run) {
   CHECK(deep_regions(*run.scene) == 2);
   REQUIRE(run.result->points);
   CHECK(run.result->points->kept.percentile_99 < 1.5 * run.scene->delta);
+}
+
+/// Those that some site stands for.
+std::vector<std::uint32_t> kept_points(const PointField& field) {
+  std::vector<std::uint32_t> ids;
+  const std::vector<bool> kept = field.kept();
+  for (std::uint32_t i = 0; i < kept.size(); ++i)
+    if (kept[i]) ids.push_back(i);
+  return ids;
 }
 
 bool warned(const Scene& scene, const std::string& words) {
@@ -143,12 +159,16 @@ TEST_CASE("tolerances outside of the interval are told, by the end that is left"
   const auto small = run_of(points, {2, true});
   REQUIRE_FALSE(small->prepare());
   CHECK(small->error->code == ErrorCode::open_surface);
-  CHECK(small->error->message.find("encloses nothing") != std::string::npos);
+  CHECK(small->error->message.find("encloses nothing: it has holes") != std::string::npos);
   CHECK(small->error->remedy.find("--tolerance auto") != std::string::npos);
   const auto large = run_of(points, {0.85, false});
   const bool prepared = large->prepare();
   CHECK((prepared ? warned(*large->scene, "closed up")
                   : large->error->message.find("encloses nothing") != std::string::npos));
+  const auto larger = run_of(points, {1.5, false});
+  REQUIRE_FALSE(larger->prepare());
+  CAPTURE(larger->error->message);
+  CHECK(larger->error->message.find("the inside is closed up") != std::string::npos);
   std::vector<Vec3> sheet;
   for (int i = 0; i < 1000; ++i) sheet.push_back({random.unit(), random.unit(), 0});
   const auto open = run_of(sheet);
@@ -182,4 +202,75 @@ TEST_CASE("the journal of points is the same on any number of threads") {
     digests.insert(digest(*run->journal));
   }
   CHECK(digests.size() == 1);
+}
+
+TEST_CASE("every facet is within δ of the witnessed distance, by all sites asked for many places") {
+  Random random(7);
+  const auto run = run_of(sphere_points(random, 1500, 1, 0.02));
+  run->parameters.until = Stage::improve;
+  run->parameters.effort = 0;
+  if (!run->run()) FAIL(run->error->line());
+  REQUIRE(run->result->certificate.holds());
+  // By the definition: the mean of the k nearest points and their mean squared distance from it.
+  const std::vector<Vec3>& points = run->scene->points->points->points;
+  const std::size_t k = run->scene->points->neighbors;
+  std::vector<std::pair<Vec3, double>> sites;
+  for (const std::uint32_t i : kept_points(*run->scene->points)) {
+    std::vector<Vec3> near = points;
+    std::nth_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(k), near.end(),
+                     [&](Vec3 a, Vec3 b) { return distance(a, points[i]) < distance(b, points[i]); });
+    Vec3 mean;
+    for (std::size_t j = 0; j < k; ++j) mean += near[j] / static_cast<double>(k);
+    double weight = 0;
+    for (std::size_t j = 0; j < k; ++j) weight += squared_length(near[j] - mean) / static_cast<double>(k);
+    sites.emplace_back(mean, weight);
+  }
+  const TriangleMesh& mesh = run->result->mesh;
+  double most = 0;
+  constexpr int steps = 8;
+  for (const auto& t : mesh.triangles)
+    for (int a = 0; a <= steps; ++a)
+      for (int b = 0; a + b <= steps; ++b) {
+        const Vec3 p = mesh.points[t[0]] + (mesh.points[t[1]] - mesh.points[t[0]]) * (a / double{steps}) +
+                       (mesh.points[t[2]] - mesh.points[t[0]]) * (b / double{steps});
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [center, weight] : sites)
+          least = std::min(least, squared_length(p - center) + weight);
+        most = std::max(most, std::sqrt(least));
+      }
+  CHECK(most <= run->scene->delta * (1 + 1e-9));
+  CHECK(most > 0.5 * run->scene->delta);
+}
+
+TEST_CASE("known answers of full size, to the end" * doctest::test_suite("soak")) {
+  const auto finish = [](CompleteRun& run) {
+    run.parameters.until = Stage::improve;
+    run.parameters.effort = 0;
+    if (!run.run()) FAIL(run.error->line());
+    for (const std::string& failure : run.result->certificate.failures) MESSAGE(failure);
+    CHECK(run.result->certificate.holds());
+    CHECK(run.result->certificate.components == 1);
+    return run.result->certificate.euler_characteristic;
+  };
+  Random random(8);
+  SUBCASE("a sphere of 20,000 points with 1 % of noise and 5 % of outliers") {
+    std::vector<Vec3> points = sphere_points(random, 20000, 1, 0.02);
+    add_outliers(random, points, 1000, around);
+    const auto run = run_of(std::move(points));
+    CHECK(finish(*run) == 2);
+    CHECK(deep_regions(*run->scene) == 2);
+  }
+  const auto noisy = [&](const char* name, std::size_t n, double share) -> std::optional<std::vector<Vec3>> {
+    const auto file = demo_model(name);
+    if (!file) return {};
+    const auto soup = read_mesh(*file);
+    REQUIRE(soup.ok());
+    return surface_points(random, *soup, n, share * soup->bounds().longest_edge());
+  };
+  SUBCASE("elephant, 0.5 % of noise") {
+    if (auto points = noisy("elephant.off", 40000, 0.005)) finish(*run_of(*std::move(points)));
+  }
+  SUBCASE("knot, 0.5 % of noise") {
+    if (auto points = noisy("knot1.off", 40000, 0.005)) CHECK(finish(*run_of(*std::move(points))) == 0);
+  }
 }

@@ -1,4 +1,5 @@
 // The report has the keys it promises, with the run's own figures.
+#include "run/recorded_run.h"
 #include "run/report.h"
 
 #include "run/complete_run.h"
@@ -95,6 +96,23 @@ TEST_CASE("The report tells every stage of a journal and whether Z left T") {
   run.result->form = ZeroForm::embedded;
   const Json embedded = Json::parse(report_json(run.parameters, *run.scene, *run.result, stages));
   CHECK(embedded["output"]["embedding"] == "T");
+}
+
+TEST_CASE("Where any topology will do none is called expected, in the report and when it is read again") {
+  CompleteRun run(gallery_parameters("sphere"));
+  REQUIRE(run.run());
+  using Topology = Certificate::Topology;
+  for (const Topology topology :
+       {Topology::as_expected, Topology::wrong, Topology::missed, Topology::not_asked}) {
+    run.result->certificate.topology = topology;
+    const RecordingEnd end = recording_end(run.parameters, *run.scene, *run.result, *run.journal);
+    const Json told = Json::parse(end.report)["certificate"]["topology_as_expected"];
+    CHECK(told.is_null() == (topology == Topology::not_asked));
+    if (!told.is_null()) CHECK(told.get<bool>() == (topology == Topology::as_expected));
+    const auto read = recorded_result(end, *run.journal);
+    REQUIRE(read.ok());
+    CHECK(read->certificate.topology == topology);
+  }
 }
 
 TEST_CASE("Text files are written whole or not at all") {

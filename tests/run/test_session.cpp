@@ -5,6 +5,7 @@
 #include "questions/snapshot.h"
 #include "recording/recording_reader.h"
 #include "run/complete_run.h"
+#include "run/run_input.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,6 @@
 // The 2D section against brute force.
+#include "scene/sample_scope.h"
+#include "scene/section_attempt.h"
 #include "scene/section_geometry.h"
 #include "scene/section_view.h"
 
@@ -186,4 +188,46 @@ TEST_CASE("the section's camera shows the plane's coordinates upright") {
   const ScreenPoint up = project(camera, plane.lift({0.5, 0.75}), 400, 200);
   CHECK(up.x == doctest::Approx(200));
   CHECK(up.y == doctest::Approx(0).epsilon(1e-9));
+}
+
+TEST_CASE("a plane cuts a box in a convex polygon, and hatching stays within it") {
+  SectionPlane plane;
+  plane.origin = {0.5, 0.5, 0.5};
+  plane.axes = plane_axes({0, 0, 1});
+  const Box3 unit{{0, 0, 0}, {1, 1, 1}};
+  CHECK(cut_box(unit, plane).size() == 4);
+  plane.axes = plane_axes({1, 1, 1});
+  const auto hexagon = cut_box(unit, plane);
+  REQUIRE(hexagon.size() == 6);
+  for (const PlanePoint& p : hexagon) CHECK(std::hypot(p.u, p.v) == doctest::Approx(std::sqrt(0.5)));
+  plane.origin = {5, 5, 5};
+  CHECK(cut_box(unit, plane).empty());
+  const auto lines = hatch_lines(hexagon, 0.1);
+  CHECK(lines.size() >= 12);
+  for (const auto& line : lines)
+    for (const PlanePoint& p : line) CHECK(std::hypot(p.u, p.v) <= std::sqrt(0.5) + 1e-12);
+  CHECK(hatch_lines(hexagon, 0).empty());
+  CHECK(hatch_lines(hexagon, 1e-9).empty());
+}
+
+TEST_CASE("good samples are shown around the point that went in, or all of them") {
+  const StateSnapshot& state = *torus().state;
+  ViewSettings view;
+  StateSnapshot after = state;
+  after.event = Event{};
+  REQUIRE(!after.complex.vertices.empty());
+  after.inserted = VertexId(after.complex.vertices.size() - 1);
+  const Vec3 place = after.complex.position(after.inserted);
+  const SampleScope near(after, view);
+  std::size_t shown = 0;
+  for (const Vec3& p : state.samples->positions) shown += near.shows_good(p) ? 1u : 0u;
+  CHECK(near.shows_good(place));
+  CHECK(shown > 0);
+  CHECK(shown < state.samples->size() / 4);
+  view.near_samples = false;
+  for (const Vec3& p : state.samples->positions) CHECK(SampleScope(after, view).shows_good(p));
+  view.near_samples = true;
+  StateSnapshot before = state;
+  before.event.reset();
+  CHECK(SampleScope(before, view).shows_good({1e6, 0, 0}));
 }

@@ -58,6 +58,44 @@ TEST_CASE("a single tetrahedron cut 2-2 becomes six, three on each side") {
   CHECK(c == before);
 }
 
+namespace {
+
+/// A tetrahedron around the middle of an edge from `a` to `b`, the edge in it, split into four.
+Complex around_edge(Vec3 a, Vec3 b, const std::array<Vec3, 3>& ring) {
+  Complex c;
+  const auto add = [&](Vec3 p, double value) {
+    Vertex v;
+    v.position = p;
+    v.value = value;
+    c.vertices.push_back(v);
+  };
+  add(a, -1);
+  add(b, +1);
+  for (const Vec3 p : ring) add(p, -1);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    Tet t;
+    t.v = {VertexId(0), VertexId(1), VertexId(2 + k), VertexId(2 + (k + 1) % 3)};
+    c.tets.push_back(t);
+  }
+  return c;
+}
+
+} // namespace
+
+TEST_CASE("where a zero is no double the place beside it is taken that turns nothing over") {
+  const double far = std::ldexp(1.0, 30), step = std::ldexp(1.0, -22); // the spacing there
+  const std::array<Vec3, 3> wide{Vec3{far - 1, 1, 0}, Vec3{far - 1, -1, 1}, Vec3{far - 1, -1, -1}};
+  // The zero of the edge lies between two doubles, its rounding at an end of it.
+  const Complex tight = around_edge({far, 0, 0}, {far + step, 0, 0}, wide);
+  const auto none = mutual_tessellation(tight);
+  REQUIRE_FALSE(none.ok());
+  CHECK(none.error().code == ErrorCode::unsupported);
+  CHECK(none.error().message.find("The digits of the coordinates do not suffice") == 0);
+  CHECK(none.error().remedy.find("origin") != std::string::npos);
+  // With one double more between them there is a place.
+  CHECK(mutual_tessellation(around_edge({far, 0, 0}, {far + 3 * step, 0, 0}, wide)).ok());
+}
+
 TEST_CASE("tessellation and departure keep the vertices, the area and the topology of Z") {
   for (const char* model : {"sphere", "torus", "bracket"}) {
     CAPTURE(model);

@@ -160,6 +160,20 @@ TEST_CASE("A turned triangle's samples go with those around them, and so do the 
   CHECK(volume->open_sides()->side(p, volume->index().closest(p)) == up);
 }
 
+TEST_CASE("Sheets that cross are refused with a place on the line where they do") {
+  TriangleSoup cross = grid_sheet(8, [](double, double) { return true; });
+  TriangleSoup upright = cross;
+  for (Vec3& p : upright.points) p = {p.x, 0.55, p.y - 0.45};
+  append(cross, upright);
+  auto volume = build(cross, 0.05);
+  REQUIRE(volume.ok());
+  const auto samples = sample_boundary(*volume, 0.025, RunControl());
+  REQUIRE_FALSE(samples.ok());
+  CAPTURE(samples.error().message);
+  CHECK(samples.error().code == ErrorCode::unsupported);
+  CHECK(samples.error().message.find("sheets cross each other near (") != std::string::npos);
+}
+
 TEST_CASE("A sheet that ends on another one is refused with the place") {
   TriangleSoup fin = make_sphere(3);
   append(fin, grid_sheet(8, [](double, double) { return true; }));

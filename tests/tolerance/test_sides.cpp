@@ -1,4 +1,5 @@
 // Which side points are on where closed parts overlap, touch, lie inside each other or cannot be oriented.
+#include "tolerance/facet_copies.h"
 #include "tolerance/shapes.h"
 #include "tolerance/thin_parts.h"
 #include "tolerance/tolerance_volume.h"
@@ -107,6 +108,45 @@ TEST_CASE("the same body twice is that body") {
     if (inside_out) flip(soup, 12, 24);
     CHECK(wrong_sides(Analysed(soup), [](Vec3 p) { return within(p, {0, 0, 0}, {1, 1, 1}); }) == 0);
   }
+}
+
+TEST_CASE("facets that are there again are left out where what is left is closed and bounds the same") {
+  const auto rest = [](const TriangleSoup& soup) {
+    return without_needless_copies(std::make_shared<const TriangleSoup>(soup), RunControl());
+  };
+  const TriangleSoup soup = overlapping_boxes();
+  CHECK(rest(soup)->triangles == soup.triangles);
+  TriangleSoup twice = soup, own_points = soup, turned_first = soup, bodies = soup;
+  twice.triangles.push_back(twice.triangles[5]);
+  twice.triangles.push_back(twice.triangles[5]);
+  for (const auto v : soup.triangles[5]) own_points.points.push_back(soup.points[v]);
+  const auto last = static_cast<std::uint32_t>(own_points.points.size());
+  own_points.triangles.push_back({last - 2, last - 1, last - 3});
+  bodies.triangles.insert(bodies.triangles.end(), soup.triangles.begin(), soup.triangles.end());
+  for (const TriangleSoup& s : {twice, own_points, bodies}) CHECK(rest(s)->triangles == soup.triangles);
+  // Of two that run both ways the one that fits stays.
+  turned_first.triangles.push_back(turned_first.triangles[5]);
+  flip(turned_first, 5, 6);
+  const auto kept = rest(turned_first);
+  CHECK(kept->triangles.size() == soup.triangles.size());
+  CHECK(analyse_input(*kept).consistently_oriented);
+
+  // The common face of two boxes closes both, and of what is open nothing is left out.
+  TriangleSoup pair, open;
+  add_box(pair, {0, 0, 0}, {1, 1, 1});
+  add_box(pair, {1, 0, 0}, {2, 1, 1});
+  CHECK(rest(pair)->triangles == pair.triangles);
+  add_box(open, {0, 0, 0}, {1, 1, 1});
+  open.triangles.pop_back();
+  open.triangles.push_back(open.triangles[0]);
+  CHECK(rest(open)->triangles == open.triangles);
+  // A body in a cavity of its own shape fills it.
+  TriangleSoup filled;
+  add_box(filled, {0, 0, 0}, {3, 3, 3});
+  add_box(filled, {1, 1, 1}, {2, 2, 2});
+  flip(filled, 12, 24);
+  add_box(filled, {1, 1, 1}, {2, 2, 2});
+  CHECK(rest(filled)->triangles == filled.triangles);
 }
 
 TEST_CASE("boxes that share a face, an edge or a vertex are closed, and a face doubled elsewhere is one") {

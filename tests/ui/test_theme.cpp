@@ -1,9 +1,42 @@
 // Text is readable on every ground of every theme, and meanings keep their colours.
 #include "ui/theme.h"
 
+#include "journal/vocabulary.h"
+#include "scene/meanings.h"
+#include "scene/octree_fates.h"
+#include "scene/palette.h"
+
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
 using namespace isoscope;
+
+namespace {
+
+/// How far apart two colours look: their distance in Oklab, where black and white are 1 apart.
+double difference(Rgb a, Rgb b) {
+  const auto lab = [](Rgb color) {
+    std::array<double, 3> c{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double v = static_cast<double>((color >> (16 - 8 * i)) & 0xFF) / 255;
+      c[i] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    }
+    const double l = std::cbrt(0.4122214708 * c[0] + 0.5363325363 * c[1] + 0.0514459929 * c[2]),
+                 m = std::cbrt(0.2119034982 * c[0] + 0.6806995451 * c[1] + 0.1073969566 * c[2]),
+                 s = std::cbrt(0.0883024619 * c[0] + 0.2817188376 * c[1] + 0.6299787005 * c[2]);
+    return std::array{0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+                      1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+                      0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
+  };
+  const auto p = lab(a), q = lab(b);
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+} // namespace
 
 TEST_CASE("contrast of text is at least 4.5 to 1") {
   for (const ThemeKind theme : {ThemeKind::dark, ThemeKind::light, ThemeKind::paper}) {
@@ -33,6 +66,56 @@ TEST_CASE("meanings have the same colours everywhere") {
     CHECK(c.bad == 0xD55E00);
     CHECK(c.warning == 0xE69F00);
     CHECK(c.gamma == 0x0072B2);
+  }
+}
+
+TEST_CASE("every two meanings are told apart") {
+  CHECK(difference(0x000000, 0xFFFFFF) == doctest::Approx(1).epsilon(0.01));
+  for (std::size_t i = 0; i < meanings.size(); ++i)
+    for (std::size_t j = i + 1; j < meanings.size(); ++j) {
+      CAPTURE(std::string(meanings[i].name));
+      CAPTURE(std::string(meanings[j].name));
+      CHECK(difference(meanings[i].color, meanings[j].color) > 0.035);
+    }
+}
+
+TEST_CASE("misoriented tetrahedra, condition 3 and their layer have one colour, and nothing else has it") {
+  constexpr int orientation = static_cast<int>(Condition::orientation);
+  for (const ThemeKind theme : {ThemeKind::dark, ThemeKind::light, ThemeKind::paper}) {
+    const Palette& c = palette(theme);
+    const SceneColors scene = scene_colors(theme);
+    CHECK(condition_color(theme, orientation) == meaning_color::misoriented);
+    CHECK(c.misoriented == meaning_color::misoriented);
+    CHECK(scene.misoriented == rgb(meaning_color::misoriented));
+    CHECK(scene.good == rgb(c.good));
+    CHECK(scene.bad == rgb(c.bad));
+    CHECK(scene.outer == rgb(c.outer));
+    CHECK(scene.inner == rgb(c.inner));
+    std::vector<Rgb> others{c.quiet, c.accent, c.good, c.bad,    c.warning,  c.gamma,
+                            c.outer, c.inner,  c.rim,  c.kernel, c.selection};
+    for (int i = 0; i < condition_count; ++i)
+      if (i != orientation) others.push_back(condition_color(theme, i));
+    for (const Stage stage : stages_in_order) others.push_back(stage_color(theme, stage));
+    for (const ReasonWords& reason : reason_table) others.push_back(reason.color);
+    for (const KindWords& kind : kind_table) others.push_back(kind.color);
+    for (std::size_t i = 0; i < fate_count; ++i)
+      others.push_back(fate_style(static_cast<OctreeCell::Fate>(i)).color);
+    for (const Rgb other : others) {
+      CAPTURE(other);
+      CHECK(difference(meaning_color::misoriented, other) > 0.1);
+    }
+  }
+}
+
+TEST_CASE("tetrahedra outside and inside of Z are not coloured like Ω") {
+  for (const ThemeKind theme : {ThemeKind::dark, ThemeKind::light, ThemeKind::paper}) {
+    const SceneColors c = scene_colors(theme);
+    for (const int label : {1, -1}) {
+      CHECK(side_color(label, false, c) != c.outer);
+      CHECK(side_color(label, false, c) != c.inner);
+    }
+    CHECK(side_color(1, true, c) == side_color(1, false, c));
+    CHECK(side_color(-2, true, c) == room_style(-2).color);
   }
 }
 

@@ -101,7 +101,7 @@ Status App::setup(const ProgramOptions& options) {
   m.talk.bookmarks_home = settings_path_;
   m.view.theme = options.theme.value_or(m.settings.theme);
   if (options.ui_scale > 0) m.settings.ui_scale = options.ui_scale / window_->content_scale();
-  scene_view_ = std::make_unique<SceneView>(*renderer_, m.probe, m.investigation);
+  scene_view_ = std::make_unique<SceneView>(*renderer_, m.probe, m.investigation, m.zero_maps);
   run_views_ = std::make_unique<RunViews>(*scene_view_, m.comparison);
   timeline_.emplace(m.debug, m.talk, m.investigation, m.comparison);
   overlays_.emplace(m);
@@ -126,8 +126,10 @@ Status App::setup(const ProgramOptions& options) {
 
 void App::save() {
   if (!model_ || settings_path_.empty()) return;
-  model_->settings.theme = model_->view.theme;
-  save_settings(settings_path_, model_->settings);
+  Settings kept = model_->settings;
+  kept.theme = model_->view.theme;
+  kept.panes = model_->kept_layout();
+  save_settings(settings_path_, kept);
 }
 
 void App::close() {
@@ -164,9 +166,27 @@ App::~App() {
 }
 
 void App::keys(CommandSink& commands) {
+  const bool in_menu = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   for (const KeyPress& press : window_->take_keys()) {
-    const Command* command =
-        press.alt ? nullptr : model_->commands.find(Chord{press.key, press.control, press.shift});
+    // Alt alone, or with the first letter of a menu, opens it; within it keys are the menu's.
+    if (press.key == GLFW_KEY_LEFT_ALT || press.alt) {
+      for (const std::string_view menu : menu_names)
+        if (press.key == GLFW_KEY_LEFT_ALT || press.key == menu.front()) {
+          commands.post("menu", {std::string(menu)});
+          break;
+        }
+      continue;
+    }
+    if (in_menu) {
+      const auto at = std::find(menu_names.begin(), menu_names.end(), model_->menu);
+      if (at != menu_names.end() && (press.key == GLFW_KEY_LEFT || press.key == GLFW_KEY_RIGHT)) {
+        const auto n = static_cast<std::ptrdiff_t>(menu_names.size());
+        const auto to = (at - menu_names.begin() + (press.key == GLFW_KEY_RIGHT ? 1 : n - 1)) % n;
+        commands.post("menu", {std::string(menu_names.at(static_cast<std::size_t>(to)))});
+      }
+      continue;
+    }
+    const Command* command = model_->commands.find(Chord{press.key, press.control, press.shift});
     if (command == nullptr) continue;
     // While text is typed, only what cannot be text is a command.
     const bool function_key = press.key >= GLFW_KEY_F1 && press.key <= GLFW_KEY_F25;
@@ -202,7 +222,14 @@ void App::take_drops() {
 
 void App::upload_thumbnails() {
   Thumbnails& thumbnails = overlays_->thumbnails();
-  if (model_->overlay != Overlay::gallery && model_->overlay != Overlay::welcome) return;
+  const Overlay over = model_->overlay;
+  if (over != Overlay::gallery && over != Overlay::welcome && over != Overlay::lessons) return;
+  if (const auto& lessons = bundled_lessons(); lessons && overlays_->lesson_textures.empty())
+    for (const Lesson& lesson : *lessons) {
+      const auto picture = decode_picture(picture_of(lesson));
+      overlays_->lesson_textures.push_back(
+          picture ? make_texture(picture->width, picture->height, picture->pixels.data()) : 0);
+    }
   thumbnails.begin(480, 300, [] { Window::wake(); });
   for (std::size_t i = 0; i < thumbnails.textures.size(); ++i)
     if (const auto picture = thumbnails.picture(i); picture && thumbnails.textures[i] == 0)
@@ -238,10 +265,14 @@ void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright
 
 void App::draw_talk(Ui& ui, ImVec2 size) {
   const bool lesson = model_->lessons.runner.shown() != nullptr;
-  const float bar = ui.px(lesson ? 96 : 48);
+  const bool covered = model_->overlay != Overlay::none;
+  const float bar = lesson ? panels::lesson_caption_height(ui, model_->lessons.runner, size.x)
+                           : panels::presenter_bar_height(ui, model_->talk, size.x);
+  float below = 0;
   {
     Pane pane("##view", {0, 0}, {size.x, size.y - bar}, false, {0, 0}, ui.colors.ground);
     run_views_->draw(ui);
+    if (!covered && !model_->comparison.beside()) below = panels::presenter_legend(ui, model_->talk, {0, 0});
   }
   {
     Pane pane("##talk", {0, size.y - bar}, {size.x, bar}, false, {0, 0}, ui.colors.panel);
@@ -250,9 +281,10 @@ void App::draw_talk(Ui& ui, ImVec2 size) {
     else
       panels::presenter_bar(ui, model_->talk);
   }
-  if (model_->overlay == Overlay::none && !lesson)
-    panels::slide_title(ui, model_->talk.bookmarks, {0, 0}, size.x);
-  panels::messages(ui, {ui.px(12), ui.px(64)}, std::min(size.x - ui.px(24), ui.px(560)));
+  constexpr double pointer_seconds = 1; ///< it rests before it goes
+  if (!covered && model_->clock - active_at_ > pointer_seconds) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  // Messages wait until the audience is gone.
+  if (!covered && !lesson) panels::slide_title(ui, model_->talk.bookmarks, {0, below}, size.x);
   overlays_->draw(ui, size);
 }
 
@@ -289,20 +321,31 @@ void App::draw_window(Ui& ui) {
     if (p.show_left) {
       Pane pane("##left", {0, middle_y + high + grip}, {left, middle_high - high - grip}, true, padding,
                 ui.colors.panel);
-      panels::parameters(ui, m.steering);
+      panels::parameters_foot(ui, m.steering);
+      ImGui::Separator();
+      panels::parameters(ui);
       ImGui::Separator();
       panels::layers(ui);
       ImGui::Separator();
       panels::clip_and_filter(ui);
     }
   } else if (left > 0) {
+    // What a slider does and the buttons are always in sight, but where nothing else would be.
+    const float foot = panels::parameters_foot_height(ui), rest = middle_high - foot - grip;
+    const bool pinned = rest >= ui.px(100);
     {
-      Pane pane("##left", {0, middle_y}, {left, middle_high}, true, padding, ui.colors.panel);
+      Pane pane("##left", {0, middle_y}, {left, pinned ? rest : middle_high}, true, padding, ui.colors.panel);
+      if (!pinned) panels::parameters_foot(ui, m.steering);
       panels::layers(ui);
       ImGui::Separator();
-      panels::parameters(ui, m.steering);
+      panels::parameters(ui);
       ImGui::Separator();
       panels::clip_and_filter(ui);
+    }
+    if (pinned) {
+      Pane pane("##parameters", {0, middle_y + rest + grip}, {left, foot}, false, {padding.x, ui.px(8)},
+                ui.colors.panel);
+      panels::parameters_foot(ui, m.steering);
     }
     splitter(ui, "##grip-left", {left, middle_y}, {grip, middle_high}, true, p.left, 1, 240, width * 0.35f);
   }
@@ -335,7 +378,7 @@ void App::draw_window(Ui& ui) {
     panels::coach_marks(ui, {{{{view_x, middle_y}, {view_end - view_x, middle_high}},
                               {{0, bottom_y}, {bottom > 0 ? size.x : 0, bottom}},
                               {{size.x - right, middle_y}, {right, middle_high}}}});
-  panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(46)},
+  panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(m.warnings().empty() ? 46 : 78)},
                    std::min(view_end - view_x - ui.px(24), ui.px(560)));
   overlays_->draw(ui, size);
 }

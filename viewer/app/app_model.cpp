@@ -12,8 +12,6 @@
 namespace isoscope {
 namespace {
 
-constexpr double note_seconds = 8; ///< after which what is no error goes away by itself
-
 /// From above right in front: depth is seen at once.
 CameraPose first_pose() {
   CameraPose pose;
@@ -28,8 +26,9 @@ CameraPose first_pose() {
 
 AppModel::AppModel(const std::function<void()>& notify)
     : WindowState(notify), probe(*this, notify), debug(*this, probe, notify), investigation(*this, notify),
-      talk(*this), exports(*this), comparison(debug, notify, [this] { forget_run(); }),
-      steering(debug, notify), lessons(*this, commands, values, exports),
+      zero_maps(*this, notify), talk(*this), exports(*this, probe, zero_maps),
+      comparison(debug, notify, [this] { forget_run(); }), steering(debug, comparison, notify),
+      lessons(*this, commands, values, exports),
       expected_genus_(std::make_shared<std::atomic<double>>(std::nan(""))) {
   debug.breakpoints->set_expected([expected = expected_genus_]() -> std::optional<double> {
     const double genus = expected->load();
@@ -48,6 +47,7 @@ void AppModel::add_commands() {
   debug.add_event_commands(commands);
   add_pace_commands(commands, *this);
   steering.add_run_commands(commands);
+  steering.add_parameter_commands(commands);
   steering.add_tolerance_commands(commands);
   debug.add_commands(commands);
   add_pick_commands(commands, *this);
@@ -58,6 +58,8 @@ void AppModel::add_commands() {
   investigation.add_commands(commands);
   comparison.add_commands(commands);
   add_view_commands(commands, *this);
+  add_section_commands(commands, *this, probe);
+  zero_maps.add_commands(commands);
   talk.add_commands(commands);
   lessons.add_commands(commands); // behind those whose keys they take while a lesson is on
   exports.add_commands(commands);
@@ -68,7 +70,9 @@ void AppModel::add_commands() {
 
 void AppModel::add_values() {
   steering.add_parameter_values(values);
+  steering.add_plan_values(values);
   add_view_values(values, *this);
+  zero_maps.add_values(values);
   add_run_values(values, *this);
   steering.add_tolerance_values(values);
   probe.add_values(values);
@@ -91,6 +95,7 @@ void AppModel::abandon() {
   probe.abandon();
   debug.abandon();
   investigation.abandon();
+  zero_maps.abandon();
   steering.abandon();
 }
 
@@ -151,6 +156,7 @@ void AppModel::watch_view() {
   unsigned unasked = 0;
   if (!camera.was_set()) unasked |= ViewHistory::camera;
   if (!section_set) unasked |= ViewHistory::section;
+  if (presenter.on && transport.moving()) unasked |= ViewHistory::selection; // of moments
   if (std::exchange(clip_placed_, false)) unasked |= ViewHistory::look;
   if (!state()) unasked = ~0u;
   history.observe(memento(), clock, dragging, unasked);
@@ -167,6 +173,12 @@ bool AppModel::update(double seconds) {
   watch_history();
   bool changed = phase != run.phase || running();
   changed |= index.update();
+  changed |= !scripted && clock - answer.since < AnswerInSight::flash;
+  // What a finished run was watched for is its certificate.
+  const bool ended = phase != SessionPhase::finished && run.phase == SessionPhase::finished && run.result;
+  if (ended && selection.picked.kind == Pick::Kind::none && settings.panes.show_right &&
+      transport.mode() == Transport::Mode::following)
+    bring_into_sight(AnswerKind::certificate);
   changed |= debug.update();
   transport.set_immediate(scripted);
   talk.update();
@@ -174,9 +186,10 @@ bool AppModel::update(double seconds) {
   changed |= transport.step() != step_before;
   request_state(view.tets.recent, comparison.history_share(), transport.moving());
   changed |= comparison.update(seconds);
+  for (const Message& m : messages) changed |= !scripted && m.strength(clock) < 1;
   if (!scripted)
     changed |= std::erase_if(messages, [&](const Message& m) {
-                 return !m.error && clock - m.since > note_seconds;
+                 return !m.error && clock - m.since > Message::shown;
                }) > 0;
 
   changed |= take_result();
@@ -186,6 +199,7 @@ bool AppModel::update(double seconds) {
   changed |= moment != view.moment || !probe.idle();
   probe.update();
   changed |= investigation.update();
+  changed |= zero_maps.update();
   changed |= camera.update(scripted ? 1.0 : seconds);
   watch_view();
   settled = state_is_current();
@@ -193,13 +207,13 @@ bool AppModel::update(double seconds) {
 }
 
 bool AppModel::state_is_current() const {
-  return is_current() && probe.idle() && investigation.idle() && debug.is_current() &&
+  return is_current() && probe.idle() && investigation.idle() && zero_maps.idle() && debug.is_current() &&
          comparison.is_current() && steering.idle();
 }
 
 bool AppModel::answers_taken() const {
-  return result_taken() && probe.idle() && investigation.idle() && comparison.at_rest() && steering.idle() &&
-         lessons.runner.idle();
+  return result_taken() && probe.idle() && investigation.idle() && zero_maps.idle() && comparison.at_rest() &&
+         steering.idle() && lessons.runner.idle();
 }
 
 } // namespace isoscope

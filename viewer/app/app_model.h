@@ -11,6 +11,7 @@
 #include "steering/steering.h"
 #include "talk/talk.h"
 #include "two_runs/comparison.h"
+#include "view/zero_maps.h"
 
 #include <atomic>
 #include <functional>
@@ -26,6 +27,7 @@ class AppModel : public WindowState {
   EdgeProbe probe;
   Debugger debug;
   Investigation investigation;
+  ZeroMaps zero_maps;
   Talk talk;
   Exports exports;
   Comparison comparison; ///< with the second run

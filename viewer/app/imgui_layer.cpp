@@ -49,6 +49,11 @@ void ImguiLayer::begin_frame(const MouseStep* mouse, double step) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
+  // Arrows and Enter go through open menus; everywhere else they are the window's own.
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  else
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   if (step >= 0) io.DeltaTime = static_cast<float>(std::max(step, 1e-4));
   if (mouse != nullptr) {
     io.MousePos = {mouse->x, mouse->y};

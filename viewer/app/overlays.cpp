@@ -1,9 +1,9 @@
 // Gallery, help, palette and about.
 #include "app/overlays.h"
 
+#include "app/lesson_cards.h"
 #include "app/welcome.h"
-
-#include "command/command_search.h"
+#include "base/folded.h"
 #include "input/gallery.h"
 #include "journal/vocabulary.h"
 #include "model/words.h"
@@ -11,11 +11,20 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 
 namespace isoscope {
 namespace {
+
+/// Of the help: one a menu, then the rest.
+constexpr auto help_sections = [] {
+  std::array<const char*, menu_names.size() + 3> sections{};
+  for (std::size_t i = 0; i < menu_names.size(); ++i) sections.at(i) = menu_names.at(i).data();
+  sections.at(menu_names.size()) = "No menu";
+  sections.at(menu_names.size() + 1) = "Reasons";
+  sections.at(menu_names.size() + 2) = "Values";
+  return sections;
+}();
 
 void heading(Ui& ui, const char* title, const char* note) {
   ImGui::PushFont(ui.fonts.title);
@@ -26,13 +35,6 @@ void heading(Ui& ui, const char* title, const char* note) {
   if (widgets::icon_button(ui, "close", icon::close)) ui.commands.post("clear");
   widgets::quiet_text(ui, note, true);
   ImGui::Dummy({0, ui.px(6)});
-}
-
-bool contains_folded(std::string_view text, std::string_view part) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
 void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size) {
@@ -97,33 +99,11 @@ void drop_zone(Ui& ui, ImVec2 size) {
                      to_u32(hovered ? ui.colors.text : ui.colors.quiet), text);
 }
 
-/// The way to the lessons, and the first of them.
-void lesson_row(Ui& ui) {
-  const auto& lessons = bundled_lessons();
-  if (!lessons) return;
-  constexpr std::size_t most = 4;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(icon::graduation);
-  ImGui::SameLine();
-  widgets::bold_text(ui, "Lessons");
-  for (std::size_t i = 0; i < std::min(lessons->size(), most); ++i) {
-    const Lesson& lesson = (*lessons)[i];
-    ImGui::SameLine(0, ui.px(10));
-    if (widgets::plain_button(ui, (std::to_string(lesson.number) + "  " + lesson.title).c_str()))
-      ui.commands.post("lesson", {lesson.name});
-  }
-  ImGui::SameLine(0, ui.px(10));
-  if (widgets::plain_button(ui, ("All " + std::to_string(lessons->size())).c_str()))
-    ui.commands.post("lesson");
-}
-
 } // namespace
 
 void Overlays::gallery(Ui& ui) {
   heading(ui, "Gallery",
-          "Bundled models, each with what it teaches. A click opens it and refinement begins.");
-  lesson_row(ui);
-  ImGui::Dummy({0, ui.px(2)});
+          "Lessons, and bundled models, each with what it teaches. A click opens it and refinement begins.");
   ImGui::BeginChild("cards", {0, -ui.px(66)});
   constexpr int columns = 3;
   const float gap = ui.px(14),
@@ -131,6 +111,7 @@ void Overlays::gallery(Ui& ui) {
   const ImVec2 size{width, ui.px(226)};
   int column = 0;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  panels::lesson_cards(ui, lesson_textures);
   for (std::size_t i = 0; i < isoscope::gallery().size(); ++i) {
     card(ui, isoscope::gallery()[i], i < thumbnails_.textures.size() ? thumbnails_.textures[i] : 0, size);
     if (++column % columns != 0) ImGui::SameLine(0, gap);
@@ -146,17 +127,39 @@ void Overlays::help(Ui& ui) {
           "Every command with its key; scripts use the name on the left. In the view: left-drag turns, "
           "Shift-left- or right-drag moves, the wheel zooms to the cursor, a click selects, a double-click "
           "sets the centre.");
-  ImGui::SetNextItemWidth(ui.px(320));
+  ImGui::SetNextItemWidth(ui.px(230));
   ImGui::InputTextWithHint("##help", (std::string(icon::search) + "  filter").c_str(), query_.data(),
                            query_.size());
+  {
+    const widgets::Font font(ui.fonts.small);
+    for (std::size_t i = 0; i < help_sections.size(); ++i) {
+      ImGui::SameLine(0, ui.px(i == 0 ? 14 : 4));
+      if (ImGui::GetContentRegionAvail().x < ui.px(70)) break;
+      if (widgets::plain_button(ui, help_sections.at(i), true, 0, ui.px(24))) section_ = static_cast<int>(i);
+    }
+  }
   ImGui::BeginChild("commands", {0, 0});
   ImGui::PushFont(ui.fonts.small);
   if (ImGui::BeginTable("table", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(250));
     ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, ui.px(130));
     ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+    std::optional<std::size_t> section; // whose heading is still to come, with its first row
+    const auto heading_row = [&](std::size_t i) {
+      ImGui::TableNextRow(0, ui.px(30));
+      ImGui::TableNextColumn();
+      if (section_ == static_cast<int>(i)) {
+        ImGui::SetScrollHereY(0);
+        section_ = -1;
+      }
+      ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, to_u32(ui.colors.accent, 0.14f));
+      ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(6));
+      widgets::bold_text(ui, help_sections.at(i));
+    };
+    // Whether it is drawn.
     const auto row = [&](const std::string& name, const std::string& key, std::string_view text) {
-      if (!contains_folded(name + " " + key + " " + std::string(text), query_.data())) return;
+      if (!contains_folded(name + " " + key + " " + std::string(text), query_.data())) return false;
+      if (section) heading_row(*std::exchange(section, std::nullopt));
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       ImGui::PushFont(ui.fonts.mono);
@@ -170,22 +173,28 @@ void Overlays::help(Ui& ui) {
       ImGui::PushTextWrapPos(0);
       ImGui::TextUnformatted(text.data(), text.data() + text.size());
       ImGui::PopTextWrapPos();
+      return true;
     };
-    for (const Command& command : ui.table.all()) {
+    const auto keys_of = [](const Command& command) {
       std::string keys;
       for (const Chord& chord : command.keys) keys += (keys.empty() ? "" : ", ") + text(chord);
-      row(command.name + (command.usage.empty() ? "" : " " + command.usage), keys, command.help);
+      return keys;
+    };
+    for (std::size_t m = 0; m <= menu_names.size(); ++m) {
+      section = m;
+      // Those without a menu stand together.
+      const std::string_view menu = m < menu_names.size() ? menu_names.at(m) : std::string_view();
+      for (const Command& c : ui.table.all())
+        if (c.menu == menu) row(c.name + (c.usage.empty() ? "" : " " + c.usage), keys_of(c), c.help);
     }
-    for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
-      const ReasonWords& style = words(static_cast<Reason>(r));
-      const std::string word(name(static_cast<Reason>(r)));
-      if (!contains_folded(word + " " + std::string(style.title) + " " + std::string(style.help),
-                           query_.data()))
+    section = menu_names.size() + 1;
+    for (const ReasonWords& style : reason_table) {
+      if (!rejects(style.value) || !row(std::string(style.name), std::string(style.title), style.help))
         continue;
-      row(word, std::string(style.title), style.help);
       const ImVec2 low = ImGui::GetItemRectMin();
       widgets::glyph(ui, {low.x - ui.px(146), low.y + ui.px(7)}, 4.5f, style.color, style.shape);
     }
+    section = menu_names.size() + 2;
     for (const NamedValue& value : model_.values.all())
       row((value.set ? "set " : "expect ") + value.name, value.get(), value.help);
     ImGui::EndTable();
@@ -195,52 +204,73 @@ void Overlays::help(Ui& ui) {
 }
 
 void Overlays::palette(Ui& ui) {
-  if (shown_ != Overlay::palette) ImGui::SetKeyboardFocusHere();
+  if (shown_ != Overlay::palette || !completed_.empty()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##palette", (std::string(icon::search) + "  type a command").c_str(),
-                               query_.data(), query_.size()))
+  // A completed text leaves the cursor at its end.
+  const auto at_end = [](ImGuiInputTextCallbackData* data) {
+    auto& wanted = *static_cast<std::string*>(data->UserData);
+    if (wanted.empty()) return 0;
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, wanted.c_str());
+    wanted.clear();
+    return 0;
+  };
+  if (ImGui::InputTextWithHint("##palette",
+                               (std::string(icon::search) + "  a command, an event, an element, a setting, a "
+                                                            "lesson")
+                                   .c_str(),
+                               query_.data(), query_.size(), ImGuiInputTextFlags_CallbackAlways, at_end,
+                               &completed_))
     chosen_ = 0;
-  const std::vector<const Command*> found = search_commands(ui.table, query_.data());
-  const int count = static_cast<int>(found.size());
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) chosen_ = std::min(chosen_ + 1, count - 1);
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) chosen_ = std::max(chosen_ - 1, 0);
+  if (std::string(query_.data()) != found_for_ || shown_ != Overlay::palette) {
+    found_for_ = query_.data();
+    found_ = palette_entries(model_, found_for_);
+  }
+  const int count = static_cast<int>(found_.size());
+  bool moved = false;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)))
+    chosen_ = std::min(chosen_ + 1, count - 1), moved = true;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)))
+    chosen_ = std::max(chosen_ - 1, 0), moved = true;
   const bool entered = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
   ImGui::BeginChild("found", {0, 0});
-  if (found.empty()) widgets::quiet_text(ui, "No command says this.");
+  if (found_.empty()) widgets::quiet_text(ui, "Nothing says this.");
   for (int i = 0; i < count; ++i) {
-    const Command& command = *found[static_cast<std::size_t>(i)];
-    const bool enabled = command.is_enabled();
+    const PaletteEntry& entry = found_[static_cast<std::size_t>(i)];
     widgets::Row row(ui, 44);
     const bool pressed = row.button(static_cast<std::size_t>(i)), lit = i == chosen_;
+    if (lit && moved) ImGui::SetScrollHereY(0.6f);
     if (lit || row.hovered()) row.ground(lit ? ui.colors.accent : ui.colors.hover, lit ? 0.18f : 1.0f);
-    const float strength = enabled ? 1.0f : 0.5f;
+    const float strength = entry.enabled ? 1.0f : 0.5f;
     const ImVec2 at = row.at;
     ImDrawList& list = row.list;
-    if (command.icon)
+    if (entry.icon)
       widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(12), at.y + ui.px(14)},
-                         to_u32(ui.colors.quiet, strength), command.icon);
-    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)},
-                       to_u32(ui.colors.text, strength),
-                       command.title + (command.usage.empty() ? "" : "  " + command.usage));
+                         to_u32(ui.colors.quiet, strength), entry.icon);
+    const float room = row.width - ui.px(170);
+    {
+      const widgets::Font font(ui.fonts.ui);
+      widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(40), at.y + ui.px(4)},
+                         to_u32(ui.colors.text, strength), widgets::fitted(entry.title, room));
+    }
     const widgets::Font font(ui.fonts.small);
     widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(40), at.y + ui.px(23)},
-                       to_u32(ui.colors.quiet, strength),
-                       widgets::fitted(command.help, row.width - ui.px(170)));
-    if (!command.keys.empty() || !enabled) {
+                       to_u32(ui.colors.quiet, strength), widgets::fitted(entry.help, room));
+    if (!entry.key.empty() || !entry.enabled) {
       // Not by paleness alone: what cannot be done now says so where its key stands.
       const std::string key =
-          enabled ? text(command.keys.front())
-                  : (command.keys.empty() ? "" : text(command.keys.front()) + "  ") + "not now";
+          entry.enabled ? entry.key : (entry.key.empty() ? "" : entry.key + "  ") + "not now";
       const float extent = widgets::width_of(ui.fonts.mono, key);
       widgets::draw_text(list, ui.fonts.mono, {at.x + row.width - extent - ui.px(12), at.y + ui.px(14)},
                          to_u32(ui.colors.accent_text, strength), key);
     }
-    if (enabled && (pressed || (entered && i == chosen_))) {
-      ui.commands.post("clear");
-      // What is typed after the name are its arguments: "seek 120".
-      const CommandCall typed = ui.table.parse(query_.data());
-      ui.commands.post(command.name, typed.name == command.name ? typed.arguments : Arguments{});
+    if (!entry.enabled || !(pressed || (entered && i == chosen_))) continue;
+    if (!entry.complete.empty()) {
+      completed_ = entry.complete;
+      continue;
     }
+    ui.commands.post("clear");
+    ui.commands.post(entry.call.name, entry.call.arguments);
   }
   ImGui::EndChild();
 }
@@ -335,13 +365,13 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   case Overlay::welcome:
     heading(ui, "Isoscope",
             "A coarse mesh with the right topology, found inside a tolerance volume. Where to begin?");
-    panels::welcome(ui, thumbnails_);
+    panels::welcome(ui, thumbnails_, lesson_textures);
     break;
   case Overlay::lessons:
     heading(ui, "Lessons",
             "Prepared scenes with questions and things to try. PageDown and PageUp, or Enter and Backspace, "
             "turn the stops; P shows one to an audience.");
-    panels::lesson_list(ui);
+    panels::lesson_list(ui, lesson_textures);
     break;
   case Overlay::none:
     break;

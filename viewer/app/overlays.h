@@ -1,7 +1,7 @@
 // What lies over the whole window: gallery, files, help, command palette, about.
 #pragma once
 
-#include "app/app_model.h"
+#include "app/palette_entries.h"
 #include "export/export_dialog.h"
 #include "steering/file_browser.h"
 #include "talk/bookmarks_panel.h"
@@ -9,6 +9,9 @@
 #include "ui/ui.h"
 
 #include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace isoscope {
 
@@ -18,6 +21,8 @@ class Overlays {
   /// `size` is the window's.
   void draw(Ui& ui, ImVec2 size);
   Thumbnails& thumbnails() { return thumbnails_; }
+  /// The pictures of bundled_lessons(), which the program fills in: 0 where there is none.
+  std::vector<std::uint32_t> lesson_textures;
 
  private:
   void gallery(Ui& ui);
@@ -32,6 +37,10 @@ class Overlays {
   Thumbnails thumbnails_;
   std::array<char, 128> query_{};
   int chosen_ = 0;
+  std::vector<PaletteEntry> found_;
+  std::string found_for_; ///< what was typed
+  std::string completed_; ///< to be put into the field
+  int section_ = -1;      ///< of the help, to be scrolled to
   Overlay shown_ = Overlay::none;
 };
 

@@ -2,6 +2,7 @@
 #include "app/welcome.h"
 
 #include "input/gallery.h"
+#include "lesson/lesson.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -15,18 +16,18 @@ struct Way {
   const char* title;
   const char* text;
   const char* icon;
-  std::string_view model; ///< whose thumbnail is its picture
+  std::string_view model; ///< whose thumbnail is its picture, where it is no lesson
   const char* command;
   const char* argument;
 };
 
 constexpr std::array<Way, 3> ways{{
     {"Watch it work", "From a tolerance volume to a proven coarse mesh, stage by stage, in six minutes.",
-     icon::play, "bracket", "lesson", "whole-way"},
+     icon::play, "", "lesson", "whole-way"},
     {"Why did it fail?", "One edge, and every gate that may stop its collapse: the way through the debugger.",
-     icon::search, "knot", "lesson", "why-a-collapse-failed"},
+     icon::search, "", "lesson", "why-a-collapse-failed"},
     {"Your own model", "A surface, points, a grid or two surfaces: drop them here, or look for them.",
-     icon::upload, "", "open", ""},
+     icon::upload, "noisy-sphere", "open", ""},
 }};
 
 struct Mark {
@@ -42,12 +43,19 @@ constexpr std::array<Mark, coach_mark_count> marks{{
      "What is selected stands here: its numbers beside their limits, and what may be asked of it."},
 }};
 
-std::uint32_t picture_of(const Thumbnails& thumbnails, std::string_view model) {
-  const auto& all = gallery();
-  const auto at =
-      std::find_if(all.begin(), all.end(), [&](const GalleryEntry& e) { return e.name == model; });
+/// The texture of the entry of that name.
+template <class All>
+std::uint32_t named(const All& all, std::span<const std::uint32_t> textures, std::string_view name) {
+  const auto at = std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.name == name; });
   const auto i = static_cast<std::size_t>(at - all.begin());
-  return i < thumbnails.textures.size() ? thumbnails.textures[i] : 0;
+  return i < textures.size() ? textures[i] : 0;
+}
+
+std::uint32_t picture_for(const Way& way, const Thumbnails& thumbnails,
+                          std::span<const std::uint32_t> lessons) {
+  if (!way.model.empty()) return named(gallery(), thumbnails.textures, way.model);
+  const auto& all = bundled_lessons();
+  return all ? named(*all, lessons, way.argument) : 0;
 }
 
 void way_card(Ui& ui, const Way& way, std::uint32_t texture, ImVec2 size) {
@@ -82,13 +90,13 @@ void way_card(Ui& ui, const Way& way, std::uint32_t texture, ImVec2 size) {
 
 } // namespace
 
-void welcome(Ui& ui, const Thumbnails& thumbnails) {
+void welcome(Ui& ui, const Thumbnails& thumbnails, std::span<const std::uint32_t> lessons) {
   constexpr auto count = static_cast<float>(ways.size());
   const float gap = ui.px(14), width = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
   const ImVec2 size{width, width / 1.6f + ui.px(120)};
   for (std::size_t i = 0; i < ways.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
-    way_card(ui, ways[i], picture_of(thumbnails, ways[i].model), size);
+    way_card(ui, ways[i], picture_for(ways[i], thumbnails, lessons), size);
   }
   ImGui::Dummy({0, ui.px(4)});
   if (widgets::plain_button(ui, "All lessons")) ui.commands.post("lesson");

@@ -5,11 +5,14 @@
 #include "ui/ui.h"
 
 #include <array>
+#include <cstdint>
+#include <span>
 
 namespace isoscope::panels {
 
-/// Watch it work, why did it fail, your own model: a picture and a sentence each.
-void welcome(Ui& ui, const Thumbnails& thumbnails);
+/// Watch it work, why did it fail, your own model: a picture and a sentence each. `lessons`: the pictures of
+/// bundled_lessons(), 0 where there is none.
+void welcome(Ui& ui, const Thumbnails& thumbnails, std::span<const std::uint32_t> lessons);
 
 /// A part of the window that a mark points at.
 struct CoachPlace {

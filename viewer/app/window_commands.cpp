@@ -108,6 +108,18 @@ void add_window_commands(CommandTable& table, WindowState& m, const NamedValues&
               .help = "Text and controls in the monitor's own scale.",
               .keys = {{'0', true, true}},
               .run = does([&m] { change_scale(m, 0); })}});
+  table.add({{.name = "menu",
+              .title = "Open a menu",
+              .usage = "[File | Run | Select | Ask | View | Talk | Window | Help]",
+              .help = "Opens a menu, as Alt with its first letter does; Alt alone the first one. Arrows go "
+                      "through it.",
+              .run = [&m](const Arguments& a) -> Status {
+                const std::string_view wanted = a.empty() ? menu_names.front() : std::string_view(a[0]);
+                if (std::find(menu_names.begin(), menu_names.end(), wanted) == menu_names.end())
+                  return wrong_arguments("There is no such menu.");
+                m.open_menu = wanted;
+                return {};
+              }}});
   add_group(table, {.menu = "Help"},
             {{.name = "palette",
               .title = "Command palette",
@@ -143,6 +155,14 @@ void add_window_values(NamedValues& values, WindowState& m) {
                                                      "about", "bookmarks", "pictures", "lessons", "welcome"};
     return names.at(static_cast<std::size_t>(m.overlay));
   });
+  for (const PaneCommand& pane : panes) {
+    const std::string name(pane.name);
+    values.add(name, "whether that pane is shown",
+               [&m, shown = pane.shown] { return m.settings.panes.*shown; });
+    values.add(name + ".kept", "whether it is shown in the layout that is remembered",
+               [&m, shown = pane.shown] { return m.kept_layout().*shown; });
+  }
+  values.add("menu", "the menu that is open", [&m] { return m.menu.empty() ? std::string("none") : m.menu; });
   values.add("coach.closed", "first hints that are closed, as bits",
              [&m] { return int{m.settings.coach_closed}; });
 }

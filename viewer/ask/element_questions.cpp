@@ -2,6 +2,7 @@
 #include "ask/investigation.h"
 
 #include "model/words.h"
+#include "ui/answer.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -114,6 +115,7 @@ void advice(Ui& ui, const Investigation& asked) {
     return;
   }
   const auto found = asked.advice();
+  const widgets::AnswerRegion region(ui, AnswerKind::advice, found != nullptr);
   if (!found) {
     if (edge) widgets::quiet_text(ui, "other parameters: being tried …");
     return;

@@ -1,5 +1,6 @@
 // The inspector: everything about the picked element, its numbers beside their limits, every row a link.
 #include "ask/investigation.h"
+#include "ask/pinned_verdict.h"
 
 #include "criteria/height.h"
 #include "criteria/orientation.h"
@@ -7,6 +8,7 @@
 #include "edge/edge_inspector.h"
 #include "journal/describe.h"
 #include "model/words.h"
+#include "ui/answer.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -81,6 +83,27 @@ void vertex_details(Ui& ui, Investigation& asked, const std::shared_ptr<const St
     pick(ui, "tet", star.first->value);
 }
 
+/// Where the operation that led here is about the sample: what held of it before. The rest is of the state
+/// after it.
+void before_the_operation(Ui& ui, const StateSnapshot& s, std::uint32_t id, int label) {
+  if (!s.event || s.event->kind != EventKind::insertion || s.event->sample.value != id) return;
+  const Event& e = *s.event;
+  const bool judged = e.condition == Condition::classification;
+  widgets::subtitle(ui, "Before this operation");
+  if (judged) {
+    widgets::verdict_text(ui, !is_bad(e.value),
+                          !is_bad(e.value) ? "good, but beyond 1 − α" : "bad: f had the wrong sign here");
+    widgets::value_row(ui, "f(s)", short_number((1 - e.value) * (label > 0 ? 1 : -1)));
+    widgets::limit_bar(ui, "error ε(s)", e.value, e.limit, e.value <= e.limit, "", true);
+  } else {
+    widgets::quiet_text(ui,
+                        "It was no vertex of T; condition " + std::string(words(e.condition).title) +
+                            " chose it as the sample nearest to the circumcentre of a tetrahedron.",
+                        true);
+  }
+  widgets::subtitle(ui, "After it: a vertex of T");
+}
+
 void sample_details(Ui& ui, const Investigation& asked, const StateSnapshot& s, std::uint32_t id) {
   const bool classified = s.complex.form != ZeroForm::free;
   if (!s.samples || id >= s.samples->size() || (classified && id >= s.errors.size()))
@@ -96,6 +119,7 @@ void sample_details(Ui& ui, const Investigation& asked, const StateSnapshot& s, 
                      (label > 0 ? "+1  " : "−" + std::to_string(-label) + "  ") +
                          side_text(label, ui.window.has_rooms()),
                      label > 0 ? ui.colors.accent_text : ui.colors.inner);
+  before_the_operation(ui, s, id, label);
   if (classified) {
     widgets::value_row(ui, "f(s)", short_number((1 - error) * (label > 0 ? 1 : -1)));
     widgets::limit_bar(ui, "error ε(s)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(),
@@ -258,8 +282,11 @@ void run_summary(Ui& ui, const StateSnapshot& s) {
     widgets::value_row(ui, "samples", grouped(samples));
     if (s.samples && !s.samples->over_rim.empty())
       widgets::value_row(ui, "boundary samples B", grouped(s.samples->over_rim.size()));
-    widgets::value_row(ui, "bad samples", grouped(s.bad_samples),
-                       s.bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+    // Without samples nothing is judged, which is not "none is bad".
+    widgets::value_row(ui, "bad samples", samples ? grouped(s.bad_samples) : "–",
+                       !samples        ? ui.colors.quiet
+                       : s.bad_samples ? ui.colors.bad_text
+                                       : ui.colors.good_text);
   }
   const auto largest = static_cast<double>(s.largest_error);
   if (interpolated)
@@ -363,7 +390,7 @@ CertificateRow manifold_row(const Certificate& c) {
   const RowVerdict verdict = c.manifold ? RowVerdict::good : RowVerdict::bad;
   if (!c.regions.empty())
     return {"every region closed", verdict, "The boundary of each region is a closed 2-manifold."};
-  if (c.border)
+  if (c.border && c.boundary_loops > 0)
     return {"2-manifold with border", verdict,
             "Every edge has two triangles, or one on the border; every vertex one fan."};
   return {"closed 2-manifold", verdict, "Every edge has two triangles, every vertex one fan."};
@@ -372,6 +399,7 @@ CertificateRow manifold_row(const Certificate& c) {
 void certificate(Ui& ui) {
   const auto& result = ui.window.run.result;
   if (!result || ui.window.transport.step() < ui.window.live_step()) return;
+  const widgets::AnswerRegion region(ui, AnswerKind::certificate);
   const Certificate& c = result->certificate;
   widgets::bold_text(ui, c.holds() ? "Certified" : "Not certified");
   const auto judged = [](bool good) { return good ? RowVerdict::good : RowVerdict::bad; };
@@ -436,6 +464,16 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
         true);
     return;
   }
+  const bool at_end = m.run.result && m.transport.step() >= m.live_step(),
+             leaves_end = ui.window.inspected_end && !at_end;
+  ui.window.inspected_end = at_end;
+  if (leaves_end || !(picked == ui.window.inspected) || m.selection.event != ui.window.inspected_event) {
+    // What is selected anew begins at the top, and so does what no certificate stands below any more.
+    ui.window.inspected = picked;
+    ui.window.inspected_event = m.selection.event;
+    ui.window.answer.wanted = AnswerKind::none;
+    ImGui::SetScrollY(0);
+  }
   switch (picked.kind) {
   case Pick::Kind::vertex:
     vertex_details(ui, asked, state, picked.id);
@@ -477,6 +515,7 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
   if (picked.kind == Pick::Kind::none)
     widgets::quiet_text(ui, "Click an element in the view to inspect it; 1 to 4 restrict what a click hits.",
                         true);
+  pinned_verdict(ui, element_verdict(ui, probe, *state));
 }
 
 } // namespace isoscope::panels

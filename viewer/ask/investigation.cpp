@@ -271,7 +271,6 @@ void Investigation::update_point() {
 void Investigation::ask_check(bool search) {
   if (!window.state() || !window.run.journal) return;
   check_journal_ = window.run.journal;
-  reveal_check = true;
   check_.ask({window.run.journal, window.state(), window.run.scene, search});
 }
 

@@ -93,7 +93,6 @@ class Investigation {
   bool edge_advice = false;         ///< also ask the evaluator of edges over values: it takes a while
   bool topology_shown = false;      ///< follow the state shown
   std::vector<Segment3> loop_shown; ///< a loop of the rim that is looked at, marked while holes are listed
-  bool reveal_check = false, reveal_topology = false; ///< bring the answer into sight once it is there
 
   /// Once a frame: asks what is shown and stale. True while something is under way.
   bool update();

@@ -53,12 +53,18 @@ Status last_change(Investigation& m, const Arguments&) {
 Status toggle_topology(Investigation& m, const Arguments&) {
   bool& shown = m.topology_shown;
   shown = !shown;
-  if (shown) m.window.settings.panes.show_right = m.reveal_topology = true;
+  if (shown) m.window.bring_into_sight(AnswerKind::topology);
+  return {};
+}
+
+Status show_certificate(Investigation& m, const Arguments&) {
+  m.window.transport.follow();
+  m.window.bring_into_sight(AnswerKind::certificate);
   return {};
 }
 
 Status check_step(Investigation& m, bool search) {
-  m.window.settings.panes.show_right = true;
+  m.window.bring_into_sight(AnswerKind::check);
   m.ask_check(search);
   return {};
 }
@@ -152,7 +158,10 @@ void Investigation::add_commands(CommandTable& table) {
         .help = "Also asks the evaluator of selected edges over values of α and shrink.",
         .icon = icon::sliders,
         .keys = {{'Y'}},
-        .run = flips(edge_advice),
+        .run = does([this] {
+          edge_advice = !edge_advice;
+          if (edge_advice) window.bring_into_sight(AnswerKind::advice);
+        }),
         .checked = is_on(edge_advice)},
        {.name = "topology",
         .title = "Topology of Z",
@@ -160,6 +169,11 @@ void Investigation::add_commands(CommandTable& table) {
         .keys = {{'T'}},
         .run = on(*this, toggle_topology),
         .checked = is_on(topology_shown)},
+       {.name = "certificate",
+        .title = "Certificate of the result",
+        .help = "Goes to the end of the finished run and shows what is proven of its mesh.",
+        .run = on(*this, show_certificate),
+        .enabled = [this] { return window.run.result != nullptr; }},
        {.name = "check",
         .title = "Check everything at this step",
         .help = "Judges from scratch all that must hold at the step shown.",

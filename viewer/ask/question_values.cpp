@@ -51,8 +51,9 @@ void add_tet_questions(NamedValues& t, Investigation& m) {
         m.shrink = *n > 0 ? std::optional<double>(*n) : std::nullopt;
         return {};
       });
-  violations("misoriented", "tetrahedra that violate condition 3",
-             [](const StateSnapshot& s) { return misoriented_tets(s).size(); });
+  violations("misoriented", "tetrahedra that violate condition 3", [](const StateSnapshot& s) {
+    return s.orientation_judged ? std::optional(misoriented_tets(s).size()) : std::nullopt;
+  });
   violations("flat", "tetrahedra that carry Z below 2σ/α",
              [](const StateSnapshot& s) { return violating_tets(s, ViolationKind::flat).size(); });
   const auto tests = [&tet](const char* name, const char* help, auto counts) {
@@ -170,6 +171,7 @@ void add_topology_questions(NamedValues& t, Investigation& m) {
       "nan")("distance", "the largest d on the facet that a collapse of the improver left above δ, in δ",
              [&m](const RefusedFacet& facet) { return facet.distance / m.window.run.scene->delta; });
 
+  t.bind("topology.shown", "whether the topology of Z is judged and drawn", {}, m.topology_shown);
   using T = TopologyReport;
   const auto topology = t.readings("topology.", [&m] { return m.topology(); });
   topology("verdict", "whether Z has the expected topology",

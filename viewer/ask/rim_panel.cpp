@@ -96,7 +96,8 @@ void loop_row(Ui& ui, const LoopReport& loop, std::size_t index, bool fills, dou
     ui.commands.post("hole", {number, choices.at(static_cast<std::size_t>(chosen))});
   ImGui::PopID();
   widgets::tip(ui, "Keep or fill",
-               "Filled holes are closed with what Z has there, outside of Ω by intent. Takes effect with a "
+               "Filled holes are closed between the vertices of their borders, outside of Ω by intent. Takes "
+               "effect with a "
                "restart. §4.1");
   row.below();
 }
@@ -130,7 +131,7 @@ void head(Ui& ui, const RimReport& report) {
     widgets::tip(ui, label, tip);
   };
   button("Keep all", "keep", "Every hole stays open.");
-  button("Fill all", "fill", "Every hole is closed where what Z has there is a disc.");
+  button("Fill all", "fill", "Every hole is closed where that meets nothing of the surface.");
   button("Fill flat ones", "flat", "Holes that lie in a plane are closed.");
   const bool differs = !(ui.window.draft.fill == ui.window.run.parameters.fill);
   ImGui::SameLine(0, ui.px(10));

@@ -2,12 +2,12 @@
 #include "ask/investigation.h"
 
 #include "model/words.h"
+#include "ui/answer.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace isoscope::panels {
 namespace {
@@ -70,6 +70,7 @@ void component(Ui& ui, const ComponentReport& c, std::size_t index, double delta
 }
 
 void topology(Ui& ui, Investigation& asked, const StateSnapshot& s) {
+  const widgets::AnswerRegion region(ui, AnswerKind::topology, asked.topology_shown && asked.topology());
   title(ui, "Topology of Z");
   if (!asked.topology_shown) {
     if (widgets::plain_button(ui, "Judge each component", true, 0, ui.px(26))) ui.commands.post("topology");
@@ -79,7 +80,6 @@ void topology(Ui& ui, Investigation& asked, const StateSnapshot& s) {
   }
   const auto report = asked.topology();
   if (!report) return widgets::quiet_text(ui, "being judged …");
-  if (std::exchange(asked.reveal_topology, false)) ImGui::SetScrollHereY(0.1f);
   widgets::quiet_text(ui, report->words, true);
   const double delta = s.criteria.unit();
   constexpr std::size_t most = 8;
@@ -129,6 +129,7 @@ void invariant_row(Ui& ui, std::size_t i, const InvariantVerdict& v) {
 }
 
 void validity(Ui& ui, Investigation& i, const StateSnapshot& s) {
+  const widgets::AnswerRegion region(ui, AnswerKind::check, !i.checking() && i.check() != nullptr);
   title(ui, "Is everything valid?");
   if (i.checking()) {
     const double done = i.check_fraction();
@@ -145,7 +146,6 @@ void validity(Ui& ui, Investigation& i, const StateSnapshot& s) {
                "Where the step shown is not valid: bisection over the journal. Key Shift+K.");
   const auto answer = i.check();
   if (!answer) return;
-  if (std::exchange(i.reveal_check, false)) ImGui::SetScrollHereY(0.1f);
   if (answer->report.step != s.step) widgets::quiet_text(ui, "step " + grouped(answer->report.step) + ":");
   for (std::size_t k = 0; k < invariant_count; ++k) invariant_row(ui, k, answer->report.verdicts[k]);
   if (!answer->first) return;

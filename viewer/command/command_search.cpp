@@ -1,16 +1,13 @@
 // Scores of a subsequence, and the order they give.
 #include "command/command_search.h"
 
+#include "base/folded.h"
+
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 namespace isoscope {
 namespace {
-
-char folded(char c) {
-  return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
 
 bool word_begins(std::string_view text, std::size_t at) {
   return at == 0 || text[at - 1] == ' ' || text[at - 1] == '-';
@@ -57,10 +54,7 @@ std::vector<const Command*> search_commands(const CommandTable& table, std::stri
     if (!typed.empty()) {
       score = std::max(fuzzy_score(typed, command.title), fuzzy_score(typed, command.name));
       // In sentences any letters are found in order: there the text itself must stand.
-      const auto same = [](char a, char b) { return folded(a) == folded(b); };
-      const bool told = std::search(command.help.begin(), command.help.end(), typed.begin(), typed.end(),
-                                    same) != command.help.end();
-      if (!score && told) score = -1000;
+      if (!score && contains_folded(command.help, typed)) score = -1000;
       if (command.name == name) score = 100000;
     }
     if (score) scored.emplace_back(*score, &command);

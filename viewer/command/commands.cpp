@@ -90,6 +90,13 @@ std::optional<std::size_t> whole_argument(const Arguments& a, std::size_t at, st
   return static_cast<std::size_t>(*number);
 }
 
+std::optional<std::array<float, 2>> pixels_of(const Arguments& a) {
+  if (a.size() != 2) return std::nullopt;
+  const auto dx = read_number(a[0]), dy = read_number(a[1]);
+  if (!dx || !dy) return std::nullopt;
+  return std::array{static_cast<float>(*dx), static_cast<float>(*dy)};
+}
+
 Result<long> count_argument(const Arguments& a, const std::string& things) {
   if (a.empty()) return 1L;
   const auto n = whole_argument(a, 0, 1, 1000000000);
@@ -98,7 +105,11 @@ Result<long> count_argument(const Arguments& a, const std::string& things) {
 }
 
 void CommandTable::add(std::initializer_list<Command> commands) {
-  commands_.insert(commands_.end(), commands);
+  if (commands.size() > 1) begin_group();
+  for (const Command& command : commands) {
+    commands_.push_back(command);
+    commands_.back().group = group_;
+  }
 }
 
 void CommandTable::move_to_end(std::string_view name) {

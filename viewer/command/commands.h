@@ -4,8 +4,10 @@
 
 #include "base/status.h"
 
+#include <array>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,6 +43,7 @@ struct Command {
   std::function<bool()> checked{}; ///< not where there is none
   bool raw = false;                ///< takes the rest of the line as it is: a condition, JSON
   bool for_scripts = false;        ///< makes sense in scripts alone: not in the palette
+  int group = 0;                   ///< menus draw a line between groups; the table sets it
 
   bool is_enabled() const { return !enabled || enabled(); }
   bool is_checked() const { return checked && checked(); }
@@ -65,6 +68,10 @@ inline auto is_on(const bool& place) {
   return [&place] { return place; };
 }
 
+/// The menus, from left to right.
+inline constexpr std::array<std::string_view, 8> menu_names{"File", "Run",  "Select", "Ask",
+                                                            "View", "Talk", "Window", "Help"};
+
 /// A command with its arguments, as panels ask for it.
 struct CommandCall {
   std::string name;
@@ -82,12 +89,16 @@ inline Error usage(std::string what) {
 std::optional<double> number_argument(const Arguments& a, std::size_t at, double low, double high);
 std::optional<std::size_t> whole_argument(const Arguments& a, std::size_t at, std::size_t low,
                                           std::size_t high = 4000000000);
+/// Two arguments, and no others, as a way on the screen.
+std::optional<std::array<float, 2>> pixels_of(const Arguments& a);
 /// The first argument as a count of `things`, 1 without it.
 Result<long> count_argument(const Arguments& a, const std::string& things);
 
 class CommandTable {
  public:
+  /// Several at once are a group of their own, one joins the group before it.
   void add(std::initializer_list<Command> commands);
+  void begin_group() { ++group_; }
   /// In the order of menus and help.
   const std::vector<Command>& all() const { return commands_; }
   /// The menu of files ends with it.
@@ -102,6 +113,7 @@ class CommandTable {
 
  private:
   std::vector<Command> commands_;
+  int group_ = 0;
 };
 
 /// Where panels put what they want done.
@@ -118,6 +130,7 @@ class CommandSink {
 
 /// Adds them; what one leaves out of menu and `enabled` it takes from `common`.
 inline void add_group(CommandTable& table, const Command& common, std::initializer_list<Command> commands) {
+  table.begin_group();
   for (Command command : commands) {
     if (command.menu.empty()) command.menu = common.menu;
     if (!command.enabled) command.enabled = common.enabled;

@@ -31,7 +31,8 @@ Status NamedValues::judge(const std::string& name, const std::string& op, const 
   if (std::find(operators.begin(), operators.end(), op) == operators.end())
     return wrong_value(op, "== != < <= > or >=");
   const std::string found = value->get();
-  const NamedValue* other = find(word);
+  // What a value is called may also be what another one is.
+  const NamedValue* other = found == word ? nullptr : find(word);
   const std::string wanted = other != nullptr ? other->get() : word;
   const auto a = read_number(found), b = read_number(wanted);
   const bool numbers = a && b;

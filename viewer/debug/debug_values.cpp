@@ -1,5 +1,6 @@
 // What scripts can expect of the debugger.
 #include "debug/debugger.h"
+#include "debug/lane_events.h"
 
 namespace isoscope {
 
@@ -22,6 +23,16 @@ void Debugger::add_values(NamedValues& t) {
   of_hit("id", "the breakpoint of the last hit", [](const auto& hit) { return hit.id; });
   t.add("event.here", "the event at which one stands", [this] { return current_event(); });
   t.add("events.listed", "events that the list shows", [this] { return listed.rows().size(); });
+  t.add("events.first", "the event in the first row of the list",
+        [this] { return listed_rows().empty() ? std::string("nan") : std::to_string(listed_rows()[0]); });
+  t.add("events.sort", "the column that the list is sorted by, with - for the largest first", [this] {
+    const EventSort s = window.event_sort;
+    return (s.descending ? "-" : "") + std::string(event_column_names.at(static_cast<std::size_t>(s.column)));
+  });
+  t.add("lane", "the lane that the list shows alone", [this] {
+    const std::string lane = shown_lane(*this);
+    return lane.empty() ? std::string("none") : lane;
+  });
   t.add("filters", "saved filters", [this] { return window.settings.filters.size(); });
   t.add("lane.events", "events of the saved filters together", [this] {
     std::size_t events = 0;

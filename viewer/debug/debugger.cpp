@@ -1,6 +1,8 @@
 // Hits, answers and lists, frame by frame.
 #include "debug/debugger.h"
 
+#include "base/numbers.h"
+
 namespace isoscope {
 namespace {
 
@@ -65,7 +67,10 @@ bool Debugger::tell_pause() {
   const auto hit = breakpoints->last_hit();
   if (hit && hit->note() == window.run.pause_note && hit->event < events) {
     show_event(hit->event);
-    window.tell("Stopped at " + hit->note() + ".");
+    std::string number;
+    for (const BreakpointState& b : breakpoints->list())
+      if (b.id == hit->id) number = ", hit " + grouped(b.hits);
+    window.tell("Stopped at " + hit->note() + number + ".");
     return true;
   }
   if (window.run.pause_note == stepping_note && events > 0) {

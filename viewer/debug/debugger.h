@@ -2,6 +2,7 @@
 // on three levels.
 #pragma once
 
+#include "debug/event_order.h"
 #include "debug/filtered_events.h"
 #include "edge/probe.h"
 #include "model/worker.h"
@@ -71,6 +72,10 @@ class Debugger {
   void search(std::vector<std::shared_ptr<const Expression>> expressions, Direction direction, bool goes_on);
   /// Gathers what the event list shows.
   void gather_listed();
+  /// What it shows, in its order.
+  const std::vector<std::uint32_t>& listed_rows() const {
+    return order_.of(listed, window.index, window.event_sort);
+  }
 
   /// The gates of the event at which one stands, in their order; empty where it has none, or while the X-ray
   /// is made.
@@ -99,6 +104,7 @@ class Debugger {
   Status advance(long n, int direction, bool (*wanted)(const Event&));
 
   Worker<QueryRequest, QueryMatch> worker_;
+  mutable EventOrder order_;   ///< kept from frame to frame
   bool armed_ = false;         ///< the session asks the breakpoints
   std::uint64_t searches_ = 0; ///< number of the search asked for last
   std::uint64_t told_ = 0;     ///< number of the last one whose answer was told or dropped

@@ -1,5 +1,6 @@
 // Commands on the events of the journal: going to them, filtering them, showing their witnesses.
 #include "debug/debugger.h"
+#include "debug/lane_events.h"
 
 #include "ui/icons.h"
 
@@ -42,7 +43,19 @@ Status next_event(Debugger& d, const Arguments& a, int direction) {
   const std::ptrdiff_t here = d.current_event();
   if (a.empty()) {
     d.gather_listed();
-    const auto& rows = d.listed.rows();
+    const auto& rows = d.listed_rows();
+    if (!(d.window.event_sort == EventSort())) {
+      // In another order the next one is that of the next row; from elsewhere the first.
+      const auto found = std::find(rows.begin(), rows.end(), static_cast<std::uint32_t>(here));
+      if (rows.empty()) return none;
+      if (here < 0 || found == rows.end()) {
+        d.show_event(rows.front());
+        return {};
+      }
+      if (direction > 0 ? found + 1 == rows.end() : found == rows.begin()) return none;
+      d.show_event(direction > 0 ? *(found + 1) : *(found - 1));
+      return {};
+    }
     const auto at = direction > 0 ? std::upper_bound(rows.begin(), rows.end(), here)
                                   : std::lower_bound(rows.begin(), rows.end(), here);
     if (direction > 0 ? at == rows.end() : at == rows.begin()) return none;
@@ -94,6 +107,45 @@ Status filter_events(Debugger& d, const Arguments& a) {
     expression = *read;
   }
   d.window.filter = {{}, expression ? expression->text() : std::string(), expression};
+  return {};
+}
+
+/// The list shows one lane alone, or all again.
+Status choose_lane(Debugger& d, const Arguments& a) {
+  const auto lane = a.size() == 1 ? lane_filter(d, a[0]) : std::nullopt;
+  if (!lane) return wrong_arguments("There is no such lane.");
+  const bool off = shows_lane(d, a[0]);
+  d.window.filter = {};
+  if (off) return {};
+  d.window.filter.chosen = lane->chosen;
+  if (!lane->condition.empty()) d.window.filter.set_condition(lane->condition);
+  return {};
+}
+
+Status go_to_lane_event(Debugger& d, const Arguments& a) {
+  const auto step = whole_argument(a, 1, 0);
+  if (a.size() != 2 || !step || !lane_filter(d, a[0]))
+    return wrong_arguments("A lane and a step are needed.");
+  const auto event = nearest_event(d, a[0], static_cast<Step>(*step), d.window.live_step() + 1);
+  if (!event) return usage("Nothing of this lane has happened.");
+  d.show_event(*event);
+  return {};
+}
+
+Status sort_events(Debugger& d, const Arguments& a) {
+  EventSort& sort = d.window.event_sort;
+  if (a.empty()) {
+    sort = {};
+    return {};
+  }
+  const auto found = std::find(event_column_names.begin(), event_column_names.end(), a[0]);
+  if (found == event_column_names.end()) return wrong_arguments("There is no column \"" + a[0] + "\".");
+  const auto column = static_cast<EventColumn>(found - event_column_names.begin());
+  // Numbers are asked for by the largest first; again for the other way.
+  if (sort.column == column)
+    sort.descending = !sort.descending;
+  else
+    sort = {column, column != EventColumn::step && column != EventColumn::element};
   return {};
 }
 
@@ -152,6 +204,25 @@ void Debugger::add_event_commands(CommandTable& table) {
         .help = "Goes to an event of the journal, selects what it names and frames it.",
         .run = on(*this, go_to_event),
         .enabled = has_run},
+       {.name = "lane",
+        .title = "Events of one lane",
+        .usage = "CONDITION | KIND | REASON | filter-N",
+        .help = "Lists the events of one lane of the timeline alone, as classification, collapse or "
+                "kernel-empty; again for all.",
+        .run = on(*this, choose_lane),
+        .enabled = has_run},
+       {.name = "lane-event",
+        .title = "Nearest event of a lane",
+        .usage = "LANE STEP",
+        .help = "Goes to the event of a lane that is nearest to a step, as a click on its bar does.",
+        .run = on(*this, go_to_lane_event),
+        .enabled = has_run},
+       {.name = "sort-events",
+        .title = "Sort the events",
+        .usage = "[step | value | limit | ms | element]",
+        .help = "Sorts the list of events by a column, the largest first; again the other way; without one "
+                "by step.",
+        .run = on(*this, sort_events)},
        {.name = "filter",
         .title = "Filter the events",
         .usage = "[CONDITION]",

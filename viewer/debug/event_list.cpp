@@ -8,6 +8,8 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace isoscope {
 namespace {
@@ -37,6 +39,31 @@ EventStyle style_of(const Ui& ui, const Event& e) {
   }
   return {condition_color(ui.theme, static_cast<int>(e.condition)),
           e.operation ? kind.shape : MarkerShape::hollow_square};
+}
+
+/// Where the columns of numbers end, from the right; narrow lists have fewer.
+struct Columns {
+  Columns(const Ui& ui, float width) : left(width) {
+    constexpr std::array<float, 4> widths{150, 78, 96, 110}; // element, ms, limit, value
+    constexpr std::array<EventColumn, 4> order{EventColumn::element, EventColumn::milliseconds,
+                                               EventColumn::limit, EventColumn::value};
+    constexpr float words = 420; // what the sentence keeps
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (left - ui.px(widths.at(i)) < ui.px(words)) break;
+      ends[static_cast<std::size_t>(order.at(i))] = left - ui.px(10);
+      left -= ui.px(widths.at(i));
+    }
+  }
+  std::optional<float> right(EventColumn column) const { return ends[static_cast<std::size_t>(column)]; }
+  float left; ///< where they begin
+  std::array<std::optional<float>, event_column_names.size()> ends{};
+};
+
+std::string element_text(const Event& e) {
+  if (e.vertex.valid() && e.other.valid())
+    return std::to_string(e.vertex.value) + "–" + std::to_string(e.other.value);
+  if (e.sample.valid()) return "sample " + std::to_string(e.sample.value);
+  return e.tet.valid() ? "tet " + std::to_string(e.tet.value) : "";
 }
 
 /// A button that opens a list of what may pass; lit when it holds something back. True when changed.
@@ -122,8 +149,50 @@ void EventList::row(Ui& ui, std::uint32_t index) {
   row.step(target);
   const EventStyle style = style_of(ui, event);
   row.glyph(80, style.color, style.shape);
-  row.fitted(ui.fonts.small, 94, ui.colors.text, describe_event(journal, event), row.width - ui.px(100),
+  const Columns columns(ui, row.width);
+  row.fitted(ui.fonts.small, 94, ui.colors.text, describe_event(journal, event), columns.left - ui.px(100),
              event.kind == EventKind::rejection ? 0.8f : 1.0f);
+  const EventNumbers n = event_numbers(journal, m.index, index);
+  const auto put = [&](EventColumn column, const std::string& text) {
+    const auto right = columns.right(column);
+    if (!right || text.empty()) return;
+    const float extent = widgets::width_of(ui.fonts.mono, text);
+    widgets::draw_text(row.list, ui.fonts.mono, {row.at.x + *right - extent, row.y(ui.fonts.mono)},
+                       to_u32(ui.colors.text, 0.85f), text);
+  };
+  const std::string unit = n.unit.empty() ? "" : " " + std::string(n.unit);
+  put(EventColumn::value, n.value ? number_beside(*n.value, n.limit.value_or(*n.value)) + unit : "");
+  put(EventColumn::limit, n.limit ? short_number(*n.limit) + unit : "");
+  put(EventColumn::milliseconds, n.milliseconds ? short_number(*n.milliseconds) : "");
+  put(EventColumn::element, element_text(event));
+}
+
+void EventList::head(Ui& ui) {
+  const widgets::Row row(ui, event_row_units);
+  const Columns columns(ui, row.width);
+  const EventSort sort = ui.window.event_sort;
+  const auto title = [&](EventColumn column, float right, bool from_left) {
+    const std::string_view word = event_column_names.at(static_cast<std::size_t>(column));
+    const bool lit = sort.column == column && (column != EventColumn::step || sort.descending);
+    const std::string text =
+        std::string(word) + (lit ? std::string(" ") + (sort.descending ? icon::down : icon::up) : "");
+    const float extent = widgets::width_of(ui.fonts.small, text);
+    const float x = from_left ? right : right - extent;
+    ImGui::SetCursorScreenPos({row.at.x + x - ui.px(6), row.at.y});
+    ImGui::PushID(static_cast<int>(column));
+    if (ImGui::InvisibleButton("head", {extent + ui.px(12), row.high}))
+      ui.commands.post("sort-events", {std::string(word)});
+    ImGui::PopID();
+    const bool hot = ImGui::IsItemHovered();
+    widgets::tip(ui, "Sort by this column", "The largest first; a second click the other way round.");
+    widgets::draw_text(row.list, ui.fonts.small, {row.at.x + x, row.y(ui.fonts.small)},
+                       to_u32(hot || lit ? ui.colors.text : ui.colors.quiet), text);
+  };
+  title(EventColumn::step, ui.px(20), true);
+  for (const EventColumn column :
+       {EventColumn::value, EventColumn::limit, EventColumn::milliseconds, EventColumn::element})
+    if (const auto right = columns.right(column)) title(column, *right, false);
+  row.below();
 }
 
 void EventList::draw(Ui& ui, const Debugger& debugger) {
@@ -155,27 +224,36 @@ void EventList::draw(Ui& ui, const Debugger& debugger) {
   if (m.filter.expression && widgets::plain_button(ui, "save as lane", true, 0, ui.px(24)))
     ui.commands.post("save-filter");
   ImGui::SameLine(0, ui.px(14));
-  const std::vector<std::uint32_t>& rows = debugger.listed.rows();
+  const std::vector<std::uint32_t>& rows = debugger.listed_rows();
   widgets::quiet_text(ui, counted(rows.size(), "event"));
   if (error_) query_error(ui, *error_, text_.data(), left);
   const Journal* journal = m.run.journal.get();
 
+  if (rows.size() > EventOrder::most && !(m.event_sort == EventSort())) {
+    ImGui::SameLine(0, ui.px(10));
+    widgets::quiet_text(ui, "too many to be sorted: filter them first");
+  }
+  head(ui);
   if (ImGui::BeginChild("rows", {0, 0}) && journal != nullptr && debugger.listed.journal() == m.run.journal) {
     const float high = ui.px(event_row_units);
     // The row of the play head or of the chosen event comes into sight when it moved.
     const Step step = m.transport.step();
-    const auto current = m.selection.event
-                             ? std::lower_bound(rows.begin(), rows.end(), *m.selection.event)
-                             : std::partition_point(rows.begin(), rows.end(), [&](std::uint32_t row) {
-                                 const Event& e = journal->events()[row];
-                                 return step_showing(e) < step;
-                               });
     const std::uint32_t place = m.selection.event.value_or(step);
     if (place != scrolled_to_) {
       scrolled_to_ = place;
+      const bool sorted = !(m.event_sort == EventSort());
+      const auto current =
+          sorted ? std::find(rows.begin(), rows.end(), static_cast<std::uint32_t>(debugger.current_event()))
+          : m.selection.event ? std::lower_bound(rows.begin(), rows.end(), *m.selection.event)
+                              : std::partition_point(rows.begin(), rows.end(), [&](std::uint32_t row) {
+                                  const Event& e = journal->events()[row];
+                                  return step_showing(e) < step;
+                                });
       const float y = static_cast<float>(current - rows.begin()) * high;
       const float scroll = ImGui::GetScrollY(), visible = ImGui::GetWindowHeight();
-      if (y < scroll || y + high > scroll + visible) ImGui::SetScrollY(std::max(0.0f, y - visible / 2));
+      const bool known = !sorted || current != rows.end();
+      if (known && (y < scroll || y + high > scroll + visible))
+        ImGui::SetScrollY(std::max(0.0f, y - visible / 2));
     }
     widgets::rows_in_sight(rows.size(), high, [&](std::size_t i) { row(ui, rows[i]); });
   }

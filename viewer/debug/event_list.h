@@ -17,6 +17,8 @@ class EventList {
 
  private:
   void filter_field(Ui& ui);
+  /// The titles of the columns: a click sorts.
+  void head(Ui& ui);
   void row(Ui& ui, std::uint32_t index);
   std::array<char, 256> text_{};
   std::string applied_; ///< the model's text that the field shows

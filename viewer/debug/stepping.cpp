@@ -71,7 +71,7 @@ std::vector<GateView> checks_of(const EdgeXray& x) {
     if (v.state != CheckVerdict::State::skipped && (v.value != 0 || v.limit != 0)) {
       // Lengths are told in δ.
       const bool length = check == CollapseCheck::kernel || check == CollapseCheck::containment;
-      const double unit = length && x.criteria.unit();
+      const double unit = length ? x.criteria.unit() : 1;
       gate.numbers = number_beside(v.value / unit, v.limit / unit) + (length ? " δ against " : " against ") +
                      short_number(v.limit / unit) + (length ? " δ" : "");
     }

@@ -1,7 +1,6 @@
 // Commands that question a picked edge: targets that are tried, candidates, unlocking, branches.
 #include "edge/probe.h"
 
-#include "scene/overlay.h"
 #include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
@@ -44,6 +43,7 @@ Status try_target(EdgeProbe& m, const Arguments& a) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
   const Vec3 from = m.window.selection.what_if.value_or(first_target(*xray));
+  m.window.bring_into_sight(AnswerKind::what_if);
   if (a.empty()) {
     m.window.selection.try_target(from);
     return {};
@@ -109,22 +109,10 @@ Status go_to_candidate(EdgeProbe& m, const Arguments& a) {
 Status drag_target(EdgeProbe& m, const Arguments& a) {
   const auto xray = m.xray();
   if (!xray) return no_xray();
-  std::array<float, 2> by{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto number = a.size() == 2 ? read_number(a[i]) : std::nullopt;
-    if (!number) return Error{ErrorCode::usage, "By how many pixels?", "It is used so: drag-target DX DY"};
-    by.at(i) = static_cast<float>(*number);
-  }
-  const auto [x, y, width, height] = m.window.scene_area;
-  const ScreenPoint at = project(m.window.camera, m.window.selection.what_if.value_or(first_target(*xray)),
-                                 static_cast<double>(width), static_cast<double>(height));
-  if (!at.visible) return usage("The target is not in sight.");
-  const float from_x = x + static_cast<float>(at.x), from_y = y + static_cast<float>(at.y);
-  constexpr int moves = 8;
-  for (int i = -2; i <= moves + 1; ++i) {
-    const float t = static_cast<float>(std::clamp(i, 0, moves)) / moves;
-    m.window.requests.mouse.push_back({from_x + t * by[0], from_y + t * by[1], 0, i >= 0 && i <= moves});
-  }
+  const auto by = pixels_of(a);
+  if (!by) return Error{ErrorCode::usage, "By how many pixels?", "It is used so: drag-target DX DY"};
+  if (!m.window.drag_in_scene(m.window.selection.what_if.value_or(first_target(*xray)), (*by)[0], (*by)[1]))
+    return usage("The target is not in sight.");
   return {};
 }
 

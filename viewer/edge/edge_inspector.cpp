@@ -37,22 +37,20 @@ void headline(const Ui& ui, Rgb color, MarkerShape shape, std::string_view text)
 }
 
 void verdict(Ui& ui, const EdgeXray& x) {
-  const CollapseAttempt& attempt = x.attempt;
-  const bool eligible = attempt.check(CollapseCheck::eligible).state == CheckState::passed;
-  if (!eligible)
-    headline(ui, ui.colors.quiet, MarkerShape::circle, "is never collapsed");
-  else if (attempt.possible())
-    headline(ui, ui.colors.good, MarkerShape::disc,
-             "can collapse: " + std::string(words(attempt.found_by).title));
-  else
-    headline(ui, words(attempt.rejected).color, words(attempt.rejected).shape,
-             "stays: " + std::string(words(attempt.rejected).title));
+  const EdgeVerdict v = edge_verdict(ui, x);
+  headline(ui, v.color, v.shape, v.words);
   if (x.agrees) {
     widgets::verdict_text(ui, *x.agrees,
                           *x.agrees ? "the journal says the same, numbers and all"
                                     : "the journal says otherwise");
     widgets::tip(ui, "Judged again",
                  "The evaluator that the run used, asked again about the state of that moment.");
+  } else {
+    widgets::quiet_text(ui,
+                        ui.window.selected_event()
+                            ? "judged now with other targets; the journal's own decision stands below"
+                            : "judged now, at this step; the run decided nothing about it here",
+                        true);
   }
   constexpr std::array<const char*, 4> labels{"automatic", "halfedge", "general", "octree"};
   int chosen = static_cast<int>(ui.window.selection.target);
@@ -199,6 +197,20 @@ void standing(Ui& ui, const EdgeXray& x) {
 
 } // namespace
 
+EdgeVerdict edge_verdict(const Ui& ui, const EdgeXray& x) {
+  const CollapseAttempt& attempt = x.attempt;
+  // Without an event of the journal, or with other targets than its own, it is no decision of the run.
+  const std::string now = x.agrees ? "" : "now: ";
+  if (attempt.check(CollapseCheck::eligible).state != CheckState::passed)
+    return {now + "is never collapsed", ui.colors.quiet, MarkerShape::circle};
+  if (attempt.possible())
+    return {now + (x.agrees ? "collapses: " : "could collapse: ") +
+                std::string(words(attempt.found_by).title),
+            ui.colors.good, MarkerShape::disc};
+  return {now + (x.agrees ? "stays: " : "would stay: ") + std::string(words(attempt.rejected).title),
+          words(attempt.rejected).color, words(attempt.rejected).shape};
+}
+
 void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
   const WindowState& m = ui.window;
   const Pick& picked = m.selection.picked;
@@ -222,6 +234,7 @@ void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
   if (xray && tried) what_if(ui, probe, *xray);
   if (event) {
     ImGui::Dummy({0, ui.px(2)});
+    widgets::quiet_text(ui, "The journal's decision");
     event_details(ui, *m.run.journal, *event);
   }
   if (xray) {
@@ -229,6 +242,7 @@ void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
     ladder(ui, *xray);
     offenders(ui, xray->attempt.link);
     if (!tried) what_if(ui, probe, *xray);
+    outside_kernel(ui, *xray);
     candidates(ui, *xray);
     search_regions(ui, *xray);
     kernel(ui, *xray);

@@ -9,6 +9,15 @@ namespace isoscope::panels {
 /// Verdict, checks, kernel, candidates, cost; after T what the journal tells.
 void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& state);
 
+/// What the evaluator says of the edge, in a few words: whether it speaks of the journal's decision or of
+/// what would be if it were tried now.
+struct EdgeVerdict {
+  std::string words;
+  Rgb color = 0;
+  MarkerShape shape = MarkerShape::disc;
+};
+EdgeVerdict edge_verdict(const Ui& ui, const EdgeXray& xray);
+
 /// Verdict, numbers before and after, where to snap, the branch.
 void what_if(Ui& ui, const EdgeProbe& probe, const EdgeXray& xray);
 /// Which neighbouring collapses would make this one possible.
@@ -16,6 +25,8 @@ void unlock(Ui& ui, EdgeProbe& probe);
 /// The number of a check beside its limit, in short: "0.97 / 1 δ".
 std::string check_text(CollapseCheck check, const CheckVerdict& verdict, const CollapseAttempt& attempt,
                        double delta);
+/// Where no candidate lay in the kernel: which points were outside, and by how much.
+void outside_kernel(Ui& ui, const EdgeXray& xray);
 /// Bars of the candidates by reason, and the list of them: hovering one shows its ghost.
 void candidates(Ui& ui, const EdgeXray& xray);
 /// What the search left out, Ψ and cells of the octree, with switches of the view: a legend in words.

@@ -177,16 +177,18 @@ void event_details(Ui& ui, const Journal& journal, std::uint32_t index) {
 void edge_history(Ui& ui, const Journal& journal, VertexId a, VertexId b) {
   constexpr std::size_t most = 8, reach = 200000;
   std::vector<std::uint32_t> found;
+  const auto own = ui.window.selected_event();
   const auto& range = ui.window.range;
   const std::size_t end = journal.events().size();
   for (std::size_t i = end; i > end - std::min(end, reach) && found.size() < most; --i) {
     const Event& e = journal.events()[i - 1];
     if (range && !range->holds(e.step)) continue;
+    if (own == i - 1) continue; // it stands above
     if ((e.vertex == a && e.other == b) || (e.vertex == b && e.other == a))
       found.push_back(static_cast<std::uint32_t>(i - 1));
   }
   if (found.empty()) return;
-  widgets::subtitle(ui, "In the journal");
+  widgets::subtitle(ui, own ? "In the journal, at other steps" : "In the journal");
   for (const std::uint32_t index : found) {
     const Event& e = journal.events()[index];
     const std::string what = e.kind == EventKind::rejection ? "stayed: " + std::string(words(e.reason).title)

@@ -2,6 +2,7 @@
 #include "edge/edge_inspector.h"
 
 #include "model/words.h"
+#include "questions/outside_kernel.h"
 #include "scene/search_regions.h"
 #include "ui/widgets.h"
 
@@ -105,6 +106,36 @@ std::string check_text(CollapseCheck check, const CheckVerdict& v, const Collaps
   const std::string limit = m.limit == 1 ? "1" : m.limit == 0 ? "0" : short_number(m.limit);
   const std::string_view sign = m.upper ? " / " : m.value > m.limit ? " > " : " ≤ ";
   return number_beside(m.value, m.limit) + std::string(sign) + limit + (*m.unit ? " " : "") + m.unit;
+}
+
+void outside_kernel(Ui& ui, const EdgeXray& x) {
+  if (x.attempt.rejected != Reason::no_candidate) return;
+  const auto points = points_outside(x);
+  if (points.empty()) return;
+  widgets::subtitle(ui, "Outside the kernel");
+  const ReasonWords& style = words(Reason::no_candidate);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    using What = OutsidePoint::What;
+    const OutsidePoint& p = points[i];
+    const std::string title = p.what == What::kept_end
+                                  ? "end " + std::to_string(x.star.a().value) + ", which stays"
+                              : p.what == What::removed_end ? "end " + std::to_string(x.star.b().value)
+                                                            : std::string("the place of least error");
+    widgets::Row row(ui, number_row_units);
+    const bool pressed = row.button(i);
+    row.link();
+    if (pressed) ui.window.selection.try_target(p.point);
+    row.glyph(8, style.color, style.shape, 4.5f);
+    row.text(ui.fonts.small, 20, ui.colors.text, title);
+    row.value(ui.colors.bad_text, short_number(p.outside / x.criteria.unit()) + " δ outside");
+    widgets::tip(ui, title,
+                 "Beyond half-space " + std::to_string(p.half_space) +
+                     " of the kernel: from there a facet of the one-ring is seen from behind. A click tries "
+                     "it as a target.");
+    row.below();
+  }
+  if (!x.halfedge)
+    widgets::quiet_text(ui, "Every other point that the search would judge lies outside, too.", true);
 }
 
 void candidates(Ui& ui, const EdgeXray& x) {

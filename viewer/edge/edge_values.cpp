@@ -3,6 +3,7 @@
 #include "edge/probe.h"
 
 #include "questions/edge_standing.h"
+#include "questions/outside_kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -64,6 +65,8 @@ void add_xray(NamedValues& t, const EdgeProbe& m) {
   of("kernel_faces", "of the kernel's polyhedron", [](const X& x) { return x.kernel.faces.size(); });
   of("psi_shown", "Ψ that have room in the kernel, the largest", [](const X& x) { return x.invalid.size(); });
   of("cells_visited", "cells of the octree search", [](const X& x) { return x.attempt.cells.size(); });
+  of("outside", "points that lie outside the kernel: its ends and the place of least error",
+     [](const X& x) { return points_outside(x).size(); });
   of("cost", "the error at the target", [](const X& x) { return x.attempt.cost; });
   of("optimum_cost", "the least error without constraints",
      [](const X& x) { return x.attempt.unconstrained_cost; });

@@ -3,6 +3,7 @@
 
 #include "journal/vocabulary.h"
 #include "model/words.h"
+#include "ui/answer.h"
 #include "ui/widgets.h"
 
 #include <array>
@@ -75,6 +76,7 @@ void snap_buttons(Ui& ui) {
 } // namespace
 
 void what_if(Ui& ui, const EdgeProbe& probe, const EdgeXray& x) {
+  const widgets::AnswerRegion region(ui, AnswerKind::what_if, probe.study() != nullptr);
   widgets::subtitle(ui, "What if the target were elsewhere?");
   const Selection& selection = ui.window.selection;
   if (!selection.what_if) {
@@ -111,6 +113,7 @@ void what_if(Ui& ui, const EdgeProbe& probe, const EdgeXray& x) {
 }
 
 void unlock(Ui& ui, EdgeProbe& probe) {
+  const widgets::AnswerRegion region(ui, AnswerKind::unlock, probe.unlock_search() != nullptr);
   widgets::subtitle(ui, "What would unlock it?");
   if (probe.unlocking()) {
     const ImVec2 at = ImGui::GetCursorScreenPos();

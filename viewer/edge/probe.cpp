@@ -107,6 +107,7 @@ std::shared_ptr<const UnlockSearch> EdgeProbe::unlock_search() const {
 Status EdgeProbe::search_unlocks() {
   if (!xray() || !asked_) return Error{ErrorCode::usage, "There is no X-ray.", "Select an edge of T first."};
   unlocks_.ask(*asked_);
+  window.bring_into_sight(AnswerKind::unlock);
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include "model/words.h"
 #include "scene/picture_view.h"
 #include "scene/section_svg.h"
+#include "view/scene_key.h"
 
 #include <algorithm>
 #include <array>
@@ -52,6 +53,8 @@ Status write_text(const fs::path& file, const std::string& text) {
 }
 
 } // namespace
+
+Exporter::Exporter() = default;
 
 Exporter::~Exporter() {
   if (file_.valid()) file_.wait();
@@ -115,6 +118,8 @@ void Exporter::begin_figure(Exports& desk, const FigureRequest& request, const V
   figure.aspect = static_cast<double>(extent.width) / extent.height;
   figure.points = desk.window.run.scene ? input_points(*desk.window.run.scene) : nullptr;
   figure.scene = desk.window.run.scene;
+  figure.xray = desk.probe.xray();
+  figure.study = desk.probe.study();
   figure.delta = desk.window.run.scene ? desk.window.run.scene->delta : 0;
   figure.model =
       desk.window.run.scene && desk.window.run.scene->input ? desk.window.run.scene->input->name : "model";
@@ -172,11 +177,35 @@ void Exporter::draw(Exports& desk, Renderer& renderer) {
   if (!picture_) picture_ = std::make_unique<TiledPicture>(std::move(shot));
   const auto complete = picture_->advance(renderer);
   if (!complete) return fail(desk, complete.error());
-  if (*complete) write(picture_->take());
+  if (*complete) write(desk, picture_->take());
 }
 
-void Exporter::write(Image image) {
+/// The colour bar and the legend, where the view has them, in the bottom right corner.
+void Exporter::add_key(const Exports& desk, Image& image) {
+  const SceneKey key = scene_key(desk.window, desk.maps, shot_.view);
+  if (key.empty()) return;
+  const float scale = std::clamp(shot_.pixel_scale, 0.5f, 8.0f);
+  if (!key_fonts_ || key_scale_ != scale) {
+    key_fonts_ = std::make_unique<ImFontAtlas>();
+    key_scale_ = scale;
+    key_font_ = nullptr; // the old one went with its atlas
+    const auto fonts = load_fonts(*key_fonts_, scale);
+    if (!fonts) return desk.window.report(fonts.error());
+    key_font_ = fonts->small;
+  }
+  if (key_font_ == nullptr) return;
+  ImageCanvas canvas(image, *key_fonts_, *key_font_);
+  const float margin = 10 * scale, room = static_cast<float>(image.height) - 2 * margin;
+  const ImVec2 size = key_size(canvas, key, scale, room);
+  draw_key(
+      canvas, key,
+      {static_cast<float>(image.width) - size.x - margin, static_cast<float>(image.height) - size.y - margin},
+      scale, room, isoscope::palette(shot_.view.theme));
+}
+
+void Exporter::write(const Exports& desk, Image image) {
   picture_.reset();
+  add_key(desk, image);
   fs::path file;
   if (const auto* sequence = std::get_if<SequenceRequest>(&request_))
     file = fs::path(sequence->folder) / frame_name(frame_);

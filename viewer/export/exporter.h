@@ -8,6 +8,9 @@
 #include <future>
 #include <memory>
 
+struct ImFont;
+struct ImFontAtlas;
+
 namespace isoscope {
 
 /// The view in the window: pictures without a size of their own take it, and lines keep their look.
@@ -18,6 +21,7 @@ struct ViewExtent {
 
 class Exporter {
  public:
+  Exporter();
   ~Exporter();
   /// Does a frame's worth of work. The renderer holds the state shown. True when something changed.
   bool advance(Exports& desk, Renderer& renderer, const ViewExtent& extent);
@@ -26,7 +30,8 @@ class Exporter {
   void begin(Exports& desk, const ViewExtent& extent);
   void begin_figure(Exports& desk, const FigureRequest& request, const ViewExtent& extent);
   void draw(Exports& desk, Renderer& renderer);
-  void write(Image image);
+  void write(const Exports& desk, Image image);
+  void add_key(const Exports& desk, Image& image);
   void written(Exports& desk);
   void start_film(Exports& desk);
   void watch_film(Exports& desk);
@@ -46,6 +51,9 @@ class Exporter {
   std::filesystem::path film_log_;
   Step return_to_ = 0;
   bool return_following_ = false;
+  std::unique_ptr<ImFontAtlas> key_fonts_; ///< at the scale of the pictures
+  ImFont* key_font_ = nullptr;
+  float key_scale_ = 0;
 };
 
 } // namespace isoscope

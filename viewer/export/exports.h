@@ -3,7 +3,9 @@
 
 #include "command/commands.h"
 #include "command/named_values.h"
+#include "edge/probe.h"
 #include "model/window_state.h"
+#include "view/zero_maps.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -57,9 +59,12 @@ using ExportRequest = std::variant<PictureRequest, FigureRequest, SequenceReques
 
 /// The desk where commands leave what they want and the exporter tells how far it is.
 struct Exports {
-  explicit Exports(WindowState& shared) : window(shared) {}
+  Exports(WindowState& shared, const EdgeProbe& looking, const ZeroMaps& colours)
+      : window(shared), probe(looking), maps(colours) {}
 
   WindowState& window;
+  const EdgeProbe& probe; ///< the edge at hand is in figures
+  const ZeroMaps& maps;   ///< the colour bar is in pictures
   std::deque<ExportRequest> wanted;
   bool cancel = false; ///< asked: what is under way and what waits is dropped
   // Told by the exporter.

@@ -2,6 +2,7 @@
 #include "lesson/lesson.h"
 
 #include "base/numbers.h"
+#include "embedded/lesson_pictures.h"
 #include "embedded/lessons.h"
 
 #include <algorithm>
@@ -230,6 +231,11 @@ const Lesson* find_lesson(std::string_view name) {
   for (const Lesson& lesson : *all)
     if (lesson.name == name || std::to_string(lesson.number) == name) return &lesson;
   return nullptr;
+}
+
+std::span<const std::byte> picture_of(const Lesson& lesson) {
+  const EmbeddedFile* file = find_embedded(embedded::lesson_pictures(), lesson.name + ".jpg");
+  return file != nullptr ? file->bytes : std::span<const std::byte>();
 }
 
 } // namespace isoscope

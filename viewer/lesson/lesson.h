@@ -3,7 +3,9 @@
 
 #include "base/status.h"
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +62,9 @@ Result<Lesson> parse_lesson(std::string_view file, std::string_view text);
 const Result<std::vector<Lesson>>& bundled_lessons();
 /// By name or number; null where there is none.
 const Lesson* find_lesson(std::string_view name);
+
+/// A picture of it, JPEG, which the program carries; empty where there is none.
+std::span<const std::byte> picture_of(const Lesson& lesson);
 
 /// What an input begins with that is a lesson: "lesson:kernel".
 inline constexpr std::string_view lesson_prefix = "lesson:";

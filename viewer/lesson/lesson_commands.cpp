@@ -128,6 +128,8 @@ void Lessons::add_values(NamedValues& values) {
              [this] { return runner.error().empty() ? std::string("none") : runner.error(); });
   values.add("lesson.asked", "questions answered", [this] { return runner.asked(); });
   values.add("lesson.right", "of them right at the first guess", [this] { return runner.right(); });
+  values.add("lesson.hint", "whether the hint of what is to be done is shown",
+             [this] { return runner.hinted(); });
   values.add("lesson.done", "whether what was to be done is done", [this] { return runner.task_done(); });
 }
 

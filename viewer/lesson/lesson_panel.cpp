@@ -161,6 +161,26 @@ std::string place_text(const LessonRunner& runner) {
          std::to_string(lesson.stops.size());
 }
 
+constexpr float caption_margin = 16, caption_top = 32;
+
+/// What the audience reads: the text, the question with its answers, what was right and why, what to do.
+std::string caption_text(const LessonRunner& runner) {
+  const LessonStop* stop = runner.shown();
+  if (stop == nullptr) return {};
+  std::string text = runner.text();
+  if (stop->question && runner.guess() && runner.phase() == LessonPhase::reading) {
+    text = stop->question->answers[stop->question->right()].text + ": " + runner.why();
+  } else if (stop->question) {
+    text = runner.filled(stop->question->text);
+    for (std::size_t i = 0; i < stop->question->answers.size(); ++i)
+      text += "   " + std::to_string(i + 1) + "\u00a0" + stop->question->answers[i].text;
+  } else if (stop->task) {
+    text += (text.empty() ? "" : " ") + stop->task->text;
+  }
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 } // namespace
 
 void lesson(Ui& ui, const LessonRunner& runner) {
@@ -206,11 +226,19 @@ void lesson(Ui& ui, const LessonRunner& runner) {
   way_on(ui, runner);
 }
 
+float lesson_caption_height(const Ui& ui, const LessonRunner& runner, float width) {
+  const std::string text = caption_text(runner);
+  const ImFont* font = ui.fonts.small;
+  const float high =
+      font->CalcTextSizeA(font->FontSize, 1e9f, width - 2 * ui.px(caption_margin), text.c_str()).y;
+  return std::max(ui.px(96), std::round(ui.px(caption_top) + high + ui.px(10)));
+}
+
 void lesson_caption(Ui& ui, const LessonRunner& runner) {
   const LessonStop* stop = runner.shown();
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float pad = ui.px(16);
+  const float pad = ui.px(caption_margin);
   if (stop == nullptr) return;
   const std::string place = place_text(runner);
   widgets::draw_text(list, ui.fonts.bold, {low.x + pad, low.y + ui.px(8)}, to_u32(ui.colors.text),
@@ -218,37 +246,37 @@ void lesson_caption(Ui& ui, const LessonRunner& runner) {
   widgets::draw_text(list, ui.fonts.small,
                      {low.x + size.x - pad - widgets::width_of(ui.fonts.small, place), low.y + ui.px(10)},
                      to_u32(ui.colors.quiet), place);
-  std::string text = runner.text();
-  if (stop->question) {
-    text = runner.filled(stop->question->text);
-    if (runner.guess() && runner.phase() == LessonPhase::reading)
-      text = stop->question->answers[stop->question->right()].text + ": " + runner.why();
-  }
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  ImGui::SetCursorPos({pad, ui.px(32)});
-  ImGui::PushTextWrapPos(size.x - pad);
-  const widgets::Font font(ui.fonts.small);
-  ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
-  ImGui::PopTextWrapPos();
+  const std::string text = caption_text(runner);
+  list.AddText(ui.fonts.small, ui.fonts.small->FontSize, {low.x + pad, low.y + ui.px(caption_top)},
+               to_u32(ui.colors.text), text.c_str(), nullptr, size.x - 2 * pad);
 }
 
-void lesson_list(Ui& ui) {
+void lesson_list(Ui& ui, std::span<const std::uint32_t> textures) {
   const auto& all = bundled_lessons();
   if (!all) return widgets::quiet_text(ui, all.error().line(), true);
   ImGui::BeginChild("lessons", {0, 0});
-  for (const Lesson& lesson : *all) {
-    widgets::Row row(ui, 46);
+  constexpr float high = 60, picture_high = 52, picture_wide = 1.6f * picture_high,
+                  text_x = 54 + picture_wide;
+  for (std::size_t i = 0; i < all->size(); ++i) {
+    const Lesson& lesson = (*all)[i];
+    widgets::Row row(ui, high);
     if (row.button(static_cast<std::size_t>(lesson.number))) ui.commands.post("lesson", {lesson.name});
     if (row.hovered()) row.link();
     const std::string number = std::to_string(lesson.number);
-    widgets::draw_text(row.list, ui.fonts.mono, {row.at.x + ui.px(12), row.at.y + ui.px(15)},
+    widgets::draw_text(row.list, ui.fonts.mono, {row.at.x + ui.px(12), row.at.y + ui.px(22)},
                        to_u32(ui.colors.quiet), number);
-    widgets::draw_text(row.list, ui.fonts.bold, {row.at.x + ui.px(44), row.at.y + ui.px(5)},
+    if (i < textures.size() && textures[i] != 0) {
+      const ImVec2 at{row.at.x + ui.px(42), row.at.y + ui.px(4)};
+      row.list.AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(textures[i])), at,
+                               {at.x + ui.px(picture_wide), at.y + ui.px(picture_high)}, {0, 0}, {1, 1},
+                               IM_COL32_WHITE, ui.px(4));
+    }
+    widgets::draw_text(row.list, ui.fonts.bold, {row.at.x + ui.px(text_x), row.at.y + ui.px(11)},
                        to_u32(ui.colors.text), lesson.title);
     const std::string under = (lesson.figure.empty() ? "" : lesson.figure + "  ·  ") +
                               std::to_string(lesson.stops.size()) + " stops  ·  " +
                               std::to_string(lesson.minutes) + " minutes";
-    widgets::draw_text(row.list, ui.fonts.small, {row.at.x + ui.px(44), row.at.y + ui.px(25)},
+    widgets::draw_text(row.list, ui.fonts.small, {row.at.x + ui.px(text_x), row.at.y + ui.px(32)},
                        to_u32(ui.colors.quiet), under);
     row.value(ui.colors.accent_text, "lesson:" + lesson.name, 0.8f);
     row.below();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -94,15 +95,52 @@ void LessonRunner::follow(const std::vector<std::string>& commands, LessonPhase 
   enter(phase);
 }
 
-Status LessonRunner::begin(const Lesson& lesson, std::size_t stop) {
-  if (!before_) before_ = {window_.settings.panes, window_.view};
+void LessonRunner::keep_look() {
+  if (before_) return;
+  before_ = {window_.memento(), window_.camera.was_set(), window_.section_set};
+  window_.lend_layout(LayoutGuest::lesson);
+}
+
+void LessonRunner::give_look_back() {
+  if (!before_) return;
+  ViewMemento& look = before_->look;
+  look.view.view.theme = window_.view.theme;
+  look.picked = {}; // of another run
+  look.event.reset();
+  // Two views that came in the meantime stay, and keep their room.
+  const PaneLayout kept = window_.kept_layout();
+  window_.end_loan(LayoutGuest::lesson);
+  if (!window_.has_guest(LayoutGuest::two_views)) look.panes = kept;
+  window_.requests.frame_all = window_.requests.frame_selection = false;
+  window_.take(look);
+  if (!before_->camera_set) {
+    // One that nobody has set frames what is open.
+    const CameraPose pose = window_.camera.goal();
+    window_.camera = Camera();
+    window_.camera.set(pose);
+    window_.camera.set_scene_bounds(window_.scene_bounds());
+  }
+  window_.section_set = before_->section_set;
+  before_.reset();
+}
+
+Status LessonRunner::open(const Lesson& lesson) {
   RunParameters wanted = for_input(RunParameters(), lesson.model);
   wanted.threads = window_.draft.threads;
   window_.draft = std::move(wanted);
   for (const std::string& setting : lesson.settings)
     if (Status set = commands_.run(commands_.parse("set " + setting)); !set) return set;
   generation_ = window_.run.generation;
-  if (Status begun = commands_.run({"restart", {}}); !begun) return begun;
+  own_.reset();
+  return commands_.run({"restart", {}});
+}
+
+Status LessonRunner::begin(const Lesson& lesson, std::size_t stop) {
+  keep_look();
+  if (Status opened = open(lesson); !opened) {
+    if (lesson_ == nullptr) give_look_back();
+    return opened;
+  }
   lesson_ = &lesson;
   results_.assign(lesson.stops.size(), std::nullopt);
   window_.overlay = Overlay::none;
@@ -115,11 +153,7 @@ void LessonRunner::end() {
   pending_.clear();
   error_.clear();
   enter(LessonPhase::off);
-  if (!before_) return;
-  window_.settings.panes = before_->panes;
-  before_->view.theme = window_.view.theme;
-  window_.view = before_->view;
-  before_.reset();
+  give_look_back();
 }
 
 void LessonRunner::go(std::size_t stop) {
@@ -129,14 +163,22 @@ void LessonRunner::go(std::size_t stop) {
   task_done_ = false;
   error_.clear();
   if (shown() == nullptr) return enter(LessonPhase::finished);
+  // What was tried may have been a run with other parameters.
+  const bool strayed = own_ && window_.run.generation != *own_ && !window_.has_guest(LayoutGuest::two_views);
+  if (strayed)
+    if (Status opened = open(*lesson_); !opened) return fail(opened.error().line());
   ViewSettings plain;
   plain.theme = window_.view.theme;
   window_.view = plain;
   window_.selection = {};
+  window_.filter = {};
   window_.blinking = false;
   window_.section_set = false;
   window_.preview_delta.reset();
   window_.requests.frame_all = true;
+  // What questions keep for themselves.
+  for (const auto& [name, value] : {std::pair{"inspect.shrink", "0"}, {"topology.shown", "off"}})
+    if (const NamedValue* kept = values_.find(name)) static_cast<void>(kept->set(value));
   PaneLayout& panes = window_.settings.panes;
   panes.show_left = panes.show_right = panes.show_bottom = false;
   follow(shown()->commands, LessonPhase::working);
@@ -172,6 +214,7 @@ void LessonRunner::update() {
   }
   if (idle()) return;
   if (window_.run.generation == generation_) return; // the run that was there before
+  if (!own_) own_ = window_.run.generation;
   if (window_.run.error && !window_.running()) return fail(window_.run.error->line());
   if (!window_.has_state() || !window_.settled) return;
   const bool running = window_.running();

@@ -37,7 +37,7 @@ class LessonRunner {
 
   /// Opens its model and goes to a stop, from 0.
   Status begin(const Lesson& lesson, std::size_t stop = 0);
-  /// Gives the layout and the view back that were there; the run stays.
+  /// Gives back layout, camera, layers, clip, section and filter as they were; the run stays.
   void end();
   /// To a stop; past the last one the lesson is finished.
   void go(std::size_t stop);
@@ -74,6 +74,10 @@ class LessonRunner {
   void follow(const std::vector<std::string>& commands, LessonPhase phase);
   void fail(std::string what);
   bool passes(const std::vector<std::string>& checks);
+  /// Runs its model with its parameters.
+  Status open(const Lesson& lesson);
+  void keep_look();
+  void give_look_back();
 
   WindowState& window_;
   const CommandTable& commands_;
@@ -84,14 +88,15 @@ class LessonRunner {
   std::vector<std::string> pending_; ///< commands, the next one last
   std::size_t tried_at_ = 0;         ///< events of the journal when the next one failed
   std::uint64_t generation_ = 0;     ///< of the run that was shown before
+  std::optional<std::uint64_t> own_; ///< of the lesson's run, once it is there
   std::optional<std::size_t> guess_;
   std::vector<std::optional<bool>> results_; ///< by stop: whether the guess was right
   bool task_done_ = false;
   double hint_at_ = 0;
   std::string error_;
   struct Before {
-    PaneLayout panes;
-    ViewSettings view;
+    ViewMemento look;
+    bool camera_set = false, section_set = false; ///< by somebody, not by the program
   };
   std::optional<Before> before_; ///< what end() gives back
 };

@@ -4,6 +4,9 @@
 #include "lesson/handout.h"
 #include "lesson/lesson_runner.h"
 
+#include <cstdint>
+#include <span>
+
 namespace isoscope {
 
 struct Ui;
@@ -30,10 +33,12 @@ namespace panels {
 
 /// Text, question or task of the stop, how far the lesson is, and the way on. Fills the pane it is in.
 void lesson(Ui& ui, const LessonRunner& runner);
-/// The same for the presenter: heading and text as a caption at the bottom of the window.
+/// The same for the presenter: heading and text as a caption at the bottom of the window, as high as it
+/// needs.
 void lesson_caption(Ui& ui, const LessonRunner& runner);
-/// All lessons as rows that begin them.
-void lesson_list(Ui& ui);
+float lesson_caption_height(const Ui& ui, const LessonRunner& runner, float width);
+/// All lessons as rows that begin them. `textures`: the pictures of bundled_lessons(), 0 where there is none.
+void lesson_list(Ui& ui, std::span<const std::uint32_t> textures);
 
 } // namespace panels
 

@@ -2,7 +2,7 @@
 #include "model/chosen_input.h"
 
 #include "input/gallery.h"
-#include "input/mesh_io.h"
+#include "input/point_files.h"
 
 namespace isoscope {
 
@@ -15,7 +15,7 @@ RunParameters for_input(RunParameters p, const std::string& input) {
   if (const GalleryEntry* entry = gallery_entry(input)) {
     if (!entry->gives_volume()) p.tolerance = {entry->tolerance_percent, true};
     p.levels = {entry->low, entry->high};
-  } else if (is_named_as_points(input)) {
+  } else if (holds_points_alone(input)) {
     p.tolerance.automatic = true;
   }
   return p;

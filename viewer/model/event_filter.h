@@ -29,6 +29,14 @@ struct StepSpan {
   friend bool operator==(const StepSpan&, const StepSpan&) = default;
 };
 
+/// The columns by which events are listed.
+enum class EventColumn : std::uint8_t { step, value, limit, milliseconds, element };
+struct EventSort {
+  EventColumn column = EventColumn::step;
+  bool descending = false;
+  friend bool operator==(const EventSort&, const EventSort&) = default;
+};
+
 /// The filter of the event list: what was chosen, and a condition in the query language.
 struct ListFilter {
   EventFilter chosen;

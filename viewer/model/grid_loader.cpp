@@ -52,7 +52,9 @@ double voxel_for(const Scene& scene) {
 
 std::shared_ptr<const DistanceGrid> make_grid(const Scene& scene, const GridWish& wish, RunControl& control) {
   auto made = make_distance_grid(*scene.field, wish, control);
-  if (!made || !find_sides(*made, {*scene.field, scene.volume->sides(), scene.delta, scene.regions}, control))
+  if (!made ||
+      (scene.volume && // without one, Ω is looked at for another δ
+       !find_sides(*made, {*scene.field, scene.volume->sides(), scene.delta, scene.regions}, control)))
     return nullptr;
   return std::make_shared<const DistanceGrid>(*std::move(made));
 }

@@ -62,8 +62,9 @@ std::shared_ptr<const Playhead::Answer> Playhead::Answerer::answer(const Questio
   }
   if (!result_ || !(result_->request == question.request)) result_ = show(question.request);
   if (question.preview)
-    preview_ = Preview{*question.preview, preview_violations(*result_->state, *question.preview,
-                                                             nearest_for(result_->state->samples))};
+    preview_ = Preview{*question.preview, result_->state,
+                       std::make_shared<const ViolationPreview>(preview_violations(
+                           *result_->state, *question.preview, nearest_for(result_->state->samples)))};
   return std::make_shared<const Answer>(Answer{result_, preview_});
 }
 

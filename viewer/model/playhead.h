@@ -45,10 +45,11 @@ struct PlayheadResult {
   std::shared_ptr<const SampleIndex> index; ///< null until a request asked for orientation
 };
 
-/// A live preview: how many samples and tetrahedra would violate under these parameters, at the state shown.
+/// A live preview: which samples and tetrahedra would violate under these parameters, at the state shown.
 struct Preview {
   CriteriaParameters criteria;
-  ViolationPreview violations;
+  std::shared_ptr<const StateSnapshot> state; ///< whose ids are told
+  std::shared_ptr<const ViolationPreview> violations;
 };
 
 /// Methods are for one thread, the window's; the work happens on the worker's.

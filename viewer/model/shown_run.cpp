@@ -74,4 +74,12 @@ const Rim* ShownRun::rim() const {
   return run.scene ? open_rim(*run.scene) : nullptr;
 }
 
+std::vector<std::string> ShownRun::warnings() const {
+  std::vector<std::string> texts;
+  if (no_thickening()) texts.push_back(run.scene->thickening_note);
+  if (run.scene)
+    for (const ParameterWarning& warning : run.scene->warnings) texts.push_back(warning.message);
+  return texts;
+}
+
 } // namespace isoscope

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace isoscope {
@@ -48,6 +49,9 @@ class ShownRun {
   bool has_rooms() const { return side_labels().size() > 2; }
   /// The rim of an open input; null where there is none.
   const Rim* rim() const;
+  /// What the user should know of the scene, in sentences; that Ω is no thickening comes first.
+  std::vector<std::string> warnings() const;
+  bool no_thickening() const { return run.scene && !run.scene->thickening_note.empty(); }
 
   // Once a frame, in this order.
   /// Takes what the session has; true when it is another run than before.

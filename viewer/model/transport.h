@@ -3,6 +3,7 @@
 
 #include "base/ids.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,9 +34,17 @@ class Transport {
   /// Whether following jumps to the live end at once instead of playing up to it (scripts).
   void set_immediate(bool immediate) { immediate_ = immediate; }
 
-  /// Steps, ascending, that playing slows down for and dwells at; none: it never does.
+  /// Steps, ascending, that playing slows down for and dwells at, once for each time that it is among them;
+  /// none: it never does. With some the automatic speed does not make up for the time spent there.
   void dwell_at(std::span<const Step> moments) { moments_.assign(moments.begin(), moments.end()); }
-  static constexpr double dwell_seconds = 1.5; ///< at each of them
+  static constexpr double dwell_seconds = 2.5; ///< for each of them
+  /// Which of them it dwells for, from 0; nullopt while it goes on.
+  std::optional<std::size_t> dwelling() const;
+  /// Before `step` playing makes at most so many steps a second; step 0: it is never held back.
+  void slow_before(Step step, double steps_per_second) {
+    slow_end_ = step;
+    slow_speed_ = steps_per_second;
+  }
 
   /// Moves by `seconds` of real time towards `live`, the last step there is; `growing`: more may come.
   void update(double seconds, Step live, bool growing);
@@ -44,6 +53,9 @@ class Transport {
 
  private:
   double automatic_speed(double remaining, double end) const;
+  double velocity(double remaining, double end) const;
+  /// Dwells for the moments at a step, where there are some.
+  bool dwell(Step step);
   Mode mode_ = Mode::following;
   double position_ = 0;
   double speed_ = automatic;
@@ -51,7 +63,11 @@ class Transport {
   bool immediate_ = false;
   double advance(double from, double to, double seconds);
   std::vector<Step> moments_;
-  double dwell_ = 0; ///< seconds still to be spent at the present moment
+  std::size_t dwell_end_ = 0; ///< behind the last of the moments it dwells for
+  double dwell_ = 0;          ///< seconds still to be spent at them
+  bool began_ = false;        ///< the moments at step 0 are behind it
+  Step slow_end_ = 0;
+  double slow_speed_ = 0;
 };
 
 } // namespace isoscope

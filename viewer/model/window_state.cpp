@@ -1,6 +1,8 @@
 // Messages, the window's memory of its look, and what follows from what is selected.
 #include "model/window_state.h"
 
+#include "scene/overlay.h"
+
 #include <algorithm>
 
 namespace isoscope {
@@ -10,7 +12,34 @@ constexpr std::size_t message_limit = 4;
 
 } // namespace
 
+float Message::strength(double clock) const {
+  if (error) return 1;
+  const double left = since + shown - clock;
+  return static_cast<float>(std::clamp(left / fade, 0.0, 1.0));
+}
+
+bool WindowState::drag_in_scene(Vec3 place, float dx, float dy) {
+  const auto [x, y, width, height] = scene_area;
+  const ScreenPoint at = project(camera, place, static_cast<double>(width), static_cast<double>(height));
+  if (!at.visible) return false;
+  const float from_x = x + static_cast<float>(at.x), from_y = y + static_cast<float>(at.y);
+  constexpr int moves = 8;
+  for (int i = -2; i <= moves + 1; ++i) {
+    const float t = static_cast<float>(std::clamp(i, 0, moves)) / moves;
+    requests.mouse.push_back({from_x + t * dx, from_y + t * dy, 0, i >= 0 && i <= moves});
+  }
+  return true;
+}
+
 void WindowState::add(Message message) {
+  // The same words again are no second line.
+  const auto same = std::find_if(messages.begin(), messages.end(), [&](const Message& m) {
+    return m.error == message.error && m.text == message.text && m.remedy == message.remedy;
+  });
+  if (same != messages.end()) {
+    message.times = same->times + 1;
+    messages.erase(same);
+  }
   messages.push_back(std::move(message));
   while (messages.size() > message_limit) messages.pop_front();
 }
@@ -30,6 +59,28 @@ void WindowState::toggle(Overlay which) {
 void WindowState::open_tab(BottomTab tab) {
   settings.panes.tab = tab;
   settings.panes.show_bottom = true;
+}
+
+void WindowState::lend_layout(LayoutGuest guest) {
+  if (guests_ == 0) kept_layout_ = settings.panes;
+  guests_ |= static_cast<unsigned>(guest);
+}
+
+void WindowState::end_loan(LayoutGuest guest) {
+  guests_ &= ~static_cast<unsigned>(guest);
+  if (guests_ == 0) kept_layout_.reset();
+}
+
+std::string_view name(AnswerKind answer) {
+  constexpr std::array<std::string_view, 7> words{"none",        "unlock",   "advice", "what-if",
+                                                  "certificate", "topology", "check"};
+  return words.at(static_cast<std::size_t>(answer));
+}
+
+void WindowState::bring_into_sight(AnswerKind which) {
+  settings.panes.show_right = true;
+  answer.wanted = which;
+  answer.awaited = false;
 }
 
 ViewMemento WindowState::memento() const {

@@ -16,6 +16,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isoscope {
@@ -41,7 +42,11 @@ enum class FilesFor : std::uint8_t { open, beside, between };
 struct Message {
   bool error = false;
   std::string text, remedy;
-  double since = 0; ///< on the window's clock
+  double since = 0;                            ///< on the window's clock
+  unsigned times = 1;                          ///< it was told, the same words again
+  static constexpr double shown = 8, fade = 1; ///< seconds; what is no error goes away by itself
+  /// In [0, 1]: how solid it is drawn.
+  float strength(double clock) const;
 };
 
 /// A picture asked for; taken after the next frame at full quality.
@@ -94,6 +99,18 @@ struct Selection {
   }
 };
 
+/// Answers of the inspector that are brought into sight once they are there.
+enum class AnswerKind : std::uint8_t { none, unlock, advice, what_if, certificate, topology, check };
+std::string_view name(AnswerKind answer);
+
+/// Which one is waited for, and which one flashes because it has come.
+struct AnswerInSight {
+  AnswerKind wanted = AnswerKind::none, shown = AnswerKind::none;
+  bool awaited = false;                ///< where it will come was scrolled to already
+  double since = -1e9;                 ///< on the window's clock
+  static constexpr double flash = 1.2; ///< seconds
+};
+
 /// How deep one steps.
 enum class DebugLevel : std::uint8_t {
   stage,
@@ -109,11 +126,21 @@ struct StepPlace {
   bool at_gate(std::size_t which) const { return level == DebugLevel::gate && gate == which; }
 };
 
+/// What going on with the panel's parameters would take.
+struct Forecast {
+  Step from = 0;      ///< the step at which it begins
+  double seconds = 0; ///< to the end of the run, as far as the present one tells
+  friend bool operator==(const Forecast&, const Forecast&) = default;
+};
+
 /// The window before an audience: one scene, one sentence.
 struct Presenter {
   bool on = false;
   bool slow_down = true; ///< playing dwells at moments
 };
+
+/// Who shows another layout for a while than the one that is kept.
+enum class LayoutGuest : std::uint8_t { lesson = 1, two_views = 2 };
 
 /// The active run, and how the window looks at it. Features keep a reference to it; plain settings are
 /// changed in place.
@@ -122,6 +149,9 @@ class WindowState : public ShownRun {
   using ShownRun::ShownRun;
 
   RunParameters draft; ///< what the parameter panel shows: asked for when applied
+  /// At the state shown, under the draft; null where that is what the run has.
+  std::shared_ptr<const ViolationPreview> would_violate;
+  std::optional<Forecast> forecast; ///< for the draft; absent where it would change nothing
 
   // The view.
   ViewSettings view;
@@ -130,14 +160,23 @@ class WindowState : public ShownRun {
   bool section_set = false; ///< a person or a script has chosen the section's place
   Selection selection;
   ListFilter filter;             ///< of the event list
+  EventSort event_sort;          ///< and its order
   std::optional<StepSpan> range; ///< limits lanes, plots, lists and maps
   StepPlace place;
   std::optional<double> preview_delta; ///< Ω is drawn at this tolerance instead of the run's; absolute
   bool plot_time = false;              ///< plots over seconds instead of steps
   bool blinking = false;               ///< before and after of the operation in turn
+  bool warnings_open = false;          ///< the chip of warnings shows them in full
   ViewHistory history;                 ///< undo of view, filter, selection and layout
   bool dragging = false; ///< a mouse button is held: what it changes is one entry of the history
   Presenter presenter;
+  AnswerInSight answer;
+  std::string open_menu;      ///< asked for by a key: opened in the next frame
+  std::string menu;           ///< that is open
+  float inspector_scroll = 0; ///< pixels; told by the inspector
+  Pick inspected;             ///< what it told of in the last frame, and of which event
+  std::optional<std::uint32_t> inspected_event;
+  bool inspected_end = false; ///< it was asked about at the end of the run
 
   // The window.
   Settings settings;
@@ -158,6 +197,18 @@ class WindowState : public ShownRun {
   /// Lays it over the window, or takes it away where it lies there.
   void toggle(Overlay which);
   void open_tab(BottomTab tab);
+  /// From now on the panes of the settings are only what is shown: the layout that was there stays the one
+  /// that is kept, until the last guest has left. A guest that is there already changes nothing.
+  void lend_layout(LayoutGuest guest);
+  void end_loan(LayoutGuest guest);
+  bool has_guest(LayoutGuest guest) const { return (guests_ & static_cast<unsigned>(guest)) != 0; }
+  /// The layout that is remembered between sessions.
+  const PaneLayout& kept_layout() const { return kept_layout_ ? *kept_layout_ : settings.panes; }
+  /// Asks the mouse to drag what appears at a place in the scene by so many pixels; false where it is not in
+  /// sight.
+  bool drag_in_scene(Vec3 place, float dx, float dy);
+  /// Opens the inspector, which brings the answer into sight.
+  void bring_into_sight(AnswerKind which);
 
   /// What undo would bring back of the present window, and bringing it back.
   ViewMemento memento() const;
@@ -177,6 +228,8 @@ class WindowState : public ShownRun {
 
  private:
   void add(Message message);
+  std::optional<PaneLayout> kept_layout_; ///< while there are guests
+  unsigned guests_ = 0;                   ///< as bits
 };
 
 } // namespace isoscope

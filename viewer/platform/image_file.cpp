@@ -1,4 +1,4 @@
-// PNG through stb.
+// PNG and JPEG through stb.
 #include "platform/image_file.h"
 
 #include <stb_image.h>
@@ -29,19 +29,26 @@ Status write_png(const std::filesystem::path& file, const Image& image) {
   return {};
 }
 
-Result<Image> read_png(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Error{ErrorCode::io, "The picture " + file.string() + " cannot be read.", ""};
-  const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(in), {}};
+std::optional<Image> decode_picture(std::span<const std::byte> bytes) {
   Image image;
   int channels = 0;
-  stbi_uc* data = stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width,
-                                        &image.height, &channels, 4);
-  if (data == nullptr) return Error{ErrorCode::bad_input, file.string() + " is no picture.", ""};
+  stbi_uc* data =
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                            &image.width, &image.height, &channels, 4);
+  if (data == nullptr) return std::nullopt;
   image.pixels.assign(data, data + static_cast<std::size_t>(image.width) *
                                        static_cast<std::size_t>(image.height) * 4);
   stbi_image_free(data);
   return image;
+}
+
+Result<Image> read_png(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return Error{ErrorCode::io, "The picture " + file.string() + " cannot be read.", ""};
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+  auto image = decode_picture(std::as_bytes(std::span(bytes)));
+  if (!image) return Error{ErrorCode::bad_input, file.string() + " is no picture.", ""};
+  return std::move(*image);
 }
 
 } // namespace isoscope

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -74,17 +75,29 @@ void Window::install_callbacks() {
   };
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { note(w); });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { note(w); });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { note(w); });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) {
+    note(w);
+    static_cast<Window*>(glfwGetWindowUserPointer(w))->alt_alone_ = false;
+  });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { note(w); });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
     note(w);
-    if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
     auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(w));
+    if (key == GLFW_KEY_LEFT_ALT) {
+      if (action == GLFW_RELEASE && std::exchange(self.alt_alone_, false)) self.keys_.push_back({key});
+      if (action == GLFW_PRESS) self.alt_alone_ = true;
+      return;
+    }
+    self.alt_alone_ = false;
+    if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
     self.keys_.push_back(
         {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0});
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { note(w); });
-  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { note(w); });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) {
+    note(w);
+    static_cast<Window*>(glfwGetWindowUserPointer(w))->alt_alone_ = false;
+  });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { note(w); });
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { note(w); });
   glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { note(w); });

@@ -19,6 +19,7 @@ struct PixelSize {
 };
 
 /// A key going down or repeating; `key` is GLFW's code.
+/// The left Alt key is told when it is let go, and only if nothing else was pressed meanwhile.
 struct KeyPress {
   int key = 0;
   bool control = false, shift = false, alt = false;
@@ -68,6 +69,7 @@ class Window {
   bool activity_ = true;
   std::vector<std::string> dropped_;
   std::vector<KeyPress> keys_;
+  bool alt_alone_ = false; ///< the left Alt key is held, and nothing else was pressed
 };
 
 } // namespace isoscope

@@ -4,6 +4,7 @@
 #include "questions/target_study.h"
 #include "scene/line_batch.h"
 #include "scene/markers.h"
+#include "scene/meanings.h"
 #include "scene/mesh_batch.h"
 #include "scene/view_frame.h"
 
@@ -30,6 +31,6 @@ void add_ghost(AttemptBuilder& b, const TargetStudy& study, const SceneColors& c
 void add_cost_ellipsoid(AttemptBuilder& b, const EdgeXray& xray, Vec3 target, glm::vec3 color);
 
 /// Of the kernel.
-constexpr std::uint32_t kernel_color = 0xA98BF0;
+constexpr std::uint32_t kernel_color = meaning_color::kernel;
 
 } // namespace isoscope

@@ -2,6 +2,7 @@
 #include "scene/layers.h"
 
 #include "journal/vocabulary.h"
+#include "questions/outside_kernel.h"
 #include "scene/attempt_builder.h"
 #include "scene/search_regions.h"
 
@@ -10,7 +11,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::uint32_t offender_color = 0xE83FD0;
+constexpr std::uint32_t offender_color = meaning_color::offender;
 
 struct Builder : AttemptBuilder {
   void kernel(const KernelPolyhedron& k) {
@@ -61,6 +62,16 @@ struct Builder : AttemptBuilder {
       if (c.rejected != Reason::none) mark(c.point, rgb(style.color), style.shape, 9, 0.95f);
     }
   }
+
+  /// Where no candidate lay in the kernel: what lay outside, and the way into it.
+  void outside(const EdgeXray& xray) {
+    if (xray.attempt.rejected != Reason::no_candidate) return;
+    const ReasonWords& style = words(Reason::no_candidate);
+    for (const OutsidePoint& p : points_outside(xray)) {
+      mark(p.point, rgb(style.color), style.shape, 15);
+      line(p.point, xray.attempt.kernel->center, rgb(style.color), 0.8f, 1.4f, true);
+    }
+  }
 };
 
 } // namespace
@@ -80,6 +91,7 @@ void AttemptLayer::update(const EdgeXray* xray, const TargetStudy* study, const 
     b.offenders(xray->star, attempt.link.offending_t);
     b.offenders(xray->star, attempt.link.offending_zero);
     b.candidates(attempt);
+    b.outside(*xray);
     for (const Vec3& wrong : xray->pruning.wrong) b.mark(wrong, colors.warning, MarkerShape::square, 13);
     const bool searched = attempt.kernel && !attempt.kernel->empty;
     if (searched) b.mark(attempt.optimum, colors.accent, MarkerShape::hollow_diamond, 14);

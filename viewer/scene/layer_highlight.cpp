@@ -1,6 +1,7 @@
 // What the current operation touched, and what is selected.
 #include "scene/layers.h"
 
+#include "scene/first_box.h"
 #include "scene/pick_geometry.h"
 
 #include <glad/gl.h>
@@ -67,6 +68,20 @@ void add_facet_edges(std::span<const Triangle3> facets, const SceneSpace& space,
   for (const auto& e : edges) lines.segment(space.local(e[0]), space.local(e[1]), tint, width, dashed);
 }
 
+/// The twelve edges of a box.
+void add_box(const Box3& box, const SceneSpace& space, Color8 tint, LineBuilder& lines) {
+  if (box.empty()) return;
+  for (unsigned corner = 0; corner < 8; ++corner)
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((corner >> axis & 1u) != 0) continue;
+      Vec3 a;
+      for (int i = 0; i < 3; ++i) a[i] = (corner >> i & 1u) != 0 ? box.hi[i] : box.lo[i];
+      Vec3 b = a;
+      b[axis] = box.hi[axis];
+      lines.segment(space.local(a), space.local(b), tint, 1.6f);
+    }
+}
+
 /// An arrow of a move; its head faces the viewer.
 void add_arrow(Vec3 from, Vec3 to, const ViewFrame& frame, Color8 tint, LineBuilder& lines) {
   if (from == to) return;
@@ -131,6 +146,7 @@ void HighlightLayer::update(const StateSnapshot* state, const ViewFrame& frame) 
     const TetEdges edges(*state, frame.view.tets.box, frame.space);
     const TetEdges all_edges(*state, true, frame.space);
     if (frame.view.highlight.shown()) {
+      add_box(first_box(*state), frame.space, color8(c.tetrahedron_edge, 0.9f), operation);
       // The first insertions replace most of T: all their edges would be a tangle.
       constexpr std::size_t shown_tets = 400;
       std::vector<Corners> added;

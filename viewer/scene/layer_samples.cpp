@@ -3,6 +3,7 @@
 #include "scene/layer_samples.h"
 
 #include "mesh/sample_sets.h"
+#include "scene/sample_scope.h"
 #include "scene/thinning.h"
 
 #include <glad/gl.h>
@@ -50,9 +51,11 @@ void SamplesLayer::update(const StateSnapshot& state, const ViewSettings& view, 
   classified_ = state.complex.form != ZeroForm::free;
   std::vector<std::uint32_t> good, bad, over_rim;
   const bool whole_cells = clip.active() && !clip.cuts();
+  const SampleScope scope(state, view);
   for (const std::uint32_t id : order_) {
     const bool is_bad_sample = id < state.errors.size() && is_bad(static_cast<double>(state.errors[id]));
     if (!(is_bad_sample ? view.bad_samples : view.good_samples).shown()) continue;
+    if (!is_bad_sample && !scope.shows_good(samples_->positions[id])) continue;
     if (whole_cells) {
       const TetId tet = id < state.sample_tets.size() ? state.sample_tets[id] : TetId();
       const Vec3 p = state.samples->positions[id];

@@ -24,6 +24,7 @@ void TetrahedraLayer::update(const StateSnapshot& state, const TetFilter& filter
                              const Clip& clip, const SceneColors& colors, const SceneSpace& space) {
   constexpr float plain_alpha = 0.13f, changed_alpha = 0.34f;
   MeshBuilder solid, faint;
+  const bool rooms = state.zero_set.has_rooms();
   for_each_visible_tet(state, filter, clip, [&](TetId id, TetRole role) {
     const std::array<Vec3, 4> corners = state.complex.positions(id);
     std::array<glm::vec3, 4> p;
@@ -33,7 +34,8 @@ void TetrahedraLayer::update(const StateSnapshot& state, const TetFilter& filter
     // A box tetrahedron is large: it stays faint whatever it violates, or it would hide everything.
     const bool box = (state.tet_flags[id.index()] & tet_box) != 0;
     const bool sided = side_tint && !violates && state.complex.form == ZeroForm::embedded;
-    const glm::vec3 color = sided ? room_style(state.complex.tet(id).side).color : role_color(role, colors);
+    const glm::vec3 color =
+        sided ? side_color(state.complex.tet(id).side, rooms, colors) : role_color(role, colors);
     const Color8 tint = color8(color, box ? std::min(alpha, 0.16f) : sided ? 0.2f : alpha);
     (violates && !box ? solid : faint).tetrahedron(p, filter.shrink, tint);
   });

@@ -1,6 +1,7 @@
 // Z: shaded polygons with their edges.
 #include "scene/layers.h"
 
+#include "scene/map_colors.h"
 #include "scene/zero_facets.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ WallStyle wall_style(LabelPair labels) {
   return {side(labels.front, labels.back), side(labels.back, labels.front)};
 }
 
-void ZeroSetLayer::update(const StateSnapshot& state, Moment moment, const Clip& clip,
+void ZeroSetLayer::update(const StateSnapshot& state, Moment moment, const ZeroMap* map, const Clip& clip,
                           const SceneColors& colors, const SceneSpace& space) {
   const ZeroSet& zero = state.zero_set;
   const Color8 tint = color8(colors.zero_set);
@@ -35,6 +36,16 @@ void ZeroSetLayer::update(const StateSnapshot& state, Moment moment, const Clip&
   for (std::size_t index = 0; index < zero.polygons.size(); ++index) {
     const ZeroSet::Polygon& polygon = zero.polygons[index];
     if (is_new[index] || !shows_polygon(state, polygon, clip)) continue;
+    if (map != nullptr && index + 1 < map->begin.size()) {
+      MeshBuilder& builder = sheet(std::nullopt);
+      for (std::uint32_t i = map->begin[index]; i < map->begin[index + 1]; ++i) {
+        const ZeroMap::Piece& piece = map->pieces[i];
+        const Triangle3& t = piece.corners;
+        builder.triangle(space.local(t[0]), space.local(t[1]), space.local(t[2]),
+                         color8(map_color(map_part(*map, piece.value))), piece.edges);
+      }
+      continue;
+    }
     MeshBuilder& builder = sheet(rooms ? std::optional(polygon.labels) : std::nullopt);
     std::array<glm::vec3, 4> p{};
     for (std::size_t i = 0; i < polygon.count; ++i) p[i] = space.local(zero.vertices[polygon.v[i]].position);

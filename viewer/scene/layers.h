@@ -5,6 +5,7 @@
 #include "input/triangle_soup.h"
 #include "questions/snapshot.h"
 #include "questions/target_study.h"
+#include "questions/zero_map.h"
 #include "scene/annotation.h"
 #include "scene/clip.h"
 #include "scene/line_batch.h"
@@ -36,8 +37,9 @@ class InputLayer {
 class ZeroSetLayer {
  public:
   /// `before`: as it was before the current operation, where Z is embedded or free.
-  void update(const StateSnapshot& state, Moment moment, const Clip& clip, const SceneColors& colors,
-              const SceneSpace& space);
+  /// With a map of the state it is coloured by its values; null: in its own colour.
+  void update(const StateSnapshot& state, Moment moment, const ZeroMap* map, const Clip& clip,
+              const SceneColors& colors, const SceneSpace& space);
   void clear() { sheets_.clear(); }
   /// Opaque pass, or translucent when the layer's opacity is below 1.
   void draw(gl::Program& program, const ViewFrame& frame);

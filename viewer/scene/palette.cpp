@@ -1,19 +1,21 @@
 // The scene's colours: meaning is the same in every theme, grounds and lines follow it.
 #include "scene/palette.h"
 
+#include "scene/meanings.h"
+
 #include <array>
 
 namespace isoscope {
 
 SceneColors scene_colors(ThemeKind theme) {
   SceneColors c;
-  c.good = rgb(0x009E73);
-  c.bad = rgb(0xD55E00);
-  c.warning = rgb(0xE69F00);
-  c.misoriented = rgb(0x8C6BD8);
-  c.gamma = rgb(0x0072B2);
-  c.outer = rgb(0x56B4E9);
-  c.inner = rgb(0xCC79A7);
+  c.good = rgb(meaning_color::good);
+  c.bad = rgb(meaning_color::bad);
+  c.warning = rgb(meaning_color::warning);
+  c.misoriented = rgb(meaning_color::misoriented);
+  c.gamma = rgb(meaning_color::gamma);
+  c.outer = rgb(meaning_color::outer);
+  c.inner = rgb(meaning_color::inner);
   c.selection = rgb(0xF0E442);
   c.accent = rgb(0x56B4E9);
   switch (theme) {
@@ -28,6 +30,8 @@ SceneColors scene_colors(ThemeKind theme) {
     c.rim = rgb(0xE69F00);
     c.tetrahedron = rgb(0x9FB0C8);
     c.tetrahedron_edge = rgb(0xC4CEDD);
+    c.outside_cells = rgb(0x66707F);
+    c.inside_cells = rgb(0xB8A678);
     c.section_line = rgb(0x4A5362);
     c.section_zero = rgb(0xF2F2F2);
     break;
@@ -42,6 +46,8 @@ SceneColors scene_colors(ThemeKind theme) {
     c.rim = rgb(0xB36B00);
     c.tetrahedron = rgb(0x6E7F99);
     c.tetrahedron_edge = rgb(0x4D5A6D);
+    c.outside_cells = rgb(0x9AA3B0);
+    c.inside_cells = rgb(0xB59B55);
     c.section_line = rgb(0xB4BCC8);
     c.section_zero = rgb(0x101216);
     c.selection = rgb(0xB59A00);
@@ -57,6 +63,8 @@ SceneColors scene_colors(ThemeKind theme) {
     c.rim = rgb(0xB36B00);
     c.tetrahedron = rgb(0x8290A6);
     c.tetrahedron_edge = rgb(0x596577);
+    c.outside_cells = rgb(0xB0B0B0);
+    c.inside_cells = rgb(0xB59B55);
     c.section_line = rgb(0xBDBDBD);
     c.section_zero = rgb(0x000000);
     c.selection = rgb(0xB59A00);
@@ -66,8 +74,13 @@ SceneColors scene_colors(ThemeKind theme) {
   return c;
 }
 
+glm::vec3 side_color(int label, bool rooms, const SceneColors& colors) {
+  if (label > 0) return colors.outside_cells;
+  return rooms ? room_style(label).color : colors.inside_cells;
+}
+
 RoomStyle room_style(int label) {
-  if (label > 0) return {rgb(0x56B4E9), Hatch::none};
+  if (label > 0) return {rgb(meaning_color::outer), Hatch::none};
   // Six of the eight colours of Okabe and Ito (2008), those of the outside and of lines left out.
   constexpr std::array<std::uint32_t, 6> colors{0xCC79A7, 0xE69F00, 0x009E73, 0x0072B2, 0xF0E442, 0xD55E00};
   constexpr std::array<Hatch, 7> hatches{Hatch::none,  Hatch::rising,  Hatch::falling, Hatch::dots,

@@ -19,8 +19,9 @@ struct SceneColors {
   glm::vec3 dropped; ///< points that no site stands for
   glm::vec3 rim;     ///< the open rim of the input, and the samples over it
   glm::vec3 tetrahedron, tetrahedron_edge;
-  glm::vec3 section_line; ///< T in the 2D section
-  glm::vec3 section_zero; ///< Z in the 2D section
+  glm::vec3 outside_cells, inside_cells; ///< tetrahedra by side: not Ω's colours, as they are not Ω
+  glm::vec3 section_line;                ///< T in the 2D section
+  glm::vec3 section_zero;                ///< Z in the 2D section
 };
 
 SceneColors scene_colors(ThemeKind theme);
@@ -37,6 +38,8 @@ struct RoomStyle {
 /// Of a label: the outside as Ω's outer boundary and plain, the first inside as its inner boundary; colours
 /// and hatches recur after different counts, so that together they tell many rooms apart.
 RoomStyle room_style(int label);
+/// Of tetrahedra on a side of Z; where there are several insides that of their room.
+glm::vec3 side_color(int label, bool rooms, const SceneColors& colors);
 
 /// "#rrggbb" given as 0xrrggbb.
 constexpr glm::vec3 rgb(std::uint32_t hex) {

@@ -3,6 +3,7 @@
 
 #include "mesh/sample_sets.h"
 #include "scene/clip.h"
+#include "scene/sample_scope.h"
 #include "scene/tet_visibility.h"
 #include "scene/zero_facets.h"
 
@@ -118,11 +119,13 @@ void hit_samples(const Search& search, std::vector<Hit>& hits) {
   const StateSnapshot& state = *search.scene.state;
   if (!search.view.samples.shown() || !state.samples) return;
   const auto& positions = state.samples->positions;
+  const SampleScope scope(state, search.view);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto t = search.caught(positions[i]);
     if (!t) continue;
     const bool bad = i < state.errors.size() && is_bad(static_cast<double>(state.errors[i]));
     if (!(bad ? search.view.bad_samples : search.view.good_samples).shown()) continue;
+    if (!bad && !scope.shows_good(positions[i])) continue;
     const TetId tet = i < state.sample_tets.size() ? state.sample_tets[i] : TetId();
     const bool known = tet.valid() && state.complex.tet(tet).alive();
     const bool visible = known ? search.clip.shows_point(positions[i], state.complex.positions(tet))

@@ -4,6 +4,7 @@
 #include "embedded/shaders.h"
 #include "gl/device.h"
 #include "gl/shader_source.h"
+#include "scene/first_box.h"
 #include "scene/frame_targets.h"
 #include "scene/overlay.h"
 #include "scene/picking.h"
@@ -91,6 +92,7 @@ Box3 Renderer::Impl::visible_bounds(const ViewSettings& view) const {
   if (shown.state)
     for (const Vertex& v : shown.state->complex.vertices)
       if (v.alive && (v.kind != VertexKind::box || view.tets.box)) box.add(v.position);
+  if (shown.state) box.add(first_box(*shown.state));
   return box;
 }
 
@@ -299,6 +301,14 @@ void Renderer::set_study(std::shared_ptr<const TargetStudy> study) {
 
 void Renderer::set_annotation(std::shared_ptr<const Annotation> annotation) {
   impl_->shown.annotation = std::move(annotation);
+}
+
+void Renderer::set_preview(std::shared_ptr<const ViolationPreview> preview) {
+  impl_->shown.preview = std::move(preview);
+}
+
+void Renderer::set_zero_map(std::shared_ptr<const ZeroMap> map) {
+  impl_->shown.zero_map = std::move(map);
 }
 
 Box3 Renderer::bounds() const {

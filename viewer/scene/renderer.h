@@ -18,6 +18,7 @@ namespace isoscope {
 struct Annotation;
 struct EdgeXray;
 struct TargetStudy;
+struct ZeroMap;
 
 /// How much work a frame may cost.
 enum class Quality : std::uint8_t { moving, rest };
@@ -58,6 +59,10 @@ class Renderer {
   void set_xray(std::shared_ptr<const EdgeXray> xray);
   void set_study(std::shared_ptr<const TargetStudy> study);
   void set_annotation(std::shared_ptr<const Annotation> annotation);
+  /// What would violate in the state under other parameters.
+  void set_preview(std::shared_ptr<const ViolationPreview> preview);
+  /// What Z is coloured by, of the state shown.
+  void set_zero_map(std::shared_ptr<const ZeroMap> map);
   Box3 bounds() const;
 
   /// Renders the 3D view; returns the colour texture's name, valid until the next call

@@ -68,8 +68,11 @@ void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
   const StateSnapshot* state = inputs.state.get();
   Built zero_wanted = wanted;
   zero_wanted.moment = view.moment;
-  refresh(view.zero_set, zero_wanted, zero_set_,
-          [&](ZeroSetLayer& layer) { layer.update(*state, view.moment, clip, frame.colors, frame.space); });
+  // A picture may have another view than the window, whose map this is.
+  if (inputs.zero_map && inputs.zero_map->kind == view.zero_map) zero_wanted.map = inputs.zero_map;
+  refresh(view.zero_set, zero_wanted, zero_set_, [&](ZeroSetLayer& layer) {
+    layer.update(*state, view.moment, zero_wanted.map.get(), clip, frame.colors, frame.space);
+  });
   refresh(view.curves, wanted, curves_,
           [&](CurvesLayer& layer) { layer.update(*state, clip, frame.colors, frame.space); });
   refresh(view.dropped, wanted, dropped_,
@@ -82,6 +85,7 @@ void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
   sample_wanted.good = view.good_samples.shown();
   sample_wanted.bad = view.bad_samples.shown();
   sample_wanted.over_rim = view.over_rim.shown();
+  sample_wanted.near_samples = view.near_samples;
   refresh(view.samples, sample_wanted, samples_,
           [&](SamplesLayer& layer) { layer.update(*state, view, clip, frame.space); });
   // Cut tetrahedra depend on the clip too: only those that it touches or keeps are uploaded.
@@ -95,6 +99,7 @@ void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
   highlight_.update(state, frame);
   attempt_.update(view.xray.shown() ? inputs.xray.get() : nullptr, inputs.study.get(), frame);
   annotations_.update(inputs.annotation.get(), frame);
+  preview_.update(state, inputs.preview.get(), frame);
 }
 
 void SceneLayers::draw_opaque(Programs& programs, const ViewFrame& frame, const FrameQuality& quality) {
@@ -146,6 +151,7 @@ void SceneLayers::draw_cells(Programs& programs, const ViewFrame& frame) {
 
 void SceneLayers::draw_over(Programs& programs, const ViewFrame& frame) {
   if (CutLayer::shown(frame)) cut_.draw(programs, frame);
+  preview_.draw(programs);
   highlight_.draw(programs, frame);
   attempt_.draw(programs, frame);
   annotations_.draw(programs, frame);

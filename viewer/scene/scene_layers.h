@@ -3,6 +3,7 @@
 
 #include "scene/layer_cut.h"
 #include "scene/layer_points.h"
+#include "scene/layer_preview.h"
 #include "scene/layer_samples.h"
 #include "scene/layer_tolerance.h"
 #include "scene/layers.h"
@@ -20,6 +21,8 @@ struct LayerInputs {
   std::shared_ptr<const EdgeXray> xray;
   std::shared_ptr<const TargetStudy> study;
   std::shared_ptr<const Annotation> annotation;
+  std::shared_ptr<const ViolationPreview> preview; ///< of the state
+  std::shared_ptr<const ZeroMap> zero_map; ///< of the state
 
   /// The rim of an open input, null where there is none.
   const Rim* rim() const;
@@ -49,10 +52,11 @@ class SceneLayers {
   struct Built {
     bool made = false;
     const void* source = nullptr;
+    std::shared_ptr<const ZeroMap> map{};
     ClipSettings clip;
     ThemeKind theme = ThemeKind::dark;
     TetFilter tets;
-    bool good = true, bad = true, over_rim = true;
+    bool good = true, bad = true, over_rim = true, near_samples = true;
     Moment moment = Moment::both;
     friend bool operator==(const Built&, const Built&) = default;
   };
@@ -73,6 +77,7 @@ class SceneLayers {
   HighlightLayer highlight_;
   AttemptLayer attempt_;
   AnnotationLayer annotations_;
+  PreviewLayer preview_;
 };
 
 } // namespace isoscope

@@ -55,16 +55,6 @@ void outline(const KernelPolyhedron& shape, std::size_t ball_from, const SceneSp
 
 } // namespace
 
-const FateStyle& fate_style(OctreeCell::Fate fate) {
-  static constexpr std::array<FateStyle, fate_count> styles{
-      {{0x7F8896, "split", "Its eight parts were looked at; not drawn itself."},
-       {0x8E97A6, "outside the kernel", "Pruned: no point of it sees the whole one-ring."},
-       {invalid_color, "inside Ψ", "Pruned: every point of it is known to fail. Figures 9 and 12"},
-       {0xE69F00, "costlier", "Pruned: no point of it has less error than a target already found."},
-       {0x56B4E9, "last level", "Too deep to be split; its centre was the last candidate there."}}};
-  return styles.at(static_cast<std::size_t>(fate));
-}
-
 void add_invalid_regions(const EdgeXray& xray, const SceneSpace& space, LineBuilder& lines,
                          MeshBuilder& faces) {
   if (xray.kernel.vertices.empty()) return;
@@ -90,9 +80,7 @@ void add_octree_cells(const CollapseAttempt& attempt, const SceneSpace& space, L
   constexpr double shrink = 0.94;
   for (const OctreeCell& cell : attempt.cells) {
     if (cell.fate == OctreeCell::Fate::split) continue;
-    // Most cells are one of these; the others tell more.
-    const bool faint =
-        cell.fate == OctreeCell::Fate::outside_kernel || cell.fate == OctreeCell::Fate::costlier;
+    const bool faint = is_faint(cell.fate);
     const Color8 tint = color8(rgb(fate_style(cell.fate).color), faint ? 0.14f : 0.75f);
     const Vec3 c = cell.box.center(), e = 0.5 * shrink * cell.box.extent();
     const auto corner = [&](unsigned i) {

@@ -3,23 +3,15 @@
 
 #include "questions/edge_xray.h"
 #include "scene/line_batch.h"
+#include "scene/meanings.h"
 #include "scene/mesh_batch.h"
+#include "scene/octree_fates.h"
 #include "scene/view_frame.h"
-
-#include <string_view>
 
 namespace isoscope {
 
-/// How the fate of a cell of the octree search is shown.
-struct FateStyle {
-  std::uint32_t color = 0;
-  std::string_view title, help;
-};
-const FateStyle& fate_style(OctreeCell::Fate fate);
-constexpr std::size_t fate_count = 5;
-
 /// Of Ψ, faces and hatching.
-constexpr std::uint32_t invalid_color = 0xD9542B;
+constexpr std::uint32_t invalid_color = meaning_color::invalid;
 
 /// Translucent faces, hatching, and a solid outline where Ψ meets the kernel or one of its own planes.
 void add_invalid_regions(const EdgeXray& xray, const SceneSpace& space, LineBuilder& lines,

@@ -1,7 +1,9 @@
 // Draws the 2D section as the paper's figures do.
 #include "scene/section.h"
 
+#include "scene/layer_preview.h"
 #include "scene/pick_geometry.h"
+#include "scene/section_attempt_layer.h"
 
 #include <glad/gl.h>
 
@@ -57,9 +59,9 @@ void add_rim(const Rim& rim, const SectionPlane& plane, const ViewFrame& frame, 
 }
 
 /// How a side is filled; without hatch where there is one inside.
-WallStyle fill_style(int label, bool rooms) {
-  const RoomStyle own = room_style(label);
-  const WallStyle::Side side{own.color, own.color, rooms ? own.hatch : Hatch::none};
+WallStyle fill_style(int label, bool rooms, const SceneColors& colors) {
+  const glm::vec3 color = side_color(label, rooms, colors);
+  const WallStyle::Side side{color, color, rooms ? room_style(label).hatch : Hatch::none};
   return {side, side};
 }
 
@@ -88,7 +90,8 @@ void SectionLayer::update(const LayerInputs& inputs, const ViewFrame& frame) {
       for (const SectionGeometry::Cell& cell : geometry.cells)
         for (std::size_t i = 1; i + 1 < cell.count; ++i)
           cells[cell.label].triangle(local(cell.corners[0]), local(cell.corners[i]),
-                                     local(cell.corners[i + 1]), color8(room_style(cell.label).color), 0);
+                                     local(cell.corners[i + 1]),
+                                     color8(side_color(cell.label, state->zero_set.has_rooms(), c)), 0);
     }
     const auto mark = [&](PlanePoint at, glm::vec3 color, MarkerShape shape, std::uint8_t diameter) {
       marks.push_back({frame.space.local(plane.lift(at)), color8(color), shape, diameter});
@@ -128,6 +131,21 @@ void SectionLayer::update(const LayerInputs& inputs, const ViewFrame& frame) {
           samples.push_back({frame.space.local(plane.lift(at)), color8(c.rim, frame.view.over_rim.opacity),
                              MarkerShape::hollow_diamond, diamond});
     }
+    if (inputs.preview) {
+      const double near = section_sample_distance(*state);
+      for_each_marked(
+          *state, *inputs.preview,
+          [&](SampleId s) {
+            const Vec3 p = state->samples->positions[s.index()];
+            if (std::abs(plane.height(p)) <= near)
+              marks.push_back({frame.space.local(plane.lift(plane.project(p))), color8(c.warning, 0.9f),
+                               MarkerShape::circle, 13});
+          },
+          [&](TetId t, bool misoriented) {
+            outline(state->complex.positions(t), plane, frame.space,
+                    color8(misoriented ? c.misoriented : c.warning, 0.9f), 1.6f, true, marked);
+          });
+    }
     const auto ring = [&](Vec3 p, glm::vec3 color, std::uint8_t diameter) {
       // Far from the plane the ring only hints at where the point is.
       const double reach = state->samples ? 4 * state->samples->sigma : 0;
@@ -160,10 +178,18 @@ void SectionLayer::update(const LayerInputs& inputs, const ViewFrame& frame) {
         ring(pick.point, c.selection, 16);
     }
   }
+  MeshBuilder areas;
+  if (inputs.xray && frame.view.xray.shown()) {
+    const SectionPlane plane = section_plane(frame.view.clip);
+    add_attempt(attempt_section(*inputs.xray, inputs.study.get(), plane,
+                                {frame.view.invalid_regions, frame.view.octree_cells, frame.colors}),
+                plane, frame, areas, marked, marks);
+  }
+  attempt_.upload(areas);
   sides_.resize(cells.size());
   std::size_t next = 0;
   for (const auto& [label, builder] : cells) {
-    sides_[next].style = fill_style(label, state->zero_set.has_rooms());
+    sides_[next].style = fill_style(label, state->zero_set.has_rooms(), frame.colors);
     sides_[next++].cells.upload(builder);
   }
   lines_.upload(lines);
@@ -195,6 +221,9 @@ void SectionLayer::draw(Programs& programs, const ViewFrame& frame, ToleranceLay
     flat.walls = side.style;
     side.cells.draw(programs.mesh_flat, flat);
   }
+  flat.walls.reset();
+  flat.opacity = 1;
+  attempt_.draw(programs.mesh_flat, flat);
   lines_.draw(programs.line, 1, 0);
   points_.draw(programs.marker, frame.view.points.opacity);
   samples_.draw(programs.marker, frame.view.samples.opacity);

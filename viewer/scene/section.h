@@ -1,5 +1,5 @@
 // Draws the 2D section as the paper's figures do: T thin, Z thick, ∂Γ blue, samples by class, the Steiner
-// point ringed; points of the input by weight.
+// point ringed; points of the input by weight; kernel, Ψ, octree and candidates of the edge at hand.
 #pragma once
 
 #include "scene/input_points.h"
@@ -30,6 +30,7 @@ class SectionLayer {
     MeshBatch cells;
   };
   std::vector<Side> sides_;
+  MeshBatch attempt_; ///< areas of the edge at hand
   LineBatch lines_, marked_;
   MarkerBatch points_, samples_, marks_;
 };

@@ -7,38 +7,24 @@
 #include "questions/rim_questions.h"
 #include "scene/level_loops.h"
 #include "scene/palette.h"
+#include "scene/section_attempt_svg.h"
 #include "scene/section_view.h"
+#include "scene/svg_words.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace isoscope {
 namespace {
 
+using svg::hex, svg::number;
+
 constexpr double margin = 3, line_height = 4.6, text_size = 3.2; // millimetres
 constexpr int lattice_most = 1200;                               ///< values along the longer side
 
-std::string number(double value, const char* format = "%.3f") {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  std::string s = text.data();
-  if (s.find('.') != std::string::npos && s.find('e') == std::string::npos) {
-    while (s.back() == '0') s.pop_back();
-    if (s.back() == '.') s.pop_back();
-  }
-  return s == "-0" ? "0" : s;
-}
 std::string short_number(double value) {
   return number(value, "%.4g");
-}
-
-std::string hex(glm::vec3 color) {
-  std::array<char, 8> text{};
-  const auto byte = [](float c) { return static_cast<unsigned>(std::lround(255 * c)); };
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(color.r), byte(color.g), byte(color.b));
-  return text.data();
 }
 
 /// 1, 2 or 5 times a power of ten, at most `most`.
@@ -133,7 +119,7 @@ std::string room_id(int label) {
 /// One tile of each hatch that is used, in its room's colours.
 void Drawing::hatches() {
   for (const int label : room_labels()) {
-    const RoomStyle style = room_style(label);
+    const RoomStyle style{side_color(label, true, colors_), room_style(label).hatch};
     const std::string ink = "fill=\"none\" stroke=\"" + hex(style.color) + "\" stroke-width=\"0.5\"";
     const bool turned =
         style.hatch == Hatch::rising || style.hatch == Hatch::falling || style.hatch == Hatch::crossed;
@@ -383,6 +369,13 @@ std::string Drawing::text() {
   points();
   samples();
   next_point();
+  if (figure_.xray && view.xray.shown())
+    out_ += attempt_svg(attempt_section(*figure_.xray, figure_.study.get(), plane_,
+                                        {view.invalid_regions, view.octree_cells, colors_}),
+                        [this](PlanePoint p) {
+                          return PlanePoint{figure_.width / 2 + scale_ * (p.u - figure_.section.u),
+                                            height_ / 2 - scale_ * (p.v - figure_.section.v)};
+                        });
   out_ += "</g>\n<g id=\"caption\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"" +
           number(text_size) + "\" fill=\"#000000\">\n";
   legend(height_ + line_height);

@@ -19,6 +19,7 @@ inline constexpr std::array<Choice, 3> clip_modes{{{"cut"}, {"whole"}, {"straddl
 inline constexpr std::array<Choice, 3> sides{{{"both"}, {"outer"}, {"inner"}}};
 inline constexpr std::array<Choice, 3> moments{{{"both"}, {"before"}, {"after"}}};
 inline constexpr std::array<Choice, 3> modes{{{"scene"}, {"section"}, {"split"}}};
+inline constexpr std::array<Choice, 5> zero_maps{{{"none"}, {"distance"}, {"normals"}, {"valence"}, {"age"}}};
 inline constexpr std::array<Choice, 3> themes{{{"dark"}, {"light"}, {"paper"}}};
 
 constexpr FieldFacts plain(std::string_view name, std::string_view script, std::string_view words) {
@@ -40,7 +41,11 @@ constexpr auto fields_of(const ViewSettings*) {
   using V = ViewSettings;
   return std::tuple{
       field(&V::zero_set_edges, plain("zero_set_edges", "zero-edges", "edges of Z drawn")),
+      field(&V::zero_map, choice("zero_map", "colour-by", "what Z is coloured by", zero_maps)),
+      field(&V::legend, plain("legend", "legend", "legend of the scene in view and pictures")),
       field(&V::sample_size, number("sample_size", "sample-size", "size of samples, pixels", 1, 30)),
+      field(&V::near_samples,
+            plain("near_samples", "samples.near", "good samples in 3D only around the current operation")),
       field(&V::side_tint, plain("side_tint", "side-tint", "tetrahedra in the colour of their side")),
       field(&V::focus,
             plain("focus", "focus", "with an edge selected samples, Ω and changed tetrahedra step back")),
@@ -61,6 +66,7 @@ constexpr auto fields_of(const ViewSettings*) {
             plain("cost_ellipsoid", "xray.ellipsoid", "points of the same error as the target drawn")),
       field(&V::axes, plain("axes", "axes", "axes drawn")),
       field(&V::scale_bar, plain("scale_bar", "scale-bar", "scale bar drawn")),
+      field(&V::clip_handle, plain("clip_handle", "clip.handle", "handle of the clip's plane in 3D")),
       field(&V::mode, choice("mode", "mode", "what the view shows", modes)),
       field(&V::theme, choice("", "theme", "colours", themes))};
 }

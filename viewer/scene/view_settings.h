@@ -4,6 +4,7 @@
 
 #include "base/geometry.h"
 #include "base/ids.h"
+#include "questions/zero_map_kind.h"
 
 #include <array>
 #include <cstdint>
@@ -61,6 +62,7 @@ struct ViewSettings {
   LayerSettings inner{true, 0.35f}; ///< inner boundary surface of Ω
   LayerSettings samples{true, 1.0f};
   LayerSettings good_samples{true, 1.0f}, bad_samples{true, 1.0f};
+  bool near_samples = true;           ///< good samples only around the current operation
   LayerSettings over_rim{true, 1.0f}; ///< the boundary samples B
   LayerSettings tetrahedra{true, 1.0f};
   LayerSettings zero_set{true, 1.0f};
@@ -76,6 +78,8 @@ struct ViewSettings {
   float kernel_push = 0;               ///< planes of an empty kernel, of what they miss by, in [0, 1]
   Moment moment = Moment::both;
   bool zero_set_edges = true;
+  ZeroMapKind zero_map = ZeroMapKind::none; ///< what Z is coloured by
+  bool legend = false;                      ///< what colours mean, in the view and in pictures
   bool focus = true;        ///< with an edge selected samples, Ω and changed tetrahedra step back
   bool side_tint = true;    ///< tetrahedra in the colour of their side once Z is embedded
   float sample_size = 5.0f; ///< pixels at the orbit distance
@@ -87,6 +91,7 @@ struct ViewSettings {
   ViewMode mode = ViewMode::scene;
   ThemeKind theme = ThemeKind::dark;
   bool axes = true, scale_bar = true;
+  bool clip_handle = true; ///< the clip's plane can be dragged in 3D
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
 

@@ -1,4 +1,6 @@
-// Parameters with a live preview of what would violate them now; applied to the run, or for a new one.
+// The parameters that belong to a whole run, and the conditions; α, σ, shrink and the buttons are in the
+// foot.
+#include "steering/parameter_rows.h"
 #include "steering/steering.h"
 
 #include "model/words.h"
@@ -18,62 +20,30 @@ namespace {
 
 using P = RunParameters;
 
-/// Where groups of rows begin, by FieldFacts::place.
-constexpr int first_number = 1, first_word = 11, first_condition = 31;
+/// Where groups of rows begin, by FieldFacts::place; those before the first are in the foot.
+constexpr int first_number = 4, first_word = 11, first_condition = 31;
 
-/// A label with the field's tooltip on the left, the control on the right of it.
-void label(const Ui& ui, const FieldFacts& f, float units) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float high = ui.px(units), width = ui.px(92);
-  ImGui::PushID(f.title.data());
-  ImGui::InvisibleButton("label", {width, high});
-  ImGui::PopID();
-  widgets::tip(ui, f.title, f.tip);
-  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
-                     {at.x, at.y + (high - ui.fonts.small->FontSize) / 2}, to_u32(ui.colors.quiet),
-                     f.label.empty() ? f.symbol : f.label);
-  ImGui::SameLine(0, 0);
-}
-
-/// The identifier of a control that has its label on the left.
-std::string unlabelled(const FieldFacts& f) {
-  return "##" + std::string(f.name);
-}
-
-/// What a slider offers: the field's range, one digit inside where an end is not part of it.
-void slider(const Ui& ui, const FieldFacts& f, double& value) {
-  const int digits = f.format[2] - '0'; // "%.2f"
-  const double step = std::pow(10.0, -digits);
-  const double low = f.slider_from > 0 ? f.slider_from : f.range.low + (f.range.low_included ? 0 : step);
-  const double high = f.range.high - (f.range.high_included ? 0 : step);
-  auto shown = static_cast<float>(value);
-  if (widgets::slider(ui, unlabelled(f).c_str(), shown, static_cast<float>(low), static_cast<float>(high),
-                      f.format.data(), f.logarithmic))
-    value = std::round(static_cast<double>(shown) * 1e4) / 1e4;
-}
-
-/// A number that is typed; what the field cannot be is not taken. True when changed.
+/// A number that is typed, with its unit behind it; what the field cannot be is told once it is there.
+/// `takes`: what the value can hold at all. True when changed.
 template <class Takes> bool typed(const FieldFacts& f, double& value, const char* format, Takes&& takes) {
   double wanted = value;
-  if (!ImGui::InputDouble(unlabelled(f).c_str(), &wanted, 0, 0, format) || !takes(wanted)) return false;
+  const std::string with_unit = format + std::string(f.unit);
+  if (!ImGui::InputDouble(unlabelled(f).c_str(), &wanted, 0, 0, with_unit.c_str()) || !takes(wanted))
+    return false;
   value = wanted;
   return true;
 }
 
+/// What whole numbers of every kind hold.
+bool fits_whole(double value) {
+  constexpr double most = 1e9;
+  return std::abs(value) < most;
+}
+
 void control(Ui& ui, P& p, const Field<P, double>& f) {
-  double& value = p.*(f.member);
-  if (f.format.empty()) {
-    ImGui::SetNextItemWidth(-1);
-    const widgets::Font font(ui.fonts.mono);
-    typed(f, value, "%.6g", [&](double v) { return check_range(f, {}, v).ok(); });
-  } else if (f.member == &P::sigma) {
-    const double by_default = ui.window.run.scene ? ui.window.run.scene->default_sigma : 0.5;
-    double sigma = p.sigma_ratio(by_default);
-    slider(ui, f, sigma);
-    if (sigma != p.sigma_ratio(by_default)) value = sigma;
-  } else {
-    slider(ui, f, value);
-  }
+  ImGui::SetNextItemWidth(-1);
+  const widgets::Font font(ui.fonts.mono);
+  typed(f, p.*(f.member), "%.6g", [](double v) { return std::isfinite(v); });
   widgets::tip(ui, f.title, f.tip);
 }
 
@@ -109,7 +79,7 @@ void control(Ui& ui, P& p, const Field<P, Tolerance>& f) {
     ImGui::InputDouble(unlabelled(f).c_str(), &found, 0, 0, same ? "%.6g" : "found");
     ImGui::EndDisabled();
   } else {
-    typed(f, tolerance.value, "%.6g", [](double v) { return Tolerance{v, false}.check({}, {}).ok(); });
+    typed(f, tolerance.value, "%.6g", [](double v) { return std::isfinite(v); });
   }
   ImGui::PopFont();
   widgets::tip(ui, f.title, f.tip);
@@ -119,6 +89,15 @@ void control(Ui& ui, P& p, const Field<P, Tolerance>& f) {
     next_unit(scene.get(), tolerance);
   widgets::tip(ui, "Unit of δ",
                "Percent of the longest edge, a length in the input's units, or auto: found from the input.");
+  const double edge = same ? scene->longest_edge : 0;
+  if (edge <= 0) return;
+  // The same the other way round.
+  const double delta = tolerance.automatic ? scene->delta : tolerance.absolute(edge);
+  const std::string also = tolerance.percent && !tolerance.automatic
+                               ? "= " + short_number(delta)
+                               : "= " + short_number(100 * delta / edge) + " %";
+  const widgets::Font small(ui.fonts.small);
+  widgets::quiet_text(ui, also + ", longest edge " + short_number(edge));
 }
 
 /// A number, or the word for none: off, or found by the run.
@@ -129,7 +108,8 @@ void control(Ui& ui, P& p, const Field<P, Robust>& f) {
   if (chosen == 2) {
     double value = k;
     ImGui::SetNextItemWidth(ui.px(46));
-    if (typed(f, value, "%.0f", [&](double v) { return v >= 2 && check_range(f, {}, v).ok(); }))
+    // 0 and 1 stand for the two words.
+    if (typed(f, value, "%.0f", [](double v) { return fits_whole(v) && (v < 0 || v >= 2); }))
       k = static_cast<int>(std::round(value));
     ImGui::SameLine(0, ui.px(6));
   }
@@ -160,8 +140,7 @@ void control(Ui& ui, P& p, const Field<P, Fill>& f) {
   std::array<char, 64> typed{};
   std::snprintf(typed.data(), typed.size(), "%s", fill.holes.c_str());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputText("##fill", typed.data(), typed.size()))
-    if (const auto read = Fill::read(typed.data())) fill = *read;
+  if (ImGui::InputText("##fill", typed.data(), typed.size())) fill.holes = typed.data();
   widgets::tip(ui, f.title, f.tip);
 }
 
@@ -172,8 +151,7 @@ void control(Ui& ui, P& p, const Field<P, std::optional<int>>& f) {
   if (value) {
     double wanted = *value;
     ImGui::SetNextItemWidth(ui.px(64));
-    if (typed(f, wanted, "%.0f", [&](double v) { return check_range(f, {}, v).ok(); }))
-      value = static_cast<int>(std::round(wanted));
+    if (typed(f, wanted, "%.0f", fits_whole)) value = static_cast<int>(std::round(wanted));
     widgets::tip(ui, f.title, f.tip);
     ImGui::SameLine(0, ui.px(6));
   }
@@ -208,7 +186,7 @@ void control(Ui& ui, P& p, const Field<P, std::optional<double>>& f) {
   int chosen = value ? 0 : 1;
   if (value) {
     ImGui::SetNextItemWidth(ui.px(64));
-    typed(f, *value, "%.4g", [&](double v) { return check_range(f, {}, v).ok(); });
+    typed(f, *value, "%.4g", [](double v) { return std::isfinite(v); });
     widgets::tip(ui, f.title, f.tip);
     ImGui::SameLine(0, ui.px(6));
   }
@@ -249,8 +227,7 @@ template <class T> void control(Ui& ui, P& p, const Field<P, T>& f) {
     if (f.choices.empty()) {
       auto value = static_cast<double>(p.*(f.member));
       ImGui::SetNextItemWidth(-1);
-      if (typed(f, value, "%.0f", [&](double v) { return check_range(f, {}, v).ok(); }))
-        p.*(f.member) = static_cast<T>(std::round(value));
+      if (typed(f, value, "%.0f", fits_whole)) p.*(f.member) = static_cast<T>(std::round(value));
       return;
     }
   int chosen = static_cast<int>(p.*(f.member));
@@ -307,15 +284,23 @@ void control(Ui& ui, P& p, const Field<P, std::array<bool, stage_count>>& f) {
   }
 }
 
-void conditions(Ui& ui, P& p) {
+void conditions(Ui& ui, P& p, const P& used) {
   const auto& f = field_of(&P::conditions);
   for (std::size_t i = 0; i < p.conditions.size(); ++i) {
     const Choice& row = f.choices[i];
     ImGui::PushID(row.name.data());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     widgets::toggle(ui, "on", p.conditions[i]);
-    widgets::tip(ui, std::string(f.title) + std::string(row.shown), row.tip);
+    const bool differs = p.conditions[i] != used.conditions[i];
+    widgets::tip(ui, std::string(f.title) + std::string(row.shown),
+                 std::string(row.tip) + " It matters until " +
+                     (row.until == "refinement" ? "the refinement ends." : "the improver begins.") +
+                     (!differs             ? ""
+                      : used.conditions[i] ? " In the run it is on."
+                                           : " In the run it is off."));
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (differs)
+      list.AddCircleFilled({at.x - ui.px(7), at.y + ui.px(10)}, ui.px(2.5f), to_u32(ui.colors.accent), 12);
     list.AddCircleFilled({at.x + ui.px(43), at.y + ui.px(10)}, ui.px(4),
                          to_u32(condition_color(ui.theme, static_cast<int>(i) + 1)), 16);
     widgets::draw_text(list, ui.fonts.small,
@@ -333,24 +318,19 @@ void walls(const Ui& ui, const P& p) {
 }
 
 /// The rows of places from `first` up to `end`, each `units` high.
-void rows(Ui& ui, P& p, int first, int end, float units) {
+void rows(Ui& ui, P& p, const P& used, int first, int end, float units) {
   for (int place = first; place < end; ++place)
     for_each_field<P>([&]<class T>(const Field<P, T>& f) {
       if constexpr (!std::is_same_v<T, std::string> && !std::is_same_v<T, std::array<bool, 4>>) {
         if (f.place != place || !speaks_of(f, ui.window)) return;
-        label(ui, f, units);
+        const FieldState state = field_state(f, p, used);
+        parameter_label(ui, f, state, units);
+        ImGui::BeginGroup();
         control(ui, p, f);
+        ImGui::EndGroup();
+        parameter_verdict(ui, state);
       }
     });
-}
-
-void preview_line(const Ui& ui, const char* name, std::size_t now, std::size_t then, bool known) {
-  std::string value = grouped(now);
-  if (known) value += "  →  " + grouped(then);
-  const Rgb color = !known || then == now ? ui.colors.text
-                    : then > now          ? ui.colors.bad_text
-                                          : ui.colors.good_text;
-  widgets::value_row(ui, name, value, color);
 }
 
 /// What S takes at the σ of the sliders.
@@ -367,20 +347,6 @@ void foreseen(const Ui& ui) {
   widgets::value_row(ui, "samples at this σ", words, fits ? ui.colors.text : ui.colors.bad_text);
 }
 
-void preview(Ui& ui, const Steering& steering) {
-  const WindowState& m = ui.window;
-  const auto state = m.state();
-  if (!state || state->complex.form == ZeroForm::free) return;
-  const bool differs = steering.draft_differs();
-  const auto next = steering.draft_preview();
-  const bool known = differs && next.has_value();
-  const ViolationPreview then = known ? *next : ViolationPreview{};
-  widgets::quiet_text(ui, differs ? "Would violate at this step" : "Violate at this step");
-  preview_line(ui, "samples beyond 1 − α", state->beyond_margin, then.beyond_margin, known);
-  preview_line(ui, "tetrahedra too flat", state->violating_2, then.too_flat, known);
-  preview_line(ui, "tetrahedra misoriented", state->violating_3, then.misoriented, known);
-}
-
 void warnings(const Ui& ui) {
   if (!ui.window.run.scene) return;
   for (const ParameterWarning& warning : ui.window.run.scene->warnings) {
@@ -393,48 +359,63 @@ void warnings(const Ui& ui) {
   }
 }
 
-void buttons(Ui& ui, const Steering& steering) {
-  const WindowState& m = ui.window;
-  const bool differs = steering.draft_differs(), restart_only = steering.draft_needs_restart();
-  const float each = (ImGui::GetContentRegionAvail().x - 2 * ui.px(8)) / 3;
-  const bool can_apply = m.run.journal != nullptr && differs && !restart_only;
-  if (can_apply ? widgets::primary_button(ui, "Apply", true, each)
-                : widgets::plain_button(ui, "Apply", false, each))
-    ui.commands.post("apply");
-  widgets::tip(ui, "Apply   Ctrl+Enter",
-               restart_only ? "δ, the modes and the stages belong to the whole run: they need a restart."
-                            : "Goes on with these parameters from the present state of the run.");
-  ImGui::SameLine(0, ui.px(8));
-  const bool restart = !m.draft.input.empty();
-  if (differs && restart_only ? widgets::primary_button(ui, "Restart", restart, each)
-                              : widgets::plain_button(ui, "Restart", restart, each))
-    ui.commands.post("restart");
-  widgets::tip(ui, "Restart   Ctrl+R", "Runs again from the beginning with these parameters.");
-  ImGui::SameLine(0, ui.px(8));
-  if (widgets::plain_button(ui, "Beside", m.run.scene != nullptr, each)) ui.commands.post("run-beside");
-  widgets::tip(ui, "Run beside   Ctrl+Shift+Enter",
-               "Runs the same input with these parameters beside this run; Compare tells what differs.");
-}
-
 } // namespace
 
-void parameters(Ui& ui, const Steering& steering) {
+std::string unlabelled(const FieldFacts& f) {
+  return "##" + std::string(f.name);
+}
+
+void parameter_label(const Ui& ui, const FieldFacts& f, const FieldState& state, float units) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float high = ui.px(units), width = ui.px(92);
+  ImGui::PushID(f.title.data());
+  ImGui::InvisibleButton("label", {width, high});
+  ImGui::PopID();
+  std::string tip(f.tip);
+  if (state.differs) tip += " The run has " + state.used + ".";
+  widgets::tip(ui, f.title, tip);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool right = state.error.empty();
+  widgets::draw_text(list, ui.fonts.small, {at.x, at.y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(!right          ? ui.colors.bad_text
+                            : state.differs ? ui.colors.text
+                                            : ui.colors.quiet),
+                     f.label.empty() ? f.symbol : f.label);
+  if (state.differs)
+    list.AddCircleFilled({at.x - ui.px(7), at.y + high / 2}, ui.px(2.5f),
+                         to_u32(right ? ui.colors.accent : ui.colors.bad), 12);
+  ImGui::SameLine(0, 0);
+}
+
+void wrong_value_frame(const Ui& ui) {
+  ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), to_u32(ui.colors.bad),
+                                      ui.px(4), 0, ui.px(1.5f));
+}
+
+void parameter_verdict(const Ui& ui, const FieldState& state) {
+  if (state.error.empty()) return;
+  wrong_value_frame(ui);
+  const widgets::Font font(ui.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.bad_text));
+  widgets::wrapped_text(state.error);
+  ImGui::PopStyleColor();
+}
+
+void parameters(Ui& ui) {
   if (!widgets::section(ui, "Parameters")) return;
   RunParameters& p = ui.window.draft;
+  const P used = used_parameters(ui.window);
   walls(ui, p);
-  rows(ui, p, first_number, first_word, 22);
+  rows(ui, p, used, first_number, first_word, 22);
   ImGui::Dummy({0, ui.px(2)});
   ImGui::PushFont(ui.fonts.small);
-  rows(ui, p, first_word, first_condition, 26);
+  rows(ui, p, used, first_word, first_condition, 26);
   ImGui::PopFont();
   ImGui::Dummy({0, ui.px(2)});
-  conditions(ui, p);
+  conditions(ui, p, used);
   ImGui::Dummy({0, ui.px(2)});
   foreseen(ui);
-  preview(ui, steering);
   warnings(ui);
-  ImGui::Dummy({0, ui.px(2)});
-  buttons(ui, steering);
   ImGui::Dummy({0, ui.px(6)});
 }
 

@@ -123,17 +123,6 @@ Status record(WindowState& m, const Arguments& a) {
   return {};
 }
 
-Status apply_parameters(Steering& m, const Arguments&) {
-  if (m.window.shows_recording())
-    return Error{ErrorCode::usage, "A recording cannot go on with other parameters.",
-                 "Restart (Ctrl+R) runs its input anew with those of the panel."};
-  if (m.draft_needs_restart())
-    return Error{ErrorCode::usage, "These parameters belong to the whole run: they need a new one.",
-                 "Use Restart (Ctrl+R)."};
-  if (Status s = check(m.window.draft); !s) return s;
-  return m.apply();
-}
-
 } // namespace
 
 void Steering::add_file_commands(CommandTable& table) {
@@ -197,27 +186,35 @@ void Steering::add_recording_commands(CommandTable& table) {
 
 void Steering::add_run_commands(CommandTable& table) {
   const auto has_run = [this] { return window.has_run(); };
-  add_group(table, {.menu = "Run"},
-            {{.name = "apply",
-              .title = "Apply parameters",
-              .help = "Goes on with the parameters of the panel from the present state.",
-              .icon = icon::check,
-              .keys = {{GLFW_KEY_ENTER, true}},
-              .run = on(*this, apply_parameters),
-              .enabled = has_run},
-             {.name = "restart",
-              .title = "Restart",
-              .help = "Runs again from the beginning with the parameters of the panel.",
-              .icon = icon::restart,
-              .keys = {{'R', true}},
-              .run = does([this] { restart(); }),
-              .enabled = [this] { return !window.draft.input.empty(); }},
-             {.name = "stop",
-              .title = "Stop",
-              .help = "Ends the run; what is there is kept and certified.",
-              .icon = icon::stop,
-              .run = does([this] { window.session.stop(); }),
-              .enabled = [this] { return window.running() || window.run.phase == SessionPhase::paused; }}});
+  add_group(
+      table, {.menu = "Run"},
+      {{.name = "apply",
+        .title = "Apply parameters",
+        .help = "Goes on with the parameters of the panel from the step that is shown: the run itself at "
+                "its live end, else a branch, and the run that it left is one key away.",
+        .icon = icon::check,
+        .keys = {{GLFW_KEY_ENTER, true}},
+        .run = [this](const Arguments&) { return apply(); },
+        .enabled = has_run},
+       {.name = "apply-earlier",
+        .title = "Branch where it matters",
+        .help = "Branches with the parameters of the panel at the last step at which those that were "
+                "changed matter: at the end of the refinement for α, σ and most conditions.",
+        .run = [this](const Arguments&) { return apply_earlier(); },
+        .enabled = has_run},
+       {.name = "restart",
+        .title = "Restart",
+        .help = "Runs again from the beginning with the parameters of the panel.",
+        .icon = icon::restart,
+        .keys = {{'R', true}},
+        .run = [this](const Arguments&) { return restart(); },
+        .enabled = [this] { return !window.draft.input.empty(); }},
+       {.name = "stop",
+        .title = "Stop",
+        .help = "Ends the run; what is there is kept and certified.",
+        .icon = icon::stop,
+        .run = does([this] { window.session.stop(); }),
+        .enabled = [this] { return window.running() || window.run.phase == SessionPhase::paused; }}});
 }
 
 } // namespace isoscope

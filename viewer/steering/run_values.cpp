@@ -39,6 +39,19 @@ void add_run_readings(NamedValues& t, const WindowState& m) {
   t.add("vertices_moved", "vertices that it moved", [&m] { return m.state() ? m.state()->moves.size() : 0; });
 }
 
+/// χ of Ω's boundaries on one side, taken together.
+void add_volume_readings(NamedValues& t, const WindowState& m) {
+  const auto euler = [&m](bool outer) -> std::optional<long> {
+    if (!m.run.scene) return std::nullopt;
+    long sum = 0;
+    for (const BoundaryComponent& b : m.run.scene->boundary_components)
+      if ((b.label > 0) == outer) sum += b.euler_characteristic;
+    return sum;
+  };
+  t.add("omega.euler.outer", "χ of the outer boundary of Ω", [=] { return euler(true); });
+  t.add("omega.euler.inner", "χ of the inner boundary of Ω", [=] { return euler(false); });
+}
+
 void add_event_readings(NamedValues& t, const WindowState& m) {
   const auto of_event = t.readings("event.", [&m]() -> std::optional<Event> {
     const auto index = m.selected_event();
@@ -65,7 +78,10 @@ void add_run_values(NamedValues& t, const WindowState& m) {
   of_state("bad_samples", "samples with ε ≥ 1", &StateSnapshot::bad_samples);
   of_state("beyond_margin", "samples with ε > 1 − α", &StateSnapshot::beyond_margin);
   of_state("violating_2", "tetrahedra that violate condition 2", &StateSnapshot::violating_2);
-  of_state("violating_3", "tetrahedra that violate condition 3", &StateSnapshot::violating_3);
+  of_state("violating_3", "tetrahedra that violate condition 3, nan where that is not judged yet",
+           [](const StateSnapshot& s) {
+             return s.orientation_judged ? std::optional(s.violating_3) : std::nullopt;
+           });
   of_state("largest_error", "the largest ε", &StateSnapshot::largest_error);
   of_state("samples", "samples in S",
            [](const StateSnapshot& s) { return s.samples ? s.samples->size() : 0; });
@@ -90,6 +106,8 @@ void add_run_values(NamedValues& t, const WindowState& m) {
   t.add("certified", "whether the finished run's mesh is proven",
         [&m] { return m.run.result && m.run.result->certificate.holds(); });
   t.add("model", "what is open", [&m] { return m.run.parameters.input; });
+  t.add("answer", "the answer that was last brought into sight", [&m] { return m.answer.shown; });
+  t.add("inspector.scroll", "how far the inspector is scrolled, pixels", [&m] { return m.inspector_scroll; });
   t.add("messages", "messages shown", [&m] { return m.messages.size(); });
   t.add("distance", "of the camera from its target", [&m] { return m.camera.pose().distance; });
   t.add("heading", "x of the camera's backward axis", [&m] {
@@ -97,6 +115,7 @@ void add_run_values(NamedValues& t, const WindowState& m) {
     return 2 * (q[0] * q[2] + q[3] * q[1]);
   });
   add_run_readings(t, m);
+  add_volume_readings(t, m);
   add_event_readings(t, m);
 }
 

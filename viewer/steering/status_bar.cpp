@@ -8,6 +8,8 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace isoscope::panels {
 namespace {
@@ -67,43 +69,33 @@ std::string rate_text(const WindowState& m) {
   return rate >= 1000 ? short_number(rate / 1000) + " k ops/s" : short_number(rate) + " ops/s";
 }
 
-} // namespace
+/// A piece of the line.
+struct Part {
+  std::string text;
+  Rgb color = 0;
+};
 
-void status_bar(Ui& ui, const HistoryMemory& h) {
+/// From left to right, the most asked for first.
+std::vector<Part> status_parts(const Ui& ui, const HistoryMemory& h) {
   const WindowState& m = ui.window;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2;
-  float x = low.x + ui.px(12);
-  const float end = low.x + size.x - ui.px(12);
-  const auto put = [&](std::string_view s, Rgb color, bool separator = true) {
-    if (s.empty()) return;
-    const float width = widgets::width_of(ui.fonts.small, s);
-    if (x + width > end) return;
-    if (separator) {
-      list.AddCircleFilled({x + ui.px(2), low.y + size.y / 2}, ui.px(1.5f), to_u32(ui.colors.quiet, 0.7f), 8);
-      x += ui.px(12);
-    }
-    widgets::draw_text(list, ui.fonts.small, {x, y}, to_u32(color), s);
-    x += width + ui.px(8);
+  std::vector<Part> parts;
+  const auto put = [&](std::string text, Rgb color) {
+    if (!text.empty()) parts.push_back({std::move(text), color});
   };
-  put("step " + grouped(m.transport.step()) + " of " + grouped(m.live_step()), ui.colors.text, false);
+  put("step " + grouped(m.transport.step()) + " of " + grouped(m.live_step()), ui.colors.text);
   const bool failed =
       m.run.phase == SessionPhase::failed ||
       (m.run.phase == SessionPhase::finished && m.run.result && !m.run.result->certificate.holds());
-  const auto shown = m.state();
-  if (shown && shown->event) {
-    put(std::string(words(shown->event->stage).title), stage_color(ui.theme, shown->event->stage));
-    put(operation_words(*shown->event), ui.colors.text);
+  const auto state = m.state();
+  if (state && state->event) {
+    put(std::string(words(state->event->stage).title), stage_color(ui.theme, state->event->stage));
+    put(operation_words(*state->event), ui.colors.text);
   }
   put(phase_text(m), failed ? ui.colors.warning_text : ui.colors.quiet);
-  if (const auto state = m.state()) {
-    if (state->complex.form == ZeroForm::interpolated)
-      put(grouped(state->bad_samples) + " bad of " + grouped(state->samples ? state->samples->size() : 0) +
-              " samples",
-          state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
-    put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
-  }
+  if (state && state->samples && state->complex.form == ZeroForm::interpolated)
+    put(grouped(state->bad_samples) + " bad of " + grouped(state->samples->size()) + " samples",
+        state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+  if (state) put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
   put(rate_text(m), ui.colors.quiet);
   if (m.run.journal) {
     const bool over = h.journal > h.limit;
@@ -121,13 +113,48 @@ void status_bar(Ui& ui, const HistoryMemory& h) {
             (dropped > 0 ? ", " + grouped(dropped) + " dropped" : ""),
         ui.colors.quiet);
   }
-  if (m.run.scene && !m.run.scene->warnings.empty())
-    put(std::string(icon::warning) + " " + grouped(m.run.scene->warnings.size()) +
-            (m.run.scene->warnings.size() == 1 ? " warning" : " warnings"),
-        ui.colors.warning_text);
-  if (m.run.scene) put(m.run.scene->thickening_note, ui.colors.warning_text);
   if (const auto grid = m.grid.grid(); grid && !m.grid.working())
     put(coarseness_in_words(*grid), ui.colors.warning_text);
+  return parts;
+}
+
+} // namespace
+
+void status_bar(Ui& ui, const HistoryMemory& h) {
+  const std::vector<Part> parts = status_parts(ui, h);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const float y = low.y + (size.y - ui.fonts.small->FontSize) / 2, between = ui.px(12 + 8);
+  float x = low.x + ui.px(12);
+  const float end = low.x + size.x - ui.px(12);
+  const auto put = [&](std::string_view s, Rgb color) {
+    widgets::draw_text(list, ui.fonts.small, {x, y}, to_u32(color), s);
+    x += widgets::width_of(ui.fonts.small, s) + ui.px(8);
+  };
+  const auto dot = [&] {
+    list.AddCircleFilled({x + ui.px(2), low.y + size.y / 2}, ui.px(1.5f), to_u32(ui.colors.quiet, 0.7f), 8);
+    x += ui.px(12);
+  };
+  const std::string all_more = "+" + grouped(parts.size()) + " more";
+  const float sign = between + widgets::width_of(ui.fonts.small, all_more);
+  std::size_t shown = 0;
+  for (; shown < parts.size(); ++shown) {
+    const bool last = shown + 1 == parts.size();
+    const float width = widgets::width_of(ui.fonts.small, parts[shown].text) + (shown > 0 ? between : 0);
+    if (x + width + (last ? 0 : sign) > end) break;
+    if (shown > 0) dot();
+    put(parts[shown].text, parts[shown].color);
+  }
+  if (shown == parts.size()) return;
+  // What does not fit is told where the mouse asks for it: nothing goes without a sign.
+  if (shown > 0) dot();
+  const float from = x;
+  put("+" + grouped(parts.size() - shown) + " more", ui.colors.accent_text);
+  ImGui::SetCursorScreenPos({from, low.y});
+  ImGui::InvisibleButton("more", {std::max(x - from, 1.0f), size.y});
+  std::string rest;
+  for (std::size_t i = shown; i < parts.size(); ++i) rest += (rest.empty() ? "" : "\n") + parts[i].text;
+  widgets::tip(ui, "What does not fit here", rest);
 }
 
 void messages(Ui& ui, ImVec2 low, float width) {
@@ -140,6 +167,8 @@ void messages(Ui& ui, ImVec2 low, float width) {
     ImGui::SetNextWindowSize({width, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12), ui.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(7));
+    // A script's clock is not one that people read by.
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, m.scripted ? 1.0f : std::max(message.strength(m.clock), 0.02f));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(ui.colors.raised));
     ImGui::Begin(name.c_str(), nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -149,7 +178,8 @@ void messages(Ui& ui, ImVec2 low, float width) {
     ImGui::SameLine(0, ui.px(10));
     ImGui::BeginGroup();
     ImGui::PushTextWrapPos(width - ui.px(52));
-    ImGui::TextUnformatted(message.text.c_str());
+    const std::string again = message.times > 1 ? "  (" + grouped(message.times) + " times)" : "";
+    ImGui::TextUnformatted((message.text + again).c_str());
     if (!message.remedy.empty()) widgets::quiet_text(ui, message.remedy);
     ImGui::PopTextWrapPos();
     ImGui::EndGroup();
@@ -158,7 +188,7 @@ void messages(Ui& ui, ImVec2 low, float width) {
     y += ImGui::GetWindowHeight() + ui.px(6);
     ImGui::End();
     ImGui::PopStyleColor();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
     if (closed) {
       m.messages.erase(m.messages.begin() + static_cast<std::ptrdiff_t>(i));
       break;

@@ -40,8 +40,9 @@ void Steering::begin(bool paused) {
     window.session.start(window.draft, nullptr, paused);
 }
 
-void Steering::restart() {
-  if (window.draft.input.empty()) return;
+Status Steering::restart() {
+  if (window.draft.input.empty()) return {};
+  if (Status right = check_draft(window.draft); !right) return right;
   window.transport.restart();
   debug.breakpoints->forget_hits();
   // The input of a recording may be on another machine: the recording holds it.
@@ -51,12 +52,23 @@ void Steering::restart() {
     window.session.start(window.draft, window.run.scene->input, false, window.run.scene->notes);
   else
     window.session.start(window.draft);
+  return {};
 }
 
 Status Steering::apply() {
+  const ApplyPlan wanted = plan();
+  if (wanted.error) return *wanted.error;
+  if (wanted.way == ApplyWay::branch) return runs.branch_with_draft(wanted.step);
+  if (wanted.way == ApplyWay::nothing) return {};
   if (Status fits = window.session.apply(window.draft); !fits) return fits;
   window.transport.follow();
   return {};
+}
+
+Status Steering::apply_earlier() {
+  const ApplyPlan wanted = plan();
+  if (wanted.way == ApplyWay::too_late && wanted.step_known) return runs.branch_with_draft(wanted.step);
+  return wanted.error ? *wanted.error : usage("What was changed matters at the step shown: use apply.");
 }
 
 bool Steering::draft_needs_restart() const {
@@ -65,7 +77,7 @@ bool Steering::draft_needs_restart() const {
 
 bool Steering::draft_differs() const {
   const double by_default = window.run.scene ? window.run.scene->default_sigma : 0.5;
-  RunParameters wanted = window.draft, now = window.run.parameters;
+  RunParameters wanted = window.draft, now = used_parameters(window);
   for (RunParameters* p : {&wanted, &now}) p->sigma = p->sigma_ratio(by_default);
   return fields_differ(wanted, now, [](const FieldFacts&) { return true; });
 }
@@ -79,9 +91,9 @@ CriteriaParameters Steering::draft_criteria() const {
                           : window.draft.criteria(0);
 }
 
-std::optional<ViolationPreview> Steering::draft_preview() const {
+std::shared_ptr<const ViolationPreview> Steering::draft_preview() const {
   const auto preview = window.playhead.preview();
-  if (!preview || preview->criteria != draft_criteria()) return std::nullopt;
+  if (!preview || preview->state != window.state() || preview->criteria != draft_criteria()) return nullptr;
   return preview->violations;
 }
 
@@ -109,7 +121,17 @@ void Steering::take_run() {
 
 void Steering::ask_preview() {
   const auto state = window.state();
-  if (!state || !window.run.scene || !draft_differs() || window.transport.moving()) return;
+  const bool differs = state && window.run.scene && draft_differs();
+  window.forecast = differs ? forecast(window, plan()) : std::nullopt;
+  // While a slider moves, what was marked last stays until the next answer.
+  if (!differs)
+    window.would_violate.reset();
+  else if (const auto known = draft_preview())
+    window.would_violate = known;
+  else if (marked_state_ != state)
+    window.would_violate.reset();
+  marked_state_ = state;
+  if (!differs || window.transport.moving() || !check_draft(window.draft)) return;
   const CriteriaParameters criteria = draft_criteria();
   if (preview_asked_ == criteria && preview_state_ == state) return;
   preview_asked_ = criteria;

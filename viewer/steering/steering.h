@@ -4,7 +4,9 @@
 #include "command/commands.h"
 #include "command/named_values.h"
 #include "debug/debugger.h"
+#include "steering/apply_plan.h"
 #include "steering/wall_order.h"
+#include "two_runs/comparison.h"
 
 #include <cstdint>
 #include <functional>
@@ -22,11 +24,12 @@ struct HistoryMemory;
 class Steering {
  public:
   /// `notify` is called from the worker that tells walls apart.
-  Steering(Debugger& debugger, const std::function<void()>& notify)
-      : window(debugger.window), debug(debugger), walls_(notify) {}
+  Steering(Debugger& debugger, Comparison& comparison, const std::function<void()>& notify)
+      : window(debugger.window), debug(debugger), runs(comparison), walls_(notify) {}
 
   WindowState& window;
   Debugger& debug;
+  Comparison& runs;
 
   /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ,
   /// points ask for theirs to be found, a recording (.isorun) all its parameters. `inside`: the inner one of
@@ -40,14 +43,20 @@ class Steering {
   /// Begins the end of what is asked, and waits for nothing.
   void abandon() { walls_.abandon(); }
   /// Runs again from the beginning with the draft's parameters.
-  void restart();
-  /// Goes on with the draft's parameters.
+  Status restart();
+  /// Goes on with the draft's parameters from the step shown: the run itself at its live end, else a branch
+  /// of it. Refused with the plan's error.
   Status apply();
+  /// Branches at the last step at which what was changed matters.
+  Status apply_earlier();
+  /// Puts a number or a text into the draft as if it were typed: out of its range, too.
+  Status type_parameter(const std::string& parameter, const std::string& text);
+  ApplyPlan plan() const { return plan_apply(window); }
   /// Whether the draft differs from what the run was asked, and whether that needs a restart.
   bool draft_differs() const;
   bool draft_needs_restart() const;
-  /// The live preview for the draft, absent while it is computed.
-  std::optional<ViolationPreview> draft_preview() const;
+  /// The live preview for the draft, null while it is computed.
+  std::shared_ptr<const ViolationPreview> draft_preview() const;
 
   /// Once a frame: takes the parameters of a recording that was opened, tells what failed, asks for the
   /// preview.
@@ -60,7 +69,9 @@ class Steering {
   void add_recording_commands(CommandTable& table);
   void add_run_commands(CommandTable& table);
   void add_tolerance_commands(CommandTable& table);
+  void add_parameter_commands(CommandTable& table);
   void add_parameter_values(NamedValues& values);
+  void add_plan_values(NamedValues& values);
   void add_tolerance_values(NamedValues& values);
   void add_recording_values(NamedValues& values);
 
@@ -71,7 +82,8 @@ class Steering {
   WallOrder walls_;
   std::optional<CriteriaParameters> preview_asked_;
   std::shared_ptr<const StateSnapshot> preview_state_;
-  std::uint64_t draft_generation_ = 0; ///< the recording whose parameters the draft has taken
+  std::shared_ptr<const StateSnapshot> marked_state_; ///< whose ids `would_violate` has
+  std::uint64_t draft_generation_ = 0;                ///< the recording whose parameters the draft has taken
   std::string error_seen_, recording_error_seen_;
 };
 
@@ -87,8 +99,12 @@ namespace panels {
 
 /// Menus, the model and δ, stage chips, transport, LIVE.
 void top_bar(Ui& ui);
-/// The left pane's section of the parameters.
-void parameters(Ui& ui, const Steering& steering);
+/// The left pane's section of the parameters, but for those below.
+void parameters(Ui& ui);
+/// What stays in sight below the left pane: α, σ and shrink, what would violate, what Apply would do, the
+/// buttons. Its height in pixels, and the content.
+float parameters_foot_height(const Ui& ui);
+void parameters_foot(Ui& ui, const Steering& steering);
 /// The line at the bottom, and the messages over the view.
 void status_bar(Ui& ui, const HistoryMemory& memory);
 void messages(Ui& ui, ImVec2 low, float width);

@@ -51,8 +51,7 @@ Status take_delta(Steering& m, const Arguments&) {
   WindowState& w = m.window;
   w.draft.tolerance = {rounded(100 * *w.preview_delta / w.run.scene->longest_edge), true, false};
   w.preview_delta.reset();
-  m.restart();
-  return {};
+  return m.restart();
 }
 
 } // namespace

@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace isoscope::panels {
 namespace {
 
-constexpr std::array<const char*, 7> menu_names{"File", "Run", "Select", "View", "Talk", "Window", "Help"};
+/// Below this width of the window, in units of the interface, the menus are one.
+constexpr float wide_enough = 1180;
 
 void menu_entry(Ui& ui, const Command& command) {
   const std::string key = command.keys.empty() ? "" : text(command.keys.front());
@@ -29,33 +32,63 @@ void recent_files(Ui& ui) {
   ImGui::EndMenu();
 }
 
-void menus(Ui& ui) {
+/// The entries of a menu, with a line between groups.
+void entries(Ui& ui, std::string_view menu) {
+  std::optional<int> group;
+  for (const Command& command : ui.table.all()) {
+    if (command.menu != menu) continue;
+    if (group && *group != command.group) ImGui::Separator();
+    group = command.group;
+    menu_entry(ui, command);
+    if (command.name == "gallery") recent_files(ui);
+  }
+}
+
+/// A word of the bar that opens what `draw` puts into a popup. `opens`: it was asked for by a key.
+template <class Draw> void bar_word(Ui& ui, const char* id, const std::string& label, bool opens, Draw draw) {
+  const ImVec2 extent = widgets::text_size(label), at = ImGui::GetCursorScreenPos();
+  const float width = extent.x + ui.px(16), high = ui.px(28);
+  ImGui::PushID(id);
+  const bool pressed = ImGui::InvisibleButton("menu", {width, high});
+  const bool was_open = ImGui::IsPopupOpen("entries"), hovered = ImGui::IsItemHovered();
+  if (pressed || opens) ImGui::OpenPopup("entries");
+  // With one of them open the mouse alone goes on to the next.
+  const bool another = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (was_open || (hovered && !another))
+    list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover), ui.px(5));
+  widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(8), at.y + (high - extent.y) / 2},
+                     to_u32(ui.colors.text, 0.92f), label);
+  ImGui::SetNextWindowPos({at.x, at.y + high + ui.px(4)});
+  if (ImGui::BeginPopup("entries")) {
+    ui.window.menu = id;
+    // The next one was asked for by a key.
+    if (!ui.window.open_menu.empty() && !opens) ImGui::CloseCurrentPopup();
+    draw();
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+  ImGui::SameLine(0, 0);
+}
+
+void menus(Ui& ui, bool wide) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
-  for (const char* name : menu_names) {
-    const ImVec2 extent = widgets::text_size(name), at = ImGui::GetCursorScreenPos();
-    const float width = extent.x + ui.px(16), high = ui.px(28);
-    ImGui::PushID(name);
-    const bool pressed = ImGui::InvisibleButton("menu", {width, high});
-    const bool open = ImGui::IsPopupOpen("entries"), hovered = ImGui::IsItemHovered();
-    if (pressed) ImGui::OpenPopup("entries");
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (open || hovered)
-      list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.hover), ui.px(5));
-    widgets::draw_text(list, ui.fonts.ui, {at.x + ui.px(8), at.y + (high - extent.y) / 2},
-                       to_u32(ui.colors.text, 0.92f), name);
-    ImGui::SetNextWindowPos({at.x, at.y + high + ui.px(4)});
-    if (ImGui::BeginPopup("entries")) {
-      for (const Command& command : ui.table.all()) {
-        if (command.menu != name) continue;
-        menu_entry(ui, command);
-        if (command.name == "gallery") recent_files(ui);
-      }
-      ImGui::EndPopup();
-    }
-    ImGui::PopID();
-    ImGui::SameLine(0, 0);
+  const std::string asked = ui.window.open_menu;
+  ui.window.menu.clear();
+  if (wide) {
+    for (const std::string_view name : menu_names)
+      bar_word(ui, name.data(), std::string(name), asked == name, [&] { entries(ui, name); });
+  } else {
+    bar_word(ui, "all", std::string(icon::layers) + "  Menu", !asked.empty(), [&] {
+      for (const std::string_view name : menu_names)
+        if (ImGui::BeginMenu(name.data())) {
+          entries(ui, name);
+          ImGui::EndMenu();
+        }
+    });
   }
   ImGui::PopStyleVar();
+  ui.window.open_menu.clear();
 }
 
 /// Returns the width it took.
@@ -111,7 +144,31 @@ ChipState chip_state(const WindowState& m, Stage stage) {
   return state;
 }
 
-/// The stages; those that no longer fit are left out.
+/// The sign of the stages from the i-th on, where there is room for it.
+void more_stages(Ui& ui, const std::vector<Stage>& stages, std::size_t i, float room) {
+  const std::string label = "+" + std::to_string(stages.size() - i);
+  const float width = widgets::width_of(ui.fonts.small, label) + ui.px(14), high = ui.px(28);
+  if (width > room) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushID("more");
+  if (ImGui::InvisibleButton("stages", {width, high})) ImGui::OpenPopup("entries");
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+                     {at.x + ui.px(7), at.y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(ImGui::IsItemHovered() ? ui.colors.text : ui.colors.quiet), label);
+  std::string rest;
+  for (std::size_t k = i; k < stages.size(); ++k)
+    rest += (rest.empty() ? "" : ", ") + std::string(words(stages[k]).title);
+  widgets::tip(ui, "More stages", rest);
+  if (ImGui::BeginPopup("entries")) {
+    for (std::size_t k = i; k < stages.size(); ++k)
+      if (ImGui::MenuItem(words(stages[k]).title.data()))
+        ui.commands.post("stage", {std::string(name(stages[k]))});
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+}
+
+/// The stages; those that do not fit stand behind a sign.
 void stage_chips(Ui& ui, float room) {
   std::vector<Stage> stages(stages_in_order.begin(), stages_in_order.end());
   std::erase_if(stages,
@@ -128,8 +185,13 @@ void stage_chips(Ui& ui, float room) {
     if (state == ChipState::done) label = std::string(icon::check) + " " + label;
     const ImVec2 extent = widgets::text_size(label), at = ImGui::GetCursorScreenPos();
     const float width = extent.x + 2 * pad + (i > 0 ? ui.px(12) : 0);
+    // Those that do not fit are counted, and named where the mouse asks.
+    const float sign = i + 1 < stages.size() ? ui.px(40) : 0;
+    if (used + width + sign > room) {
+      more_stages(ui, stages, i, room - used);
+      break;
+    }
     used += width;
-    if (used > room) break;
     float x = at.x;
     if (i > 0) {
       widgets::draw_text(list, ui.fonts.small, {x + ui.px(3), at.y + (high - extent.y) / 2},
@@ -199,7 +261,8 @@ void live_badge(Ui& ui, float width) {
   widgets::tip(ui, "Follow the live end   End", "Lit while the step shown is the newest one.");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 low{at.x, at.y + ui.px(4)}, end{at.x + width, at.y + high - ui.px(4)};
-  const bool live = following && m.running();
+  // Before the first state there is nothing to follow.
+  const bool live = following && m.running() && m.run.phase != SessionPhase::preparing && m.has_state();
   if (live)
     list.AddRectFilled(low, end, to_u32(ui.colors.good, 0.28f), ui.px(10));
   else
@@ -236,7 +299,7 @@ void top_bar(Ui& ui) {
   const float right = ImGui::GetWindowWidth() - ui.px(10) - transport_width;
   const float y = ui.px(6);
   ImGui::SetCursorPos({ui.px(8), y});
-  menus(ui);
+  menus(ui, ImGui::GetWindowWidth() >= ui.px(wide_enough));
   float x = ImGui::GetCursorPosX() + ui.px(10);
   const float room = right - x - ui.px(12);
   ImGui::SetCursorPos({x, y});

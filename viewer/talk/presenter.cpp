@@ -34,25 +34,60 @@ void progress_line(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, ImVec2 
                      to_u32(ui.colors.text));
 }
 
+/// The bar's sentences, broken into lines.
+struct Sentences {
+  std::string what, why, place;
+  float text_x, place_x, what_high, why_high;
+  float wrap() const { return place_x - text_x; }
+};
+
+float height_of(const ImFont* font, const std::string& text, float wrap) {
+  if (text.empty()) return 0;
+  return font->CalcTextSizeA(font->FontSize, 1e9f, wrap, text.data(), text.data() + text.size()).y;
+}
+
+Sentences sentences(const Ui& ui, const Talk& talk, float width) {
+  const WindowState& m = ui.window;
+  Sentences s;
+  s.what = talk.caption();
+  s.why = talk.caption_why();
+  s.place = grouped(m.transport.step()) + " / " + grouped(m.live_step());
+  if (m.playing()) {
+    const double speed = m.transport.speed();
+    s.place += speed == Transport::automatic ? "" : "  " + widgets::speed_text(speed);
+  }
+  s.text_x = ui.px(36);
+  s.place_x = width - ui.px(48) - widgets::width_of(ui.fonts.small, s.place);
+  s.what_high = height_of(ui.fonts.ui, s.what, s.wrap());
+  s.why_high = height_of(ui.fonts.small, s.why, s.wrap());
+  return s;
+}
+
+constexpr float above_units = 15, below_units = 9; ///< room around the sentences
+
 } // namespace
+
+// Room for two lines and the reason: the view keeps its size from step to step, but for the longest texts.
+float presenter_bar_height(const Ui& ui, const Talk& talk, float width) {
+  const Sentences s = sentences(ui, talk, width);
+  const float usual = 2 * ui.fonts.ui->FontSize + ui.fonts.small->FontSize;
+  return std::round(std::max(s.what_high + s.why_high, usual) + ui.px(above_units) + ui.px(below_units));
+}
 
 void presenter_bar(Ui& ui, const Talk& talk) {
   const WindowState& m = ui.window;
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   progress_line(ui, talk.bookmarks, {low.x, low.y + ui.px(5)}, {size.x, ui.px(4)});
-  const float middle = low.y + ui.px(9) + (size.y - ui.px(9)) / 2;
+  const Sentences s = sentences(ui, talk, size.x);
+  const float room = size.y - ui.px(above_units) - ui.px(below_units);
+  const float top = low.y + ui.px(above_units) + std::max(0.0f, (room - s.what_high - s.why_high) / 2);
+  const float line = top + ui.fonts.ui->FontSize / 2;
 
-  std::string place = grouped(m.transport.step()) + " / " + grouped(m.live_step());
-  if (m.playing()) {
-    const double speed = m.transport.speed();
-    place += speed == Transport::automatic ? "" : "  " + widgets::speed_text(speed);
-  }
-  const float place_width = widgets::width_of(ui.fonts.small, place);
-  const float place_x = low.x + size.x - ui.px(14) - place_width;
-  widgets::draw_text(list, ui.fonts.small, {place_x, middle - ui.fonts.small->FontSize / 2},
-                     to_u32(ui.colors.quiet), place);
-  widgets::draw_text(list, ui.fonts.ui, {place_x - ui.px(24), middle - ui.fonts.ui->FontSize / 2},
+  const float place_x = low.x + s.place_x + ui.px(34);
+  widgets::draw_text(list, ui.fonts.small, {place_x, line - ui.fonts.small->FontSize / 2},
+                     to_u32(ui.colors.quiet), s.place);
+  widgets::draw_text(list, ui.fonts.ui, {place_x - ui.px(24), line - ui.fonts.ui->FontSize / 2},
                      to_u32(ui.colors.quiet), m.playing() ? icon::play : icon::pause);
 
   const auto kept = m.state(); // the event may be its own
@@ -63,14 +98,14 @@ void presenter_bar(Ui& ui, const Talk& talk) {
                     : event->condition != Condition::none
                         ? condition_color(ui.theme, static_cast<int>(event->condition))
                         : stage_color(ui.theme, event->stage);
-  widgets::glyph(ui, {low.x + ui.px(20), middle}, 6, color,
+  widgets::glyph(ui, {low.x + ui.px(20), line}, 6, color,
                  rejected ? words(event->reason).shape : MarkerShape::disc);
-  const float text_x = low.x + ui.px(36);
-  ImGui::PushFont(ui.fonts.ui);
-  const std::string text = widgets::fitted(talk.caption(), place_x - ui.px(34) - text_x);
-  ImGui::PopFont();
-  widgets::draw_text(list, ui.fonts.ui, {text_x, middle - ui.fonts.ui->FontSize / 2}, to_u32(ui.colors.text),
-                     text);
+  const auto text = [&](ImFont* font, float y, Rgb shade, const std::string& words) {
+    list.AddText(font, font->FontSize, {low.x + s.text_x, y}, to_u32(shade), words.data(),
+                 words.data() + words.size(), s.wrap());
+  };
+  text(ui.fonts.ui, top, ui.colors.text, s.what);
+  text(ui.fonts.small, top + s.what_high, ui.colors.quiet, s.why);
 }
 
 void slide_title(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, float width) {

@@ -7,8 +7,6 @@
 
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-
 namespace isoscope {
 namespace {
 
@@ -65,15 +63,7 @@ Status turn_slide(Talk& talk, int direction) {
     const auto next = talk.bookmarks.neighbour(direction);
     return next ? show(talk, *next) : Status();
   }
-  const auto& steps = talk.moments().steps();
-  const Step at = talk.window.transport.step();
-  if (direction > 0) {
-    const auto next = std::upper_bound(steps.begin(), steps.end(), at);
-    talk.window.transport.jump(next == steps.end() ? talk.window.live_step() : *next);
-  } else {
-    const auto next = std::lower_bound(steps.begin(), steps.end(), at);
-    talk.window.transport.jump(next == steps.begin() ? 0 : *(next - 1));
-  }
+  talk.turn_to_moment(direction);
   return {};
 }
 
@@ -136,8 +126,8 @@ void Talk::add_commands(CommandTable& table) {
         .checked = is_on(window.presenter.on)},
        {.name = "slow-down",
         .title = "Slow down at moments",
-        .help = "Presenting, playing dwells where a stage begins, the topology of Z changes or a collapse "
-                "comes through at last.",
+        .help = "Presenting, playing goes through the first thirty steps slowly and dwells at what is new: "
+                "stages, conditions, changes of the topology, reasons for which edges stay.",
         .run = flips(window.presenter.slow_down),
         .checked = is_on(window.presenter.slow_down)},
        {.name = "bookmark",

@@ -33,9 +33,18 @@ class Talk {
   void keep_bookmarks();
   const Moments& moments() const { return moments_; }
 
-  /// What the presenter mode says: of the chosen event, of the operation that led to the state shown, or of
-  /// what the program waits for.
+  /// The moment that is told at the step shown: the one that playing dwells for, or that a slide turned to.
+  const TalkMoment* moment() const;
+  /// Shows the next moment (direction 1) or the one before (-1), with what it speaks of selected.
+  void turn_to_moment(int direction);
+
+  /// What the presenter mode says: of the chosen event, of the moment, of the operation that led to the state
+  /// shown or of all those like it before, or of what the program waits for.
   std::string caption() const;
+  /// Why that matters: a second sentence, which may be empty.
+  std::string caption_why() const;
+  /// "Figure 7" of the paper; empty where it has none.
+  std::string caption_figure() const;
   /// The event that the caption speaks of; null where there is none. It lives as long as the state shown.
   const Event* caption_event() const;
 
@@ -43,16 +52,25 @@ class Talk {
   void add_values(NamedValues& values);
 
  private:
+  void show_moment(const TalkMoment& moment);
+  /// How many operations of one kind, for one condition, in one stage end with the one that led here.
+  std::uint32_t alike() const;
   Moments moments_;
-  BookmarkFiles files_;             ///< of the run that is open
-  std::filesystem::path recording_; ///< that they belong to, if any
-  bool told_ = false;               ///< that they cannot lie beside it
+  std::optional<std::size_t> turned_;  ///< the moment that a slide turned to
+  std::optional<std::size_t> dwelled_; ///< the one that playing showed last
+  BookmarkFiles files_;                ///< of the run that is open
+  std::filesystem::path recording_;    ///< that they belong to, if any
+  bool told_ = false;                  ///< that they cannot lie beside it
 };
 
 namespace panels {
 
-/// The sentence of the step shown, and where in the run it is.
+/// How high the presenter's bar has to be, so that all of its sentences stand in it.
+float presenter_bar_height(const Ui& ui, const Talk& talk, float width);
+/// The sentences of the step shown, and where in the run it is. Fills the pane it is in.
 void presenter_bar(Ui& ui, const Talk& talk);
+/// Stage and figure over the view, and what the marks in it mean; returns where it ends below.
+float presenter_legend(const Ui& ui, const Talk& talk, ImVec2 low);
 /// Number and note of the bookmark that is shown, over the view; `low` is the view's corner.
 void slide_title(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, float width);
 

@@ -44,6 +44,44 @@ Axis axis_for(double least, double most) {
   return axis;
 }
 
+/// Of the plot that has an axis: units of the interface at its left.
+constexpr float axis_room = 50;
+
+/// Lines across the plot, their numbers in the room at its left; those that would touch are left out.
+void axis_numbers(const Ui& ui, const Axis& axis, ImVec2 low, ImVec2 size, float top, float bottom) {
+  std::vector<double> ticks;
+  if (axis.logarithmic) {
+    for (double d = std::pow(decade, std::floor(std::log10(axis.least))); d <= axis.most; d *= decade)
+      for (const double part : {1.0, 2.0, 5.0})
+        if (part * d >= axis.least && part * d <= axis.most) ticks.push_back(part * d);
+    // Powers of ten come first where there is no room for all.
+    std::stable_sort(ticks.begin(), ticks.end(), [](double a, double b) {
+      const auto rank = [](double v) { return std::log10(v) == std::floor(std::log10(v)) ? 0 : 1; };
+      return rank(a) < rank(b);
+    });
+  } else {
+    const double span = std::max(axis.most - axis.least, 1.0), wanted = span / 4;
+    const double power = std::pow(decade, std::floor(std::log10(wanted)));
+    const double step = std::max((wanted / power > 5 ? 10 : wanted / power > 2 ? 5 : 2) * power, 1.0);
+    for (double v = std::ceil(axis.least / step) * step; v <= axis.most; v += step) ticks.push_back(v);
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float line = ui.fonts.small->FontSize;
+  std::vector<float> taken;
+  for (const double v : ticks) {
+    const float y = axis.y(v, top, bottom);
+    const bool touches = std::any_of(taken.begin(), taken.end(),
+                                     [&](float other) { return std::abs(other - y) < line + ui.px(2); });
+    if (touches || y - line / 2 < low.y + ui.px(20)) continue;
+    taken.push_back(y);
+    list.AddLine({low.x, y}, {low.x + size.x, y}, to_u32(ui.colors.line));
+    const std::string text = grouped(static_cast<std::size_t>(v));
+    const float width = widgets::width_of(ui.fonts.small, text);
+    widgets::draw_text(list, ui.fonts.small, {low.x - width - ui.px(6), y - line / 2},
+                       to_u32(ui.colors.quiet), text);
+  }
+}
+
 } // namespace
 
 double TimelinePane::part_of(double step) const {
@@ -119,13 +157,7 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
     }
   if (last <= first || most < least) return;
   const Axis axis = axis_for(std::max(least, plot.whole ? 1.0 : 1e-3), std::max(most, 1e-3));
-  if (plot.ruled && axis.logarithmic)
-    for (double d = std::pow(decade, std::ceil(std::log10(axis.least))); d <= axis.most; d *= decade) {
-      const float y = axis.y(d, top, bottom);
-      list.AddLine({low.x, y}, {low.x + size.x, y}, to_u32(ui.colors.line));
-      widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(4), y - ui.px(15)},
-                         to_u32(ui.colors.quiet, 0.8f), grouped(static_cast<std::size_t>(d)));
-    }
+  if (plot.ruled) axis_numbers(ui, axis, low, size, top, bottom);
   // Two values a pixel pair where steps are dense, each step once where they are not.
   const auto columns = static_cast<std::size_t>(size.x);
   std::vector<ImVec2> line;
@@ -205,14 +237,16 @@ void TimelinePane::plots(Ui& ui) {
   float x = origin.x;
   const auto card = [&](const char* name, float weight, bool named, auto&& draw) {
     const ImVec2 low{x, origin.y}, size{weight * unit, room.y}, high{low.x + size.x, low.y + size.y};
+    const float axis = named ? ui.px(axis_room) : 0;
+    const ImVec2 from{low.x + axis, low.y}, inner{std::max(size.x - axis, 1.0f), size.y};
     ImGui::PushID(name);
-    scrub(ui, "plot", low, size);
+    scrub(ui, "plot", from, inner);
     ImGui::PopID();
     list.AddRectFilled(low, high, to_u32(ui.colors.ground, 0.6f), ui.px(5));
     list.PushClipRect(low, high, true);
-    stage_marks(ui, {low.x, low.y + ui.px(20)}, {size.x, size.y - ui.px(20)}, named);
-    draw(low, size);
-    const float head = std::round(low.x + static_cast<float>(part_of(m.transport.step())) * size.x);
+    stage_marks(ui, {from.x, from.y + ui.px(20)}, {inner.x, inner.y - ui.px(20)}, named);
+    draw(from, inner);
+    const float head = std::round(from.x + static_cast<float>(part_of(m.transport.step())) * inner.x);
     list.AddLine({head, low.y + ui.px(20)}, {head, high.y}, to_u32(ui.colors.selection), ui.px(1.5f));
     widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(10), low.y + ui.px(5)}, to_u32(ui.colors.quiet),
                        name);

@@ -26,14 +26,16 @@ std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind the
   std::vector<TimelineLane> filters;
   for (std::size_t i = 0; i < debugger.lanes.size(); ++i) {
     const FilteredEvents& lane = debugger.lanes[i];
-    filters.push_back({debugger.window.settings.filters[i], "A saved filter of the events.", lane_color(i),
-                       MarkerShape::square, true, lane.count(begin, end),
-                       [&lane](Step a, Step b) { return lane.count(a, b); }, lane_letter(i)});
+    filters.push_back({"filter-" + std::to_string(i + 1), debugger.window.settings.filters[i],
+                       "A saved filter of the events.", lane_color(i), MarkerShape::square, true,
+                       lane.count(begin, end), [&lane](Step a, Step b) { return lane.count(a, b); },
+                       lane_letter(i)});
   }
   std::vector<TimelineLane> lanes;
   const auto conditions = index.counts(std::min(begin, index.steps()), operations_end);
   for (std::size_t c = 1; c < conditions.size(); ++c)
-    lanes.push_back({std::string(words(static_cast<Condition>(c)).title),
+    lanes.push_back({std::string(name(static_cast<Condition>(c))),
+                     std::string(words(static_cast<Condition>(c)).title),
                      "Points inserted for this condition. §2.3",
                      condition_color(theme, static_cast<int>(c)),
                      MarkerShape::square,
@@ -43,7 +45,8 @@ std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind the
                      {}});
   for (const EventKind kind : kinds) {
     const KindWords& k = words(kind);
-    lanes.push_back({std::string(k.title),
+    lanes.push_back({std::string(k.name),
+                     std::string(k.title),
                      k.help,
                      k.color,
                      k.shape,
@@ -55,7 +58,8 @@ std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind the
   for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
     const auto reason = static_cast<Reason>(r);
     const ReasonWords& style = words(reason);
-    lanes.push_back({std::string(style.title),
+    lanes.push_back({std::string(style.name),
+                     std::string(style.title),
                      style.help,
                      style.color,
                      style.shape,

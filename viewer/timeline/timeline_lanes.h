@@ -14,6 +14,7 @@ namespace isoscope {
 /// One lane. Operations are drawn by their share of the steps, rejections, of which there may be any number
 /// at a step, by the logarithm of their number.
 struct TimelineLane {
+  std::string name; ///< in scripts
   std::string title;
   std::string_view help;
   Rgb color = 0;

@@ -2,6 +2,7 @@
 #include "timeline/timeline_panel.h"
 
 #include "ask/investigation.h"
+#include "debug/lane_events.h"
 #include "journal/describe.h"
 #include "journal/vocabulary.h"
 #include "model/words.h"
@@ -152,12 +153,13 @@ void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
 
 // A lane a reason: bars a few pixels wide, as high as the lane's share of the steps below them; for
 // rejections by the logarithm of their number.
-void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) const {
+void TimelinePane::density(Ui& ui, ImVec2 low, ImVec2 size, float gutter) {
   const WindowState& m = ui.window;
   const float gap = ui.px(1), least = ui.px(12);
   const auto most = static_cast<std::size_t>(std::max(1.0f, (size.y + gap) / (least + gap)));
   const std::vector<TimelineLane> lanes = timeline_lanes(debugger_, ui.theme, most);
   if (lanes.empty()) return;
+  const std::string chosen = shown_lane(debugger_);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto used = static_cast<float>(lanes.size());
   const float lane = std::min((size.y - gap * (used - 1)) / used, ui.px(30));
@@ -168,6 +170,20 @@ void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) 
   float y = low.y;
   for (const TimelineLane& row : lanes) {
     const float text_y = y + (lane - ui.fonts.small->FontSize) / 2;
+    lane_places_.push_back({row.name, y, y + lane});
+    // Its name chooses what the event list shows; the others step back.
+    ImGui::SetCursorScreenPos({low.x - gutter, y});
+    ImGui::PushID(row.name.c_str());
+    if (ImGui::InvisibleButton("lane", {gutter - ui.px(8), lane})) ui.commands.post("lane", {row.name});
+    ImGui::PopID();
+    const bool lit = row.name == chosen;
+    const float strength = chosen.empty() || lit ? 1.0f : 0.35f;
+    if (lit || ImGui::IsItemHovered())
+      list.AddRectFilled({low.x - gutter - ui.px(3), y}, {low.x - ui.px(6), y + lane},
+                         lit ? to_u32(ui.colors.accent, 0.24f) : to_u32(ui.colors.hover), ui.px(4));
+    widgets::tip(ui, row.title,
+                 std::string(row.help) + " A click lists these events alone, again all of them; a click on "
+                                         "a bar goes to the nearest one.");
     const std::string count = grouped(row.total);
     const float extent = widgets::width_of(ui.fonts.mono, count);
     if (row.letter.empty())
@@ -176,7 +192,7 @@ void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) 
       widgets::draw_text(list, ui.fonts.bold, {low.x - gutter, y + (lane - ui.fonts.bold->FontSize) / 2},
                          to_u32(row.color), row.letter);
     widgets::draw_text(list, ui.fonts.small, {low.x - gutter + ui.px(15), text_y},
-                       to_u32(ui.colors.text, 0.85f),
+                       to_u32(ui.colors.text, 0.85f * strength),
                        widgets::fitted(row.title, gutter - extent - ui.px(32)));
     widgets::draw_text(list, ui.fonts.mono, {low.x - extent - ui.px(10), text_y}, to_u32(ui.colors.quiet),
                        count);
@@ -201,10 +217,24 @@ void TimelinePane::density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) 
                   x1 = low.x + size.x * static_cast<float>(i + 1) / static_cast<float>(bins);
       const float high = std::max(ui.px(2), (lane - ui.px(1)) * share);
       list.AddRectFilled({x0, y + lane - high}, {std::max(x1, x0 + 1), y + lane},
-                         to_u32(row.color, begin < m.transport.step() ? 0.9f : 0.38f));
+                         to_u32(row.color, strength * (begin < m.transport.step() ? 0.9f : 0.38f)));
     }
     y += lane + gap;
   }
+}
+
+void TimelinePane::lane_click(Ui& ui, ImVec2 low, ImVec2 size) {
+  constexpr float reach = 5; // units of the interface
+  if (!ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(0)) return;
+  const ImVec2 moved = ImGui::GetMouseDragDelta(0, 0), mouse = ImGui::GetIO().MousePos;
+  if (std::hypot(moved.x, moved.y) > ui.px(3)) return;
+  const double steps = range_.end - range_.begin, pixel = steps / static_cast<double>(size.x);
+  const double at = range_.begin + static_cast<double>(mouse.x - low.x) * pixel;
+  const auto step = static_cast<Step>(std::max(at, 0.0));
+  const auto near = static_cast<Step>(std::ceil(static_cast<double>(ui.px(reach)) * pixel));
+  for (const LanePlace& lane : lane_places_)
+    if (mouse.y >= lane.low && mouse.y < lane.high && nearest_event(debugger_, lane.name, step, near))
+      ui.commands.post("lane-event", {lane.name, std::to_string(step)});
 }
 
 void TimelinePane::marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const {
@@ -258,9 +288,12 @@ void TimelinePane::timeline(Ui& ui) {
   if (all.x < gutter + ui.px(60) || all.y < ui.px(50)) return;
   const float ruler_high = ui.px(18), stage_high = ui.px(18);
   const ImVec2 low{origin.x + gutter, origin.y}, size{all.x - gutter - ui.px(4), all.y};
+  const float top = low.y + stage_high + ui.px(4), bottom = low.y + size.y - ruler_high;
+  lane_places_.clear();
+  if (index.steps() > 0) density(ui, {low.x, top}, {size.x, bottom - top - ui.px(6)}, gutter);
   scrub(ui, "timeline", low, size);
   const bool hovered = ImGui::IsItemHovered();
-  const float top = low.y + stage_high + ui.px(4), bottom = low.y + size.y - ruler_high;
+  lane_click(ui, low, size);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (index.steps() == 0) {
     widgets::draw_text(list, ui.fonts.small, {low.x, (top + bottom) / 2}, to_u32(ui.colors.quiet),
@@ -268,9 +301,9 @@ void TimelinePane::timeline(Ui& ui) {
     return;
   }
   widgets::draw_text(list, ui.fonts.small, {origin.x, low.y + ui.px(2)}, to_u32(ui.colors.quiet), "stage");
-  density(ui, {low.x, top}, {size.x, bottom - top - ui.px(6)}, gutter);
   list.PushClipRect({low.x - ui.px(6), low.y}, {low.x + size.x + ui.px(6), low.y + size.y}, true);
   stage_lane(ui, low, {size.x, stage_high});
+  forecast_band(ui, low, {size.x, bottom - low.y});
   marks(ui, low, size, bottom - ui.px(1));
   ruler(ui, {low.x, bottom}, {size.x, ruler_high});
   const float live_x = to_x(m.live_step(), low, size);

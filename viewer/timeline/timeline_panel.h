@@ -32,7 +32,9 @@ class TimelinePane {
   void timeline(Ui& ui);
   void stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const;
   /// `gutter`: room on the left of the area for the lanes' names.
-  void density(const Ui& ui, ImVec2 low, ImVec2 size, float gutter) const;
+  void density(Ui& ui, ImVec2 low, ImVec2 size, float gutter);
+  /// A click on a bar of a lane goes to the nearest event of that lane.
+  void lane_click(Ui& ui, ImVec2 low, ImVec2 size);
   void marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const;
   void ruler(const Ui& ui, ImVec2 low, ImVec2 size) const;
   void plots(Ui& ui);
@@ -53,6 +55,8 @@ class TimelinePane {
   float range_chip(Ui& ui, float left, float y) const;
   /// What lies outside of the chosen range steps back.
   void shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const;
+  /// From the step at which the panel's parameters would be taken: how long the rest would take.
+  void forecast_band(const Ui& ui, ImVec2 low, ImVec2 size) const;
   void breadcrumb_line(const Ui& ui, float left, float y) const;
   void playhead(const Ui& ui, ImVec2 low, ImVec2 size) const;
   float to_x(double step, ImVec2 low, ImVec2 size) const;
@@ -63,6 +67,12 @@ class TimelinePane {
   StepRange range_;
   std::optional<double> range_from_;            ///< where a drag for a range began
   const std::vector<float>* seconds_ = nullptr; ///< set while plots are drawn over seconds
+  /// Where the lanes were drawn.
+  struct LanePlace {
+    std::string name;
+    float low = 0, high = 0; ///< y
+  };
+  std::vector<LanePlace> lane_places_;
   EventList events_;
   BreakpointList breakpoints_;
 };

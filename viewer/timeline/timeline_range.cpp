@@ -61,6 +61,30 @@ void TimelinePane::shade_range(const Ui& ui, ImVec2 low, ImVec2 size) const {
   list.AddLine({x1, low.y}, {x1, low.y + size.y}, edge, ui.px(1));
 }
 
+void TimelinePane::forecast_band(const Ui& ui, ImVec2 low, ImVec2 size) const {
+  const auto& forecast = ui.window.forecast;
+  if (!forecast) return;
+  const double s = forecast->seconds;
+  const std::string time = s < 1      ? "less than a second"
+                           : s < 90   ? "about " + general(std::round(s), 3) + " s"
+                           : s < 5400 ? "about " + general(std::round(s / 60), 3) + " min"
+                                      : "about " + general(s / 3600, 2) + " h";
+  const std::string text = time + " from here";
+  const float x0 = std::max(to_x(forecast->from, low, size), low.x), x1 = low.x + size.x;
+  if (x0 >= x1) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float extent = widgets::width_of(ui.fonts.small, text), high = ui.px(18);
+  list.AddRectFilled({x0, low.y}, {x1, low.y + size.y}, to_u32(ui.colors.accent, 0.07f));
+  list.AddLine({x0, low.y}, {x0, low.y + size.y}, to_u32(ui.colors.accent), ui.px(1));
+  // Near the right end the words stand before the step.
+  const float x = x0 + extent + ui.px(16) < x1 ? x0 + ui.px(4) : x0 - extent - ui.px(16);
+  const float y = low.y + size.y - high - ui.px(4);
+  list.AddRectFilled({x, y}, {x + extent + ui.px(12), y + high}, to_u32(ui.colors.panel, 0.9f), ui.px(4));
+  list.AddRect({x, y}, {x + extent + ui.px(12), y + high}, to_u32(ui.colors.accent), ui.px(4), 0, ui.px(1));
+  widgets::draw_text(list, ui.fonts.small, {x + ui.px(6), y + (high - ui.fonts.small->FontSize) / 2},
+                     to_u32(ui.colors.text), text);
+}
+
 void TimelinePane::breadcrumb_line(const Ui& ui, float left, float y) const {
   const WindowState& m = ui.window;
   if (!m.run.journal || m.live_step() == 0) return;

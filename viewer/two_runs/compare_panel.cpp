@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace isoscope::panels {
@@ -89,36 +90,84 @@ void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) 
   button("Close", "close-other");
 }
 
-void stages_column(Ui& ui, const RunComparison* found) {
+/// What B has more than A, with its sign.
+std::string difference_text(double a, double b, int decimals = 0) {
+  const double d = b - a;
+  const std::string size =
+      decimals > 0 ? fixed(std::abs(d), decimals) : grouped(static_cast<std::size_t>(std::abs(d)));
+  return d == 0 ? "0" : (d > 0 ? "+" : "−") + size;
+}
+
+/// What is compared of each stage.
+struct StageMeasure {
+  const char* title;
+  double (*value)(const StageStatistics&);
+  int decimals;
+};
+constexpr std::array<StageMeasure, 4> stage_measures{
+    {{"vertices of Z", [](const StageStatistics& f) { return static_cast<double>(f.zero_set_vertices); }, 0},
+     {"refused", [](const StageStatistics& f) { return static_cast<double>(f.rejections()); }, 0},
+     {"seconds", [](const StageStatistics& f) { return static_cast<double>(f.seconds); }, 1},
+     {"operations", [](const StageStatistics& f) { return static_cast<double>(f.operations); }, 0}}};
+
+/// A, B and Δ of so many measures.
+template <std::size_t N> void stage_table(const Ui& ui, const RunComparison* found) {
   const float label_width = ui.px(74);
-  table_row<4>(ui, "", {"operations", "vertices of Z", "refused", "seconds"}, label_width, ui.colors.quiet);
-  table_row<8>(ui, "stage", {"A", "B", "A", "B", "A", "B", "A", "B"}, label_width, ui.colors.quiet);
+  std::array<std::string, N> titles;
+  std::array<std::string, 3 * N> heads;
+  for (std::size_t k = 0; k < N; ++k) {
+    titles.at(k) = stage_measures.at(k).title;
+    heads.at(3 * k) = "A";
+    heads.at(3 * k + 1) = "B";
+    heads.at(3 * k + 2) = "Δ";
+  }
+  table_row<N>(ui, "", titles, label_width, ui.colors.quiet);
+  table_row<3 * N>(ui, "stage", heads, label_width, ui.colors.quiet);
+  if (found == nullptr) return;
+  for (const StageComparison& s : found->stages) {
+    std::array<std::string, 3 * N> cells;
+    for (std::size_t k = 0; k < N; ++k) {
+      const StageMeasure& m = stage_measures.at(k);
+      const auto text = [&](double v) {
+        return m.decimals > 0 ? fixed(v, m.decimals) : grouped(static_cast<std::size_t>(v));
+      };
+      cells.at(3 * k) = s.a ? text(m.value(*s.a)) : "–";
+      cells.at(3 * k + 1) = s.b ? text(m.value(*s.b)) : "–";
+      cells.at(3 * k + 2) = s.a && s.b ? difference_text(m.value(*s.a), m.value(*s.b), m.decimals) : "–";
+    }
+    table_row<3 * N>(ui, words(s.stage).title, cells, label_width, 0, stage_color(ui.theme, s.stage));
+  }
+}
+
+void stages_column(Ui& ui, const RunComparison* found) {
+  // A cell holds "12,345"; what does not fit is said.
+  const float cells = (ImGui::GetContentRegionAvail().x - ui.px(74)) / ui.px(50);
+  if (cells >= 12)
+    stage_table<4>(ui, found);
+  else if (cells >= 9)
+    stage_table<3>(ui, found);
+  else
+    stage_table<2>(ui, found);
+  if (cells < 12)
+    widgets::quiet_text(ui, cells >= 9 ? "operations: in a wider window"
+                                       : "seconds, operations: in a wider window");
   if (found == nullptr) return;
   std::array<std::size_t, reason_count> refused_a{}, refused_b{};
-  for (const StageComparison& s : found->stages) {
-    const auto of = [](const std::optional<StageStatistics>& stage, auto value) {
-      return stage ? std::string(value(*stage)) : std::string("–");
-    };
-    const auto operations = [](const StageStatistics& f) { return grouped(f.operations); };
-    const auto vertices = [](const StageStatistics& f) { return grouped(f.zero_set_vertices); };
-    const auto refused = [](const StageStatistics& f) { return grouped(f.rejections()); };
-    const auto time = [](const StageStatistics& f) { return fixed(f.seconds, 1); };
-    table_row<8>(ui, words(s.stage).title,
-                 {of(s.a, operations), of(s.b, operations), of(s.a, vertices), of(s.b, vertices),
-                  of(s.a, refused), of(s.b, refused), of(s.a, time), of(s.b, time)},
-                 label_width, 0, stage_color(ui.theme, s.stage));
+  for (const StageComparison& s : found->stages)
     for (std::size_t r = 0; r < refused_a.size(); ++r) {
       refused_a[r] += s.a ? s.a->rejected[r] : 0;
       refused_b[r] += s.b ? s.b->rejected[r] : 0;
     }
-  }
   ImGui::Dummy({0, ui.px(6)});
-  table_row<2>(ui, "refused, by reason", {"A", "B"}, ui.px(220), ui.colors.quiet);
+  const float reasons_width = ui.px(180);
+  table_row<3>(ui, "refused, by reason", {"A", "B", "Δ"}, reasons_width, ui.colors.quiet);
   for (std::size_t r = 0; r < refused_a.size(); ++r) {
     if (refused_a[r] == refused_b[r]) continue;
     const auto reason = static_cast<Reason>(r);
-    table_row<2>(ui, rejects(reason) ? words(reason).title : name(reason),
-                 {grouped(refused_a[r]), grouped(refused_b[r])}, ui.px(220));
+    table_row<3>(ui, rejects(reason) ? words(reason).title : name(reason),
+                 {grouped(refused_a[r]), grouped(refused_b[r]),
+                  difference_text(static_cast<double>(refused_a[r]), static_cast<double>(refused_b[r]))},
+                 reasons_width);
   }
 }
 
@@ -226,11 +275,11 @@ void compare_tab(Ui& ui, const Comparison& m) {
     if (ImGui::BeginChild(id, {std::floor(all * share), 0})) draw();
     ImGui::EndChild();
   };
-  column("parameters", 0.22f, [&] { parameters_column(ui, m, found.get()); });
+  column("parameters", 0.20f, [&] { parameters_column(ui, m, found.get()); });
   ImGui::SameLine(0, gap);
-  column("stages", 0.37f, [&] { stages_column(ui, found.get()); });
+  column("stages", 0.44f, [&] { stages_column(ui, found.get()); });
   ImGui::SameLine(0, gap);
-  column("decisions", 0.41f, [&] { decisions_column(ui, m, found.get()); });
+  column("decisions", 0.36f, [&] { decisions_column(ui, m, found.get()); });
 }
 
 } // namespace isoscope::panels

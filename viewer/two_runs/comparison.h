@@ -64,6 +64,9 @@ class Comparison {
   Status open_beside(const std::string& input);
   /// Begins a run at the state shown with the edge collapsed to the target that is tried.
   Status branch_here();
+  /// Begins a run that goes on from a step of the active one with the draft's parameters; the active run
+  /// becomes A, hidden unless two are drawn.
+  Status branch_with_draft(Step step);
   /// Makes the other run the active one; play heads and cameras stay with their runs.
   Status change_run();
   /// Ends the run that is not active; one view is left.

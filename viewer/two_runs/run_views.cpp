@@ -80,16 +80,19 @@ float run_badge(const Ui& ui, ImVec2 at, bool b, bool active) {
 }
 
 void RunViews::make_room(Ui& ui) {
-  PaneLayout& panes = ui.window.settings.panes;
+  WindowState& m = ui.window;
+  PaneLayout& panes = m.settings.panes;
   if (!comparison_.beside()) {
     if (before_) {
       panes.show_left |= before_->show_left;
       panes.show_right |= before_->show_right;
       before_.reset();
+      m.end_loan(LayoutGuest::two_views);
     }
     return;
   }
   if (before_) return;
+  m.lend_layout(LayoutGuest::two_views);
   before_ = panes;
   const float half = ImGui::GetContentRegionAvail().x / 2 / ui.scale;
   if (half < narrow_units) panes.show_left = false;

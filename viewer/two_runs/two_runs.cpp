@@ -17,6 +17,7 @@ void Comparison::show_second(std::unique_ptr<ShownRun> second) {
 
 Status Comparison::run_beside() {
   if (!window.run.scene) return Error{ErrorCode::usage, "There is no run yet.", "Open a model first."};
+  if (Status right = check(window.draft); !right) return right;
   auto second = std::make_unique<ShownRun>(notify_);
   // The input may be on another machine, or changed meanwhile: the run has it.
   if (window.draft.input == window.run.parameters.input)
@@ -56,6 +57,25 @@ Status Comparison::branch_here() {
   branch->session.start_branch({run.journal, step, shown->star.a(), shown->star.b(), tried->target},
                                run.parameters, *run.scene, run.generation);
   // The branch becomes the active run; what it leaves is A.
+  take(std::move(branch), false, beside());
+  return change_run();
+}
+
+Status Comparison::branch_with_draft(Step step) {
+  const SessionSnapshot& run = window.run;
+  if (!run.scene || !run.journal)
+    return Error{ErrorCode::usage, "There is no run yet.", "Open a model first."};
+  if (Status can = can_go_on(*run.journal, step); !can) return can;
+  const RunParameters wanted = window.draft;
+  const double sigma = wanted.criteria(run.scene->delta, run.scene->default_sigma).sigma;
+  if (Status fits = check_memory(run.scene->sample_estimate, sigma, run.scene->delta, wanted.most_bytes());
+      !fits)
+    return fits;
+  auto branch = std::make_unique<ShownRun>(notify_);
+  branch->session.start_branch({run.journal, step, {}, {}, {}}, wanted, *run.scene, run.generation);
+  // What comes is what is new: the play head need not play up to it.
+  branch->transport.jump(step);
+  branch->transport.follow();
   take(std::move(branch), false, beside());
   return change_run();
 }

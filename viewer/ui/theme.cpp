@@ -2,6 +2,7 @@
 #include "ui/theme.h"
 
 #include "embedded/fonts.h"
+#include "scene/meanings.h"
 
 #include <imgui_freetype.h>
 
@@ -21,13 +22,15 @@ constexpr Palette dark{.ground = 0x14161A,
                        .text = 0xE6E9EF,
                        .quiet = 0x8F98A8,
                        .accent = 0x56B4E9,
-                       .good = 0x009E73,
-                       .bad = 0xD55E00,
-                       .warning = 0xE69F00,
-                       .gamma = 0x0072B2,
+                       .good = meaning_color::good,
+                       .bad = meaning_color::bad,
+                       .warning = meaning_color::warning,
+                       .gamma = meaning_color::gamma,
                        .zero = 0xF2F2F2,
-                       .outer = 0x56B4E9,
-                       .inner = 0xCC79A7,
+                       .outer = meaning_color::outer,
+                       .inner = meaning_color::inner,
+                       .misoriented = meaning_color::misoriented,
+                       .kernel = meaning_color::kernel,
                        .rim = 0xE69F00,
                        .selection = 0xF0E442,
                        .good_text = 0x2FC598,
@@ -43,13 +46,15 @@ constexpr Palette light{.ground = 0xE9ECF1,
                         .text = 0x1B1F26,
                         .quiet = 0x596273,
                         .accent = 0x1A77AE,
-                        .good = 0x009E73,
-                        .bad = 0xD55E00,
-                        .warning = 0xE69F00,
-                        .gamma = 0x0072B2,
+                        .good = meaning_color::good,
+                        .bad = meaning_color::bad,
+                        .warning = meaning_color::warning,
+                        .gamma = meaning_color::gamma,
                         .zero = 0x101216,
-                        .outer = 0x56B4E9,
-                        .inner = 0xCC79A7,
+                        .outer = meaning_color::outer,
+                        .inner = meaning_color::inner,
+                        .misoriented = meaning_color::misoriented,
+                        .kernel = meaning_color::kernel,
                         .rim = 0xB36B00,
                         .selection = 0xB59A00,
                         .good_text = 0x00694C,
@@ -135,13 +140,13 @@ ImU32 to_u32(Rgb color, float alpha) {
 
 Rgb condition_color(ThemeKind theme, int condition) {
   const Palette& c = palette(theme);
-  const std::array<Rgb, 7> colors{c.quiet, c.bad, c.warning, c.inner, c.gamma, c.accent, c.good};
+  const std::array<Rgb, 7> colors{c.quiet, c.bad, c.warning, c.misoriented, c.gamma, c.accent, c.good};
   return colors.at(static_cast<std::size_t>(std::clamp(condition, 0, 6)));
 }
 
 Rgb stage_color(ThemeKind theme, Stage stage) {
   const Palette& c = palette(theme);
-  const std::array<Rgb, stage_count> colors{c.quiet, c.accent, 0x3D8FD1, 0x8C6BD8,
+  const std::array<Rgb, stage_count> colors{c.quiet, c.accent, 0x3D8FD1, 0xA0679E,
                                             c.good,  0x7FA83C, 0xD9A02B, 0x44AA99};
   return colors.at(static_cast<std::size_t>(stage));
 }

@@ -84,8 +84,19 @@ std::array<std::size_t, 8> flag_counts(const WindowState& m) {
   return counts;
 }
 
-std::string count_of(const std::array<std::size_t, 8>& counts, std::uint8_t flag) {
-  return grouped(counts.at(static_cast<std::size_t>(std::countr_zero(flag))));
+/// Whether the state shown says which tetrahedra carry the flag: what nothing has judged is not none.
+bool is_judged(const WindowState& m, std::uint8_t flag) {
+  const auto state = m.state();
+  if (!state) return false;
+  const bool interpolated = state->complex.form == ZeroForm::interpolated;
+  if (flag == tet_violates_1) return !state->errors.empty();
+  if (flag == tet_violates_2) return interpolated;
+  if (flag == tet_violates_3) return interpolated && state->orientation_judged;
+  return true;
+}
+
+std::string count_of(const WindowState& m, const std::array<std::size_t, 8>& counts, std::uint8_t flag) {
+  return is_judged(m, flag) ? grouped(counts.at(static_cast<std::size_t>(std::countr_zero(flag)))) : "–";
 }
 
 } // namespace
@@ -118,17 +129,19 @@ void clip_and_filter(Ui& ui) {
   TetFilter& f = view.tets;
   const auto counts = flag_counts(ui.window);
   filter_row(ui, "violate condition 1", "Hold a sample with ε > 1 − α. §2.3", f.violate_1,
-             count_of(counts, tet_violates_1));
+             count_of(ui.window, counts, tet_violates_1));
   filter_row(ui, "violate condition 2", "Carry Z and are lower than 2σ/α. §2.3", f.violate_2,
-             count_of(counts, tet_violates_2));
+             count_of(ui.window, counts, tet_violates_2));
   filter_row(ui, "violate condition 3", "Carry Z and are misoriented; judged when the play head rests. §2.3",
-             f.violate_3, count_of(counts, tet_violates_3));
-  filter_row(ui, "changed last", "Made by the last operations.", f.changed, count_of(counts, tet_changed));
+             f.violate_3, count_of(ui.window, counts, tet_violates_3));
+  filter_row(ui, "changed last", "Made by the last operations.", f.changed,
+             count_of(ui.window, counts, tet_changed));
   filter_row(ui, "carry Z", "Have vertices of both labels: Γ.", f.carry_zero_set,
-             count_of(counts, tet_heterogeneous));
-  filter_row(ui, "all", "Every tetrahedron inside the bounding box.", f.all, count_of(counts, tet_alive));
+             count_of(ui.window, counts, tet_heterogeneous));
+  filter_row(ui, "all", "Every tetrahedron inside the bounding box.", f.all,
+             count_of(ui.window, counts, tet_alive));
   filter_row(ui, "at the bounding box", "Also those with a corner of the loose bounding box. §2.2", f.box,
-             count_of(counts, tet_box));
+             count_of(ui.window, counts, tet_box));
   const auto state = ui.window.state();
   if (state && state->complex.form == ZeroForm::embedded) {
     constexpr std::array<const char*, 3> sides{"both sides", "outer", "inner"};
@@ -137,8 +150,9 @@ void clip_and_filter(Ui& ui) {
     if (widgets::segmented(ui, "sides", sides, side)) f.sides = static_cast<TetFilter::Sides>(side);
     ImGui::PopFont();
     widgets::tip(ui, "Sides of Z", "Tetrahedra on both sides of Z, or on one. §2.4.2");
-    filter_row(ui, "tint by side", "Tetrahedra in the colour of their side.", view.side_tint,
-               count_of(counts, tet_negative) + " inner");
+    filter_row(ui, "tint by side",
+               "Tetrahedra outside of Z grey, inside in sand; rooms in their own colours.", view.side_tint,
+               count_of(ui.window, counts, tet_negative) + " inner");
   }
   auto recent = static_cast<int>(f.recent);
   ImGui::PushFont(ui.fonts.mono);

@@ -7,6 +7,7 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <array>
 
 namespace isoscope::panels {
 namespace {
@@ -23,9 +24,9 @@ constexpr Row layer_rows[] = {
     {"zero", Swatch::surface, &Palette::zero},   {"good", Swatch::disc, &Palette::good},
     {"bad", Swatch::cross, &Palette::bad},       {"over-rim", Swatch::diamond, &Palette::rim},
     {"curves", Swatch::line, &Palette::zero},    {"rim", Swatch::line, &Palette::rim},
-    {"dropped", Swatch::surface, &Palette::rim}, {"tets", Swatch::cell, &Palette::warning},
+    {"dropped", Swatch::surface, &Palette::rim}, {"tets", Swatch::cell, &Palette::misoriented},
     {"gamma", Swatch::line, &Palette::gamma},    {"highlight", Swatch::line, &Palette::selection},
-    {"xray", Swatch::cell, &Palette::inner},     {"points", Swatch::ramp, &Palette::quiet},
+    {"xray", Swatch::cell, &Palette::kernel},    {"points", Swatch::ramp, &Palette::quiet},
     {"input", Swatch::surface, &Palette::quiet},
 };
 
@@ -179,6 +180,19 @@ void weight_legend(const Ui& ui) {
   put(x + ui.px(9), "dropped");
 }
 
+/// Which good samples are drawn.
+void near_switch(Ui& ui) {
+  constexpr std::array<const char*, 2> labels{"near the operation", "all of them"};
+  const widgets::Font font(ui.fonts.small);
+  int chosen = ui.window.view.near_samples ? 0 : 1;
+  ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + ui.px(50), ImGui::GetCursorScreenPos().y});
+  if (widgets::segmented(ui, "near", labels, chosen)) ui.commands.post("near-samples");
+  widgets::tip(ui, "Good samples in 3D",
+               "Only those around the current operation, or all of S. Bad ones are always shown, and the "
+               "section shows all that it cuts.");
+  ImGui::Dummy({0, ui.px(3)});
+}
+
 /// Which colour and hatch is which room.
 void room_legend(const Ui& ui) {
   const ImVec2 begin = ImGui::GetCursorScreenPos();
@@ -211,6 +225,7 @@ void layers(Ui& ui) {
     layer_row(ui, row);
     if (row.layer == "inner") volume_look(ui);
     if (row.layer == "points" && ui.window.view.points.visible) weight_legend(ui);
+    if (row.layer == "good" && ui.window.view.good_samples.visible) near_switch(ui);
     if (row.layer == "zero" && ui.window.view.zero_set.visible && ui.window.has_rooms()) room_legend(ui);
   }
   ImGui::PopStyleVar();

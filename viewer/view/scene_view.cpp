@@ -1,9 +1,12 @@
 // Mouse, pictures and what lies over them.
 #include "view/scene_view.h"
 
+#include "scene/first_box.h"
 #include "scene/pick_geometry.h"
 #include "ui/widgets.h"
+#include "view/scene_key.h"
 #include "view/scene_overlay.h"
+#include "view/warning_chip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +15,11 @@ namespace isoscope {
 namespace {
 
 constexpr double hover_delay = 0.12;
+
+/// A box whose corners are in sight when it is framed: a model's may lie outside of the picture.
+Box3 roomy(const Box3& box) {
+  return box.empty() ? box : box.grown(0.12 * box.longest_edge());
+}
 
 ImVec2 local(ImVec2 mouse, ImVec2 low) {
   return {mouse.x - low.x, mouse.y - low.y};
@@ -31,6 +39,10 @@ void SceneView::draw(Ui& ui) {
   renderer_->set_study(study_);
   annotation_ = asked_.annotation();
   renderer_->set_annotation(annotation_);
+  preview_ = m.would_violate;
+  renderer_->set_preview(preview_);
+  zero_map_ = maps_.map();
+  renderer_->set_zero_map(zero_map_);
   frame_requests(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
@@ -50,7 +62,9 @@ void SceneView::draw(Ui& ui) {
   if (!m.presenter.on) {
     overlay::mode_switch(ui, {low.x + all.x, low.y});
     overlay::caption(ui, low, all);
-    overlay::preview(ui, low, all);
+    const float chip = overlay::warning_chip(ui, low, all);
+    overlay::preview(ui, {low.x, low.y + chip}, all);
+    overlay::key(ui, scene_key(m, maps_, m.shown_view()), low, all);
   }
   overlay::progress(ui, m, "stop", low, all);
   overlay::invitation(ui, low, all);
@@ -67,6 +81,8 @@ void SceneView::render(Ui& ui, Area area, bool section) {
   key.xray = xray_.get();
   key.study = study_.get();
   key.annotation = annotation_.get();
+  key.preview = preview_.get();
+  key.zero_map = zero_map_.get();
   key.mark = m.selection.mark;
   key.selection = m.selection.picked;
   key.hover = m.selection.hovered;
@@ -90,6 +106,7 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   scene_mouse(ui, area);
   render(ui, area, false);
   const WindowState& m = ui.window;
+  clip_handle_.draw(ui, area);
   overlay::axes(ui, m.camera, area.low, area.size);
   overlay::scale_bar(ui, m.run.scene ? m.run.scene->delta : 0, area.low, area.size,
                      overlay::height_at_target(m.camera));
@@ -144,13 +161,17 @@ void SceneView::scene_mouse(Ui& ui, Area area) {
     mouse_.take();
     return;
   }
+  if (clip_handle_.update(ui, area, hovered)) {
+    mouse_.take();
+    return;
+  }
   mouse_.update(ui, m.camera, area, under);
   if (ImGui::IsItemDeactivated() && !mouse_.dragged() && hovered) {
     if (ImGui::IsMouseReleased(0))
       picked(ui, renderer_->pick(m.camera, m.shown_view(), at.x, at.y, width, height, m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
-  if (hovered && !ImGui::IsAnyMouseDown()) {
+  if (hovered && !ImGui::IsAnyMouseDown() && !m.presenter.on) {
     m.selection.hovered = hover_pick(ui, area, false);
     overlay::hover_tip(ui);
   } else if (scene_shown_ && !section_shown_) {
@@ -191,7 +212,7 @@ void SceneView::section_mouse(Ui& ui, Area area) {
                                          m.selection.kinds));
     if (ImGui::IsMouseReleased(1)) picked(ui, {});
   }
-  if (hovered && !ImGui::IsAnyMouseDown()) {
+  if (hovered && !ImGui::IsAnyMouseDown() && !m.presenter.on) {
     m.selection.hovered = hover_pick(ui, area, true);
     overlay::hover_tip(ui);
   } else if (section_shown_ && !scene_shown_) {
@@ -202,15 +223,21 @@ void SceneView::section_mouse(Ui& ui, Area area) {
 // Until somebody moves the camera, the whole model stays in sight, however narrow the view becomes.
 void SceneView::frame_untouched(Ui& ui, float aspect) {
   WindowState& m = ui.window;
-  const Box3 box = m.scene_bounds();
+  Box3 box = m.scene_bounds();
   if (m.camera.was_set() || box.empty()) return;
+  // Before an audience the box that T begins as is seen too.
+  const auto state = m.state();
+  if (m.presenter.on && state) box.add(roomy(first_box(*state)));
   if (aspect == framed_aspect_ && box.lo == framed_box_.lo && box.hi == framed_box_.hi) return;
   framed_aspect_ = aspect;
   framed_box_ = box;
+  const bool ease = m.presenter.on && !m.scripted;
+  const CameraPose before = m.camera.pose();
   m.camera.frame(box, false);
   CameraPose pose = m.camera.pose();
   pose.distance /= std::min(1.0, static_cast<double>(aspect));
-  m.camera.set(pose);
+  if (ease) m.camera.set(before);
+  m.camera.set(pose, ease);
 }
 
 // The same for the section: what the plane cuts of the input is centred.
@@ -260,6 +287,7 @@ void SceneView::frame_requests(Ui& ui) {
   if (box.empty()) box = renderer_->bounds();
   const Pick& pick = m.selection.picked;
   const auto state = m.state();
+  if (all && state && m.view.tets.box) box.add(roomy(first_box(*state)));
   if (selected && !all && pick.kind != Pick::Kind::none && state) {
     const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * box.longest_edge();
     box = pick_bounds(*state, pick);

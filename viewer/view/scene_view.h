@@ -5,7 +5,9 @@
 #include "edge/target_handle.h"
 #include "scene/renderer.h"
 #include "view/camera_mouse.h"
+#include "view/clip_handle.h"
 #include "view/view_picture.h"
+#include "view/zero_maps.h"
 
 #include <memory>
 #include <optional>
@@ -15,8 +17,8 @@ namespace isoscope {
 /// Keeps the last picture and redraws it only when something in it changed.
 class SceneView {
  public:
-  SceneView(Renderer& renderer, const EdgeProbe& probe, const Investigation& asked)
-      : renderer_(&renderer), probe_(probe), asked_(asked) {}
+  SceneView(Renderer& renderer, const EdgeProbe& probe, const Investigation& asked, const ZeroMaps& maps)
+      : renderer_(&renderer), probe_(probe), asked_(asked), maps_(maps) {}
 
   /// Fills the present window of the interface.
   void draw(Ui& ui);
@@ -50,14 +52,18 @@ class SceneView {
   Renderer* renderer_;
   const EdgeProbe& probe_;
   const Investigation& asked_;
+  const ZeroMaps& maps_;
   ViewPicture scene_, section_;
   bool scene_shown_ = false, section_shown_ = false;
   /// Of the last frame: their addresses tell pictures apart.
   std::shared_ptr<const EdgeXray> xray_;
   std::shared_ptr<const TargetStudy> study_;
   std::shared_ptr<const Annotation> annotation_;
+  std::shared_ptr<const ViolationPreview> preview_;
+  std::shared_ptr<const ZeroMap> zero_map_;
   TargetHandle handle_;
   CameraMouse mouse_;
+  ClipHandle clip_handle_;
   float framed_aspect_ = 0; ///< what the camera was framed for, while nobody has moved it
   Box3 framed_box_;
   ClipSettings placed_clip_;

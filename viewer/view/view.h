@@ -7,12 +7,17 @@
 
 namespace isoscope {
 
+class EdgeProbe;
+
 struct Ui;
 
 /// Mode, camera, clip, what is drawn; and undo of it.
 void add_view_commands(CommandTable& table, WindowState& window);
 /// Takes the view that a JSON text describes; fails with usage where it describes none.
 Status show_view(WindowState& window, const std::string& json);
+
+/// The section through what is selected, and the handle of the clip.
+void add_section_commands(CommandTable& table, WindowState& window, const EdgeProbe& probe);
 
 /// Selecting elements by number.
 void add_pick_commands(CommandTable& table, WindowState& window);

@@ -85,6 +85,10 @@ void add_view_values(NamedValues& t, WindowState& m) {
         return text_of(n.x) + "," + text_of(n.y) + "," + text_of(n.z);
       },
       [&m](const std::string& text) { return set_normal(m, text); });
+  t.add("warnings", "what the user should know of the run, counted", [&m] { return m.warnings().size(); });
+  t.add("warnings.shown", "these are shown in full", [&m] { return m.warnings_open; });
+  t.add("thickening", "whether Ω is a thickening, so that the topology is guaranteed",
+        [&m] { return m.run.scene && !m.no_thickening(); });
   t.bind("ui-scale", "size of the interface", {.range = {.low = 0.5, .high = 4}}, m.settings.ui_scale);
 }
 

@@ -1,0 +1,20 @@
+// Whether a file can be a recording of ours, and what is said where it is none.
+#pragma once
+
+#include "base/status.h"
+
+#include <filesystem>
+#include <string>
+
+namespace isoscope {
+
+class Database;
+
+/// "x.isorun is damaged: ...", with how to save what is sound.
+Error damaged(const std::filesystem::path& file, const std::string& what);
+/// What can be told without SQLite: that it is there, a plain file, and a database.
+Status check_head(const std::filesystem::path& file);
+/// Whether the database is a recording of a version that this program reads.
+Status check_version(Database& database, const std::filesystem::path& file);
+
+} // namespace isoscope

@@ -1,0 +1,49 @@
+// Layer by layer; what is shown but not there is left out.
+#include "scene/scene_legend.h"
+
+#include "scene/tet_visibility.h"
+
+#include <algorithm>
+
+namespace isoscope {
+
+std::vector<LegendEntry> scene_legend(const StateSnapshot& state, const ViewSettings& view, bool section,
+                                      bool has_rim) {
+  using Sign = LegendEntry::Sign;
+  const SceneColors c = scene_colors(view.theme);
+  std::vector<LegendEntry> out;
+  const auto put = [&](bool shown, Sign sign, glm::vec3 color, const char* words) {
+    if (shown) out.push_back({sign, color, words});
+  };
+  put(view.zero_set.shown() && !state.zero_set.polygons.empty() && view.zero_map == ZeroMapKind::none,
+      section ? Sign::line : Sign::surface, section ? c.section_zero : c.zero_set, "Z, the mesh");
+  put(view.outer.shown(), Sign::surface, c.outer, "outer boundary of Ω");
+  put(view.inner.shown(), Sign::surface, c.inner, "inner boundary of Ω");
+  const bool samples = view.samples.shown() && state.samples != nullptr;
+  const bool classified = state.complex.form != ZeroForm::free;
+  put(samples && view.bad_samples.shown() && state.bad_samples > 0, Sign::cross, c.bad, "bad sample");
+  put(samples && view.good_samples.shown(), Sign::disc, classified ? c.good : c.tetrahedron,
+      classified ? "good sample, outside" : "sample");
+  put(samples && view.good_samples.shown() && classified, Sign::ring, c.good, "good sample, inside");
+  put(samples && view.over_rim.shown() && !state.samples->over_rim.empty(), Sign::diamond, c.rim,
+      "sample over the rim");
+  if (view.tetrahedra.shown() && !section) {
+    std::array<bool, 6> seen{};
+    for_each_visible_tet(state, view.tets, Clip(view.clip),
+                         [&](TetId, TetRole role) { seen.at(static_cast<std::size_t>(role)) = true; });
+    const auto role = [&](TetRole r) { return seen.at(static_cast<std::size_t>(r)); };
+    put(role(TetRole::violates_1), Sign::cell, c.bad, "violates condition 1");
+    put(role(TetRole::violates_2), Sign::cell, c.warning, "violates condition 2: too flat");
+    put(role(TetRole::violates_3), Sign::cell, c.misoriented, "violates condition 3: misoriented");
+    put(role(TetRole::changed), Sign::cell, c.accent, "changed last");
+  }
+  put(view.tetrahedra.shown() && section, Sign::line, c.section_line, "T");
+  put(view.gamma.shown() && !state.gamma.empty(), Sign::line, c.gamma, "∂Γ");
+  put(view.rim.shown() && has_rim, Sign::line, c.rim, "rim of the input");
+  put(view.highlight.shown() && state.event.has_value() && !section, Sign::dashed, c.accent,
+      "taken away by the operation");
+  put(view.input.shown() && !section, Sign::surface, c.input, "input");
+  return out;
+}
+
+} // namespace isoscope

@@ -1,0 +1,23 @@
+// What is to be seen in the view and what it means, as a list that the window and pictures draw alike.
+#pragma once
+
+#include "questions/snapshot.h"
+#include "scene/palette.h"
+
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+struct LegendEntry {
+  enum class Sign : std::uint8_t { surface, line, dashed, disc, ring, cross, diamond, cell };
+  Sign sign = Sign::surface;
+  glm::vec3 color{0};
+  std::string words;
+};
+
+/// Of what the settings show and the state has, the most important first. `section`: of the 2D section.
+std::vector<LegendEntry> scene_legend(const StateSnapshot& state, const ViewSettings& view, bool section,
+                                      bool has_rim);
+
+} // namespace isoscope
