@@ -21,9 +21,7 @@ void main() {
   p -= clip_normal.xyz * dot(p - clip_point.xyz, clip_normal.xyz);
   if (any(lessThan(p, box_lo)) || any(greaterThan(p, box_hi))) return;
   vec3 q = in_places(p);
-  uint entry = entry_at(q);
-  if (!is_full(entry)) return;
-  float g = value_in(q, entry) * (is_signed == 1 ? 1.0 : side_in(q, entry));
+  float g = value_at(q) * (is_signed == 1 ? 1.0 : side_at(q));
   float reach = level * delta * viewport.w; // pixels
   float pixels = (level - abs(g)) * delta * viewport.w; // inside Ω, to its boundary
   float cover = clamp(pixels + 0.5, 0.0, 1.0);

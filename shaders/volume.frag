@@ -1,3 +1,3 @@
 #version 410 core
-// Ω where φ is 0 between the sides.
+// Both boundaries of Ω, where φ is 0 between the sides.
 #include "volume.glsl"

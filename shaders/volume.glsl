@@ -1,6 +1,9 @@
 // Ω by ray marching: g = ±φ/δ (the sign is the side), its boundaries are g = level (outer) and g = -level (inner). Where φ is
-// nowhere 0 between the sides the bricks hold |g|, and others the sides: between them g would pass through 0. Between the
-// boundaries a haze, thicker or thinner by g, tells how much of Ω a ray goes through.
+// nowhere 0 between the sides the bricks hold |g|, and others the sides: between them g would pass through 0.
+// HAZE: between the boundaries a haze, thicker or thinner by g, tells how much of Ω a ray goes through.
+// MOVING: both boundaries and plain cuts alone, for frames that are gone at once.
+// Software drivers run both sides of every branch: what a frame does not need is left out of its program, fetches stand
+// outside of branches where they can, and a loop that ends early is what saves time.
 #include "frame.glsl"
 #include "light.glsl"
 #include "bricks.glsl"
@@ -13,6 +16,7 @@ uniform float delta;
 uniform vec4 outer_tint, inner_tint; // a: opacity
 uniform vec3 haze;             // optical depth of a way of δ at g = level, 0, -level
 uniform float jitter_phase;    // in [0, 1): frames that are averaged start differently
+uniform float ray_pixels;      // how many pixels of the view lie between two rays
 uniform int max_steps;
 uniform float coarseness;      // 1 at rest, larger while moving
 layout(location = 0) out vec4 colour; // premultiplied
@@ -20,18 +24,12 @@ layout(location = 1) out vec4 depth;
 
 vec3 origin, direction;
 vec3 q_origin, q_direction, inverse_q; // the ray in places
-// Software drivers run both sides of every branch: fetches stand outside of branches where they can, and a loop that ends
-// early is what saves time.
+vec3 q_at(float t) { return q_origin + t * q_direction; }
 
-vec3 gradient(vec3 p) {
-  float e = 0.9 * voxel;
+vec3 gradient(vec3 q) {
+  float e = 0.9 * voxel / place_side;
   vec3 a = vec3(1, -1, -1), b = vec3(-1, -1, 1), c = vec3(-1, 1, -1), d = vec3(1, 1, 1);
-  return a * value_at(p + a * e) + b * value_at(p + b * e) + c * value_at(p + c * e) + d * value_at(p + d * e);
-}
-
-float side_at(float t) {
-  vec3 q = q_origin + t * q_direction;
-  return side_in(q, entry_at(q));
+  return a * value_at(q + a * e) + b * value_at(q + b * e) + c * value_at(q + c * e) + d * value_at(q + d * e);
 }
 
 void add(vec3 rgb, float alpha, float t) {
@@ -41,10 +39,11 @@ void add(vec3 rgb, float alpha, float t) {
 
 // The boundary where the grid's value is `value`.
 void surface(float t, float value) {
-  bool outer = value * side_at(t) > 0.0;
+  vec3 q = q_at(t);
+  bool outer = value * side_at(q) > 0.0;
   vec4 tint = outer ? outer_tint : inner_tint;
   if (tint.a <= 0.0) return;
-  vec3 n = normalize(gradient(origin + t * direction));
+  vec3 n = normalize(gradient(q));
   float facing = dot(n, -direction), across = abs(facing);
   bool outside = facing * value > 0.0; // seen from outside of Ω
   vec3 rgb = lit(tint.rgb, facing < 0.0 ? -n : n, -direction) * (outside ? 1.0 : 0.8);
@@ -56,72 +55,83 @@ void surface(float t, float value) {
   add(rgb, alpha, t);
 }
 
+#ifdef HAZE
 // What a stretch of Ω that ends at t takes from the light behind it.
-void add_haze(float g, float side, float stretch, float t) {
-  float s = clamp(g * side / level, -1.0, 1.0);
+void add_haze(float g, float stretch, float t) {
+  if (abs(g) >= 1.02 * level) return;
+  float s = clamp(g * side_at(q_at(t)) / level, -1.0, 1.0);
   float density = s > 0.0 ? mix(haze.y, haze.x, s) : mix(haze.y, haze.z, -s);
   vec3 rgb = mix(inner_tint.rgb, outer_tint.rgb, smoothstep(-0.6, 0.6, s));
   add(rgb * 0.92, 1.0 - exp(-density * stretch / delta), t);
 }
+#else
+void add_haze(float g, float stretch, float t) {}
+#endif
 
 // Where the clip cuts through Ω, its thickness shows: tinted from side to side with contours of d, the input's surface a line.
 void cap(float t) {
-  vec3 p = origin + t * direction, q = in_places(p);
-  uint entry = entry_at(q);
-  float g = value_in(q, entry), strength = max(outer_tint.a, inner_tint.a);
-  if (!is_full(entry) || abs(g) >= level || strength <= 0.0) return;
-  vec3 cut = clip_shape.x > 2.5 ? normalize(p - clip_point.xyz) : clip_normal.xyz, n = normalize(gradient(p));
-  vec4 face = band(g * side_in(q, entry) / level, level * delta * pixels_per_unit(p) / max(length(n - dot(n, cut) * cut), 0.2),
-                   inner_tint.rgb, outer_tint.rgb);
+  vec3 q = q_at(t), p = origin + t * direction;
+  float g = value_at(q), strength = max(outer_tint.a, inner_tint.a);
+  if (abs(g) >= level || strength <= 0.0) return;
+#ifdef MOVING
+  float slope = 1.0;
+#else
+  vec3 cut = clip_shape.x > 2.5 ? normalize(p - clip_point.xyz) : clip_normal.xyz, n = normalize(gradient(q));
+  float slope = max(length(n - dot(n, cut) * cut), 0.2);
+#endif
+  vec4 face = band(g * side_at(q) / level, level * delta * pixels_per_unit(p) / slope, inner_tint.rgb, outer_tint.rgb);
   add(face.rgb, clamp(face.a * (0.35 + 0.65 * clamp(0.6 + strength, 0.0, 1.0)), 0.0, 1.0), t);
 }
 
 void march(float from, float to, bool cap_from, bool cap_to, float jitter) {
-  // Neither finer than what the picture shows nor coarser than what Ω takes.
-  float pixel = 1.0 / max(pixels_per_unit(origin + from * direction), 1e-20);
-  float fine = max(max(0.45 * voxel, 0.2 * delta), 0.4 * pixel) * coarseness;
+  // Neither finer than what the picture shows nor coarser than what Ω takes: it is at least twice `level` thick.
+  float pixel = ray_pixels / max(pixels_per_unit(origin + from * direction), 1e-20);
+  float fine = min(max(max(0.45 * voxel, 0.2 * delta), 0.4 * pixel) * coarseness, 0.9 * level * delta);
+  float beyond = 4e-3 * place_side; // the rim of a place
   if (cap_from && from < to) cap(from);
-  bool with_haze = haze.x + haze.y + haze.z > 0.0;
-  float t = min(from + 0.02 * fine + fine * jitter * float(!cap_from), to), before = from, g_before = 0.0;
-  bool known = false; // what g is just before t
+  float before = from, g_before = value_at(q_at(from)), t = min(from + fine * jitter * float(!cap_from), to);
   for (int hit = 0; hit < 8; ++hit) {
     float g = g_before, value = 0.0;
     bool end = from >= to;
     for (int i = 0; i < max_steps && !end; ++i) {
-      vec3 q = q_origin + t * q_direction, place = floor(q);
-      uint entry = entry_at(q);
-      g = value_in(q, entry);
-      bool full = is_full(entry);
+      vec3 q = q_at(t), place = place_at(q);
+      uint entry = entry_at(place);
+      g = value_in(q, place, entry);
       bool meets_outer = (g_before - level) * (g - level) < 0.0 && (outer_tint.a > 0.0 || is_signed == 0);
       bool meets_inner = (g_before + level) * (g + level) < 0.0 && inner_tint.a > 0.0;
-      if (full && known && (meets_outer || meets_inner)) {
+      if (meets_outer || meets_inner) {
         value = meets_outer && (!meets_inner || g < g_before) ? level : -level;
         break;
       }
-      if (with_haze && full && known && max(abs(g), abs(g_before)) < 1.02 * level)
-        add_haze(0.5 * (g + g_before), side_in(q, entry), t - before, t);
+      add_haze(0.5 * (g + g_before), t - before, t);
       end = t >= to || colour.a > 0.98;
       before = t;
       g_before = g;
-      known = full;
       // Just beyond what the distance proves empty, so that a surface is crossed at once; or out of the empty places.
-      float rings = float(entry & 0xffu);
+      float rings = free_places(entry), step_in = abs(abs(g) - level) * delta * 0.9 + fine;
       vec3 leave = (place + mix(vec3(1.0 - rings), vec3(rings), greaterThan(q_direction, vec3(0.0))) - q) * inverse_q;
-      float step_in = abs(abs(g) - level) * delta * 0.9 + fine;
-      if (with_haze && abs(g) < level && coarseness <= 1.0) step_in = min(step_in, 0.5 * delta);
-      float step_out = max(min(leave.x, min(leave.y, leave.z)), 0.0) + 1e-3 * place_side;
-      t = min(t + (full ? step_in : step_out), to);
+#ifdef HAZE
+      if (abs(g) < level) step_in = min(step_in, 0.5 * delta);
+#endif
+      t = min(t + max(step_in, rings > 0.0 ? min(leave.x, min(leave.y, leave.z)) + beyond : 0.0), to);
     }
     if (value == 0.0) break;
-    float met = mix(before, t, clamp((value - g_before) / (g - g_before), 0.0, 1.0));
-    if (coarseness <= 1.0) {
-      vec3 q = q_origin + met * q_direction;
-      float g_met = value_in(q, entry_at(q));
-      bool beyond = (g_met - value) * (g - value) > 0.0;
-      float a = beyond ? before : met, ga = beyond ? g_before : g_met, b = beyond ? met : t, gb = beyond ? g_met : g;
-      met = mix(a, b, abs(gb - ga) < 1e-6 ? 0.5 : clamp((value - ga) / (gb - ga), 0.0, 1.0));
+    // Both ends read the same bricks as the steps do: what was crossed lies between them.
+    float far = t, g_far = g, met = mix(before, t, clamp((value - g_before) / (g - g_before), 0.0, 1.0));
+#ifndef MOVING
+    float near = before, g_near = g_before;
+    for (int k = 0; k < 3; ++k) {
+      float g_met = value_at(q_at(met));
+      bool passed = (g_met - value) * (g_far - value) > 0.0;
+      near = passed ? near : met;
+      g_near = passed ? g_near : g_met;
+      far = passed ? met : far;
+      g_far = passed ? g_met : g_far;
+      float part = abs(g_far - g_near) < 1e-6 ? 0.5 : clamp((value - g_near) / (g_far - g_near), 0.0, 1.0);
+      met = mix(near, far, k == 1 ? 0.5 : part);
     }
-    if (with_haze && max(abs(value), abs(g_before)) < 1.02 * level) add_haze(0.5 * (value + g_before), side_at(met), met - before, met);
+#endif
+    add_haze(0.5 * (value + g_before), met - before, met);
     surface(met, value);
     before = met;
     g_before = value + (g > g_before ? 1e-4 : -1e-4);

@@ -10,8 +10,9 @@ namespace isoscope {
 namespace {
 
 constexpr double half_diagonal = 0.8660254037844386;
-/// Beyond the level, in voxels: what gradients on the boundary look at.
-constexpr double margin_voxels = 1.75;
+/// Beyond the level, in voxels: gradients on the boundary look 0.9 voxels along each axis from a point whose
+/// φ is up to half a cell's diagonal larger than what is read between samples.
+constexpr double margin_voxels = 2.5;
 /// Of places along a side: more would be no texture.
 constexpr int most_places = 1024;
 
@@ -29,7 +30,9 @@ DistanceGrid lattice(const ToleranceField& field, const GridWish& wish, double v
   const double reach = reach_of(wish, grid.voxel), side = DistanceGrid::cells * grid.voxel;
   grid.delta = wish.delta;
   grid.level = static_cast<float>(wish.level);
-  grid.clamp = static_cast<float>(reach / wish.delta);
+  grid.reach = static_cast<float>(reach / wish.delta);
+  // A place whose middle is a half diagonal out of reach still has its brick.
+  grid.clamp = static_cast<float>((reach + 2 * half_diagonal * side) / wish.delta);
   // Beyond the reach all round: the outermost samples are outside of Ω.
   const Box3 wanted = field.bounds().grown(reach);
   grid.box.lo = wanted.lo;
@@ -57,9 +60,21 @@ std::vector<Place> places_near(const DistanceGrid& grid, const ToleranceField& f
       const double half = 0.5 * size;
       const Vec3 middle =
           grid.box.lo + side * Vec3{blocks[i][0] + half, blocks[i][1] + half, blocks[i][2] + half};
-      const double within = reach + half_diagonal * size * side;
       // φ is 1-Lipschitz: beyond, no point of the block is within reach.
-      near[i] = field.closest_within(middle, within * (1 + 1e-9)).distance() <= within ? 1 : 0;
+      const auto is_near = [&](Vec3 at, double block_side) {
+        const double within = reach + half_diagonal * block_side;
+        return field.closest_within(at, within * (1 + 1e-9)).distance() <= within;
+      };
+      bool found = is_near(middle, size * side);
+      if (found && size == 1) {
+        // Bricks are dear: an eighth of the place has to be near, each with a smaller ball around it.
+        found = false;
+        for (int c = 0; c < 8 && !found; ++c)
+          found = is_near(middle + 0.25 * side *
+                                       Vec3{(c & 1) ? 1.0 : -1.0, (c & 2) ? 1.0 : -1.0, (c & 4) ? 1.0 : -1.0},
+                          0.5 * side);
+      }
+      near[i] = found ? 1 : 0;
     });
     if (control.cancelled()) return {};
     next.clear();
@@ -110,7 +125,7 @@ void fill(DistanceGrid& grid, std::size_t brick, const ToleranceField& field, do
       }
 }
 
-/// The cell that holds a point and where in it; false beyond the box.
+/// The cell that holds a point and where in it; an outer place beyond the box.
 struct InCell {
   std::int32_t entry = DistanceGrid::outer;
   std::array<int, 3> cell{};
@@ -132,11 +147,8 @@ InCell find_cell(const DistanceGrid& grid, Vec3 p) {
   return found;
 }
 
-template <class Read> double interpolated(const DistanceGrid& grid, Vec3 p, const Read& read) {
-  const InCell in = find_cell(grid, p);
-  if (in.entry < 0)
-    return read(static_cast<std::int16_t>(in.entry == DistanceGrid::inner ? -DistanceGrid::most
-                                                                          : DistanceGrid::most));
+/// Linear between what `read` makes of the samples around a point.
+template <class Read> double interpolated(const DistanceGrid& grid, const InCell& in, const Read& read) {
   const auto brick = grid.brick(static_cast<std::size_t>(in.entry));
   double sum = 0;
   for (int c = 0; c < 8; ++c) {
@@ -145,19 +157,21 @@ template <class Read> double interpolated(const DistanceGrid& grid, Vec3 p, cons
                           (dz ? in.part[2] : 1 - in.part[2]);
     sum += weight * read(brick[DistanceGrid::sample(in.cell[0] + dx, in.cell[1] + dy, in.cell[2] + dz)]);
   }
-  return sum;
+  return sum * static_cast<double>(grid.clamp) / DistanceGrid::most;
 }
 
 } // namespace
 
 double DistanceGrid::signed_value(Vec3 p) const {
-  const double scale = static_cast<double>(clamp) / most;
-  return interpolated(*this, p, [&](std::int16_t v) { return scale * v; });
+  const InCell in = find_cell(*this, p);
+  if (in.entry < 0) return static_cast<double>(in.entry == inner ? -reach : reach);
+  return interpolated(*this, in, [](std::int16_t v) { return v; });
 }
 
 double DistanceGrid::value(Vec3 p) const {
-  const double scale = static_cast<double>(clamp) / most;
-  return interpolated(*this, p, [&](std::int16_t v) { return scale * std::abs(v); });
+  const InCell in = find_cell(*this, p);
+  if (in.entry < 0) return static_cast<double>(reach);
+  return interpolated(*this, in, [](std::int16_t v) { return std::abs(v); });
 }
 
 Result<DistanceGrid> make_distance_grid(const ToleranceField& field, const GridWish& wish,
@@ -170,7 +184,7 @@ Result<DistanceGrid> make_distance_grid(const ToleranceField& field, const GridW
   while (true) {
     const std::size_t index_bytes = place_count(grid) * sizeof(std::uint32_t);
     const std::size_t room = wish.most_bytes > index_bytes ? wish.most_bytes - index_bytes : 0,
-                      most = room / bytes_a_brick;
+                      most = std::min(room / bytes_a_brick, DistanceGrid::most_bricks);
     grid.at = places_near(grid, field, reach_of(wish, grid.voxel), most, control);
     if (control.cancelled()) return cancelled;
     if (grid.at.size() <= most) break;

@@ -22,16 +22,19 @@ struct DistanceGrid {
   static constexpr std::size_t brick_size = std::size_t{samples} * samples * samples;
   static constexpr std::int16_t most = 32767;
   static constexpr std::int32_t outer = -1, inner = -2; ///< places without brick, by side
+  /// More than the texture of them has room for.
+  static constexpr std::size_t most_bricks = 261000;
 
   Box3 box;                           ///< of all places
   double delta = 0;                   ///< scene units
   double voxel = 1;                   ///< side of a cell, scene units
   float level = 1;                    ///< up to which Ω can be drawn
-  float clamp = 2;                    ///< of |values|, beyond `level`
+  float reach = 2;                    ///< that φ / δ exceeds wherever there is no brick; beyond `level`
+  float clamp = 4;                    ///< that no sample exceeds
   std::array<int, 3> places{0, 0, 0}; ///< x fastest in `index`
   std::vector<std::int32_t> index;    ///< by place: its brick, or `outer` or `inner`
   std::vector<std::array<int, 3>> at; ///< by brick: its place
-  /// By brick and sample, x fastest: most φ / (clamp δ), at least 1, negative on the inner side.
+  /// By brick and sample, x fastest: most · φ / (clamp δ), at least 1, negative on the inner side.
   std::vector<std::int16_t> values;
   bool has_sides = false; ///< whether signs and empty places tell sides; until then all is outer
   bool coarsened = false; ///< memory allowed no voxels as small as were asked for
@@ -54,7 +57,7 @@ struct DistanceGrid {
     return box.lo + cells * voxel *
                         Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
   }
-  /// ±φ/δ at a point, linear between samples; ±clamp where there are none. Beyond the box +clamp.
+  /// ±φ/δ at a point, linear between samples; ±reach where there are none. Beyond the box +reach.
   double signed_value(Vec3 p) const;
   /// The same of φ/δ.
   double value(Vec3 p) const;
@@ -73,8 +76,9 @@ struct GridWish {
   std::size_t most_bytes = std::size_t{256} << 20;           ///< of textures
 };
 
-/// Exact at every sample with φ < clamp δ, up to 1/32767 of that. Voxels are larger than asked for where
-/// memory demands it.
+/// Exact at every sample, up to clamp δ / 32767. There are samples at the corners of every cell in which φ is
+/// somewhere at most level δ, and as far around as gradients there look. Voxels are larger than asked for
+/// where memory demands it.
 Result<DistanceGrid> make_distance_grid(const ToleranceField& field, const GridWish& wish,
                                         const RunControl& control);
 

@@ -355,6 +355,25 @@ TEST_CASE("frames of a resting picture are averaged into a smoother one of the s
   CHECK(testing::difference(s.draw(view), first) < 0.01); // and it begins anew
 }
 
+TEST_CASE("a frame that is made strip by strip is the one that is made at once") {
+  Studio& s = studio();
+  ViewSettings view = nothing();
+  view.zero_set.visible = view.outer.visible = view.inner.visible = true;
+  const auto second = [&](int strips) {
+    s.draw(view);
+    s.request.still = 1;
+    s.request.strips = strips;
+    Picture last;
+    for (s.request.strip = 0; s.request.strip < strips; ++s.request.strip) last = s.draw(view);
+    s.request.still = s.request.strip = 0;
+    s.request.strips = 1;
+    return last;
+  };
+  const Picture whole = second(1);
+  CHECK(testing::difference(second(4), whole) < 0.01);
+  CHECK(testing::difference(s.draw(view), whole) > 0);
+}
+
 TEST_CASE(
     "haze tells how much of Ω a ray goes through, and the order of both boundaries holds from all sides") {
   Studio& s = studio();

@@ -186,9 +186,9 @@ class WindowState : public ShownRun {
   std::deque<Message> messages;
   WindowRequests requests;
   std::array<float, 4> scene_area{}; ///< where the 3D view lies in the window: low x, y, width, height
-  int stills = 32;                   ///< frames that are averaged where a view rests, at least 1
-  double clock = 0;                  ///< seconds since the start
-  bool scripted = false;             ///< no easing, nothing remembered, following is immediate
+  int stills = 8;        ///< frames that are averaged in pictures and where a view rests, at least 1
+  double clock = 0;      ///< seconds since the start
+  bool scripted = false; ///< no easing, nothing remembered, following is immediate
   /// After the last update: the state shown is the one asked for, and nothing under way would change it.
   bool settled = false;
 

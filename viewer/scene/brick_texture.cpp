@@ -1,41 +1,41 @@
-// Bricks are uploaded a row of them at a time.
+// Bricks are uploaded a column of them at a time.
 #include "scene/brick_texture.h"
 
+#include "scene/brick_atlas.h"
 #include "scene/empty_space.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace isoscope {
 namespace {
 
-/// Bricks along x and y of the texture; shaders/bricks.glsl takes a brick's number apart by them.
-constexpr int row_bricks = 128, column_bricks = 128;
 constexpr int n = DistanceGrid::samples;
-
-/// The texture that holds so many bricks.
-std::array<int, 3> atlas_size(std::size_t bricks) {
-  const int count = std::max(static_cast<int>(bricks), 1);
-  const int rows = (count + row_bricks - 1) / row_bricks;
-  return {n * std::min(count, row_bricks), n * std::min(rows, column_bricks),
-          n * ((rows + column_bricks - 1) / column_bricks)};
-}
 
 /// Fills a texture from what the samples give.
 template <class Value, class Of>
-void upload(gl::Texture& texture, const DistanceGrid& grid, std::array<int, 3> size, const Of& of) {
-  std::vector<Value> row;
-  for (std::size_t first = 0; first < grid.bricks(); first += row_bricks) {
-    const std::size_t count = std::min<std::size_t>(row_bricks, grid.bricks() - first);
-    const auto width = static_cast<std::size_t>(size[0]);
-    row.assign(width * n * n, Value{});
+void upload(gl::Texture& texture, const DistanceGrid& grid, const BrickAtlas& atlas, const Of& of) {
+  constexpr std::size_t slice = std::size_t{n} * n;
+  // What has no brick is at least this far away.
+  const double most = DistanceGrid::most, part = static_cast<double>(grid.reach / grid.clamp);
+  const auto beyond = static_cast<std::int16_t>(std::floor(most * part));
+  std::vector<Value> column;
+  for (std::size_t first = 0; first < atlas.count(); first += atlas.run(first)) {
+    const std::size_t count = atlas.run(first);
+    column.resize(count * DistanceGrid::brick_size);
     for (std::size_t b = 0; b < count; ++b) {
-      const auto values = grid.brick(first + b);
-      for (std::size_t i = 0; i < values.size(); ++i) row[i / n * width + b * n + i % n] = of(values[i]);
+      const std::size_t brick = first + b;
+      for (std::size_t i = 0; i < DistanceGrid::brick_size; ++i) {
+        const std::int16_t value = brick < grid.bricks()    ? grid.brick(brick)[i]
+                                   : brick == atlas.outer() ? beyond
+                                                            : static_cast<std::int16_t>(-beyond);
+        column[(i / slice * count + b) * slice + i % slice] = of(value);
+      }
     }
-    const auto line = static_cast<int>(first / row_bricks);
-    texture.fill_volume({0, n * (line % column_bricks), n * (line / column_bricks)}, {size[0], n, n},
-                        std::span<const Value>(row));
+    const std::array<int, 3> at = BrickAtlas::at(first);
+    texture.fill_volume({n * at[0], n * at[1], n * at[2]}, {n, n * static_cast<int>(count), n},
+                        std::span<const Value>(column));
   }
 }
 
@@ -51,16 +51,17 @@ void BrickTexture::set(std::shared_ptr<const DistanceGrid> grid, bool meets_zero
   grid_ = std::move(grid);
   signed_ = meets_zero || !grid_->has_sides;
   least_ = least_in_bricks(*grid_);
-  atlas_ = atlas_size(grid_->bricks());
-  bricks_.allocate_volume(atlas_, gl::Format::r16s, true);
-  upload<std::int16_t>(bricks_, *grid_, atlas_,
+  const BrickAtlas atlas(grid_->bricks());
+  const std::array<int, 3> size = atlas.size(), one{1, 1, 1};
+  atlas_size_ = {size[0], size[1], size[2]};
+  bricks_.allocate_volume(size, gl::Format::r16s, true);
+  upload<std::int16_t>(bricks_, *grid_, atlas,
                        [&](std::int16_t v) { return signed_ ? v : static_cast<std::int16_t>(std::abs(v)); });
-  const std::array<int, 3> one{1, 1, 1};
-  sides_.allocate_volume(signed_ ? one : atlas_, gl::Format::r8s, true);
+  sides_.allocate_volume(signed_ ? one : size, gl::Format::r8s, true);
   if (signed_)
     sides_.fill_volume({0, 0, 0}, one, std::array<std::int8_t, 1>{127});
   else
-    upload<std::int8_t>(sides_, *grid_, atlas_,
+    upload<std::int8_t>(sides_, *grid_, atlas,
                         [](std::int16_t v) { return static_cast<std::int8_t>(v < 0 ? -127 : 127); });
 }
 
@@ -82,7 +83,7 @@ void BrickTexture::set_uniforms(gl::Program& program, const SceneSpace& space, f
   program.set("box_hi", space.local(grid_->box.hi));
   program.set("place_side", static_cast<float>(DistanceGrid::cells * grid_->voxel));
   program.set("place_count", glm::vec3(grid_->places[0], grid_->places[1], grid_->places[2]));
-  program.set("atlas_size", glm::vec3(atlas_[0], atlas_[1], atlas_[2]));
+  program.set("atlas_unit", 1.0f / atlas_size_);
 }
 
 } // namespace isoscope

@@ -30,7 +30,7 @@ class BrickTexture {
   gl::Texture bricks_, sides_, places_;
   float entries_level_ = -1; ///< what `places_` is made for
   bool signed_ = true;
-  std::array<int, 3> atlas_{1, 1, 1};
+  glm::vec3 atlas_size_{1}; ///< of `bricks_`, in samples
 };
 
 } // namespace isoscope

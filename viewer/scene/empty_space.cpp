@@ -2,6 +2,7 @@
 #include "scene/empty_space.h"
 
 #include "base/parallel.h"
+#include "scene/brick_atlas.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -31,19 +32,23 @@ std::vector<std::uint32_t> place_entries(const DistanceGrid& grid, const std::ve
                                          float level) {
   constexpr std::uint32_t far_away = 255;
   const std::array<int, 3>& size = grid.places;
-  std::vector<std::uint32_t> entries(grid.index.size(), far_away);
-  for (std::size_t i = 0; i < grid.bricks(); ++i)
+  const BrickAtlas atlas(grid.bricks());
+  std::vector<std::uint32_t> entries(grid.index.size());
+  std::vector<std::uint8_t> steps(entries.size());
+  parallel_for(entries.size(), 1u << 16, [&](std::size_t i) {
+    const std::int32_t brick = grid.index[i];
+    const bool has = brick >= 0;
     // A ray that leaves an empty place goes on a little beyond: it must not be in Ω there.
-    if (least[i] <= level + aside)
-      entries[grid.place(grid.at[i])] = full_place | static_cast<std::uint32_t>(i);
+    const bool full = has && least[static_cast<std::size_t>(brick)] <= level + aside;
+    entries[i] = BrickAtlas::packed(has                            ? static_cast<std::size_t>(brick)
+                                    : brick == DistanceGrid::inner ? atlas.inner()
+                                                                   : atlas.outer());
+    steps[i] = static_cast<std::uint8_t>(full ? 0 : far_away);
+  });
   // Chebyshev distance to the nearest full place: along one axis after the other.
   const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(size[0]),
                                           static_cast<std::size_t>(size[0]) *
                                               static_cast<std::size_t>(size[1])};
-  std::vector<std::uint8_t> steps(entries.size());
-  parallel_for(entries.size(), 1u << 16, [&](std::size_t i) {
-    steps[i] = static_cast<std::uint8_t>((entries[i] & full_place) != 0 ? 0 : far_away);
-  });
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto length = static_cast<std::size_t>(size[axis]);
     const std::size_t across = (axis + 1) % 3, along = (axis + 2) % 3;
@@ -79,9 +84,8 @@ std::vector<std::uint32_t> place_entries(const DistanceGrid& grid, const std::ve
       }
     });
   }
-  parallel_for(entries.size(), 1u << 16, [&](std::size_t i) {
-    if ((entries[i] & full_place) == 0) entries[i] = std::max<std::uint32_t>(steps[i], 1);
-  });
+  parallel_for(entries.size(), 1u << 16,
+               [&](std::size_t i) { entries[i] |= static_cast<std::uint32_t>(steps[i]) << brick_bits; });
   return entries;
 }
 

@@ -11,11 +11,16 @@ namespace isoscope {
 /// By brick: the least φ/δ in it; -1 where it holds a change of side.
 std::vector<float> least_in_bricks(const DistanceGrid& grid);
 
-/// What the shaders read of a place: a brick's number with this bit, or how many places around it, itself
-/// included, a ray may cross in any direction.
-constexpr std::uint32_t full_place = 0x80000000u;
+/// What the shaders read of a place: where its brick is (BrickAtlas::packed), and above that how many places
+/// around it, itself included, a ray may cross in any direction; 0 where it may meet Ω.
+constexpr unsigned brick_bits = 18;
+/// A place that a ray may meet Ω in.
+constexpr bool is_full(std::uint32_t entry) {
+  return entry >> brick_bits == 0;
+}
 
-/// By place; bricks whose least value is above the level count as empty.
+/// By place; bricks whose least value is above the level need not be looked at. A place without a brick has
+/// one of one value.
 std::vector<std::uint32_t> place_entries(const DistanceGrid& grid, const std::vector<float>& least,
                                          float level);
 

@@ -3,8 +3,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-
 namespace isoscope {
 
 void ToleranceLayer::set_common(gl::Program& program, const ViewFrame& frame) {
@@ -18,20 +16,26 @@ void ToleranceLayer::set_common(gl::Program& program, const ViewFrame& frame) {
 }
 
 void ToleranceLayer::march(Programs& programs, const ViewFrame& frame, const gl::Texture& scene_depth,
-                           float coarseness) {
-  gl::Program& program = textures_.is_signed() ? programs.volume : programs.volume_sided;
+                           const FrameQuality& quality) {
+  const bool moving = quality.coarseness > 1;
+  // What is inside of Ω is seen through its outer boundary.
+  const ViewSettings& view = frame.view;
+  const glm::vec3 haze =
+      view.outer.shown() ? glm::vec3(view.haze_outer, view.haze_middle, view.haze_inner) : glm::vec3(0);
+  auto& pair = moving                         ? programs.volume_moving
+               : haze.x + haze.y + haze.z > 0 ? programs.volume_haze
+                                              : programs.volume;
+  gl::Program& program = pair[textures_.is_signed() ? 0 : 1];
   set_common(program, frame);
   scene_depth.bind(3);
   program.set("scene_depth", 3);
   const auto voxel = static_cast<float>(textures_.grid().voxel);
   program.set("voxel", voxel);
-  // What is inside of Ω is seen through its outer boundary.
-  const ViewSettings& view = frame.view;
-  program.set("haze", view.outer.shown() ? glm::vec3(view.haze_outer, view.haze_middle, view.haze_inner)
-                                         : glm::vec3(0));
+  program.set("haze", haze);
   program.set("jitter_phase", frame.phase);
-  program.set("max_steps", coarseness > 1 ? 96 : 400);
-  program.set("coarseness", coarseness);
+  program.set("ray_pixels", static_cast<float>(1 / quality.volume_scale));
+  program.set("max_steps", moving ? 96 : 400);
+  program.set("coarseness", quality.coarseness);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

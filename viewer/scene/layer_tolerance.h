@@ -4,6 +4,7 @@
 #include "gl/texture.h"
 #include "scene/brick_texture.h"
 #include "scene/programs.h"
+#include "scene/quality_control.h"
 #include "scene/view_frame.h"
 
 #include <memory>
@@ -22,9 +23,10 @@ class ToleranceLayer {
   bool shown(const ViewSettings& view) const {
     return present() && (view.outer.shown() || view.inner.shown());
   }
-  /// Fills the bound framebuffer with premultiplied colour and depth; `coarseness` 1 at rest, more while
-  /// moving.
-  void march(Programs& programs, const ViewFrame& frame, const gl::Texture& scene_depth, float coarseness);
+  /// Fills the bound framebuffer with premultiplied colour and depth. A moving frame shows both boundaries
+  /// alone, without haze and without contours on cuts.
+  void march(Programs& programs, const ViewFrame& frame, const gl::Texture& scene_depth,
+             const FrameQuality& quality);
   /// Sets what the section's shader needs to tint Ω.
   void prepare_section(gl::Program& program, const ViewFrame& frame);
 

@@ -229,12 +229,12 @@ std::optional<double> meet_tolerance(const Search& search) {
     lo = std::max(lo, std::min(a, b));
     hi = std::min(hi, std::max(a, b));
   }
-  const auto level = static_cast<double>(search.view.level), most = static_cast<double>(grid->clamp);
+  const auto level = static_cast<double>(search.view.level);
   const double least_step = 0.5 * grid->voxel;
-  // φ is 1-Lipschitz; where there are no samples it is at least what they are clamped to.
+  // φ is 1-Lipschitz, and at least what is read where there are no samples.
   for (const auto& [from, to] : search.clip.kept_intervals(search.ray.origin, search.ray.direction, lo, hi))
     for (double t = from; t < to;) {
-      const double value = std::min(grid->value(search.along(t)), most);
+      const double value = grid->value(search.along(t));
       if (value <= level) return t;
       t += std::max(least_step, 0.9 * grid->delta * (value - level));
     }

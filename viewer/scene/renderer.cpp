@@ -63,7 +63,7 @@ struct Renderer::Impl {
   void upload_frame(const Camera& camera, const ClipSettings& clip, const FrameRequest& request,
                     const ViewFrame& frame);
   void draw_opaque(const ViewFrame& frame, const FrameRequest& request, const FrameQuality& quality);
-  bool draw_cells(const FrameTargets& drawn, const ViewFrame& frame);
+  void draw_cells(const FrameTargets& drawn, const ViewFrame& frame);
   void composite(const FrameTargets& drawn, bool with_cells, bool with_volume);
   ViewFrame view_frame(const Camera& camera, const ViewSettings& view, const FrameRequest& request, int width,
                        int height) const;
@@ -179,8 +179,8 @@ void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& req
   layers.draw_opaque(programs, frame, quality);
 }
 
-bool Renderer::Impl::draw_cells(const FrameTargets& drawn, const ViewFrame& frame) {
-  if (!layers.has_cells(frame.view)) return false;
+void Renderer::Impl::draw_cells(const FrameTargets& drawn, const ViewFrame& frame) {
+  if (!layers.has_cells(frame.view)) return;
   drawn.cells.bind(drawn.width, drawn.height);
   constexpr std::array<float, 4> none{0, 0, 0, 0}, clear_part{1, 1, 1, 1};
   glClearBufferfv(GL_COLOR, 0, none.data());
@@ -193,7 +193,6 @@ bool Renderer::Impl::draw_cells(const FrameTargets& drawn, const ViewFrame& fram
   layers.draw_cells(programs, frame);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
-  return true;
 }
 
 void Renderer::Impl::composite(const FrameTargets& drawn, bool with_cells, bool with_volume) {
@@ -239,7 +238,8 @@ void Renderer::Impl::average(FrameTargets& drawn, float part) {
 
 Renderer::Frame Renderer::Impl::finish(FrameTargets& drawn, std::chrono::steady_clock::time_point start,
                                        const FrameRequest& request) {
-  if (request.still > 0) average(drawn, 1 / static_cast<float>(request.still + 1));
+  if (request.still > 0 && request.strip + 1 == request.strips)
+    average(drawn, 1 / static_cast<float>(request.still + 1));
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glBindVertexArray(0);
@@ -333,26 +333,33 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   FrameTargets& targets = request.tile ? r.tile_targets : r.targets;
   if (!targets.resize(width, height, quality.samples, volume_width, volume_height)) return {};
 
-  if (request.still == 1) r.average(targets, 1);
+  const bool first_strip = request.strip == 0, last_strip = request.strip + 1 == request.strips;
+  if (request.still == 1 && first_strip) r.average(targets, 1);
   const ViewFrame frame = r.view_frame(camera, view, request, width, height);
   r.layers.update(r.shown, frame);
   Camera bounded = camera;
   bounded.set_scene_bounds(r.visible_bounds(view));
   r.upload_frame(bounded, view.clip, request, frame);
 
-  const bool multisampled = quality.samples > 1;
-  (multisampled ? targets.multisampled : targets.opaque).bind(width, height);
-  r.draw_opaque(frame, request, quality);
-  if (multisampled) targets.multisampled.resolve_into(targets.opaque, width, height, true);
-
-  const bool with_cells = r.draw_cells(targets, frame);
-  const bool with_volume = r.layers.tolerance.shown(view);
+  if (first_strip) {
+    const bool multisampled = quality.samples > 1;
+    (multisampled ? targets.multisampled : targets.opaque).bind(width, height);
+    r.draw_opaque(frame, request, quality);
+    if (multisampled) targets.multisampled.resolve_into(targets.opaque, width, height, true);
+    r.draw_cells(targets, frame);
+  }
+  const bool with_cells = r.layers.has_cells(view), with_volume = r.layers.tolerance.shown(view);
   if (with_volume) {
     targets.volume.bind(volume_width, volume_height);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(r.empty_array);
-    r.layers.tolerance.march(r.programs, frame, targets.depth, quality.coarseness);
+    const auto row = [&](int strip) { return volume_height * strip / request.strips; };
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, row(request.strip), volume_width, row(request.strip + 1) - row(request.strip));
+    r.layers.tolerance.march(r.programs, frame, targets.depth, quality);
+    glDisable(GL_SCISSOR_TEST);
   }
+  if (!last_strip) return r.finish(targets, start, request);
   r.composite(targets, with_cells, with_volume);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -404,7 +404,7 @@ Lattice section_lattice(const DistanceGrid& grid, const SectionPlane& plane) {
   lattice.columns = static_cast<int>((high.u - low.u) / lattice.spacing) + 4;
   lattice.rows = static_cast<int>((high.v - low.v) / lattice.spacing) + 4;
   lattice.values.assign(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(lattice.rows),
-                        grid.clamp);
+                        grid.reach);
   for (int y = 1; y + 1 < lattice.rows; ++y)
     for (int x = 1; x + 1 < lattice.columns; ++x) {
       const Vec3 p =

@@ -47,13 +47,19 @@ class ViewPicture {
   float pixel_scale() const { return pixel_scale_; }
 
  private:
+  /// Adds to the average for as long as the window may wait, or all that is left.
+  void smoothen(FrameRequest request, int wanted, bool all, const Render& render);
   Key key_;
   Renderer::Frame frame_;
   double changed_at_ = -1;
   float pixel_scale_ = 1;
   bool coarse_ = false; ///< not at full quality
   bool unfinished_ = false;
-  int stills_ = 0; ///< frames that are averaged in the picture
+  int stills_ = 0;           ///< frames that are averaged in the picture
+  int strip_ = 0;            ///< of the next of them
+  int strips_ = 1;           ///< that it is made of
+  double spent_ = 0;         ///< on its strips until now, seconds
+  double still_seconds_ = 0; ///< what a frame at rest takes
 };
 
 } // namespace isoscope

@@ -66,8 +66,11 @@ void add_view_values(NamedValues& t, WindowState& m) {
        [](const DistanceGrid& g) { return static_cast<double>(g.texture_bytes()) / (1 << 20); });
   grid("coarse", "Ω is drawn coarser than wanted", [](const DistanceGrid& g) { return g.coarsened; });
   t.add("omega.seconds", "how long the grid of Ω took", [&m] { return m.grid.seconds(); });
-  t.bind("stills", "frames that are averaged where a view rests", {.range = {.low = 1, .high = 256}},
-         m.stills);
+  t.bind(
+      "stills",
+      "frames that are averaged in a picture; where a view rests four times as many if they are quick, fewer "
+      "if they would take longer than two seconds",
+      {.range = {.low = 1, .high = 256}}, m.stills);
   static constexpr std::array<Choice, 4> targets{{{"automatic"}, {"halfedge"}, {"general"}, {"octree"}}};
   static constexpr std::array<Choice, 2> plotted{{{"steps"}, {"seconds"}}};
   t.bind("xray.target", "which targets the X-ray looks for", {.choices = targets}, m.selection.target);
