@@ -107,7 +107,7 @@ TEST_CASE("no way through empty places passes over Ω") {
         longest = std::max(longest, nearest);
       }
   // One without Ω keeps its brick: gradients beside it look there.
-  CHECK((entries[0] & ((1u << brick_bits) - 1)) == BrickAtlas::packed(3));
+  CHECK((entries[0] & ((1u << brick_bits) - 1)) == BrickAtlas(grid.bricks()).packed(3));
   CHECK(longest >= 8);
 }
 
@@ -167,7 +167,7 @@ namespace {
 class Uploaded {
  public:
   explicit Uploaded(const DistanceGrid& grid) : grid_(grid), atlas_(grid.bricks()) {
-    for (std::size_t b = 0; b < atlas_.count(); ++b) bricks_[BrickAtlas::packed(b)] = b;
+    for (std::size_t b = 0; b < atlas_.count(); ++b) bricks_[atlas_.packed(b)] = b;
   }
   std::array<int, 3> size() const { return atlas_.size(); }
   double sample(std::array<int, 3> at) const {
@@ -314,8 +314,8 @@ TEST_CASE("bricks have room in a texture and each a place of its own") {
   for (const int side : atlas.size()) CHECK(side <= 2048); // of any driver
   std::vector<std::uint32_t> places;
   for (std::size_t b = 0; b < atlas.count(); ++b) {
-    places.push_back(BrickAtlas::packed(b));
-    if (BrickAtlas::at(b)[0] >= 4 || places.back() >> brick_bits != 0) FAIL_CHECK("beyond the bits");
+    places.push_back(atlas.packed(b));
+    if (atlas.at(b)[0] >= 4 || places.back() >> brick_bits != 0) FAIL_CHECK("beyond the bits");
   }
   std::sort(places.begin(), places.end());
   CHECK(std::adjacent_find(places.begin(), places.end()) == places.end());

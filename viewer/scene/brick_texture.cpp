@@ -33,7 +33,7 @@ void upload(gl::Texture& texture, const DistanceGrid& grid, const BrickAtlas& at
         column[(i / slice * count + b) * slice + i % slice] = of(value);
       }
     }
-    const std::array<int, 3> at = BrickAtlas::at(first);
+    const std::array<int, 3> at = atlas.at(first);
     texture.fill_volume({n * at[0], n * at[1], n * at[2]}, {n, n * static_cast<int>(count), n},
                         std::span<const Value>(column));
   }

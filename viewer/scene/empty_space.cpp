@@ -40,9 +40,9 @@ std::vector<std::uint32_t> place_entries(const DistanceGrid& grid, const std::ve
     const bool has = brick >= 0;
     // A ray that leaves an empty place goes on a little beyond: it must not be in Ω there.
     const bool full = has && least[static_cast<std::size_t>(brick)] <= level + aside;
-    entries[i] = BrickAtlas::packed(has                            ? static_cast<std::size_t>(brick)
-                                    : brick == DistanceGrid::inner ? atlas.inner()
-                                                                   : atlas.outer());
+    entries[i] = atlas.packed(has                            ? static_cast<std::size_t>(brick)
+                              : brick == DistanceGrid::inner ? atlas.inner()
+                                                             : atlas.outer());
     steps[i] = static_cast<std::uint8_t>(full ? 0 : far_away);
   });
   // Chebyshev distance to the nearest full place: along one axis after the other.

@@ -91,15 +91,21 @@ void curve(Ui& ui) {
 } // namespace
 
 void volume_look(Ui& ui) {
+  const ViewSettings& view = ui.window.view;
+  if (!view.outer.visible && !view.inner.visible) return;
   ImGui::PushID("volume");
   const float indent = ui.px(50);
   ImGui::Indent(indent);
-  ImGui::PushFont(ui.fonts.small);
-  looks(ui);
-  ImGui::PopFont();
-  ImGui::Dummy({0, ui.px(4)});
-  curve(ui);
-  ImGui::Dummy({0, ui.px(4)});
+  {
+    const widgets::Font font(ui.fonts.small);
+    looks(ui);
+  }
+  ImGui::Dummy({0, ui.px(3)});
+  // The first look is told by the opacities above alone.
+  if (view.outer.shown() && look_of(view) != volume_looks.data()) {
+    curve(ui);
+    ImGui::Dummy({0, ui.px(3)});
+  }
   if (const auto grid = ui.window.grid.grid(); grid && grid->coarsened)
     widgets::quiet_text(ui, coarseness_in_words(*grid) + ".", true);
   ImGui::Unindent(indent);
