@@ -27,8 +27,9 @@ class BrickSides {
   bool find(const RunControl& control);
 
  private:
+  /// At most φ: values are rounded, and what they prove must hold of φ itself.
   double phi(std::size_t brick, std::size_t sample) const {
-    return unit_ * grid_.values[brick * DistanceGrid::brick_size + sample];
+    return unit_ * (grid_.values[brick * DistanceGrid::brick_size + sample] - 1);
   }
   std::int8_t* of(std::size_t brick) { return sides_.data() + brick * DistanceGrid::brick_size; }
   Vec3 position(std::size_t brick, std::size_t sample) const {

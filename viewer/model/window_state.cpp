@@ -18,9 +18,9 @@ float Message::strength(double clock) const {
   return static_cast<float>(std::clamp(left / fade, 0.0, 1.0));
 }
 
-bool WindowState::drag_in_scene(Vec3 place, float dx, float dy) {
+bool WindowState::drag_in_scene(Vec3 point, float dx, float dy) {
   const auto [x, y, width, height] = scene_area;
-  const ScreenPoint at = project(camera, place, static_cast<double>(width), static_cast<double>(height));
+  const ScreenPoint at = project(camera, point, static_cast<double>(width), static_cast<double>(height));
   if (!at.visible) return false;
   const float from_x = x + static_cast<float>(at.x), from_y = y + static_cast<float>(at.y);
   constexpr int moves = 8;

@@ -206,7 +206,7 @@ class WindowState : public ShownRun {
   const PaneLayout& kept_layout() const { return kept_layout_ ? *kept_layout_ : settings.panes; }
   /// Asks the mouse to drag what appears at a place in the scene by so many pixels; false where it is not in
   /// sight.
-  bool drag_in_scene(Vec3 place, float dx, float dy);
+  bool drag_in_scene(Vec3 point, float dx, float dy);
   /// Opens the inspector, which brings the answer into sight.
   void bring_into_sight(AnswerKind which);
 
