@@ -84,9 +84,15 @@ void cap(float t) {
 }
 
 void march(float from, float to, bool cap_from, bool cap_to, float jitter) {
-  // Neither finer than what the picture shows nor coarser than what Ω takes: it is at least twice `level` thick.
+  // Neither finer than what the picture shows nor coarser than what Ω takes: it is at least twice `level` thick. A moving
+  // frame sees also by the change of sides that it was crossed.
+#ifdef MOVING
+  float least = 0.4, most = is_signed == 1 ? 4.0 : 0.9;
+#else
+  float least = 0.2, most = 0.9;
+#endif
   float pixel = ray_pixels / max(pixels_per_unit(origin + from * direction), 1e-20);
-  float fine = min(max(max(0.45 * voxel, 0.2 * delta), 0.4 * pixel) * coarseness, 0.9 * level * delta);
+  float fine = min(max(max(0.45 * voxel, least * delta), 0.4 * pixel) * coarseness, most * level * delta);
   float beyond = 4e-3 * place_side; // the rim of a place
   if (cap_from && from < to) cap(from);
   float before = from, g_before = value_at(q_at(from)), t = min(from + fine * jitter * float(!cap_from), to);
