@@ -89,7 +89,7 @@ void march(float from, float to, bool cap_from, bool cap_to, float jitter) {
 #ifdef MOVING
   float least = 0.4, most = is_signed == 1 ? 4.0 : 0.9;
 #else
-  float least = 0.2, most = 0.9;
+  float least = 0.35, most = 0.9;
 #endif
   float pixel = ray_pixels / max(pixels_per_unit(origin + from * direction), 1e-20);
   float fine = min(max(max(0.45 * voxel, least * delta), 0.4 * pixel) * coarseness, most * level * delta);

@@ -16,12 +16,7 @@ struct VolumeLook {
 
 /// The first is how Ω is drawn at first.
 inline constexpr std::array<VolumeLook, 4> volume_looks{
-    {{"shell",
-      "Shell",
-      "Both boundaries, a thin haze between them.",
-      {true, 0.22f},
-      {true, 0.35f},
-      {0.05f, 0.10f, 0.05f}},
+    {{"shell", "Shell", "Both boundaries.", {true, 0.22f}, {true, 0.35f}, {0, 0, 0}},
      {"fog",
       "Fog",
       "A haze that is densest at the input, boundaries only hinted at.",
