@@ -205,13 +205,17 @@ template <class T> Status check_field(const FieldFacts& f, const std::string& as
   }
 }
 
-/// Judges every field; the error names the option, the value and the range.
-template <class S> Status check_fields(const S& s) {
+/// Judges every field; the error says what is `called` how, the value and the range.
+template <class S, class Called> Status check_fields(const S& s, const Called& called) {
   Status first;
   for_each_field<S>([&](const auto& f) {
-    if (first) first = check_field(f, f.option_name(), s.*(f.member));
+    if (first) first = check_field(f, called(f), s.*(f.member));
   });
   return first;
+}
+/// By their options.
+template <class S> Status check_fields(const S& s) {
+  return check_fields(s, [](const FieldFacts& f) { return f.option_name(); });
 }
 
 /// "a, b, c": the words that may be asked for.

@@ -13,6 +13,9 @@ namespace isoscope {
 
 namespace {
 
+/// Beyond this share of the points it is said that the result does not follow them.
+constexpr double far_share = 0.01;
+
 std::string number(const char* format, double value) {
   char text[64];
   std::snprintf(text, sizeof text, format, value);
@@ -90,6 +93,21 @@ std::string end_words(const RunResult& result) {
   return {};
 }
 
+/// Points on what is too thin for Ω, which the result does not follow; empty where they are few. φ <= δ is
+/// proven for the result, not for the points, and noise alone puts some of them far away.
+std::string far_points_words(const RunParameters& parameters, const Scene& scene, const RunResult& result) {
+  if (!result.points || !parameters.cover || result.mesh.triangles.empty()) return {};
+  const auto kept = static_cast<double>(scene.points->points->points.size() - scene.points->dropped_points());
+  const auto far = static_cast<double>(result.points->far);
+  if (far <= far_share * kept) return {};
+  return number("%.2g", 100 * far / kept) + " % of the points are farther than " +
+         number("%.4g", *parameters.cover) + " δ from the result, the farthest, by " +
+         number("%.3g", result.points->kept.most / scene.delta) + " δ, at " +
+         place(result.points->farthest, 4) +
+         ": what they are on is too thin there for Ω to have an inside. A smaller tolerance may keep it, as "
+         "may points with less noise.";
+}
+
 /// Where the input is not covered, in lines of their own.
 std::vector<std::string> uncovered_lines(const Certificate& c, double delta) {
   std::vector<std::string> lines;
@@ -115,6 +133,8 @@ std::vector<std::string> warnings(const RunParameters& parameters, const Scene& 
   if (!c.topology_note.empty() && !wanted) lines.push_back(c.topology_note);
   for (const std::string& note : {c.cover_note, c.gap_note})
     if (!note.empty()) lines.push_back(note);
+  if (std::string far = far_points_words(parameters, scene, result); !far.empty())
+    lines.push_back(std::move(far));
   if (!c.holds()) lines.push_back("The certificate does NOT hold.");
   lines.insert(lines.end(), c.failures.begin(), c.failures.end());
   const std::vector<std::string> places = uncovered_lines(c, scene.delta);
@@ -162,6 +182,8 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
     if (scene.points->dropped_points() > 0)
       text += line("", "with the " + grouped(scene.points->dropped_points()) +
                            " left out: " + point_words(result.points->all, scene.delta));
+    if (const std::string far = far_points_words(parameters, scene, result); !far.empty())
+      text += line("", far);
   }
   if (!c.topology_note.empty()) text += line("", c.topology_note);
   for (const std::string& note : {c.cover_note, c.gap_note})

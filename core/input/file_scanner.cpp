@@ -246,8 +246,7 @@ double FileScanner::to_number(std::string_view text) const {
   if (error != std::errc{} || end != digits.data() + digits.size()) {
     const bool comma = text.find(',') != std::string_view::npos;
     fail_here("\"" + printable(text) + "\" is not a number",
-              comma ? "Write numbers with a decimal point and separate them by blanks."
-                    : "Repair or export it anew.");
+              comma ? "Write numbers with a decimal point and separate them by blanks." : export_anew);
   }
   if (!std::isfinite(value))
     fail_here("the coordinate " + printable(text) + " is not finite",
@@ -271,7 +270,7 @@ std::int64_t FileScanner::to_integer(std::string_view text) const {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size())
-    fail_here("\"" + printable(text) + "\" is not a whole number", "Repair or export it anew.");
+    fail_here("\"" + printable(text) + "\" is not a whole number", export_anew);
   return value;
 }
 

@@ -22,6 +22,9 @@
 
 namespace isoscope {
 
+/// What to do with a file that is wrong where only its program can mend it.
+inline constexpr const char* export_anew = "Repair or export it anew.";
+
 /// Thrown by the scanner and the readers on it, caught by read_mesh; never leaves core/input.
 struct MeshFileFailure {
   Error error;

@@ -17,6 +17,14 @@ enum class GridScalar : std::uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32
 
 std::size_t bytes_of(GridScalar type);
 
+/// What a file calls a type.
+struct GridScalarName {
+  std::string_view name;
+  GridScalar type;
+};
+/// Bytes, or lines, that a header may have skipped.
+inline constexpr std::int64_t most_skipped = std::int64_t{1} << 50;
+
 /// How the numbers follow each other in a file, the first axis fastest.
 struct GridData {
   std::array<std::size_t, 3> size{};
@@ -64,7 +72,7 @@ class HeaderErrors {
  public:
   explicit HeaderErrors(FileScanner& in) : in_(&in) {}
   void next_line() { ++line_; }
-  [[noreturn]] void fail(const std::string& what, const std::string& remedy = "Repair or export it anew.",
+  [[noreturn]] void fail(const std::string& what, const std::string& remedy = export_anew,
                          ErrorCode code = ErrorCode::bad_input) const;
   double number(const std::string& word) const; ///< finite
   /// In [least, most].

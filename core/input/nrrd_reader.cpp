@@ -13,54 +13,48 @@ namespace isoscope {
 namespace {
 
 constexpr std::uint64_t most_header_bytes = 1 << 20;
-constexpr std::int64_t most_skip = std::int64_t{1} << 50;
 constexpr std::size_t most_axes = 16;
-const std::string export_anew = "Repair or export it anew.";
 
-struct TypeName {
-  std::string_view name;
-  GridScalar type;
-};
-constexpr TypeName type_names[] = {{"signed char", GridScalar::i8},
-                                   {"int8", GridScalar::i8},
-                                   {"int8_t", GridScalar::i8},
-                                   {"uchar", GridScalar::u8},
-                                   {"unsigned char", GridScalar::u8},
-                                   {"uint8", GridScalar::u8},
-                                   {"uint8_t", GridScalar::u8},
-                                   {"short", GridScalar::i16},
-                                   {"short int", GridScalar::i16},
-                                   {"signed short", GridScalar::i16},
-                                   {"signed short int", GridScalar::i16},
-                                   {"int16", GridScalar::i16},
-                                   {"int16_t", GridScalar::i16},
-                                   {"ushort", GridScalar::u16},
-                                   {"unsigned short", GridScalar::u16},
-                                   {"unsigned short int", GridScalar::u16},
-                                   {"uint16", GridScalar::u16},
-                                   {"uint16_t", GridScalar::u16},
-                                   {"int", GridScalar::i32},
-                                   {"signed int", GridScalar::i32},
-                                   {"int32", GridScalar::i32},
-                                   {"int32_t", GridScalar::i32},
-                                   {"uint", GridScalar::u32},
-                                   {"unsigned int", GridScalar::u32},
-                                   {"uint32", GridScalar::u32},
-                                   {"uint32_t", GridScalar::u32},
-                                   {"longlong", GridScalar::i64},
-                                   {"long long", GridScalar::i64},
-                                   {"long long int", GridScalar::i64},
-                                   {"signed long long", GridScalar::i64},
-                                   {"signed long long int", GridScalar::i64},
-                                   {"int64", GridScalar::i64},
-                                   {"int64_t", GridScalar::i64},
-                                   {"ulonglong", GridScalar::u64},
-                                   {"unsigned long long", GridScalar::u64},
-                                   {"unsigned long long int", GridScalar::u64},
-                                   {"uint64", GridScalar::u64},
-                                   {"uint64_t", GridScalar::u64},
-                                   {"float", GridScalar::f32},
-                                   {"double", GridScalar::f64}};
+constexpr GridScalarName nrrd_types[] = {{"signed char", GridScalar::i8},
+                                         {"int8", GridScalar::i8},
+                                         {"int8_t", GridScalar::i8},
+                                         {"uchar", GridScalar::u8},
+                                         {"unsigned char", GridScalar::u8},
+                                         {"uint8", GridScalar::u8},
+                                         {"uint8_t", GridScalar::u8},
+                                         {"short", GridScalar::i16},
+                                         {"short int", GridScalar::i16},
+                                         {"signed short", GridScalar::i16},
+                                         {"signed short int", GridScalar::i16},
+                                         {"int16", GridScalar::i16},
+                                         {"int16_t", GridScalar::i16},
+                                         {"ushort", GridScalar::u16},
+                                         {"unsigned short", GridScalar::u16},
+                                         {"unsigned short int", GridScalar::u16},
+                                         {"uint16", GridScalar::u16},
+                                         {"uint16_t", GridScalar::u16},
+                                         {"int", GridScalar::i32},
+                                         {"signed int", GridScalar::i32},
+                                         {"int32", GridScalar::i32},
+                                         {"int32_t", GridScalar::i32},
+                                         {"uint", GridScalar::u32},
+                                         {"unsigned int", GridScalar::u32},
+                                         {"uint32", GridScalar::u32},
+                                         {"uint32_t", GridScalar::u32},
+                                         {"longlong", GridScalar::i64},
+                                         {"long long", GridScalar::i64},
+                                         {"long long int", GridScalar::i64},
+                                         {"signed long long", GridScalar::i64},
+                                         {"signed long long int", GridScalar::i64},
+                                         {"int64", GridScalar::i64},
+                                         {"int64_t", GridScalar::i64},
+                                         {"ulonglong", GridScalar::u64},
+                                         {"unsigned long long", GridScalar::u64},
+                                         {"unsigned long long int", GridScalar::u64},
+                                         {"uint64", GridScalar::u64},
+                                         {"uint64_t", GridScalar::u64},
+                                         {"float", GridScalar::f32},
+                                         {"double", GridScalar::f64}};
 
 /// Along which axis of space an axis of the file runs, and how far a step goes: negative against it.
 struct AxisStep {
@@ -161,9 +155,9 @@ class NrrdReader {
       if (!origin) errors_.fail("an origin of space is a vector, as (0,0,0)");
       origin_ = *origin;
     } else if (is("line skip", "lineskip")) {
-      line_skip_ = errors_.whole(word(), 0, most_skip);
+      line_skip_ = errors_.whole(word(), 0, most_skipped);
     } else if (is("byte skip", "byteskip")) {
-      byte_skip_ = errors_.whole(word(), -1, most_skip);
+      byte_skip_ = errors_.whole(word(), -1, most_skipped);
     } else if (is("data file", "datafile")) {
       read_data_file(text, words);
     }
@@ -172,9 +166,9 @@ class NrrdReader {
   void read_type(const std::vector<std::string>& words) {
     std::string type;
     for (const std::string& w : words) type += (type.empty() ? "" : " ") + w;
-    const auto* known = std::find_if(std::begin(type_names), std::end(type_names),
-                                     [&](const TypeName& t) { return same_word(t.name, type); });
-    if (known == std::end(type_names)) {
+    const auto* known = std::find_if(std::begin(nrrd_types), std::end(nrrd_types),
+                                     [&](const GridScalarName& t) { return same_word(t.name, type); });
+    if (known == std::end(nrrd_types)) {
       if (same_word(type, "block"))
         errors_.fail("blocks of bytes are no numbers", "Export it with a type of numbers.",
                      ErrorCode::unsupported);

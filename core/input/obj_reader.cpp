@@ -9,8 +9,6 @@ namespace isoscope {
 
 namespace {
 
-const std::string export_anew = "Repair or export it anew.";
-
 class ObjReader {
  public:
   explicit ObjReader(FileScanner& in) : in_(in) {}

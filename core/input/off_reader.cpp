@@ -10,8 +10,6 @@ namespace isoscope {
 
 namespace {
 
-const std::string export_anew = "Repair or export it anew.";
-
 bool begins_number(int c) {
   return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
 }

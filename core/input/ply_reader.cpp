@@ -13,7 +13,6 @@ namespace isoscope {
 
 namespace {
 
-const std::string export_anew = "Repair or export it anew.";
 const std::string cut_off = "It seems cut off: get it again or export it anew.";
 
 enum class Scalar { i8, u8, i16, u16, i32, u32, f32, f64 };

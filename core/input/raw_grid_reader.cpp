@@ -10,17 +10,11 @@
 namespace isoscope {
 namespace {
 
-constexpr std::int64_t most_skip = std::int64_t{1} << 50;
-
-struct TypeName {
-  std::string_view name;
-  GridScalar type;
-};
-constexpr TypeName type_names[] = {{"int8", GridScalar::i8},     {"uint8", GridScalar::u8},
-                                   {"int16", GridScalar::i16},   {"uint16", GridScalar::u16},
-                                   {"int32", GridScalar::i32},   {"uint32", GridScalar::u32},
-                                   {"int64", GridScalar::i64},   {"uint64", GridScalar::u64},
-                                   {"float32", GridScalar::f32}, {"float64", GridScalar::f64}};
+constexpr GridScalarName raw_types[] = {{"int8", GridScalar::i8},     {"uint8", GridScalar::u8},
+                                        {"int16", GridScalar::i16},   {"uint16", GridScalar::u16},
+                                        {"int32", GridScalar::i32},   {"uint32", GridScalar::u32},
+                                        {"int64", GridScalar::i64},   {"uint64", GridScalar::u64},
+                                        {"float32", GridScalar::f32}, {"float64", GridScalar::f64}};
 
 } // namespace
 
@@ -50,9 +44,9 @@ ScalarGrid read_raw_grid(FileScanner& in) {
       size_known = true;
     } else if (key == "type") {
       takes(1);
-      const auto* known = std::find_if(std::begin(type_names), std::end(type_names),
-                                       [&](const TypeName& t) { return t.name == words[1]; });
-      if (known == std::end(type_names))
+      const auto* known = std::find_if(std::begin(raw_types), std::end(raw_types),
+                                       [&](const GridScalarName& t) { return t.name == words[1]; });
+      if (known == std::end(raw_types))
         errors.fail(
             "\"" + printable(words[1]) + "\" is no type",
             "Types are int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32 and float64.");
@@ -70,7 +64,7 @@ ScalarGrid read_raw_grid(FileScanner& in) {
       for (int a = 0; a < 3; ++a) target[a] = errors.number(words[static_cast<std::size_t>(a) + 1]);
     } else if (key == "skip") {
       takes(1);
-      data.skip = static_cast<std::uint64_t>(errors.whole(words[1], 0, most_skip));
+      data.skip = static_cast<std::uint64_t>(errors.whole(words[1], 0, most_skipped));
     } else if (key == "data") {
       if (words.size() < 2) errors.fail("data takes the name of a file");
       data_file = text.substr(text.find(words[1], text.find(key) + key.size()));

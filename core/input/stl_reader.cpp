@@ -13,7 +13,6 @@ namespace isoscope {
 
 namespace {
 
-const std::string export_anew = "Repair or export it anew.";
 const std::string get_again = "It seems damaged or cut off: get it again or export it anew.";
 constexpr std::size_t header_bytes = 84, record_bytes = 50;
 

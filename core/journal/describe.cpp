@@ -153,4 +153,10 @@ std::string plain_words(const Journal& journal, const Event& e) {
   }
 }
 
+Measure measure_of(const Event& e) {
+  for (const Measure measure : {words(e.kind).measure, words(e.reason).measure})
+    if (measure != Measure::none) return measure;
+  return words(e.condition).measure;
+}
+
 } // namespace isoscope

@@ -15,5 +15,7 @@ std::string describe_event(const Journal& journal, const Event& event);
 /// with the largest error, 1.83, goes in". One line of at most 100 characters, but for warnings, which are
 /// told in full. Lengths are in units of δ.
 std::string plain_words(const Journal& journal, const Event& event);
+/// What the event's value is: its kind says it, else its reason, else its condition.
+Measure measure_of(const Event& event);
 
 } // namespace isoscope

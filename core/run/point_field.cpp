@@ -243,7 +243,8 @@ Result<double> proposed_tolerance(const DeltaStudy& study) {
                "Are these points of a closed surface? Give --tolerance to see what Ω is at one."};
 }
 
-PointDistances measure_points(const PointField& points, const TriangleMesh& mesh, const RunControl& control) {
+PointDistances measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
+                              const RunControl& control) {
   PointDistances distances;
   if (mesh.triangles.empty()) return distances;
   const ClosestPointIndex index({mesh.points, mesh.triangles, {}});
@@ -253,8 +254,13 @@ PointDistances measure_points(const PointField& points, const TriangleMesh& mesh
     return distances;
   const std::vector<bool> kept = points.kept();
   std::vector<double> of_kept;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (kept[i]) of_kept.push_back(of_all[i]);
+  double most = -1;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!kept[i]) continue;
+    of_kept.push_back(of_all[i]);
+    if (of_all[i] > limit) ++distances.far;
+    if (of_all[i] > most) most = of_all[i], distances.farthest = all[i];
+  }
   distances.all = quantiles(std::move(of_all));
   distances.kept = quantiles(std::move(of_kept));
   return distances;

@@ -81,8 +81,11 @@ struct PointDistances {
     double median = 0, percentile_90 = 0, percentile_99 = 0, most = 0;
   };
   Quantiles all, kept; ///< with and without those that no site stands for
+  std::size_t far = 0; ///< kept ones farther than the limit
+  Vec3 farthest;       ///< the kept one with the largest distance
 };
-/// Of no use once the control is cancelled.
-PointDistances measure_points(const PointField& points, const TriangleMesh& mesh, const RunControl& control);
+/// `limit`: how far a point may be; beyond it it is counted. Of no use once the control is cancelled.
+PointDistances measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
+                              const RunControl& control);
 
 } // namespace isoscope

@@ -1,9 +1,8 @@
 // The report's JSON.
 #include "run/report.h"
 
+#include "base/fields_json.h"
 #include "base/pending_file.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -154,7 +153,9 @@ Json points_json(const Scene& scene, const RunResult& result) {
             {"distances", nullptr}};
   if (result.points)
     json["distances"] = {{"kept", quantiles_json(result.points->kept)},
-                         {"all", quantiles_json(result.points->all)}};
+                         {"all", quantiles_json(result.points->all)},
+                         {"beyond_cover", result.points->far},
+                         {"farthest", point_json(result.points->farthest)}};
   return json;
 }
 
@@ -174,6 +175,22 @@ Json rim_json(const Scene& scene) {
                      {"diameter", loop.diameter},
                      {"flatness", loop.flatness}});
   return {{"samples", scene.samples->over_rim.size()}, {"loops", loops}};
+}
+
+/// What was in force, δ and σ as they were for this input; what says which input it is stands with that.
+Json used_parameters_json(const RunParameters& p, const Scene& scene) {
+  Json json{{"tolerance", scene.delta},
+            {"tolerance_given", tolerance_text(p, scene)},
+            {"sigma", p.sigma_ratio(scene.default_sigma)}};
+  for_each_field<RunParameters>([&]<class T>(const Field<RunParameters, T>& f) {
+    const bool of_input = f.name == "input" || f.name == "inside" || f.name == "levels" || f.name == "label";
+    if (of_input || json.contains(f.name)) return;
+    if constexpr (FieldParts<T>)
+      json[std::string(f.name)] = f.value(p).text();
+    else
+      write_field(json, f, f.value(p));
+  });
+  return json;
 }
 
 } // namespace
@@ -228,24 +245,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
          scene.input_topology.boundary_loops ? Json(*scene.input_topology.boundary_loops) : Json(nullptr)},
         {"sides_by", name(scene.volume ? scene.volume->sides().rule() : scene.input_topology.side_rule)},
         {"left_out", left_out_json(scene.left_out)}}},
-      {"parameters",
-       {{"tolerance", scene.delta},
-        {"tolerance_given", tolerance_text(p, scene)},
-        {"sigma", p.sigma_ratio(scene.default_sigma)},
-        {"alpha", p.alpha},
-        {"shrink", p.shrink},
-        {"containment", word_of(&RunParameters::containment, p)},
-        {"topology", word_of(&RunParameters::topology, p)},
-        {"drop_thin", p.drop_thin},
-        {"cover", p.cover ? Json(*p.cover) : Json(nullptr)},
-        {"sides", word_of(&RunParameters::sides, p)},
-        {"fill", p.fill.text()},
-        {"conditions", p.conditions},
-        {"until", name(p.last_stage())},
-        {"improver", word_of(&RunParameters::improver, p)},
-        {"drop_small", p.drop_small},
-        {"robust", p.robust.text()},
-        {"threads", p.threads}}},
+      {"parameters", used_parameters_json(p, scene)},
       {"samples",
        {{"count", scene.samples->size()},
         {"components", components},

@@ -2,10 +2,9 @@
 #include "run/session.h"
 
 #include "base/parallel.h"
-#include "recording/recording_reader.h"
 #include "recording/recording_writer.h"
-#include "run/parameters_json.h"
 #include "run/recorded_run.h"
+#include "run/show_recording.h"
 
 #include <algorithm>
 #include <array>
@@ -227,84 +226,14 @@ struct Session::Impl : public Gate {
     }
   }
 
-  void show_read(const RecordingReader& reader, const Journal& journal) {
-    publish([&](SessionSnapshot& s) {
-      s.recording->bytes = reader.file_bytes();
-      s.recording->events = journal.events().size();
-    });
-  }
-
-  /// Reads what there is; false when something is damaged, which the snapshot then says.
-  bool read_on(RecordingReader& reader, Journal& journal) {
-    while (!control.cancelled()) {
-      const auto more = reader.read_commit(journal);
-      if (!more) {
-        publish([&](SessionSnapshot& s) {
-          s.recording->error = more.error();
-          s.recording->cut_short = true;
-        });
-        return false;
-      }
-      if (!*more) break;
-      show_read(reader, journal);
-    }
-    return true;
-  }
-
-  /// How the recorded run ended, waiting for it while another program writes it.
-  std::optional<RecordingEnd> follow(RecordingReader& reader, Journal& journal) {
-    while (read_on(reader, journal)) {
-      const auto end = reader.end();
-      if (end.ok() && *end) return *end;
-      const std::size_t before = journal.events().size();
-      const bool growing = reader.growing();
-      if (!read_on(reader, journal)) break;
-      if (journal.events().size() != before) continue;
-      if (const auto last = reader.end(); last.ok() && *last) return *last;
-      std::unique_lock lock(mutex);
-      if (!growing || quit || stop_pending) {
-        shown.recording->cut_short = true;
-        break;
-      }
-      shown.phase = SessionPhase::following;
-      changed.notify_all();
-      changed.wait_for(lock, follow_interval, [this] { return quit || stop_pending; });
-    }
-    return std::nullopt;
-  }
-
-  void read_recording(const std::filesystem::path& file, std::shared_ptr<Journal> journal) {
-    auto opened = RecordingReader::open(file);
-    if (!opened) return fail(opened.error());
-    const auto reader = std::move(*opened);
-    auto parameters = parse_parameters(reader->header().parameters);
-    if (!parameters) return fail(parameters.error());
-    publish([&](SessionSnapshot& s) { s.parameters = *parameters; });
-    control.report("the recording", -1);
-    const bool sound = read_on(*reader, *journal);
-    const auto scene =
-        rebuild_scene(*parameters, reader->header().input, *journal, control, reader->header().notes);
-    if (!scene) return fail(scene.error());
-    publish([&](SessionSnapshot& s) {
-      s.scene = *scene;
-      s.part.clear();
-      s.fraction = -1;
-    });
-    std::shared_ptr<const RunResult> result;
-    if (const auto end = sound ? follow(*reader, *journal) : std::nullopt) {
-      auto read = recorded_result(*end, *journal);
-      if (read)
-        result = std::make_shared<const RunResult>(std::move(*read));
-      else
-        publish([&](SessionSnapshot& s) { s.recording->error = read.error(); });
-    }
-    // A reader that is the last to use the file takes its log into it.
-    [[maybe_unused]] const bool growing = reader->growing();
-    show_read(*reader, *journal);
-    publish([&](SessionSnapshot& s) {
-      s.result = result;
-      s.phase = SessionPhase::finished;
-    });
+  void read_recording(const std::filesystem::path& file, const std::shared_ptr<Journal>& journal) {
+    const RecordingAudience audience{
+        [this](const std::function<void(SessionSnapshot&)>& edit) { publish(edit); },
+        [this] {
+          std::unique_lock lock(mutex);
+          return !changed.wait_for(lock, follow_interval, [this] { return quit || stop_pending; });
+        }};
+    if (Status read = show_recording(file, journal, control, audience); !read) fail(read.error());
   }
 
   /// Ends the present run and begins anew; `recorded`: what is shown is read from a file; the generation is

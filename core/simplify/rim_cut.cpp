@@ -23,20 +23,13 @@ constexpr double at_wall = 0.01;
 constexpr double longest_way = 3;
 /// How far from a pinched vertex its edges are cut, in units of δ.
 constexpr double pinch_share = 0.05;
-/// Edges are not split below this length, in units of δ.
-constexpr double shortest_edge = 0.02;
 /// A part of what is kept that is smaller than this is a crumb, in units of δ.
 constexpr double crumb = 4;
-constexpr std::size_t piece_budget = 20000;
-
-template <class Facet> std::array<std::array<VertexId, 2>, 3> edges_of(const Facet& f) {
-  return {{{f[0], f[1]}, {f[0], f[2]}, {f[1], f[2]}}}; // sorted, as corners are
-}
 
 } // namespace
 
 RimCut::RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log)
-    : live_(live), volume_(volume), log_(log) {}
+    : live_(live), volume_(volume), log_(log), proofs_(live, volume) {}
 
 bool RimCut::keeps(Vec3 p) const {
   const ClosestPoint closest = volume_.field().closest(p);
@@ -79,7 +72,7 @@ std::vector<RimCut::Facet> RimCut::kept_facets() const {
 std::vector<RimCut::Edge> RimCut::border(const std::vector<Facet>& kept) const {
   std::vector<Edge> edges, once;
   for (const Facet& f : kept)
-    for (const Edge& e : edges_of(f)) edges.push_back(e);
+    for (const Edge& e : rim_edges(f)) edges.push_back(e);
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
     while (end < edges.size() && edges[end] == edges[i]) ++end;
@@ -92,7 +85,7 @@ std::vector<RimCut::Edge> RimCut::border(const std::vector<Facet>& kept) const {
 std::vector<RimCut::Edge> RimCut::crossing_edges() const {
   std::vector<Edge> edges;
   for (const Facet& f : facets_)
-    for (const auto& [a, b] : edges_of(f)) {
+    for (const auto& [a, b] : rim_edges(f)) {
       const Place pa = places_[a.index()], pb = places_[b.index()];
       const bool crosses =
           (pa == Place::kept && pb == Place::beyond) || (pa == Place::beyond && pb == Place::kept);
@@ -124,7 +117,7 @@ std::vector<Vec3> RimCut::places_on_edge(const Edge& edge, Vec3 at) const {
   return places;
 }
 
-bool RimCut::split(const Split& s, Vec3 at, Place place) {
+bool RimCut::split(const RimSplit& s, Vec3 at, Place place) {
   const auto [a, b] = s.edge;
   for (const Vec3 p : places_on_edge(s.edge, at)) {
     std::optional<Delta> delta = live_.split(a, b, p);
@@ -195,7 +188,8 @@ bool RimCut::lies_inside(const RimPatch& patch) const {
   const auto is_inside = [&](std::uint32_t i) {
     const Facet& f = facets_[i];
     const Triangle3 t{complex.position(f[0]), complex.position(f[1]), complex.position(f[2])};
-    return certify_facet(volume_.field(), t, delta, delta, piece_budget).kind == FacetVerdict::Kind::inside;
+    return certify_facet(volume_.field(), t, delta, delta, rim_piece_budget).kind ==
+           FacetVerdict::Kind::inside;
   };
   return std::all_of(patch.facets.begin(), patch.facets.end(), is_inside);
 }
@@ -304,14 +298,6 @@ bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to)
   return true;
 }
 
-/// The longest edge from what is kept to what is not, where the facet has one, else the longest.
-RimCut::Edge RimCut::edge_towards(const Facet& facet) const {
-  const auto all = edges_of(facet);
-  const auto rank = [&](const Edge& e) { return std::pair{is_kept(e[0]) != is_kept(e[1]), length(e)}; };
-  return *std::max_element(all.begin(), all.end(),
-                           [&](const Edge& x, const Edge& y) { return rank(x) < rank(y); });
-}
-
 /// Vertices at which what is kept has more than one fan, ascending.
 std::vector<VertexId> RimCut::pinches() const {
   std::vector<std::pair<VertexId, Edge>> links; // by vertex: the edges of kept facets opposite to it
@@ -362,97 +348,6 @@ void RimCut::cut_pinches() {
     if (!log_.stopped()) take_away(std::array{v});
 }
 
-void RimCut::want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 witness, double value) const {
-  if (length(edge) >= 2 * shortest_edge * volume_.thresholds().delta && !whole_.contains(edge))
-    splits.push_back({edge, reason, witness, value});
-}
-
-/// Facets that are kept and not proven to be inside Ω, each by its longest edge.
-void RimCut::want_inside(const std::vector<Facet>& kept, std::vector<Split>& splits) {
-  const Complex& complex = live_.complex();
-  const double delta = volume_.thresholds().delta;
-  std::vector<FacetVerdict> inside(kept.size());
-  parallel_for(kept.size(), 16, [&](std::size_t i) {
-    if (proven_.contains(kept[i])) return;
-    const Triangle3 t{complex.position(kept[i][0]), complex.position(kept[i][1]),
-                      complex.position(kept[i][2])};
-    inside[i] = certify_facet(volume_.field(), t, delta, delta, piece_budget);
-  });
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (proven_.contains(kept[i])) continue;
-    if (inside[i].kind == FacetVerdict::Kind::inside) {
-      proven_.insert(kept[i]);
-      continue;
-    }
-    const auto all = edges_of(kept[i]);
-    const Edge longest = *std::max_element(
-        all.begin(), all.end(), [&](const Edge& x, const Edge& y) { return length(x) < length(y); });
-    want(splits, longest, Reason::leaves_volume, inside[i].witness, inside[i].closest.distance());
-  }
-}
-
-/// Edges of the border that are not proven to be within δ of the rim.
-void RimCut::want_near_rim(const std::vector<Edge>& edges, std::vector<Split>& splits) {
-  const double delta = volume_.thresholds().delta;
-  const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
-  std::vector<FacetVerdict> near(edges.size());
-  parallel_for(edges.size(), 16, [&](std::size_t i) {
-    if (near_rim_.contains(edges[i])) return;
-    const auto [a, b] = segment(edges[i]);
-    near[i] = certify_facet(curve, {a, b, b}, delta, delta, piece_budget);
-  });
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (near_rim_.contains(edges[i])) continue;
-    if (near[i].kind == FacetVerdict::Kind::inside)
-      near_rim_.insert(edges[i]);
-    else
-      want(splits, edges[i], Reason::border_off_rim, near[i].witness, near[i].closest.distance());
-  }
-}
-
-/// Places of the rim that no border is proven to be within δ of: the facet of Z there goes on to them.
-void RimCut::want_rim_reached(const std::vector<Edge>& edges, std::vector<Split>& splits) const {
-  if (edges.empty()) return;
-  const double delta = volume_.thresholds().delta;
-  std::vector<Segment3> border;
-  for (const Edge& e : edges) border.push_back(segment(e));
-  const ClosestPointIndex index(flat_triangles(border));
-  const auto pieces = volume_.open_sides()->rim().pieces();
-  std::vector<FacetVerdict> reached(pieces.size());
-  parallel_for(pieces.size(), 16, [&](std::size_t i) {
-    reached[i].kind = FacetVerdict::Kind::inside;
-    if (pieces[i].open)
-      reached[i] = certify_facet(index, {pieces[i].a, pieces[i].b, pieces[i].b}, delta, delta, piece_budget);
-  });
-  std::erase_if(reached, [](const FacetVerdict& v) { return v.kind == FacetVerdict::Kind::inside; });
-  if (reached.empty()) return;
-  TriangleSoup soup;
-  for (const Facet& f : facets_) {
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
-    for (const VertexId v : f) soup.points.push_back(live_.complex().position(v));
-    soup.triangles.push_back({first, first + 1, first + 2});
-  }
-  const ClosestPointIndex zero_set(soup);
-  for (const FacetVerdict& verdict : reached)
-    want(splits, edge_towards(facets_[zero_set.closest(verdict.witness).triangle.index()]),
-         Reason::rim_off_border, verdict.witness, verdict.closest.distance());
-}
-
-/// What is not proven yet, each by one edge whose splitting brings it nearer to it.
-std::vector<RimCut::Split> RimCut::wanted_splits() {
-  const std::vector<Facet> kept = kept_facets();
-  const std::vector<Edge> edges = border(kept);
-  std::vector<Split> splits;
-  want_inside(kept, splits);
-  want_near_rim(edges, splits);
-  want_rim_reached(edges, splits);
-  std::stable_sort(splits.begin(), splits.end());
-  splits.erase(std::unique(splits.begin(), splits.end(),
-                           [](const Split& x, const Split& y) { return x.edge == y.edge; }),
-               splits.end());
-  return splits;
-}
-
 /// Both tetrahedra of each facet of Z with a corner beyond say that it is no part of Z.
 void RimCut::drop() {
   const Complex& complex = live_.complex();
@@ -487,9 +382,13 @@ void RimCut::run() {
     settle_spare_patches();
     join_patches();
     cut_pinches();
-    const std::vector<Split> splits = round < most_cut_rounds ? wanted_splits() : std::vector<Split>();
+    if (round >= most_cut_rounds) break;
+    const std::vector<Facet> kept = kept_facets();
+    const std::vector<Edge> edges = border(kept);
+    const std::vector<RimSplit> splits =
+        proofs_.wanted_splits({facets_, kept, edges, whole_}, [this](VertexId v) { return is_kept(v); });
     if (splits.empty()) break;
-    for (const Split& s : splits) {
+    for (const RimSplit& s : splits) {
       if (log_.stopped()) return;
       const Vec3 middle = 0.5 * (live_.complex().position(s.edge[0]) + live_.complex().position(s.edge[1]));
       split(s, middle, keeps(middle) ? Place::kept : Place::beyond);

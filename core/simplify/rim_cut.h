@@ -5,9 +5,9 @@
 #include "collapse/live_complex.h"
 #include "journal/stage_log.h"
 #include "simplify/rim_patches.h"
+#include "simplify/rim_proofs.h"
 #include "tolerance/tolerance_volume.h"
 
-#include <array>
 #include <cstdint>
 #include <set>
 #include <span>
@@ -31,23 +31,15 @@ class RimCut {
 
  private:
   enum class Place : std::uint8_t { unknown, kept, wall, beyond };
-  using Edge = std::array<VertexId, 2>;
-  using Facet = std::array<VertexId, 3>;
-  struct Split {
-    Edge edge;
-    Reason reason;
-    Vec3 witness;
-    double value;
-    friend bool operator<(const Split& x, const Split& y) { return x.edge < y.edge; }
-  };
+  using Edge = RimEdge;
+  using Facet = RimFacet;
 
   LiveComplex& live_;
   const ToleranceVolume& volume_;
   StageLog& log_;
+  RimProofs proofs_;
   std::vector<Place> places_; ///< by vertex; of those of Z
   std::vector<Facet> facets_; ///< of the whole Z, sorted corners, ascending
-  std::set<Facet> proven_;    ///< kept ones that are inside Ω
-  std::set<Edge> near_rim_;   ///< border edges within δ of the rim
   std::set<Edge> whole_;      ///< edges that cross the wall at their kept end, or cannot be split
 
   bool is_kept(VertexId v) const {
@@ -71,18 +63,12 @@ class RimCut {
   void turn(const RimPatch& patch);
   bool join(const RimPatch& patch, const std::vector<const RimPatch*>& to);
   void take_away(std::span<const VertexId> vertices);
-  Edge edge_towards(const Facet& facet) const;
   std::vector<VertexId> pinches() const;
   void cut_pinches();
   void cut_edges(const std::vector<Edge>& edges);
   std::vector<Edge> crossing_edges() const;
-  void want_inside(const std::vector<Facet>& kept, std::vector<Split>& splits);
-  void want_near_rim(const std::vector<Edge>& edges, std::vector<Split>& splits);
-  void want_rim_reached(const std::vector<Edge>& edges, std::vector<Split>& splits) const;
-  std::vector<Split> wanted_splits();
-  void want(std::vector<Split>& splits, Edge edge, Reason reason, Vec3 witness, double value) const;
   /// False where a tetrahedron would turn over at any place that was tried.
-  bool split(const Split& split, Vec3 at, Place place);
+  bool split(const RimSplit& split, Vec3 at, Place place);
   void drop();
   Segment3 segment(const Edge& e) const {
     return {live_.complex().position(e[0]), live_.complex().position(e[1])};

@@ -12,17 +12,14 @@
 
 namespace isoscope {
 
-std::vector<RimPatch> rim_patches(std::span<const std::array<VertexId, 3>> facets,
-                                  std::span<const std::uint8_t> kept) {
+std::vector<RimPatch> rim_patches(std::span<const RimFacet> facets, std::span<const std::uint8_t> kept) {
   struct Use {
-    std::array<VertexId, 2> edge;
+    RimEdge edge;
     std::uint32_t facet;
   };
   std::vector<Use> uses;
   for (std::uint32_t i = 0; i < facets.size(); ++i) {
-    const auto& f = facets[i];
-    for (const auto& edge : {std::array{f[0], f[1]}, std::array{f[0], f[2]}, std::array{f[1], f[2]}})
-      uses.push_back({edge, i});
+    for (const RimEdge& edge : rim_edges(facets[i])) uses.push_back({edge, i});
   }
   std::stable_sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) { return x.edge < y.edge; });
 
@@ -52,12 +49,12 @@ std::vector<RimPatch> rim_patches(std::span<const std::array<VertexId, 3>> facet
   return patches;
 }
 
-std::vector<VertexId> shortest_way(std::span<const std::array<VertexId, 3>> facets,
-                                   std::span<const VertexId> from, std::span<const VertexId> to,
+std::vector<VertexId> shortest_way(std::span<const RimFacet> facets, std::span<const VertexId> from,
+                                   std::span<const VertexId> to,
                                    const std::function<bool(VertexId)>& is_allowed,
                                    const std::function<double(VertexId, VertexId)>& length, double limit) {
   const auto is_end = [&](VertexId v) { return std::binary_search(to.begin(), to.end(), v); };
-  std::vector<std::array<VertexId, 2>> edges; // both ways
+  std::vector<RimEdge> edges; // both ways
   for (const auto& f : facets)
     for (std::size_t k = 0; k < 3; ++k) {
       const VertexId a = f[k], b = f[(k + 1) % 3];

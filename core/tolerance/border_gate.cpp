@@ -12,8 +12,6 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t piece_budget = 4000;
-/// As for facets: fewer than 256 roundings make up a bound.
-constexpr int roundings = 256;
 
 double largest_end_distance(const Segment3& piece, const Segment3& to) {
   return std::max(distance_to(to, piece[0]), distance_to(to, piece[1]));
@@ -33,7 +31,7 @@ BorderVerdict BorderGate::keeps_to_rim(const Segment3& edge) const {
   if (rim_.segments().empty()) return {false, edge[0], std::numeric_limits<double>::infinity()};
   Box3 box;
   for (const Vec3 p : edge) box.add(p);
-  const double rounding = rounding_bound(rim_.bounds(), box, roundings);
+  const double rounding = rounding_bound(rim_.bounds(), box, bound_roundings);
   std::vector<Segment3> pieces{edge};
   for (std::size_t looked = 0; !pieces.empty(); ++looked) {
     const Segment3 piece = pieces.back();
@@ -57,7 +55,7 @@ BorderVerdict BorderGate::covers_rim(std::span<const Segment3> before,
   for (const Segment3& s : before)
     for (const Vec3 p : s) box.add(p);
   if (box.empty()) return {};
-  const double rounding = rounding_bound(rim_.bounds(), box, roundings);
+  const double rounding = rounding_bound(rim_.bounds(), box, bound_roundings);
   std::vector<Segment3> pieces;
   std::size_t looked = 0;
   for (const std::uint32_t r : rim_.near(box.center(), 0.5 * length(box.extent()) + delta_)) {

@@ -13,7 +13,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t block_cells = 32768;
+constexpr std::size_t counted_block = 32768;
 /// Cells whose pieces are counted at most: some 100 bytes each.
 constexpr std::size_t most_careful_cells = 6'000'000;
 
@@ -153,7 +153,7 @@ class Counter {
       const std::uint32_t n = 1u << halvings_;
       for (std::uint32_t k = 0; k < n * n * n; ++k)
         block.push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
-      if (block.size() < block_cells) continue;
+      if (block.size() < counted_block) continue;
       if (control.cancelled())
         return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
       control.report("boundary", static_cast<double>(i) / static_cast<double>(octree.main_size()));

@@ -4,6 +4,7 @@
 #include "tolerance/cell_links.h"
 #include "tolerance/field_octree.h"
 #include "tolerance/region_labels.h"
+#include "tolerance/tolerance_volume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ constexpr double lasting_factor = 1.5;
 /// Insides open at about the same δ, where the points are too few; necks of the model close later.
 constexpr double same_opening = 1.3;
 /// How far inside of the interval δ is proposed, and how much farther fewer components are looked for.
-constexpr double above_least = 1.15, search_factor = 1.5;
+constexpr double above_separation = 1.15, search_factor = 1.5;
 constexpr std::size_t curve_steps = 64;
 constexpr std::size_t most_regions = 200;
 
@@ -110,7 +111,7 @@ std::vector<LastingRegion> find_insides(const std::vector<LastingRegion>& region
   if (main == regions.end()) return insides;
   for (const LastingRegion& r : regions)
     if (r.separation <= same_opening * main->separation &&
-        r.depth > deep_enough * above_least * same_opening * main->separation)
+        r.depth > deep_enough * above_separation * same_opening * main->separation)
       insides.push_back(r);
   if (insides.empty()) insides.push_back(*main);
   return insides;
@@ -136,8 +137,8 @@ std::vector<DeltaStudy::Step> make_curve(const Histories& histories, double from
 }
 
 /// The least δ above the margin with as few components as there are at any δ a little larger.
-double propose(const DeltaStudy& study) {
-  const double from = above_least * study.least, to = std::min(study.most, search_factor * from);
+double propose(const DeltaStudy& study, double separation) {
+  const double from = above_separation * separation, to = std::min(study.most, search_factor * from);
   if (from >= study.most) return study.most > study.least ? std::sqrt(study.least * study.most) : 0;
   double best = from;
   std::size_t fewest = ~std::size_t{0};
@@ -185,18 +186,19 @@ DeltaStudy study_delta(const ToleranceField& field, double finest, const RunCont
     r.depth = top.distance;
   }
   study.insides = find_insides(study.regions);
-  double from = finest, to = 4 * finest;
+  double from = finest, to = 4 * finest, separation = 0;
   if (!study.insides.empty()) {
     study.most = std::numeric_limits<double>::infinity();
     for (const LastingRegion& r : study.insides) {
-      study.least = std::max(study.least, r.separation);
+      separation = std::max(separation, r.separation);
       study.most = std::min(study.most, r.depth / deep_enough);
     }
-    from = std::min(0.6 * study.least, std::max(finest, 0.3 * study.least));
+    study.least = separation / ToleranceVolume::Options().boundary_ratio;
+    from = std::min(0.6 * separation, std::max(finest, 0.3 * separation));
     to = 1.05 * study.insides.front().depth;
   }
   study.curve = make_curve(histories, from, to);
-  if (!study.insides.empty()) study.proposed = propose(study);
+  if (!study.insides.empty()) study.proposed = propose(study, separation);
   return study;
 }
 

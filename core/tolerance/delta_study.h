@@ -33,7 +33,7 @@ struct DeltaStudy {
   std::vector<Step> curve;            ///< ascending by δ
   std::vector<LastingRegion> regions; ///< those that last long, deepest first
   std::vector<LastingRegion> insides; ///< those of them that the surface encloses
-  double least = 0;                   ///< below it the insides are joined with what is around them
+  double least = 0;                   ///< below it Ω' joins the insides with what is around them
   double most = 0;                    ///< beyond it one of them is closed up
   double proposed = 0;
 

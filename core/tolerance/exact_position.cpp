@@ -10,7 +10,7 @@ namespace isoscope {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
+using ExactPoint = Kernel::Point_3;
 
 /// Ways nearly along an axis, whose boxes hold few triangles; where one meets an edge, the next is tried.
 constexpr std::array<Vec3, 12> ways{{{1, .0137, .0089},
@@ -26,14 +26,14 @@ constexpr std::array<Vec3, 12> ways{{{1, .0137, .0089},
                                      {-.0233, .0361, 1},
                                      {.0271, -.0317, -1}}};
 
-Point point(Vec3 p) {
+ExactPoint point(Vec3 p) {
   return {p.x, p.y, p.z};
 }
 
 /// Whether a segment crosses the inside of a triangle; nothing where it meets its border or one of its ends
 /// lies in its plane.
-std::optional<bool> crosses(const Point& p, const Point& q, const Triangle3& t) {
-  const Point a = point(t[0]), b = point(t[1]), c = point(t[2]);
+std::optional<bool> crosses(const ExactPoint& p, const ExactPoint& q, const Triangle3& t) {
+  const ExactPoint a = point(t[0]), b = point(t[1]), c = point(t[2]);
   const CGAL::Orientation at_p = CGAL::orientation(a, b, c, p), at_q = CGAL::orientation(a, b, c, q);
   if (at_p == at_q && at_p != CGAL::COPLANAR) return false;
   const CGAL::Orientation sides[3] = {CGAL::orientation(p, q, a, b), CGAL::orientation(p, q, b, c),
@@ -50,9 +50,9 @@ std::optional<bool> crosses(const Point& p, const Point& q, const Triangle3& t) 
 
 bool triangles_meet(const Triangle3& facet, const Triangle3& wall) {
   const Kernel::Triangle_3 other(point(wall[0]), point(wall[1]), point(wall[2]));
-  const Point a = point(facet[0]), b = point(facet[1]), c = point(facet[2]);
+  const ExactPoint a = point(facet[0]), b = point(facet[1]), c = point(facet[2]);
   if (!CGAL::collinear(a, b, c)) return CGAL::do_intersect(Kernel::Triangle_3(a, b, c), other);
-  const auto segment_meets = [&](const Point& s, const Point& t) {
+  const auto segment_meets = [&](const ExactPoint& s, const ExactPoint& t) {
     return s == t ? other.has_on(s) : CGAL::do_intersect(Kernel::Segment_3(s, t), other);
   };
   return segment_meets(a, b) || segment_meets(b, c) || segment_meets(c, a);

@@ -32,11 +32,6 @@ class PieceStack {
 
 constexpr std::size_t pieces_between_questions = 256;
 
-/// What a computed distance, circumradius bound or repeatedly rounded midpoint may be off by. Each comes from
-/// fewer than 32 operations on numbers below the largest coordinate M, and midpoints along one path of
-/// bisections drift by at most one rounding a level, so (32 + 32 + max_depth) u M is enough; 256 leaves room.
-constexpr int roundings = 256;
-
 void push_halves(const Piece& piece, TriangleId guess, PieceStack& stack) {
   const Triangle3& t = piece.corners;
   std::size_t longest = 0;
@@ -75,7 +70,7 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
   }
   Box3 box;
   for (const Vec3 p : facet) box.add(p);
-  const double rounding = rounding_bound(field.bounds(), box, roundings);
+  const double rounding = rounding_bound(field.bounds(), box, bound_roundings);
   // Whoever brings a guess asks for speed: then a bound from the guess is good enough, if looser.
   const bool trust_guess = search.guess.valid();
   PieceStack stack;

@@ -14,17 +14,17 @@ namespace {
 constexpr double fine = 3, coarse = 2.5, coarse_finest = 1.6;
 constexpr std::size_t many_sites = 10000;
 /// So much of the box lies around it.
-constexpr double margin = 0.1;
+constexpr double box_margin = 0.1;
 /// Cells beyond which no level is added, and levels.
 constexpr std::size_t most_cells = 16'000'000;
 constexpr unsigned most_levels = 20;
-constexpr double half_diagonal = 0.8660254038;
+constexpr double center_to_corner = 0.8660254038;
 
 } // namespace
 
 FieldOctree::FieldOctree(const ToleranceField& field, double finest, const RunControl& control) {
   if (field.empty() || !(finest > 0)) return;
-  side_ = (1 + 2 * margin) * field.bounds().longest_edge() + 8 * finest;
+  side_ = (1 + 2 * box_margin) * field.bounds().longest_edge() + 8 * finest;
   origin_ = field.bounds().center() - 0.5 * Vec3{side_, side_, side_};
   const bool many = field.size() > many_sites;
   const double factor = many ? coarse : fine;
@@ -43,7 +43,7 @@ FieldOctree::FieldOctree(const ToleranceField& field, double finest, const RunCo
     const double s = side(level);
     const auto splits = [&](const Cell& c) {
       const double value = static_cast<double>(c.value);
-      return factor * s > std::max(value, finest) && value + half_diagonal * s > finest;
+      return factor * s > std::max(value, finest) && value + center_to_corner * s > finest;
     };
     const auto parents = static_cast<std::size_t>(
         std::count_if(cells_.begin() + static_cast<std::ptrdiff_t>(begin), cells_.end(), splits));

@@ -15,7 +15,7 @@ constexpr std::uint32_t no_site = 0xffffffffu;
 /// Beyond Ω by so much of the band g is flat: φ grows up to (1 + 2 · margin) δ.
 constexpr double margin = 0.5;
 /// Relative to the largest value: a trilinear value comes from fewer than 32 operations.
-constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();
+constexpr double value_roundings = 64 * std::numeric_limits<double>::epsilon();
 /// Pieces of a facet that are looked at before the answer is left open, and cells of one that is bounded.
 constexpr std::size_t most_pieces = 4000;
 constexpr std::size_t most_cells_of_piece = 27;
@@ -40,7 +40,7 @@ GridField::GridField(std::shared_ptr<const ScalarGrid> grid, double low, double 
   for (std::size_t a = 0; a < 3; ++a) cells_[a] = grid_->size[a] - 1;
   float largest = 0;
   for (const float v : grid_->values) largest = std::max(largest, std::abs(v));
-  value_rounding_ = roundings * static_cast<double>(largest);
+  value_rounding_ = value_roundings * static_cast<double>(largest);
 }
 
 Result<std::shared_ptr<const GridField>> GridField::make(std::shared_ptr<const ScalarGrid> grid, double low,

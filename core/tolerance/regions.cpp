@@ -2,6 +2,7 @@
 #include "tolerance/regions.h"
 
 #include "base/parallel.h"
+#include "tolerance/rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,6 @@
 namespace isoscope {
 namespace {
 
-/// Half the diagonal of a unit cube, rounded up generously: a cell may only be called OUT or IN with
-/// certainty, also after the rounding of distances and centres.
-constexpr double half_diagonal = 0.86602540379 * (1 + 1e-7);
 /// Cell positions are 32-bit, and face tests shift them to this level.
 constexpr unsigned deepest_level = 30;
 constexpr std::size_t most_cells = std::size_t{1} << 31;

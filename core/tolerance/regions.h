@@ -79,6 +79,8 @@ class Regions {
   CellIndex root(CellIndex i) const;
   /// Makes root() a single step for all cells there are.
   void flatten(const RunControl& control);
+  /// Joins the components of two OUT cells that are known to be one.
+  void join(CellIndex a, CellIndex b) { unite(a, b); }
   /// Marks the component of an OUT cell as known by a number; floods stop there.
   void set_number(CellIndex i, std::uint32_t number) { numbers_[root(i)] = number; }
   std::optional<std::uint32_t> number(CellIndex i) const;

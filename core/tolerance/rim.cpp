@@ -18,7 +18,7 @@ namespace {
 /// The longest piece, in units of δ'.
 constexpr double longest_piece = 0.25;
 /// A border is open where the distance before it is that share of δ' at least.
-constexpr double open_share = 0.98;
+constexpr double open_distance = 0.98;
 /// Borders face each other where the cosine of their conormals is below this: what they leave between them is
 /// a slit that Ω closes, and no corner. Where that of their normals is, a sheet lies folded on the other.
 constexpr double facing = -0.5;
@@ -108,7 +108,7 @@ void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> want
     const ClosestPoint closest = index.closest_near(before, piece.triangle);
     const ClosestPoint border = all.closest(closest.point);
     const bool at_border = border.distance() <= on_border * boundary_;
-    piece.open = closest.distance() >= open_share * boundary_ ||
+    piece.open = closest.distance() >= open_distance * boundary_ ||
                  (at_border && dot(conormals[border.triangle.index()], piece.conormal) >= facing);
     const Vec3 normal = normal_of(index, closest.triangle), own = normal_of(index, piece.triangle);
     const bool same_way = turns.empty() || turns[closest.triangle.index()] == turns[piece.triangle.index()];

@@ -16,7 +16,7 @@ namespace {
 constexpr int most_rooms = std::numeric_limits<std::int8_t>::max();
 /// Both sides of walls are looked at this far from them, in units of δ', at places about so many δ apart, but
 /// at no more of them than this.
-constexpr double side_reach = 1.2, probe_spacing = 2;
+constexpr double wall_reach = 1.2, probe_spacing = 2;
 constexpr std::size_t most_probes = 100000, probes_per_task = 256;
 
 /// Places spread over the triangles, each with its triangle: at least one in each.
@@ -122,8 +122,8 @@ std::optional<Vec3> one_sided_wall(const ToleranceVolume& volume, std::optional<
       const ClosestPoint closest = index.closest(p);
       return closest.distance() > boundary ? volume.escape(p, closest).region : RegionId();
     };
-    const RegionId above = region(side_reach);
-    fin[i] = above.valid() && region(-side_reach) == above;
+    const RegionId above = region(wall_reach);
+    fin[i] = above.valid() && region(-wall_reach) == above;
   });
   const auto found = std::find(fin.begin(), fin.end(), 1);
   if (found == fin.end()) return std::nullopt;

@@ -2,6 +2,7 @@
 #include "tolerance/sample_candidates.h"
 
 #include "base/snap.h"
+#include "tolerance/rounding.h"
 
 #include <cmath>
 #include <optional>
@@ -9,7 +10,6 @@
 namespace isoscope {
 namespace {
 
-constexpr double half_diagonal = 0.86602540379 * (1 + 1e-7);
 /// The side of the coarsest candidates, relative to the density. A third would save up to a third of the
 /// samples, but takes up to twice the time.
 constexpr double coarsest_cell = 0.5;

@@ -29,7 +29,7 @@ constexpr double next_try = 0.7;
 constexpr int most_tries = 6;
 /// Main cells of the octree for an area of δ'², and how many of them fit: beside them stand some samples
 /// each.
-constexpr double cells_by_area = 40, most_cells = 2e8;
+constexpr double cells_by_area = 40, most_main_cells = 2e8;
 /// Volumes of more cells are not built to try a tolerance.
 constexpr double most_tried_cells = 2e6;
 
@@ -133,7 +133,7 @@ Result<KeepingTolerance> find_keeping_tolerance(const ToleranceVolume& volume,
   const auto cells = [&](double delta) { return cells_by_area * surface / (ratio * ratio * delta * delta); };
   KeepingTolerance keeping{two_digits_below(0.5 * keeping_share * least_thickness(parts)), true};
   for (int tries = 0; tries < most_tries && keeping.value > 0; ++tries) {
-    keeping.fits = cells(keeping.value) <= most_cells;
+    keeping.fits = cells(keeping.value) <= most_main_cells;
     // A single closed part keeps what is deep enough; several may come apart at a smaller tolerance, and then
     // each must have an inside of its own.
     if (cells(keeping.value) > most_tried_cells || volume.input().components == 1) break;

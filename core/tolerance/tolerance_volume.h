@@ -235,6 +235,8 @@ class ToleranceVolume {
   int basin_at(Vec3 p) const;
   std::string overlap_in_words() const;
   std::string cause_in_words(const RunControl& control) const;
+  Vec3 first_corner() const;
+  bool joins_another(std::uint32_t root, std::uint32_t deepest);
   RegionId add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume);
 
   std::shared_ptr<const ToleranceField> field_;

@@ -90,6 +90,12 @@ void ToleranceVolume::deepen(Region& region) const {
   }
 }
 
+/// A point of the unbounded region within the domain.
+Vec3 ToleranceVolume::first_corner() const {
+  const Box3 cube = domain();
+  return cube.lo + Vec3{1, 1, 1} * (1e-9 * cube.longest_edge());
+}
+
 RegionId ToleranceVolume::add_region(std::uint32_t cell, Vec3 deepest, double depth, double volume) {
   const RegionId id(regions_.size());
   octree_->set_number(cell, id.value);
@@ -98,16 +104,33 @@ RegionId ToleranceVolume::add_region(std::uint32_t cell, Vec3 deepest, double de
   return id;
 }
 
+/// Whether the way up from a region's deepest cell, which stays in the region, ends in another one: the main
+/// cells are too coarse for what joins the two.
+bool ToleranceVolume::joins_another(std::uint32_t root, std::uint32_t deepest) {
+  const Regions::Cell& from = octree_->cell(deepest);
+  Region climbed;
+  climbed.deepest = octree_->center(from);
+  climbed.depth = static_cast<double>(from.distance);
+  deepen(climbed);
+  const Regions::CellIndex top = octree_->locate(climbed.deepest);
+  const bool beyond = top == Regions::none; // of the domain: the unbounded region
+  if (!beyond && octree_->cell(top).kind != Regions::Kind::out) return false;
+  const Regions::CellIndex other =
+      beyond ? octree_->root(octree_->locate(first_corner())) : octree_->root(top);
+  if (other == octree_->root(root)) return false;
+  octree_->join(root, other);
+  return true;
+}
+
 void ToleranceVolume::collect_regions(const RunControl& control) {
-  const Box3 cube = domain();
-  const Vec3 inset = Vec3{1, 1, 1} * (1e-9 * cube.longest_edge());
-  const Regions::CellIndex unbounded = octree_->root(octree_->locate(cube.lo + inset));
+  const Regions::CellIndex unbounded = octree_->root(octree_->locate(first_corner()));
   std::vector<RegionSummary> list = summarize(*octree_, control);
   std::stable_partition(list.begin(), list.end(),
                         [&](const RegionSummary& s) { return s.root == unbounded; });
   for (const RegionSummary& s : list) {
     if (control.cancelled()) return;
     const Regions::Cell& c = octree_->cell(s.deepest);
+    if (!sides_.known() && !regions_.empty() && joins_another(s.root, s.deepest)) continue;
     add_region(s.root, octree_->center(c), static_cast<double>(c.distance), s.volume);
   }
   octree_->flatten(control);

@@ -1,8 +1,8 @@
 // Sessions of the real window: scripts with expectations, pictures against references, a real mouse and
 // keyboard.
 #include "app/picture_regions.h"
-#include "app/window_script.h"
 #include "platform/image_file.h"
+#include "support/window_script.h"
 
 #include <doctest/doctest.h>
 
@@ -302,6 +302,40 @@ quit
       "xdotool mouseup 1; xdotool key Right; sleep 0.2; xdotool key Right; sleep 0.2; "
       "xdotool mousemove 600 300 click 1";
   CHECK(run_window("hands", script, "gallery:sphere --tolerance 12%", hands) == 0);
+}
+
+TEST_CASE("the keyboard alone goes through the panes, and gives the keys back" *
+          doctest::test_suite("xdotool")) {
+  if (exit_of("command -v xdotool >/dev/null") != 0) {
+    MESSAGE("SKIPPED: xdotool is not there.");
+    return;
+  }
+  const std::string ready = picture("keys-ready"), script = "wait settled\nseek 5\nscreenshot " + ready + R"(
+hands 10
+expect step == 5 and keys == right and pane-bottom == on and layer.outer == off
+key F6
+expect keys == bottom
+key F6
+expect keys == none
+key Shift+F6
+expect keys == bottom
+pane-bottom
+wait 0.2
+expect keys == none
+key F6
+expect keys == left
+key Esc
+expect keys == none
+key Right
+expect step == 6
+quit
+)";
+  fs::remove(ready);
+  // The eye of Ω's outer boundary is the second thing in the left pane, after the fold of the layers.
+  const std::string hands = "while [ ! -e " + ready +
+                            " ]; do sleep 0.1; done; sleep 1; for k in F6 Right Down Return F6 Right; do "
+                            "xdotool key $k; sleep 0.4; done";
+  CHECK(run_window("keys", script, "gallery:sphere --tolerance 12%", hands) == 0);
 }
 
 TEST_CASE("without a display there is a clear word and status 2") {

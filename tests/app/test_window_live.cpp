@@ -1,5 +1,5 @@
 // A session that asks everything while the run goes on: nothing waits for the run, nothing races with it.
-#include "app/window_script.h"
+#include "support/window_script.h"
 
 #include <doctest/doctest.h>
 

@@ -72,9 +72,9 @@ TEST_CASE("a draft differs by what is in force, and every parameter but a few ne
   CHECK(!model.steering.draft_differs());
   model.draft.sigma = 0.5;
   CHECK(model.steering.draft_differs());
-  CHECK(!model.steering.draft_needs_restart());
   model.draft.sigma = 0;
   model.draft.sides = SidesMode::winding;
   CHECK(model.steering.draft_differs());
-  CHECK(model.steering.draft_needs_restart());
+  CHECK(!field_of(&RunParameters::sigma).restart);
+  CHECK(field_of(&RunParameters::sides).restart);
 }

@@ -1,8 +1,8 @@
 // The worker that looks at edges: the newest question is answered, wherever the edge is.
-#include "app/small_run.h"
 #include "edge/probe.h"
 #include "scene/section_attempt.h"
 #include "scene/section_attempt_svg.h"
+#include "support/small_run.h"
 #include "view/section_through.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // The index of a journal counts what the journal holds, however it is taken in.
-#include "app/small_run.h"
 #include "model/journal_index.h"
+#include "support/small_run.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // The worker behind the play head: the newest request wins, answers are right, nothing is left behind.
-#include "app/small_run.h"
 #include "model/playhead.h"
+#include "support/small_run.h"
 
 #include <doctest/doctest.h>
 

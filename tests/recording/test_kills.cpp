@@ -1,9 +1,9 @@
 // isoscope-run --record killed at random moments: every file opens and holds a run's beginning.
-#include "batch/child_process.h"
 #include "input/temporary_folder.h"
 #include "journal/digest.h"
 #include "mesh/complex.h"
 #include "recording/recording_reader.h"
+#include "support/run_program.h"
 
 #include <doctest/doctest.h>
 

@@ -43,7 +43,7 @@ std::size_t deep_regions(const Scene& scene) {
       std::count_if(scene.regions.begin(), scene.regions.end(), [](const Region& r) { return !r.shallow; }));
 }
 
-void check_sphere(CompleteRun& run) {
+void check_closed_sphere(CompleteRun& run) {
   if (!run.run()) FAIL(run.error->line());
   for (const std::string& failure : run.result->certificate.failures) MESSAGE(failure);
   CHECK(run.result->certificate.holds());
@@ -52,6 +52,10 @@ void check_sphere(CompleteRun& run) {
   CHECK(run.result->exit_status() == 0);
   CHECK(deep_regions(*run.scene) == 2);
   REQUIRE(run.result->points);
+}
+
+void check_sphere(CompleteRun& run) {
+  check_closed_sphere(run);
   CHECK(run.result->points->kept.percentile_99 < 1.5 * run.scene->delta);
 }
 
@@ -111,6 +115,22 @@ TEST_CASE("a blob of 4 % of the points is dropped with its share and place, a la
   CHECK(refused->error->code == ErrorCode::open_surface);
   CHECK(refused->error->message.find("encloses nothing") != std::string::npos);
   CHECK(refused->error->message.find("12 %") != std::string::npos);
+}
+
+TEST_CASE("points on what is too thin to have an inside are told") {
+  Random random(12);
+  std::vector<Vec3> points = sphere_points(random, 4000, 1, 0.005);
+  const std::size_t on_sphere = points.size();
+  while (points.size() < 2 * on_sphere) { // a brim
+    const Vec3 p = 2 * random.in_box({{-1, -1, 0}, {1, 1, 0}});
+    if (length(p) > 1 && length(p) < 2) points.push_back(p + noise(random, 0.005));
+  }
+  const auto run = run_of(std::move(points));
+  check_closed_sphere(*run);
+  const PointDistances& distances = *run->result->points;
+  CHECK(distances.far > on_sphere / 4);
+  CHECK(distances.far < on_sphere);
+  CHECK(distance(distances.farthest, {}) > 1.9);
 }
 
 TEST_CASE("gaps are closed, double layers are one, and densities may differ twenty times") {
@@ -269,6 +289,17 @@ TEST_CASE("known answers of full size, to the end" * doctest::test_suite("soak")
   };
   SUBCASE("elephant, 0.5 % of noise") {
     if (auto points = noisy("elephant.off", 40000, 0.005)) finish(*run_of(*std::move(points)));
+  }
+  // The ears are thinner than the noise. At 2.6 % what is left of an inside there leads outside through a
+  // passage that the octree's main cells do not show.
+  SUBCASE("elephant, 1 % of noise") {
+    for (const Tolerance tolerance : {Tolerance{.automatic = true}, Tolerance{.value = 2.6}}) {
+      auto points = noisy("elephant.off", 40000, 0.01);
+      if (!points) continue;
+      const auto run = run_of(*std::move(points), tolerance);
+      CHECK(finish(*run) == 2);
+      CHECK(run->result->points->kept.percentile_90 > 2 * run->scene->delta);
+    }
   }
   SUBCASE("knot, 0.5 % of noise") {
     if (auto points = noisy("knot1.off", 40000, 0.005)) CHECK(finish(*run_of(*std::move(points))) == 0);

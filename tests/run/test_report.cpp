@@ -40,7 +40,13 @@ TEST_CASE("The report of a finished run is one JSON object with the promised key
   check_keys(report, {"version", "input", "parameters", "samples", "stages", "output", "certificate",
                       "seconds", "peak_memory_bytes"});
   check_keys(report["input"], {"path", "vertices", "faces", "longest_edge"});
-  check_keys(report["parameters"], {"tolerance", "sigma", "alpha", "shrink", "threads"});
+  check_keys(report["parameters"], {"tolerance", "tolerance_given", "sigma", "alpha", "fill", "robust"});
+  for_each_field<RunParameters>([&](const auto& f) {
+    const std::string name(f.name);
+    CAPTURE(name);
+    const bool told = report["parameters"].contains(name) || report["input"].contains(name);
+    CHECK((name == "input" || told));
+  });
   check_keys(report["samples"], {"count", "components"});
   REQUIRE(report["stages"].is_array());
   REQUIRE(!report["stages"].empty());
@@ -62,6 +68,9 @@ TEST_CASE("The report of a finished run is one JSON object with the promised key
   CHECK(report["input"]["path"] == "gallery:torus");
   CHECK(report["input"]["vertices"] == run.scene->input->points.size());
   CHECK(report["parameters"]["alpha"] == 0.2);
+  CHECK(report["parameters"]["sigma"] == run.parameters.sigma_ratio(run.scene->default_sigma));
+  CHECK(report["parameters"]["until"] == name(run.parameters.last_stage()));
+  CHECK(report["parameters"]["robust"] == "auto");
   CHECK(report["samples"]["count"] == run.scene->samples->size());
   CHECK(report["stages"][0]["name"] == "refinement");
   CHECK(report["output"]["vertices"] == run.result->mesh.points.size());

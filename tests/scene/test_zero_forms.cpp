@@ -161,8 +161,8 @@ TEST_CASE("an edge that was collapsed lies where it was") {
 
 TEST_CASE("every reason for a rejection has a look of its own") {
   std::set<std::string> looks, titles;
-  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
-    const ReasonWords& style = words(static_cast<Reason>(r));
+  for (const Reason reason : rejecting_reasons) {
+    const ReasonWords& style = words(reason);
     CHECK(!style.help.empty());
     CHECK(titles.insert(std::string(style.title)).second);
     CHECK(looks.insert(std::to_string(style.color) + "/" + std::to_string(static_cast<int>(style.shape)))

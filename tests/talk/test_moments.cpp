@@ -103,8 +103,8 @@ TEST_CASE("what is said has its reason and its figure") {
   CHECK(meaning(collapse) == meaning(Stage::all));
   CHECK(figure_of(collapse) == "Figure 13");
   for (const Stage stage : stages_in_order) CHECK(!meaning(stage).empty());
-  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r)
-    CHECK(!meaning(event_of(EventKind::rejection, Condition::none, static_cast<Reason>(r))).empty());
+  for (const Reason reason : rejecting_reasons)
+    CHECK(!meaning(event_of(EventKind::rejection, Condition::none, reason)).empty());
   for (int c = 1; c < condition_count; ++c)
     CHECK(!meaning(event_of(EventKind::insertion, static_cast<Condition>(c))).empty());
 }

@@ -3,15 +3,12 @@
 
 #include "app/last_wait.h"
 #include "app/welcome.h"
-#include "ask/investigation.h"
 #include "input/gallery.h"
 #include "model/chosen_input.h"
 #include "platform/endings.h"
 #include "platform/image_file.h"
 #include "recording/recording_reader.h"
 #include "steering/steering.h"
-#include "talk/talk.h"
-#include "view/view.h"
 
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>
@@ -23,13 +20,11 @@
 namespace isoscope {
 namespace {
 
-constexpr ImGuiWindowFlags pane_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoSavedSettings |
-                                        ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 constexpr int frames_after_input = 3;
 constexpr int stopped_status = 4,
               lost_status = 2;           ///< as when the batch program is stopped; without a display
 constexpr double script_step = 1.0 / 60; ///< scripts see an even clock
+constexpr double pointer_seconds = 1;    ///< a pointer rests before it goes, presenting
 constexpr double hover_seconds = 1.2;    ///< after the last input, for hovers and tooltips that come late
 constexpr double idle_wait = 0.25, running_wait = 0.03, script_wait = 0.005;
 
@@ -37,26 +32,6 @@ constexpr double idle_wait = 0.25, running_wait = 0.03, script_wait = 0.005;
 bool opens_by_itself(const std::string& path) {
   return path.ends_with(".json") || is_recording_name(path);
 }
-
-struct Pane {
-  Pane(const char* name, ImVec2 low, ImVec2 size, bool scrolls, ImVec2 padding, Rgb color) {
-    ImGui::SetNextWindowPos(low);
-    ImGui::SetNextWindowSize(size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(color));
-    const ImGuiWindowFlags flags = scrolls ? pane_flags & ~ImGuiWindowFlags_NoScrollbar
-                                           : pane_flags | ImGuiWindowFlags_NoScrollWithMouse;
-    ImGui::Begin(name, nullptr, flags);
-  }
-  ~Pane() {
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(2);
-  }
-  Pane(const Pane&) = delete;
-  Pane& operator=(const Pane&) = delete;
-};
 
 } // namespace
 
@@ -105,6 +80,7 @@ Status App::setup(const ProgramOptions& options) {
   run_views_ = std::make_unique<RunViews>(*scene_view_, m.comparison);
   timeline_.emplace(m.debug, m.talk, m.investigation, m.comparison);
   overlays_.emplace(m);
+  panes_.emplace(m, *run_views_, *timeline_, *overlays_);
   if (options.history_limit > 0) m.settings.history_limit = options.history_limit;
   m.draft = options.run;
   if (m.draft.input.starts_with(lesson_prefix)) {
@@ -186,14 +162,17 @@ void App::keys(CommandSink& commands) {
       }
       continue;
     }
+    const bool in_pane = model_->pane_of_keys != PaneOfKeys::none;
+    if (in_pane && !press.control) imgui_->press(press.key);
     const Command* command = model_->commands.find(Chord{press.key, press.control, press.shift});
     if (command == nullptr) continue;
-    // While text is typed, only what cannot be text is a command.
+    // While text is typed or a pane has the keys, only what cannot be text is a command.
     const bool function_key = press.key >= GLFW_KEY_F1 && press.key <= GLFW_KEY_F25;
     const bool text_key = !press.control && press.key != GLFW_KEY_ESCAPE && !function_key;
     constexpr std::array<int, 6> edits{'A', 'C', 'V', 'X', 'Y', 'Z'};
     const bool editing = press.control && std::find(edits.begin(), edits.end(), press.key) != edits.end();
     if (ImGui::GetIO().WantTextInput && (text_key || editing)) continue;
+    if (in_pane && text_key) continue;
     if (!command->is_enabled()) continue;
     commands.post(command->name);
   }
@@ -247,142 +226,6 @@ void App::take_requests() {
   if (std::exchange(r.close, false)) window_->request_close();
 }
 
-void App::splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign,
-                   float least, float most) {
-  Pane pane(id, low, size, false, {0, 0}, ui.colors.ground);
-  ImGui::InvisibleButton("grip", size);
-  const bool hot = ImGui::IsItemActive() || ImGui::IsItemHovered();
-  if (hot) {
-    ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
-                                              to_u32(ui.colors.accent, 0.7f));
-  }
-  if (ImGui::IsItemActive()) {
-    const ImVec2 delta = ImGui::GetIO().MouseDelta;
-    value = std::clamp(value + sign * (upright ? delta.x : delta.y) / ui.scale, least, std::max(least, most));
-  }
-}
-
-void App::draw_talk(Ui& ui, ImVec2 size) {
-  const bool lesson = model_->lessons.runner.shown() != nullptr;
-  const bool covered = model_->overlay != Overlay::none;
-  const float bar = lesson ? panels::lesson_caption_height(ui, model_->lessons.runner, size.x)
-                           : panels::presenter_bar_height(ui, model_->talk, size.x);
-  float below = 0;
-  {
-    Pane pane("##view", {0, 0}, {size.x, size.y - bar}, false, {0, 0}, ui.colors.ground);
-    run_views_->draw(ui);
-    if (!covered && !model_->comparison.beside()) below = panels::presenter_legend(ui, model_->talk, {0, 0});
-  }
-  {
-    Pane pane("##talk", {0, size.y - bar}, {size.x, bar}, false, {0, 0}, ui.colors.panel);
-    if (lesson)
-      panels::lesson_caption(ui, model_->lessons.runner);
-    else
-      panels::presenter_bar(ui, model_->talk);
-  }
-  constexpr double pointer_seconds = 1; ///< it rests before it goes
-  if (!covered && model_->clock - active_at_ > pointer_seconds) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
-  // Messages wait until the audience is gone.
-  if (!covered && !lesson) panels::slide_title(ui, model_->talk.bookmarks, {0, below}, size.x);
-  overlays_->draw(ui, size);
-}
-
-void App::draw_window(Ui& ui) {
-  AppModel& m = *model_;
-  PaneLayout& p = m.settings.panes;
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float top = ui.px(40), status = ui.px(24), grip = std::max(ui.px(3), 2.0f), folded = ui.px(0);
-  const float width = size.x / ui.scale, height = size.y / ui.scale;
-  const bool lesson = m.lessons.runner.on();
-  const float left = lesson        ? ui.px(std::clamp(width * 0.32f, 300.0f, 440.0f))
-                     : p.show_left ? ui.px(std::min(p.left, width * 0.35f))
-                                   : folded;
-  const float right = p.show_right ? ui.px(std::min(p.right, width * 0.35f)) : folded;
-  const float bottom = p.show_bottom ? ui.px(std::min(p.bottom, height * 0.6f)) : 0;
-  const float middle_y = top + grip, bottom_y = size.y - status - bottom;
-  const float middle_high = bottom_y - middle_y - (bottom > 0 ? grip : 0);
-  const ImVec2 padding{ui.px(14), ui.px(10)};
-  if (m.presenter.on) {
-    draw_talk(ui, size);
-    return;
-  }
-
-  {
-    Pane pane("##top", {0, 0}, {size.x, top}, false, {0, 0}, ui.colors.panel);
-    panels::top_bar(ui);
-  }
-  if (lesson) {
-    const float high = std::round((p.show_left ? 0.55f : 1.0f) * middle_high);
-    {
-      Pane pane("##lesson", {0, middle_y}, {left, high}, false, padding, ui.colors.panel);
-      panels::lesson(ui, m.lessons.runner);
-    }
-    if (p.show_left) {
-      Pane pane("##left", {0, middle_y + high + grip}, {left, middle_high - high - grip}, true, padding,
-                ui.colors.panel);
-      panels::parameters_foot(ui, m.steering);
-      ImGui::Separator();
-      panels::parameters(ui);
-      ImGui::Separator();
-      panels::layers(ui);
-      ImGui::Separator();
-      panels::clip_and_filter(ui);
-    }
-  } else if (left > 0) {
-    // What a slider does and the buttons are always in sight, but where nothing else would be.
-    const float foot = panels::parameters_foot_height(ui), rest = middle_high - foot - grip;
-    const bool pinned = rest >= ui.px(100);
-    {
-      Pane pane("##left", {0, middle_y}, {left, pinned ? rest : middle_high}, true, padding, ui.colors.panel);
-      if (!pinned) panels::parameters_foot(ui, m.steering);
-      panels::layers(ui);
-      ImGui::Separator();
-      panels::parameters(ui);
-      ImGui::Separator();
-      panels::clip_and_filter(ui);
-    }
-    if (pinned) {
-      Pane pane("##parameters", {0, middle_y + rest + grip}, {left, foot}, false, {padding.x, ui.px(8)},
-                ui.colors.panel);
-      panels::parameters_foot(ui, m.steering);
-    }
-    splitter(ui, "##grip-left", {left, middle_y}, {grip, middle_high}, true, p.left, 1, 240, width * 0.35f);
-  }
-  if (right > 0) {
-    {
-      Pane pane("##right", {size.x - right, middle_y}, {right, middle_high}, true, padding, ui.colors.panel);
-      panels::inspector(ui, m.probe, m.debug, m.investigation);
-    }
-    splitter(ui, "##grip-right", {size.x - right - grip, middle_y}, {grip, middle_high}, true, p.right, -1,
-             260, width * 0.35f);
-  }
-  if (bottom > 0) {
-    splitter(ui, "##grip-bottom", {0, bottom_y - grip}, {size.x, grip}, false, p.bottom, -1, 110,
-             height * 0.6f);
-    Pane pane("##bottom", {0, bottom_y}, {size.x, bottom}, false, {ui.px(10), ui.px(4)}, ui.colors.panel);
-    timeline_->draw(ui);
-  }
-  const float view_x = left > 0 ? left + grip : 0, view_end = right > 0 ? size.x - right - grip : size.x;
-  {
-    Pane pane("##view", {view_x, middle_y}, {std::max(view_end - view_x, 1.0f), std::max(middle_high, 1.0f)},
-              false, {0, 0}, ui.colors.ground);
-    run_views_->draw(ui);
-  }
-  {
-    Pane pane("##status", {0, size.y - status}, {size.x, status}, false, {0, 0}, ui.colors.ground);
-    panels::status_bar(ui, m.comparison.history_memory());
-  }
-  panels::export_progress(ui, m.exports, {view_x, bottom_y - (bottom > 0 ? grip : 0)}, view_end - view_x);
-  if (m.overlay == Overlay::none && !lesson && m.has_state())
-    panels::coach_marks(ui, {{{{view_x, middle_y}, {view_end - view_x, middle_high}},
-                              {{0, bottom_y}, {bottom > 0 ? size.x : 0, bottom}},
-                              {{size.x - right, middle_y}, {right, middle_high}}}});
-  panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(m.warnings().empty() ? 46 : 78)},
-                   std::min(view_end - view_x - ui.px(24), ui.px(560)));
-  overlays_->draw(ui, size);
-}
-
 void App::frame() {
   AppModel& m = *model_;
   const double begun = glfwGetTime();
@@ -405,14 +248,16 @@ void App::frame() {
                       ImGui::GetIO().MousePos.y}; // the real mouse must not disturb a script
   }
   upload_thumbnails();
-  imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : -1);
+  imgui_->begin_frame(mouse ? &*mouse : nullptr, m.scripted ? script_step : -1,
+                      m.pane_of_keys != PaneOfKeys::none);
   CommandSink commands;
   Ui ui{m, m.commands, commands, palette(m.view.theme), m.view.theme, imgui_->fonts(), scale};
   if (!m.scripted || hands)
     keys(commands);
   else
     window_->take_keys();
-  draw_window(ui);
+  if (imgui_->has_presses()) frames_owed_ = std::max(frames_owed_, 2);
+  panes_->draw(ui, m.clock - active_at_ > pointer_seconds);
   m.dragging = ImGui::IsAnyMouseDown();
 
   const PixelSize size = window_->framebuffer_size();

@@ -4,11 +4,9 @@
 #include "app/app_model.h"
 #include "app/imgui_layer.h"
 #include "app/options.h"
-#include "app/overlays.h"
 #include "app/script.h"
+#include "app/window_panes.h"
 #include "export/exporter.h"
-#include "timeline/timeline_panel.h"
-#include "two_runs/run_views.h"
 
 #include <memory>
 #include <optional>
@@ -33,11 +31,6 @@ class App {
   /// closed.
   void end_because(const std::string& cause);
   void frame();
-  void draw_window(Ui& ui);
-  /// The window in presenter mode.
-  void draw_talk(Ui& ui, ImVec2 size);
-  void splitter(Ui& ui, const char* id, ImVec2 low, ImVec2 size, bool upright, float& value, float sign,
-                float least, float most);
   void keys(CommandSink& commands);
   void run_commands(CommandSink& commands);
   void take_requests();
@@ -57,6 +50,7 @@ class App {
   Exporter exporter_;
   std::optional<TimelinePane> timeline_;
   std::optional<Overlays> overlays_;
+  std::optional<WindowPanes> panes_;
   std::optional<ScriptRunner> script_;
   std::filesystem::path settings_path_;
   double last_time_ = 0;

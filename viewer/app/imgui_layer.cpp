@@ -5,9 +5,21 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <glad/gl.h>
 
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace isoscope {
+namespace {
+
+/// Those that go through a pane.
+constexpr std::array pane_keys{GLFW_KEY_UP,        GLFW_KEY_DOWN,  GLFW_KEY_LEFT, GLFW_KEY_RIGHT,
+                               GLFW_KEY_ENTER,     GLFW_KEY_SPACE, GLFW_KEY_TAB,  GLFW_KEY_PAGE_UP,
+                               GLFW_KEY_PAGE_DOWN, GLFW_KEY_HOME,  GLFW_KEY_END};
+
+} // namespace
 
 Result<std::unique_ptr<ImguiLayer>> ImguiLayer::create(Window& window) {
   IMGUI_CHECKVERSION();
@@ -45,15 +57,40 @@ Status ImguiLayer::prepare(float scale, ThemeKind theme) {
   return {};
 }
 
-void ImguiLayer::begin_frame(const MouseStep* mouse, double step) {
+void ImguiLayer::press(int key) {
+  if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) key = GLFW_KEY_SPACE; // which presses buttons too
+  if (std::find(pane_keys.begin(), pane_keys.end(), key) != pane_keys.end()) presses_.push_back(key);
+}
+
+void ImguiLayer::hold_keys() {
+  ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput) {
+    presses_.clear();
+    pressed_ = false;
+    return;
+  }
+  std::optional<int> held;
+  if (!pressed_ && !presses_.empty()) {
+    held = presses_.front();
+    presses_.pop_front();
+  }
+  pressed_ = held.has_value();
+  for (const int key : pane_keys) io.KeysDown[key] = held == key;
+}
+
+void ImguiLayer::begin_frame(const MouseStep* mouse, double step, bool keys_in_pane) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
-  // Arrows and Enter go through open menus; everywhere else they are the window's own.
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+  // Arrows and Enter go through open menus and the pane that has the keys; else they are the window's own.
+  if (keys_in_pane || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   else
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  if (keys_in_pane)
+    hold_keys();
+  else
+    presses_.clear(), pressed_ = false;
   if (step >= 0) io.DeltaTime = static_cast<float>(std::max(step, 1e-4));
   if (mouse != nullptr) {
     io.MousePos = {mouse->x, mouse->y};

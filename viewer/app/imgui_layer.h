@@ -5,6 +5,7 @@
 #include "platform/window.h"
 #include "ui/theme.h"
 
+#include <deque>
 #include <memory>
 
 namespace isoscope {
@@ -20,15 +21,22 @@ class ImguiLayer {
   /// Loads fonts and style anew when scale or theme changed. Between frames only.
   Status prepare(float scale, ThemeKind theme);
   /// `mouse`: a scripted mouse that replaces the real one for this frame; `step` seconds of time, negative:
-  /// the clock's.
-  void begin_frame(const MouseStep* mouse, double step);
+  /// the clock's. `keys_in_pane`: arrows and Enter go through a pane.
+  void begin_frame(const MouseStep* mouse, double step, bool keys_in_pane);
   void end_frame();
+  /// Hands a press of arrows, Enter and their like to the pane that has the keys, in a frame of its own: Dear
+  /// ImGui asks what is held down, and misses what is pressed and let go between two frames.
+  void press(int key);
+  bool has_presses() const { return !presses_.empty() || pressed_; }
   const Fonts& fonts() const { return fonts_; }
   float scale() const { return scale_; }
 
  private:
   ImguiLayer() = default;
+  void hold_keys();
   Fonts fonts_;
+  std::deque<int> presses_;
+  bool pressed_ = false; ///< in this frame: it is let go in the next
   float scale_ = 0;
   ThemeKind theme_ = ThemeKind::dark;
 };

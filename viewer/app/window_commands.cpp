@@ -20,6 +20,18 @@ Status toggle_panes(WindowState& m, const Arguments&) {
   return {};
 }
 
+/// The next pane in that direction that is there, or none: the window has its keys again.
+void move_keys(WindowState& m, int direction) {
+  const PaneLayout& p = m.settings.panes;
+  const std::array<bool, 4> there{true, p.show_left, p.show_right, p.show_bottom};
+  auto at = static_cast<std::size_t>(m.pane_of_keys);
+  do {
+    at = (at + there.size() + static_cast<std::size_t>(direction)) % there.size();
+  } while (!there.at(at));
+  m.pane_of_keys = static_cast<PaneOfKeys>(at);
+  m.keys_moved = true;
+}
+
 std::string tab_words() {
   std::string words;
   for (const BottomTabName& tab : bottom_tabs) words += (words.empty() ? "" : " | ") + std::string(tab.word);
@@ -70,22 +82,35 @@ void add_window_commands(CommandTable& table, WindowState& m, const NamedValues&
                 .run = flips(shown),
                 .checked = is_on(shown)}});
   }
-  table.add({{.name = "only-view",
-              .title = "Only the view",
-              .help = "Hides all panes, or shows them again.",
-              .menu = "Window",
-              .keys = {{'P', false, true}},
-              .run = on(m, toggle_panes)},
-             {.name = "reset-layout",
-              .title = "Reset layout",
-              .help = "All panes in the sizes and places that they had at first.",
-              .menu = "Window",
-              .run = does([&m] { m.settings.panes = {}; })},
-             {.name = "tab",
-              .title = "Bottom tab",
-              .usage = tab_words(),
-              .help = "Chooses what the bottom pane shows.",
-              .run = on(m, choose_tab)}});
+  table.add(
+      {{.name = "only-view",
+        .title = "Only the view",
+        .help = "Hides all panes, or shows them again.",
+        .menu = "Window",
+        .keys = {{'P', false, true}},
+        .run = on(m, toggle_panes)},
+       {.name = "next-pane",
+        .title = "Keys to the next pane",
+        .help = "Arrows, Enter and Tab go through the left, the right and the bottom pane in turn; after "
+                "the last, or with Esc, they are the window's again.",
+        .menu = "Window",
+        .keys = {{GLFW_KEY_F6}},
+        .run = does([&m] { move_keys(m, 1); })},
+       {.name = "previous-pane",
+        .title = "Keys to the previous pane",
+        .help = "The same backwards.",
+        .keys = {{GLFW_KEY_F6, false, true}},
+        .run = does([&m] { move_keys(m, -1); })},
+       {.name = "reset-layout",
+        .title = "Reset layout",
+        .help = "All panes in the sizes and places that they had at first.",
+        .menu = "Window",
+        .run = does([&m] { m.reset_layout(); })},
+       {.name = "tab",
+        .title = "Bottom tab",
+        .usage = tab_words(),
+        .help = "Chooses what the bottom pane shows.",
+        .run = on(m, choose_tab)}});
   add_group(table, {.menu = "Window"},
             {{.name = "theme",
               .title = "Theme",
@@ -163,6 +188,10 @@ void add_window_values(NamedValues& values, WindowState& m) {
                [&m, shown = pane.shown] { return m.kept_layout().*shown; });
   }
   values.add("menu", "the menu that is open", [&m] { return m.menu.empty() ? std::string("none") : m.menu; });
+  values.add("keys", "the pane that arrows and Enter go through: none, left, right or bottom", [&m] {
+    constexpr std::array<std::string_view, 4> names{"none", "left", "right", "bottom"};
+    return names.at(static_cast<std::size_t>(m.pane_of_keys));
+  });
   values.add("coach.closed", "first hints that are closed, as bits",
              [&m] { return int{m.settings.coach_closed}; });
 }

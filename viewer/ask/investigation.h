@@ -211,6 +211,8 @@ void rim_rows(Ui& ui, const Investigation& asked);
 void loops_tab(Ui& ui, Investigation& asked);
 /// What is known of all points, under the summary of a step.
 void points_summary(Ui& ui);
+/// At the end of the run: what is proven of its mesh.
+void certificate(Ui& ui);
 /// The distances of the points to the finished mesh.
 void point_distances(Ui& ui, const RunResult& result, double delta);
 /// Under tetrahedra, samples and edges: which parameters would change the verdict.

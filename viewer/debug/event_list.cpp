@@ -212,8 +212,7 @@ void EventList::draw(Ui& ui, const Debugger& debugger) {
               [](std::size_t i) { return i == 0 ? "none" : words(static_cast<Condition>(i)).title; });
   ImGui::SameLine(0, ui.px(5));
   std::bitset<reason_count> rejections;
-  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r)
-    rejections.set(static_cast<std::size_t>(r));
+  for (const Reason reason : rejecting_reasons) rejections.set(static_cast<std::size_t>(reason));
   filter_menu(ui, "reason", f.reasons, rejections,
               [](std::size_t i) { return words(static_cast<Reason>(i)).title; });
   ImGui::SameLine(0, ui.px(10));

@@ -23,7 +23,7 @@ struct EventNumbers {
 };
 EventNumbers event_numbers(const Journal& journal, const JournalIndex& index, std::uint32_t event);
 
-/// Sorted anew where rows, times or wish are others.
+/// Sorted anew where journal, query or wish are others; rows that come in are merged.
 class EventOrder {
  public:
   /// The rows by a column; what has nothing there comes last, equals by step. By step, and of more than
@@ -38,6 +38,11 @@ class EventOrder {
   EventSort sort_;
   std::size_t taken_ = 0;
   Step indexed_ = 0; ///< steps whose times were known
+  struct Keyed {
+    double key = 0; ///< NaN: nothing there
+    std::uint32_t row = 0;
+  };
+  std::vector<Keyed> settled_; ///< the first rows of the list, those whose keys stay, in the order wanted
   std::vector<std::uint32_t> rows_;
 };
 

@@ -40,14 +40,14 @@ bool at_gate(const Ui& ui, std::size_t gate);
 /// The ground of the gate at which one stands; brings it into sight when it is reached.
 void gate_ground(const Ui& ui, ImVec2 low, ImVec2 size);
 
-/// What a number of a reason means: lengths are told in δ.
+/// A number with its limit, told in δ where it is a length.
 struct Measured {
   double value = 0, limit = 0;
   const char* unit = "";
   bool upper = true;   ///< the limit must not be exceeded
   bool number = false; ///< there is one
 };
-Measured measured(Reason reason, double value, double limit, double delta);
+Measured measured(Measure measure, double value, double limit, double delta);
 
 /// What the journal says of the edge's event, where it measured something; the sweeps of a repair.
 void event_details(Ui& ui, const Journal& journal, std::uint32_t index);

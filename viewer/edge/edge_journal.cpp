@@ -135,21 +135,11 @@ void gate_ground(const Ui& ui, ImVec2 low, ImVec2 size) {
   if (middle < 0.1f * high || middle > 0.9f * high) ImGui::SetScrollFromPosY(middle, 0.5f);
 }
 
-Measured measured(Reason reason, double value, double limit, double delta) {
-  switch (reason) {
-  case Reason::outside_tolerance:
-  case Reason::unproven:
-  case Reason::stays_above:
-    return {value / delta, limit / delta, "δ", true, true};
-  case Reason::misclassified:
-    return {value, limit, "", true, true};
-  case Reason::normals:
-    return {value, limit, "", false, true};
-  case Reason::kernel_empty:
-    return {value / delta, 0, "δ", false, true};
-  default:
-    return {};
-  }
+Measured measured(Measure measure, double value, double limit, double delta) {
+  if (measure == Measure::none) return {};
+  const bool upper = measure == Measure::length || measure == Measure::error;
+  if (is_length(measure)) return {value / delta, limit / delta, "δ", upper, true};
+  return {value, limit, "", upper, true};
 }
 
 void event_details(Ui& ui, const Journal& journal, std::uint32_t index) {
@@ -160,10 +150,9 @@ void event_details(Ui& ui, const Journal& journal, std::uint32_t index) {
   ImGui::PopFont();
   const bool repaired =
       e.kind == EventKind::repair || e.kind == EventKind::relaxation || e.kind == EventKind::shake;
-  const Reason reason = repaired ? Reason::stays_above : e.reason;
   if (e.kind == EventKind::rejection || repaired)
-    measured_row(ui, repaired ? "largest d" : words(reason).title,
-                 measured(reason, e.value, e.limit, delta > 0 ? delta : 1));
+    measured_row(ui, repaired ? "largest d" : words(e.reason).title,
+                 measured(measure_of(e), e.value, e.limit, delta > 0 ? delta : 1));
   const bool witnessed = e.kind == EventKind::rejection && squared_length(e.witness) > 0;
   if (witnessed && widgets::link_row(ui, "witness", "witness",
                                      short_number(e.witness.x) + "  " + short_number(e.witness.y) + "  " +

@@ -32,7 +32,7 @@ void candidate_row(Ui& ui, const EdgeXray& x, std::uint32_t i) {
   row.glyph(8, style.color, style.shape, 4.0f);
   row.text(ui.fonts.small, 20, ui.colors.quiet, std::to_string(i));
   row.text(ui.fonts.small, 44, ui.colors.text, style.title);
-  const Measured m = measured(c.rejected, c.value, c.limit, x.criteria.unit());
+  const Measured m = measured(words(c.rejected).measure, c.value, c.limit, x.criteria.unit());
   if (m.number) row.value(ui.colors.text, number_beside(m.value, m.limit) + (*m.unit ? " " : "") + m.unit);
   row.below();
 }
@@ -101,7 +101,7 @@ std::string check_text(CollapseCheck check, const CheckVerdict& v, const Collaps
   default:
     break;
   }
-  const Measured m = measured(words(check).reason, v.value, v.limit, delta);
+  const Measured m = measured(words(words(check).reason).measure, v.value, v.limit, delta);
   if (!m.number || (v.witness == Vec3{} && v.value == 0)) return {};
   const std::string limit = m.limit == 1 ? "1" : m.limit == 0 ? "0" : short_number(m.limit);
   const std::string_view sign = m.upper ? " / " : m.value > m.limit ? " > " : " ≤ ";

@@ -127,8 +127,7 @@ void add_xray(NamedValues& t, const EdgeProbe& m) {
      [](const X& x) { return x.pruning.wrong.size(); });
   of("costlier_wrong", "centres left out as too costly that are not",
      [](const X& x) { return x.pruning.costlier_wrong; });
-  for (int i = static_cast<int>(first_rejection); i <= static_cast<int>(last_rejection); ++i) {
-    const auto reason = static_cast<Reason>(i);
+  for (const Reason reason : rejecting_reasons) {
     of("rejected." + std::string(name(reason)), "candidates rejected for that reason",
        [reason](const X& x) { return x.candidates[static_cast<std::size_t>(reason)]; });
   }

@@ -23,7 +23,7 @@ enum class BottomTab : std::uint8_t {
   tolerance,
   loops
 };
-constexpr int bottom_tab_count = 9;
+constexpr int bottom_tab_count = static_cast<int>(BottomTab::loops) + 1;
 
 /// Sizes in units of the interface, before scaling.
 struct PaneLayout {

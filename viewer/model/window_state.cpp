@@ -71,6 +71,11 @@ void WindowState::end_loan(LayoutGuest guest) {
   if (guests_ == 0) kept_layout_.reset();
 }
 
+void WindowState::reset_layout() {
+  settings.panes = {};
+  if (kept_layout_) kept_layout_ = settings.panes;
+}
+
 std::string_view name(AnswerKind answer) {
   constexpr std::array<std::string_view, 7> words{"none",        "unlock",   "advice", "what-if",
                                                   "certificate", "topology", "check"};

@@ -142,6 +142,9 @@ struct Presenter {
 /// Who shows another layout for a while than the one that is kept.
 enum class LayoutGuest : std::uint8_t { lesson = 1, two_views = 2 };
 
+/// The pane that arrows, Enter and letters go to instead of being the window's own.
+enum class PaneOfKeys : std::uint8_t { none, left, right, bottom };
+
 /// The active run, and how the window looks at it. Features keep a reference to it; plain settings are
 /// changed in place.
 class WindowState : public ShownRun {
@@ -171,6 +174,8 @@ class WindowState : public ShownRun {
   bool dragging = false; ///< a mouse button is held: what it changes is one entry of the history
   Presenter presenter;
   AnswerInSight answer;
+  PaneOfKeys pane_of_keys = PaneOfKeys::none;
+  bool keys_moved = false;    ///< to another pane since the last frame
   std::string open_menu;      ///< asked for by a key: opened in the next frame
   std::string menu;           ///< that is open
   float inspector_scroll = 0; ///< pixels; told by the inspector
@@ -201,6 +206,8 @@ class WindowState : public ShownRun {
   /// that is kept, until the last guest has left. A guest that is there already changes nothing.
   void lend_layout(LayoutGuest guest);
   void end_loan(LayoutGuest guest);
+  /// The first layout, also where another one is kept meanwhile.
+  void reset_layout();
   bool has_guest(LayoutGuest guest) const { return (guests_ & static_cast<unsigned>(guest)) != 0; }
   /// The layout that is remembered between sessions.
   const PaneLayout& kept_layout() const { return kept_layout_ ? *kept_layout_ : settings.panes; }

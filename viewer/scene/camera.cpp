@@ -59,21 +59,24 @@ void Camera::set(const CameraPose& pose, bool ease) {
   }
 }
 
-void Camera::frame(const Box3& box, bool ease) {
+void Camera::frame(const Box3& box, bool ease, double aspect) {
   if (box.empty()) return;
   CameraPose pose = transition_ < 1 ? to_ : pose_;
   const glm::dquat to_camera = glm::conjugate(quaternion(pose));
   const double tangent = 0.92 * std::tan(glm::radians(pose.fov) / 2);
+  const double sideways = tangent * std::min(1.0, aspect);
   const Vec3 center = box.center(), half = 0.5 * box.extent();
   double distance = 0;
   const auto include = [&](Vec3 offset) {
     const glm::dvec3 c = to_camera * to_glm(offset);
-    distance = std::max(distance, c.z + std::max(std::abs(c.x), std::abs(c.y)) / tangent);
+    distance = std::max(distance, c.z + std::max(std::abs(c.x) / sideways, std::abs(c.y) / tangent));
   };
-  // Models touch the faces of their boxes, seldom the corners: those may come closer to the border.
+  // Models touch the faces of their boxes, seldom the corners: those may come closer to the border, but where
+  // the view is narrow, as there is nothing beside it.
+  const double inwards = aspect < 1 ? 0.95 : 0.82;
   for (int corner = 0; corner < 8; ++corner)
-    include(0.82 * Vec3{(corner & 1) ? half.x : -half.x, (corner & 2) ? half.y : -half.y,
-                        (corner & 4) ? half.z : -half.z});
+    include(inwards * Vec3{(corner & 1) ? half.x : -half.x, (corner & 2) ? half.y : -half.y,
+                           (corner & 4) ? half.z : -half.z});
   for (const double sign : {-1.0, 1.0}) {
     include({sign * half.x, 0, 0});
     include({0, sign * half.y, 0});

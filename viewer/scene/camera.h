@@ -35,8 +35,8 @@ class Camera {
   bool was_set() const { return was_set_; }
   void mark_set() { was_set_ = true; }
 
-  /// Looks at the box from the present direction so that it fills the view.
-  void frame(const Box3& box, bool ease);
+  /// Looks at the box from the present direction so that it fills a view of that aspect, width to height.
+  void frame(const Box3& box, bool ease, double aspect = 1);
   /// Advances a transition; true while it is under way.
   bool update(double seconds);
 

@@ -1,30 +1,18 @@
 // Hatching is cut from the faces by evenly spaced planes, so that it runs on from face to face.
 #include "scene/search_regions.h"
 
+#include "scene/plane_cut.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace isoscope {
 namespace {
 
 using Polygon = std::vector<Vec3>;
-
-/// The segment in which a plane meets a convex polygon.
-std::optional<std::array<Vec3, 2>> cut(const Polygon& polygon, Vec3 normal, double offset) {
-  std::array<Vec3, 2> ends;
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < polygon.size() && found < 2; ++i) {
-    const Vec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-    const double ha = dot(normal, a) - offset, hb = dot(normal, b) - offset;
-    if ((ha < 0) == (hb < 0)) continue;
-    ends[found++] = a + ha / (ha - hb) * (b - a);
-  }
-  return found == 2 ? std::optional(ends) : std::nullopt;
-}
 
 void hatch(const Polygon& polygon, double spacing, const SceneSpace& space, Color8 tint, LineBuilder& lines) {
   const Vec3 normal = normalized(Vec3{1, 1.3, 0.7});
@@ -34,7 +22,11 @@ void hatch(const Polygon& polygon, double spacing, const SceneSpace& space, Colo
     high = std::max(high, dot(normal, p));
   }
   for (double k = std::ceil(low / spacing); k * spacing < high; ++k)
-    if (const auto s = cut(polygon, normal, k * spacing))
+    if (const auto s = cut_polygon(
+            polygon.size(), [&](std::size_t i) { return dot(normal, polygon[i]) - k * spacing; },
+            [&](std::size_t i, std::size_t j, double t) {
+              return polygon[i] + t * (polygon[j] - polygon[i]);
+            }))
       lines.segment(space.local((*s)[0]), space.local((*s)[1]), tint, 0.9f);
 }
 

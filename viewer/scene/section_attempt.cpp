@@ -4,6 +4,7 @@
 #include "questions/outside_kernel.h"
 #include "scene/meanings.h"
 #include "scene/octree_fates.h"
+#include "scene/plane_cut.h"
 
 #include <algorithm>
 #include <array>
@@ -36,11 +37,9 @@ std::optional<Vec3> crossing(Vec3 a, Vec3 b, const SectionPlane& plane) {
 }
 
 std::optional<std::array<PlanePoint, 2>> cut_triangle(const Triangle3& t, const SectionPlane& plane) {
-  std::array<PlanePoint, 2> ends;
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < 3 && found < 2; ++i)
-    if (const auto p = crossing(t[i], t[(i + 1) % 3], plane)) ends[found++] = plane.project(*p);
-  return found == 2 ? std::optional(ends) : std::nullopt;
+  return cut_polygon(
+      3, [&](std::size_t i) { return plane.height(t[i]); },
+      [&](std::size_t i, std::size_t j, double part) { return plane.project(t[i] + part * (t[j] - t[i])); });
 }
 
 class Builder {
@@ -194,16 +193,13 @@ std::vector<std::array<PlanePoint, 2>> hatch_lines(const std::vector<PlanePoint>
   for (const PlanePoint& p : polygon) low = std::min(low, height(p)), high = std::max(high, height(p));
   if (!(spacing > 0) || !(high - low < 1e4 * spacing)) return lines;
   for (double k = std::ceil(low / spacing); k * spacing < high; ++k) {
-    std::array<PlanePoint, 2> ends;
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < polygon.size() && found < 2; ++i) {
-      const PlanePoint a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      const double ha = height(a) - k * spacing, hb = height(b) - k * spacing;
-      if ((ha >= 0) == (hb >= 0)) continue;
-      const double t = ha / (ha - hb);
-      ends[found++] = {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
-    }
-    if (found == 2) lines.push_back(ends);
+    const auto ends = cut_polygon(
+        polygon.size(), [&](std::size_t i) { return height(polygon[i]) - k * spacing; },
+        [&](std::size_t i, std::size_t j, double t) {
+          const PlanePoint a = polygon[i], b = polygon[j];
+          return PlanePoint{a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
+        });
+    if (ends) lines.push_back(*ends);
   }
   return lines;
 }

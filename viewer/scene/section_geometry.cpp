@@ -4,6 +4,7 @@
 #include "base/labels.h"
 #include "mesh/sample_sets.h"
 #include "mesh/zero_curves.h"
+#include "scene/plane_cut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +19,10 @@ using Segment = SectionGeometry::Segment;
 /// Where a convex polygon with the given heights meets the plane.
 std::optional<Segment> cut(std::span<const Vec3> p, std::span<const double> height,
                            const SectionPlane& plane) {
-  std::array<PlanePoint, 2> ends;
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < p.size() && found < 2; ++i) {
-    const std::size_t j = (i + 1) % p.size();
-    if ((height[i] >= 0) == (height[j] >= 0)) continue;
-    const double t = height[i] / (height[i] - height[j]);
-    ends[found++] = plane.project(p[i] + t * (p[j] - p[i]));
-  }
-  if (found < 2) return std::nullopt;
-  return Segment{ends[0], ends[1]};
+  const auto ends = cut_polygon(
+      p.size(), [&](std::size_t i) { return height[i]; },
+      [&](std::size_t i, std::size_t j, double t) { return plane.project(p[i] + t * (p[j] - p[i])); });
+  return ends ? std::optional(Segment{(*ends)[0], (*ends)[1]}) : std::nullopt;
 }
 
 constexpr std::array<std::array<std::size_t, 3>, 4> facets{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};

@@ -41,16 +41,11 @@ Stage live_stage(const JournalIndex& index) {
   return index.stages().empty() ? Stage::refinement : index.stages().back().stage;
 }
 
-/// The stage that a branch at a step goes on in.
-Stage stage_at(const JournalIndex& index, Step step) {
-  if (step == 0 || index.steps() == 0) return Stage::refinement;
-  const Stage stage = index.stage(std::min(step, index.steps()) - 1);
-  return stage == Stage::setup ? Stage::refinement : stage;
-}
-
+/// What can_go_on() says, asked every frame: by the index.
 bool can_branch_at(const JournalIndex& index, Step step) {
   const auto improver = index.begin_of(Stage::improve);
-  return step > 0 && step <= index.steps() && (!improver || step <= *improver);
+  return step > 0 && step <= index.steps() && (!improver || step <= *improver) &&
+         index.count(EventKind::fill, 0, step) == 0;
 }
 
 /// The last step at which all changes matter.
@@ -99,11 +94,8 @@ RunParameters used_parameters(const WindowState& window) {
 }
 
 Status check_draft(const RunParameters& draft) {
-  Status first;
-  for_each_field<RunParameters>([&](const auto& f) {
-    if (first) first = check_field(f, std::string(f.symbol), draft.*(f.member));
-  });
-  return first ? check(draft) : first;
+  const Status each = check_fields(draft, [](const FieldFacts& f) { return std::string(f.symbol); });
+  return each ? check(draft) : each;
 }
 
 ApplyPlan plan_apply(const WindowState& window) {
@@ -144,7 +136,7 @@ ApplyPlan plan_apply(const WindowState& window) {
     plan.words = "Apply goes on from here, the run's end so far.";
     return plan;
   }
-  if (can_branch_at(index, step) && some_matter(stage_at(index, step))) {
+  if (can_branch_at(index, step) && some_matter(stage_to_go_on(*window.run.journal, step))) {
     plan.way = ApplyWay::branch;
     plan.words = "Apply branches at step " + grouped(step) + ".";
     return plan;

@@ -74,7 +74,11 @@ void violation_count(const Ui& ui, const char* name, const char* help, std::opti
   ImGui::PopID();
   widgets::tip(ui, name, help);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  widgets::draw_text(list, ui.fonts.small, at, to_u32(ui.colors.quiet), name);
+  {
+    const widgets::Font font(ui.fonts.small);
+    widgets::draw_text(list, ui.fonts.small, at, to_u32(ui.colors.quiet),
+                       widgets::fitted(name, width - ui.px(6)));
+  }
   const bool known = then && *then != now;
   const std::string before = now ? grouped(*now) : "–",
                     text = known ? before + " → " + grouped(*then) : before;

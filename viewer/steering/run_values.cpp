@@ -27,8 +27,7 @@ void add_run_readings(NamedValues& t, const WindowState& m) {
                                EventKind::relaxation, EventKind::shake})
     t.add("count." + std::string(name(kind)), "operations of that kind so far",
           [kind, &m] { return m.index.count(kind, 0, m.index.steps()); });
-  for (int i = static_cast<int>(first_rejection); i <= static_cast<int>(last_rejection); ++i) {
-    const auto reason = static_cast<Reason>(i);
+  for (const Reason reason : rejecting_reasons) {
     t.add("rejected." + std::string(name(reason)), "edges rejected for that reason so far",
           [reason, &m] { return m.index.rejections(reason, 0, m.index.steps() + 1); });
   }

@@ -71,10 +71,6 @@ Status Steering::apply_earlier() {
   return wanted.error ? *wanted.error : usage("What was changed matters at the step shown: use apply.");
 }
 
-bool Steering::draft_needs_restart() const {
-  return fields_differ(window.draft, window.run.parameters, [](const FieldFacts& f) { return f.restart; });
-}
-
 bool Steering::draft_differs() const {
   const double by_default = window.run.scene ? window.run.scene->default_sigma : 0.5;
   RunParameters wanted = window.draft, now = used_parameters(window);

@@ -52,9 +52,8 @@ class Steering {
   /// Puts a number or a text into the draft as if it were typed: out of its range, too.
   Status type_parameter(const std::string& parameter, const std::string& text);
   ApplyPlan plan() const { return plan_apply(window); }
-  /// Whether the draft differs from what the run was asked, and whether that needs a restart.
+  /// Whether the draft differs from what the run has at the step shown.
   bool draft_differs() const;
-  bool draft_needs_restart() const;
   /// The live preview for the draft, null while it is computed.
   std::shared_ptr<const ViolationPreview> draft_preview() const;
 

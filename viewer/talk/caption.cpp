@@ -10,34 +10,13 @@ namespace {
 
 constexpr std::uint32_t fewest_alike = 3; ///< operations that are told as one
 
-/// What points go in for, in many words.
-std::string_view plain_cause(Condition condition) {
-  switch (condition) {
-  case Condition::classification:
-    return "samples on the wrong side";
-  case Condition::height:
-    return "flat tetrahedra";
-  case Condition::orientation:
-    return "tetrahedra that face the wrong way";
-  case Condition::topology:
-    return "the topology of Z";
-  case Condition::containment:
-    return "places where Z may leave the tolerance";
-  case Condition::witness:
-    return "regions on the wrong side";
-  case Condition::none:
-    break;
-  }
-  return "the set-up";
-}
-
 /// "simplifying Z: 37 edges have collapsed in a row, Z has 412 vertices"; empty for what does not add up.
 std::string summed_up(const Event& e, std::uint32_t n, const StateSnapshot& state) {
   const std::string stage = std::string(words(e.stage).plain) + ": ";
   const std::string left = ", Z has " + grouped(state.zero_set.vertices.size()) + " vertices";
   switch (e.kind) {
   case EventKind::insertion:
-    return stage + grouped(n) + " points in a row went in for " + std::string(plain_cause(e.condition)) +
+    return stage + grouped(n) + " points in a row went in for " + std::string(words(e.condition).cause) +
            "; " + grouped(state.bad_samples) + " samples are bad";
   case EventKind::collapse:
     return stage + grouped(n) + " edges in a row have collapsed" + left;

@@ -34,64 +34,52 @@ void progress_line(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, ImVec2 
                      to_u32(ui.colors.text));
 }
 
-/// The bar's sentences, broken into lines.
-struct Sentences {
-  std::string what, why, place;
-  float text_x, place_x, what_high, why_high;
-  float wrap() const { return place_x - text_x; }
-};
-
 float height_of(const ImFont* font, const std::string& text, float wrap) {
   if (text.empty()) return 0;
   return font->CalcTextSizeA(font->FontSize, 1e9f, wrap, text.data(), text.data() + text.size()).y;
-}
-
-Sentences sentences(const Ui& ui, const Talk& talk, float width) {
-  const WindowState& m = ui.window;
-  Sentences s;
-  s.what = talk.caption();
-  s.why = talk.caption_why();
-  s.place = grouped(m.transport.step()) + " / " + grouped(m.live_step());
-  if (m.playing()) {
-    const double speed = m.transport.speed();
-    s.place += speed == Transport::automatic ? "" : "  " + widgets::speed_text(speed);
-  }
-  s.text_x = ui.px(36);
-  s.place_x = width - ui.px(48) - widgets::width_of(ui.fonts.small, s.place);
-  s.what_high = height_of(ui.fonts.ui, s.what, s.wrap());
-  s.why_high = height_of(ui.fonts.small, s.why, s.wrap());
-  return s;
 }
 
 constexpr float above_units = 15, below_units = 9; ///< room around the sentences
 
 } // namespace
 
-// Room for two lines and the reason: the view keeps its size from step to step, but for the longest texts.
-float presenter_bar_height(const Ui& ui, const Talk& talk, float width) {
-  const Sentences s = sentences(ui, talk, width);
-  const float usual = 2 * ui.fonts.ui->FontSize + ui.fonts.small->FontSize;
-  return std::round(std::max(s.what_high + s.why_high, usual) + ui.px(above_units) + ui.px(below_units));
+PresenterBar::PresenterBar(const Ui& ui, const Talk& talk, float width)
+    : talk_(talk), what_(talk.caption()), why_(talk.caption_why()) {
+  const WindowState& m = ui.window;
+  place_ = grouped(m.transport.step()) + " / " + grouped(m.live_step());
+  if (m.playing()) {
+    const double speed = m.transport.speed();
+    place_ += speed == Transport::automatic ? "" : "  " + widgets::speed_text(speed);
+  }
+  text_x_ = ui.px(36);
+  place_x_ = width - ui.px(48) - widgets::width_of(ui.fonts.small, place_);
+  what_high_ = height_of(ui.fonts.ui, what_, wrap());
+  why_high_ = height_of(ui.fonts.small, why_, wrap());
 }
 
-void presenter_bar(Ui& ui, const Talk& talk) {
+// Room for two lines and the reason: the view keeps its size from step to step, but for the longest texts.
+float PresenterBar::height(const Ui& ui) const {
+  const float usual = 2 * ui.fonts.ui->FontSize + ui.fonts.small->FontSize;
+  return std::round(std::max(what_high_ + why_high_, usual) + ui.px(above_units) + ui.px(below_units));
+}
+
+void PresenterBar::draw(const Ui& ui) const {
   const WindowState& m = ui.window;
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  progress_line(ui, talk.bookmarks, {low.x, low.y + ui.px(5)}, {size.x, ui.px(4)});
-  const Sentences s = sentences(ui, talk, size.x);
+  progress_line(ui, talk_.bookmarks, {low.x, low.y + ui.px(5)}, {size.x, ui.px(4)});
   const float room = size.y - ui.px(above_units) - ui.px(below_units);
-  const float top = low.y + ui.px(above_units) + std::max(0.0f, (room - s.what_high - s.why_high) / 2);
+  const float top = low.y + ui.px(above_units) + std::max(0.0f, (room - what_high_ - why_high_) / 2);
   const float line = top + ui.fonts.ui->FontSize / 2;
 
-  const float place_x = low.x + s.place_x + ui.px(34);
+  const float place_x = low.x + place_x_ + ui.px(34);
   widgets::draw_text(list, ui.fonts.small, {place_x, line - ui.fonts.small->FontSize / 2},
-                     to_u32(ui.colors.quiet), s.place);
+                     to_u32(ui.colors.quiet), place_);
   widgets::draw_text(list, ui.fonts.ui, {place_x - ui.px(24), line - ui.fonts.ui->FontSize / 2},
                      to_u32(ui.colors.quiet), m.playing() ? icon::play : icon::pause);
 
   const auto kept = m.state(); // the event may be its own
-  const Event* event = talk.caption_event();
+  const Event* event = talk_.caption_event();
   const bool rejected = event != nullptr && event->kind == EventKind::rejection;
   const Rgb color = event == nullptr ? ui.colors.quiet
                     : rejected       ? words(event->reason).color
@@ -101,11 +89,11 @@ void presenter_bar(Ui& ui, const Talk& talk) {
   widgets::glyph(ui, {low.x + ui.px(20), line}, 6, color,
                  rejected ? words(event->reason).shape : MarkerShape::disc);
   const auto text = [&](ImFont* font, float y, Rgb shade, const std::string& words) {
-    list.AddText(font, font->FontSize, {low.x + s.text_x, y}, to_u32(shade), words.data(),
-                 words.data() + words.size(), s.wrap());
+    list.AddText(font, font->FontSize, {low.x + text_x_, y}, to_u32(shade), words.data(),
+                 words.data() + words.size(), wrap());
   };
-  text(ui.fonts.ui, top, ui.colors.text, s.what);
-  text(ui.fonts.small, top + s.what_high, ui.colors.quiet, s.why);
+  text(ui.fonts.ui, top, ui.colors.text, what_);
+  text(ui.fonts.small, top + what_high_, ui.colors.quiet, why_);
 }
 
 void slide_title(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, float width) {

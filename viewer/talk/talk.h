@@ -65,10 +65,22 @@ class Talk {
 
 namespace panels {
 
-/// How high the presenter's bar has to be, so that all of its sentences stand in it.
-float presenter_bar_height(const Ui& ui, const Talk& talk, float width);
-/// The sentences of the step shown, and where in the run it is. Fills the pane it is in.
-void presenter_bar(Ui& ui, const Talk& talk);
+/// The sentences of the step shown, and where in the run it is; made once a frame.
+class PresenterBar {
+ public:
+  /// `width` is that of its pane.
+  PresenterBar(const Ui& ui, const Talk& talk, float width);
+  /// How high its pane has to be, so that all of the sentences stand in it.
+  float height(const Ui& ui) const;
+  /// Fills the pane it is in.
+  void draw(const Ui& ui) const;
+
+ private:
+  float wrap() const { return place_x_ - text_x_; }
+  const Talk& talk_;
+  std::string what_, why_, place_;
+  float text_x_ = 0, place_x_ = 0, what_high_ = 0, why_high_ = 0;
+};
 /// Stage and figure over the view, and what the marks in it mean; returns where it ends below.
 float presenter_legend(const Ui& ui, const Talk& talk, ImVec2 low);
 /// Number and note of the bookmark that is shown, over the view; `low` is the view's corner.

@@ -184,14 +184,13 @@ void TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float top = low.y + ui.px(title_high), bottom = low.y + size.y - ui.px(6);
   std::uint32_t most = 1, all = 0;
-  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
-    most = std::max(most, index.rejections(static_cast<Reason>(r), 0, index.steps() + 1));
-    all += index.rejections(static_cast<Reason>(r), 0, ui.window.transport.step() + 1);
+  for (const Reason reason : rejecting_reasons) {
+    most = std::max(most, index.rejections(reason, 0, index.steps() + 1));
+    all += index.rejections(reason, 0, ui.window.transport.step() + 1);
   }
   const Axis axis{1, static_cast<double>(std::max(most, 2u)), most > decade};
   const int columns = std::max(2, static_cast<int>(size.x / ui.px(2)));
-  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
-    const auto reason = static_cast<Reason>(r);
+  for (const Reason reason : rejecting_reasons) {
     if (index.rejections(reason).empty()) continue;
     std::vector<ImVec2> line;
     for (int i = 0; i <= columns; ++i) {
@@ -223,8 +222,8 @@ void TimelinePane::plots(Ui& ui) {
                         {"largest ε", Figure::largest_error, ui.colors.warning_text, false, "", 1},
                         {"smallest height", Figure::smallest_height, ui.colors.good_text, false, " δ", 1}};
   bool rejections = false;
-  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r)
-    rejections = rejections || !m.index.rejections(static_cast<Reason>(r)).empty();
+  for (const Reason reason : rejecting_reasons)
+    rejections = rejections || !m.index.rejections(reason).empty();
   if (rejections) all.pop_back(); // heights belong to the refinement alone
   constexpr float rejection_weight = 1.7f;
   float weights = rejections ? rejection_weight : 0;

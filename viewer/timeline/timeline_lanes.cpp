@@ -55,8 +55,7 @@ std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind the
                      [&index, kind](Step a, Step b) { return index.count(kind, a, b); },
                      {}});
   }
-  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
-    const auto reason = static_cast<Reason>(r);
+  for (const Reason reason : rejecting_reasons) {
     const ReasonWords& style = words(reason);
     lanes.push_back({std::string(style.name),
                      std::string(style.title),

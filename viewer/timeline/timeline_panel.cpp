@@ -321,11 +321,11 @@ void TimelinePane::timeline(Ui& ui) {
   const double column = (range_.end - range_.begin) * static_cast<double>(ui.px(3) / size.x);
   const Step reach = std::max<Step>(1, static_cast<Step>(column));
   std::string stayed;
-  for (int r = static_cast<int>(first_rejection); r <= static_cast<int>(last_rejection); ++r) {
-    const auto n = index.rejections(static_cast<Reason>(r), step, step + reach);
+  for (const Reason reason : rejecting_reasons) {
+    const auto n = index.rejections(reason, step, step + reach);
     if (n > 0)
       stayed += (stayed.empty() ? "\nEdges that stayed here: " : ", ") + grouped(n) + " " +
-                std::string(words(static_cast<Reason>(r)).title);
+                std::string(words(reason).title);
   }
   widgets::tip(ui, "Step " + grouped(step + 1), text + stayed);
 }

@@ -414,8 +414,11 @@ bool slider(const Ui& ui, const char* id, float& value, float low, float high, c
 }
 
 void heading(Ui& ui, const char* icon, const std::string& title, const std::string& note) {
-  bold_text(ui, std::string(icon) + "  " + title);
   const float buttons = 2 * ui.px(28) + ui.px(56);
+  {
+    const Font bold(ui.fonts.bold);
+    text(fitted(std::string(icon) + "  " + title, ImGui::GetContentRegionAvail().x - buttons - ui.px(4)));
+  }
   ImGui::SameLine();
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - buttons, ImGui::GetCursorPosY() - ui.px(5)});
   key_button(ui, "break-here", ui.px(48));
@@ -423,7 +426,7 @@ void heading(Ui& ui, const char* icon, const std::string& title, const std::stri
   command_button(ui, "frame", isoscope::icon::target);
   ImGui::SameLine(0, ui.px(4));
   command_button(ui, "clear", isoscope::icon::close);
-  if (!note.empty()) quiet_text(ui, note);
+  if (!note.empty()) quiet_text(ui, note, true);
   ImGui::Dummy({0, ui.px(2)});
 }
 
@@ -447,7 +450,7 @@ void verdict_text(const Ui& ui, bool good, std::string_view s) {
   const Font small(ui.fonts.small);
   verdict_glyph(ui, good);
   ImGui::SameLine();
-  text(s);
+  wrapped_text(s);
 }
 
 } // namespace isoscope::widgets

@@ -104,7 +104,18 @@ void draw_bar(Canvas& canvas, const ZeroMap& map, const std::string& title, ImVe
 
 } // namespace
 
-SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSettings& view) {
+const std::vector<LegendEntry>& KeptLegend::of(const std::shared_ptr<const StateSnapshot>& state,
+                                               const ViewSettings& view, bool has_rim) {
+  if (state_.lock() == state && view_ == view && has_rim_ == has_rim) return entries_;
+  entries_ = scene_legend(*state, view, view.mode == ViewMode::section, has_rim);
+  state_ = state;
+  view_ = view;
+  has_rim_ = has_rim;
+  return entries_;
+}
+
+SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSettings& view,
+                   KeptLegend& legend) {
   SceneKey key;
   const auto state = window.state();
   if (!state) return key;
@@ -117,7 +128,7 @@ SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSe
                 (w.unit.empty() || w.unit == "δ" || w.unit == "edges" ? "" : ", " + std::string(w.unit));
     if (maps.makes_no_sense()) key.note = "nothing to colour Z by: the input is no surface";
   }
-  if (view.legend) key.entries = scene_legend(*state, view, section, window.rim() != nullptr);
+  if (view.legend) key.entries = legend.of(state, view, window.rim() != nullptr);
   return key;
 }
 

@@ -19,8 +19,22 @@ struct SceneKey {
   bool empty() const { return !map && note.empty() && entries.empty(); }
 };
 
+/// The legend of the state and the settings asked for last: making one looks at every tetrahedron.
+class KeptLegend {
+ public:
+  const std::vector<LegendEntry>& of(const std::shared_ptr<const StateSnapshot>& state,
+                                     const ViewSettings& view, bool has_rim);
+
+ private:
+  std::weak_ptr<const StateSnapshot> state_;
+  ViewSettings view_;
+  bool has_rim_ = false;
+  std::vector<LegendEntry> entries_;
+};
+
 /// Of a view of the run shown. The legend only where the view has it switched on.
-SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSettings& view);
+SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSettings& view,
+                   KeptLegend& legend);
 
 /// `unit`: pixels of a unit of the interface. Entries that do not fit into `most_high` are counted instead.
 ImVec2 key_size(const Canvas& canvas, const SceneKey& key, float unit, float most_high);

@@ -128,13 +128,35 @@ void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double heigh
       label);
 }
 
-void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room) {
-  if (room < ui.px(140)) return;
+namespace {
+
+/// The text over at most so many lines of a width, in the present font.
+std::string broken(std::string_view text, float width, int lines) {
+  std::string broken;
+  for (int line = 1; !text.empty(); ++line) {
+    std::size_t end = text.size();
+    while (line < lines && end != 0 && ImGui::CalcTextSize(text.data(), text.data() + end).x > width) {
+      const std::size_t blank = text.rfind(' ', end - 1);
+      end = blank == std::string_view::npos ? 0 : blank;
+    }
+    if (line == lines || end == 0) return broken + widgets::fitted(text, width);
+    broken += text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!text.empty()) broken += '\n';
+  }
+  return broken;
+}
+
+} // namespace
+
+void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room, int lines) {
+  if (room < ui.px(100)) return;
   ImGui::PushFont(ui.fonts.small);
-  text = widgets::fitted(text, room);
+  text = broken(text, room, lines);
+  const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
   ImGui::PopFont();
   const ImVec2 at{low.x + ui.px(12), low.y + ui.px(10)};
-  const float text_width = widgets::width_of(ui.fonts.small, text), high = ui.px(26);
+  const float text_width = text_size.x, high = ui.px(26) + text_size.y - ui.fonts.small->FontSize;
   pill(ui, at, {at.x + text_width + ui.px(30), at.y + high});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool rejected = event && event->kind == EventKind::rejection;
@@ -143,16 +165,16 @@ void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, fl
                     : event->condition != Condition::none
                         ? condition_color(ui.theme, static_cast<int>(event->condition))
                         : stage_color(ui.theme, event->stage);
-  widgets::glyph(ui, {at.x + ui.px(13), at.y + high / 2}, 4.5f, color,
+  widgets::glyph(ui, {at.x + ui.px(13), at.y + ui.px(13)}, 4.5f, color,
                  rejected ? words(event->reason).shape : MarkerShape::disc);
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2},
                      to_u32(ui.colors.text), text);
 }
 
-void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
+float caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   const WindowState& m = ui.window;
   const auto state = m.state();
-  if (!state || !m.run.journal || m.run.journal->events().empty()) return;
+  if (!state || !m.run.journal || m.run.journal->events().empty()) return 0;
   // A rejection that was chosen is no operation: it is told instead of the one that led here.
   const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
   const Event* event = chosen ? &m.run.journal->events()[*chosen] : state->event ? &*state->event : nullptr;
@@ -163,7 +185,14 @@ void caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   if (enlarged > 1 && m.view.highlight.shown())
     text += " (moves drawn up to " + grouped(static_cast<std::size_t>(enlarged)) + " times as long)";
   if (m.view.moment == Moment::before) text = "before · " + text;
-  sentence(ui, event, std::move(text), low, size.x - ui.px(192 + 10 + 24 + 40));
+  const float beside = size.x - ui.px(192 + 10 + 24 + 40);
+  if (beside >= ui.px(200)) {
+    sentence(ui, event, std::move(text), low, beside);
+    return 0;
+  }
+  if (size.y < ui.px(240)) return 0; // the model comes first
+  sentence(ui, event, std::move(text), {low.x, low.y + ui.px(32)}, size.x - ui.px(24 + 30), 3);
+  return ui.px(32 + 26);
 }
 
 void preview(const Ui& ui, ImVec2 low, ImVec2 size) {

@@ -4,7 +4,6 @@
 #include "scene/first_box.h"
 #include "scene/pick_geometry.h"
 #include "ui/widgets.h"
-#include "view/scene_key.h"
 #include "view/scene_overlay.h"
 #include "view/warning_chip.h"
 
@@ -61,10 +60,10 @@ void SceneView::draw(Ui& ui) {
   }
   if (!m.presenter.on) {
     overlay::mode_switch(ui, {low.x + all.x, low.y});
-    overlay::caption(ui, low, all);
-    const float chip = overlay::warning_chip(ui, low, all);
+    const float lower = overlay::caption(ui, low, all);
+    const float chip = lower + overlay::warning_chip(ui, {low.x, low.y + lower}, all);
     overlay::preview(ui, {low.x, low.y + chip}, all);
-    overlay::key(ui, scene_key(m, maps_, m.shown_view()), low, all);
+    overlay::key(ui, scene_key(m, maps_, m.shown_view(), legend_), low, all);
   }
   overlay::progress(ui, m, "stop", low, all);
   overlay::invitation(ui, low, all);
@@ -231,13 +230,7 @@ void SceneView::frame_untouched(Ui& ui, float aspect) {
   if (aspect == framed_aspect_ && box.lo == framed_box_.lo && box.hi == framed_box_.hi) return;
   framed_aspect_ = aspect;
   framed_box_ = box;
-  const bool ease = m.presenter.on && !m.scripted;
-  const CameraPose before = m.camera.pose();
-  m.camera.frame(box, false);
-  CameraPose pose = m.camera.pose();
-  pose.distance /= std::min(1.0, static_cast<double>(aspect));
-  if (ease) m.camera.set(before);
-  m.camera.set(pose, ease);
+  m.camera.frame(box, m.presenter.on && !m.scripted, static_cast<double>(aspect));
 }
 
 // The same for the section: what the plane cuts of the input is centred.
@@ -303,7 +296,8 @@ void SceneView::frame_requests(Ui& ui) {
                           : now;
     if (from != now) m.camera.look_from(from, false);
   }
-  m.camera.frame(box, !m.scripted);
+  m.camera.frame(box, !m.scripted,
+                 m.scene_area[3] > 0 ? static_cast<double>(m.scene_area[2] / m.scene_area[3]) : 1);
   m.camera.mark_set();
   const PlaneAxes axes = plane_axes(m.view.clip.normal);
   const Vec3 offset = box.center() - m.view.clip.point;

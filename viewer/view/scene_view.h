@@ -6,6 +6,7 @@
 #include "scene/renderer.h"
 #include "view/camera_mouse.h"
 #include "view/clip_handle.h"
+#include "view/scene_key.h"
 #include "view/view_picture.h"
 #include "view/zero_maps.h"
 
@@ -61,6 +62,7 @@ class SceneView {
   std::shared_ptr<const Annotation> annotation_;
   std::shared_ptr<const ViolationPreview> preview_;
   std::shared_ptr<const ZeroMap> zero_map_;
+  KeptLegend legend_;
   TargetHandle handle_;
   CameraMouse mouse_;
   ClipHandle clip_handle_;

@@ -76,6 +76,8 @@ Status pick_worst(WindowState& m, const Arguments&) {
 Status clear_selection(WindowState& m, const Arguments&) {
   if (m.overlay != Overlay::none)
     m.overlay = Overlay::none;
+  else if (m.pane_of_keys != PaneOfKeys::none)
+    m.pane_of_keys = PaneOfKeys::none;
   else if (m.range)
     m.range.reset();
   else if (m.presenter.on)
@@ -130,8 +132,9 @@ void add_selection_commands(CommandTable& table, WindowState& m) {
   table.add(
       {{.name = "clear",
         .title = "Clear the selection",
-        .help = "Selects nothing; before that it closes what lies over the window, ends the presenter mode "
-                "and shows Ω at the run's δ again.",
+        .help =
+            "Selects nothing; before that it closes what lies over the window, takes the keys back from a "
+            "pane, ends the presenter mode and shows Ω at the run's δ again.",
         .menu = "Select",
         .keys = {{GLFW_KEY_ESCAPE}},
         .run = on(m, clear_selection)},

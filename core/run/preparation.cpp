@@ -1,0 +1,283 @@
+// The steps from a file to Ω and S, in order.
+#include "run/preparation.h"
+
+#include "base/numbers.h"
+#include "base/stopwatch.h"
+#include "run/closing_tolerance.h"
+#include "run/coordinate_check.h"
+#include "run/crumbs.h"
+#include "run/make_field.h"
+#include "run/run_input.h"
+#include "tolerance/facet_copies.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace isoscope {
+namespace {
+
+constexpr double certified_boundary_ratio = 0.95;
+/// How fine triangles that do not close are studied, relative to the longest edge.
+constexpr double study_resolution = 0.003;
+
+Error cancelled_error(const RunControl& control) {
+  return {ErrorCode::cancelled,
+          control.timed_out() ? "The time limit was reached before the refinement began."
+                              : "The run was stopped before the refinement began.",
+          ""};
+}
+
+} // namespace
+
+std::optional<double> expected_genus(const Scene& scene) {
+  const ExpectedTopology& e = scene.expected;
+  if (!e.euler_characteristic || !e.components) return std::nullopt;
+  const auto loops = static_cast<double>(e.boundary_loops.value_or(0));
+  return static_cast<double>(*e.components) - (static_cast<double>(*e.euler_characteristic) + loops) / 2;
+}
+
+std::string tolerance_text(const RunParameters& parameters, const Scene& scene) {
+  return scene.input->gives_volume() ? shortest(scene.delta) : parameters.tolerance.text();
+}
+
+Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes) {
+  if (estimate.bytes(sigma) <= most_bytes) return {};
+  constexpr double gigabyte = 1e9, sparsest = 0.95, margin = 1.01;
+  char message[240], remedy[200];
+  std::snprintf(
+      message, sizeof message,
+      "A density of %.3g δ takes about %.2g samples and %.2g GB of memory, more than the %.2g GB that may "
+      "be used.",
+      sigma / delta, estimate.samples(sigma), estimate.bytes(sigma) / gigabyte, most_bytes / gigabyte);
+  const double least = margin * estimate.smallest_sigma(most_bytes) / delta;
+  if (least <= sparsest) {
+    const double step = std::pow(10.0, std::floor(std::log10(least)) - 1);
+    std::snprintf(remedy, sizeof remedy, "Take --sigma %.3g or more, or give more with --memory-limit.",
+                  step * std::ceil(least / step));
+  } else {
+    // Cells and samples go with 1/δ².
+    std::snprintf(remedy, sizeof remedy,
+                  "Choose a tolerance about %.2g times as large, or give more with --memory-limit.",
+                  margin * std::sqrt(estimate.bytes(sparsest * delta) / most_bytes));
+  }
+  return Error{ErrorCode::unsupported, message, remedy};
+}
+
+ToleranceVolume::Options Preparation::volume_options(double delta) const {
+  return {delta, parameters_.containment == Containment::certified ? certified_boundary_ratio : 1.0,
+          parameters_.most_bytes()};
+}
+
+Error Preparation::refused(Error error, const Scene& at) const {
+  if (at.input && at.input->gives_volume()) {
+    // There is no tolerance to choose.
+    if (error.remedy.starts_with("Choose a "))
+      error.remedy = at.input->grid
+                         ? "Take levels farther apart, or smooth the grid: its steepest slope decides."
+                         : "Move the surfaces apart where they are nearest: that decides.";
+    return error;
+  }
+  if (error.code != ErrorCode::open_surface || at.field->surface() == nullptr) return error;
+  control_.report("tolerance that closes the input", -1);
+  return with_closing_tolerance(std::move(error),
+                                {at.field, at.input_topology, kept_area_, volume_options(at.delta)},
+                                parameters_, control_);
+}
+
+/// The field of what is kept of the input, and what is known of its surface.
+Status Preparation::make_field(Scene& made, const std::shared_ptr<const TriangleSoup>& kept,
+                               std::optional<double> delta) {
+  auto input = isoscope::make_field(kept, parameters_, delta, control_);
+  if (control_.cancelled()) return cancelled_error(control_);
+  if (!input) return input.error();
+  made.field = std::move(input->field);
+  made.input_topology = std::move(input->topology);
+  points_ = std::move(input->points);
+  if (points_.points) made.study = {points_.points, &points_.points->study};
+  for (std::string& note : input->notes) made.warnings.push_back({std::move(note), 0});
+  if (!kept->gives_volume()) return {};
+  made.delta = input->delta;
+  made.input = input->shown ? std::move(input->shown) : kept;
+  return {};
+}
+
+void Preparation::use_points(Scene& made) const {
+  made.field = points_.index;
+  made.points = points_.points;
+}
+
+/// δ as given, or found from the field, which is made for that.
+Result<double> Preparation::find_delta(Scene& made, const std::shared_ptr<const TriangleSoup>& soup) {
+  if (!parameters_.tolerance.automatic) return parameters_.tolerance.absolute(made.longest_edge);
+  if (Status read = make_field(made, soup, {}); !read) return read.error();
+  if (made.input_topology.closed_manifold) return Tolerance().absolute(made.longest_edge);
+  if (!made.study)
+    made.study = std::make_shared<const DeltaStudy>(
+        study_delta(*made.field, study_resolution * made.longest_edge, control_));
+  if (control_.cancelled()) return cancelled_error(control_);
+  return proposed_tolerance(*made.study);
+}
+
+/// Leaves points out that do not belong to the surface at this δ.
+Status Preparation::settle_points(Scene& made) {
+  if (!points_.points) return {};
+  points_ = without_outliers(points_, made.delta, control_);
+  if (control_.cancelled()) return cancelled_error(control_);
+  use_points(made);
+  return {};
+}
+
+/// Ω of what is kept of the input; without its thin parts, one after the other, where they are to be
+/// dropped.
+Status Preparation::build_volume(Scene& made, std::shared_ptr<const TriangleSoup> kept, ThinParts thin) {
+  const bool drop = parameters_.drop_thin;
+  for (;;) {
+    kept_area_ = made.field->area();
+    auto built =
+        ToleranceVolume::build(made.field, made.input_topology, volume_options(made.delta), control_);
+    if (!built) return built.error();
+    if (points_.points) {
+      auto rest = without_blobs(points_, *built, control_);
+      if (!rest) return rest.error();
+      if (rest->index == points_.index) {
+        volume_.emplace(std::move(*built));
+        return {};
+      }
+      points_ = std::move(*rest);
+      use_points(made);
+      if (control_.cancelled()) return cancelled_error(control_);
+      continue;
+    }
+    const std::vector<ThinPart> parts = find_thin_parts(*built);
+    const bool all = parts.size() == built->volume_component_count();
+    if (!parts.empty() && thin == ThinParts::refuse && (!drop || all)) {
+      const auto keeping = find_keeping_tolerance(*built, parts, control_);
+      return keeping ? thin_parts_error(*built, parts, *keeping) : keeping.error();
+    }
+    if (parts.empty() || !drop || all) {
+      volume_.emplace(std::move(*built));
+      return {};
+    }
+    kept = std::make_shared<const TriangleSoup>(without_parts(*kept, *built, parts));
+    if (Status read = make_field(made, kept, made.delta); !read) return read;
+    made.left_out.insert(made.left_out.end(), parts.begin(), parts.end());
+  }
+}
+
+/// Keeps what was studied, for the choice of another δ: the proposed one, where there is one.
+void Preparation::examine(const Scene& made) {
+  if (!made.study) return;
+  auto kept = std::make_shared<Scene>(made);
+  if (made.study->found()) kept->delta = made.study->proposed;
+  examined_ = std::move(kept);
+}
+
+Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(double sigma) {
+  const Status fits =
+      check_memory(estimate_samples(*volume_), sigma, volume_->thresholds().delta, parameters_.most_bytes());
+  if (!fits) return fits.error();
+  auto samples = sample_boundary(*volume_, sigma, control_);
+  if (!samples) return samples.error();
+  return std::make_shared<const BoundarySamples>(std::move(*samples));
+}
+
+/// What is said before the first operation, once Ω and S are there.
+void Preparation::warn(Scene& made, const CriteriaParameters& criteria) const {
+  for (ParameterWarning& warning : check_parameters(criteria.sigma, criteria.alpha, criteria.delta,
+                                                    criteria.condition_2 && !criteria.certified))
+    made.warnings.push_back(std::move(warning));
+  if (criteria.certified && parameters_.sigma == 0 && criteria.sigma > 0.5 * made.delta) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "The tolerance is small for the area of the input: the samples are %.2f δ dense instead of "
+                  "δ/2, which keeps them to about two million.",
+                  made.default_sigma);
+    made.warnings.push_back({text, 0});
+  }
+
+  if (!made.left_out.empty()) made.warnings.push_back({left_out_words(made.left_out), 0});
+  for (const std::string& note : volume_->side_notes()) made.warnings.push_back({note, 0});
+  if (made.points)
+    for (std::string& note : made.points->notes(made.delta, made.longest_edge))
+      made.warnings.push_back({std::move(note), 0});
+}
+
+Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const TriangleSoup> soup,
+                                                       std::vector<InputNote> notes, ThinParts thin) {
+  if (Status valid = check(parameters_); !valid) return valid.error();
+  control_.cancel_after(parameters_.time_limit);
+  const Stopwatch watch;
+  auto scene = std::make_shared<Scene>();
+
+  control_.report("input", -1);
+  if (!soup) {
+    auto loaded = read_run_input(parameters_, control_);
+    if (!loaded) return control_.cancelled() ? cancelled_error(control_) : loaded.error();
+    soup = std::make_shared<const TriangleSoup>(std::move(loaded->soup));
+    notes = std::move(loaded->notes);
+  }
+  if (Status fits = check_volume(*soup, parameters_); !fits) return fits.error();
+  if (soup->gives_volume()) {
+    if (Status read = make_field(*scene, soup, {}); !read) return read.error();
+    soup = scene->input;
+  }
+  if (soup->points.empty())
+    return Error{ErrorCode::bad_input, "The input has neither triangles nor points.", "Give a surface."};
+  scene->input = soup;
+  scene->longest_edge = soup->bounds().longest_edge();
+  if (!is_field_of_points(*soup, parameters_)) soup = without_needless_copies(soup, control_);
+  if (!soup->gives_volume()) {
+    const auto delta = find_delta(*scene, soup);
+    if (!delta) return delta.error();
+    scene->delta = *delta;
+  }
+  if (!(scene->delta > 1e-9 * scene->longest_edge) || !(scene->delta < 100 * scene->longest_edge)) {
+    return Error{ErrorCode::usage,
+                 "--tolerance " + parameters_.tolerance.text() + " does not fit the size of the input.",
+                 "Its longest edge is " + general(scene->longest_edge, 6) + "."};
+  }
+  if (Status fine = check_coordinates(*soup, scene->delta); !fine) return fine.error();
+  scene->notes = std::move(notes);
+  for (const InputNote& note : scene->notes) scene->warnings.push_back({told(note, scene->delta), 0});
+  auto rest = without_crumbs(soup, soup->is_point_set() || soup->gives_volume() ? 0 : parameters_.drop_small,
+                             scene->delta, control_);
+  if (control_.cancelled()) return cancelled_error(control_);
+  if (!rest) return rest.error();
+  if (!rest->note.empty()) scene->warnings.push_back({rest->note, 0});
+  if (rest->soup != soup) scene->field.reset();
+  soup = rest->soup;
+  if (auto note = coordinate_note(*soup, scene->delta)) scene->warnings.push_back({std::move(*note), 0});
+  if (!scene->field)
+    if (Status read = make_field(*scene, soup, scene->delta); !read) return read.error();
+  if (Status settled = settle_points(*scene); !settled) return settled.error();
+  scene->input_seconds = watch.seconds();
+
+  if (Status built = build_volume(*scene, soup, thin); !built) {
+    if (control_.cancelled()) return cancelled_error(control_);
+    examine(*scene);
+    return refused(built.error(), *scene);
+  }
+  scene->volume_seconds = watch.seconds() - scene->input_seconds;
+
+  scene->default_sigma = default_sigma_ratio(kept_area_, scene->delta);
+  const CriteriaParameters criteria = parameters_.criteria(scene->delta, scene->default_sigma);
+  auto samples = sample(criteria.sigma);
+  if (control_.cancelled()) return cancelled_error(control_);
+  if (!samples) return refused(samples.error(), *scene);
+  if (Status closed = volume_->check_passages(); !closed) return refused(closed.error(), *scene);
+  scene->samples = *samples;
+  scene->sample_estimate = estimate_samples(*volume_);
+  scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;
+
+  scene->volume = std::make_shared<const ToleranceVolume>(volume_->without_octree());
+  scene->thresholds = volume_->thresholds();
+  scene->regions.assign(volume_->regions().begin(), volume_->regions().end());
+  scene->boundary_components.assign(volume_->boundary_components().begin(),
+                                    volume_->boundary_components().end());
+  scene->expected = expected_topology(*volume_, parameters_.topology);
+  scene->thickening_note = volume_->thickening_note(control_);
+  warn(*scene, criteria);
+  return std::shared_ptr<const Scene>(scene);
+}
+
+} // namespace isoscope

@@ -1,0 +1,99 @@
+// What comes before the first operation of a run: its input, its δ, Ω and S.
+#pragma once
+
+#include "base/run_control.h"
+#include "base/status.h"
+#include "input/input_note.h"
+#include "input/triangle_soup.h"
+#include "run/parameters.h"
+#include "run/point_field.h"
+#include "tolerance/parameter_check.h"
+#include "tolerance/sample_estimate.h"
+#include "tolerance/thin_parts.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// What is known about a run before its first operation; immutable once published.
+struct Scene {
+  std::shared_ptr<const TriangleSoup> input;   ///< as given, with the parts that the run leaves out
+  std::vector<InputNote> notes;                ///< on reading it; `warnings` has them in words
+  std::shared_ptr<const ToleranceField> field; ///< of the input without them
+  std::shared_ptr<const PointField> points;    ///< where that is a field of points
+  std::shared_ptr<const DeltaStudy> study;     ///< of its tolerances: of points, and where δ was found
+  double delta = 0;                            ///< absolute
+  double longest_edge = 0;
+  std::shared_ptr<const ToleranceVolume> volume; ///< without its octree: what evaluations ask
+  double default_sigma = 0.5;                    ///< σ/δ of this input in certified mode when none is given
+  ToleranceThresholds thresholds;
+  std::vector<Region> regions;
+  std::vector<BoundaryComponent> boundary_components;
+  std::vector<ThinPart> left_out; ///< parts of the input that Ω does not hold (RunParameters::drop_thin)
+  InputTopology input_topology;   ///< without them
+  ExpectedTopology expected;
+  std::shared_ptr<const BoundarySamples> samples;
+  SampleEstimate sample_estimate; ///< what other densities would take
+  std::string thickening_note;
+  std::vector<ParameterWarning> warnings;
+  double input_seconds = 0, volume_seconds = 0, sampling_seconds = 0;
+};
+
+/// The genus that Z should have, where χ and the number of components are both asked for.
+std::optional<double> expected_genus(const Scene& scene);
+
+/// δ as it was asked for: "0.6%"; of an input that gives Ω the length itself.
+std::string tolerance_text(const RunParameters& parameters, const Scene& scene);
+
+/// What becomes of parts that are thinner than 2δ everywhere where the parameters do not leave them out. A
+/// recorded run is read as it was.
+enum class ThinParts : std::uint8_t { refuse, accept };
+
+/// Reads the input of a run, finds δ, builds Ω and S.
+class Preparation {
+ public:
+  /// Both must outlive it.
+  Preparation(const RunParameters& parameters, RunControl& control)
+      : parameters_(parameters), control_(control) {}
+  /// Once. See Pipeline::prepare().
+  Result<std::shared_ptr<const Scene>> make(std::shared_ptr<const TriangleSoup> soup,
+                                            std::vector<InputNote> notes, ThinParts thin);
+  /// See Pipeline::examined().
+  std::shared_ptr<const Scene> examined() const { return examined_; }
+  /// Ω with its octree; after make().
+  ToleranceVolume& volume() { return *volume_; }
+  /// S at another density, absolute. Fails with unsupported where that takes more memory than it may, or with
+  /// what sample_boundary() says.
+  Result<std::shared_ptr<const BoundarySamples>> sample(double sigma);
+  /// What is wrong with the input; when it is open, with the tolerance that would close it.
+  Error refused(Error error, const Scene& at) const;
+
+ private:
+  ToleranceVolume::Options volume_options(double delta) const;
+  Status make_field(Scene& made, const std::shared_ptr<const TriangleSoup>& kept,
+                    std::optional<double> delta);
+  void use_points(Scene& made) const;
+  Result<double> find_delta(Scene& made, const std::shared_ptr<const TriangleSoup>& soup);
+  Status settle_points(Scene& made);
+  Status build_volume(Scene& made, std::shared_ptr<const TriangleSoup> kept, ThinParts thin);
+  void examine(const Scene& made);
+  void warn(Scene& made, const CriteriaParameters& criteria) const;
+
+  const RunParameters& parameters_;
+  RunControl& control_;
+  std::shared_ptr<const Scene> examined_;
+  std::optional<ToleranceVolume> volume_;
+  MadePointField points_; ///< where the field is one of points
+  double kept_area_ = 0;  ///< of the input without what is left out
+};
+
+/// Fails with unsupported where so many samples take more than so many bytes, naming the σ that fits.
+/// `sigma` and `delta` are absolute.
+Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes);
+
+} // namespace isoscope

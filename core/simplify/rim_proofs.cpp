@@ -1,0 +1,118 @@
+// Each facet, edge and place of the rim by branch and bound, in parallel; what is proven once stays so.
+#include "simplify/rim_proofs.h"
+
+#include "base/parallel.h"
+#include "tolerance/facet_certificate.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace isoscope {
+namespace {
+
+/// Edges are not split below this length, in units of δ.
+constexpr double shortest_edge = 0.02;
+
+} // namespace
+
+void RimProofs::want(std::vector<RimSplit>& splits, const RimSurface& z, RimEdge edge, Reason reason,
+                     Vec3 witness, double value) const {
+  if (length(edge) >= 2 * shortest_edge * volume_.thresholds().delta && !z.whole.contains(edge))
+    splits.push_back({edge, reason, witness, value});
+}
+
+/// Facets that are kept and not proven to be inside Ω, each by its longest edge.
+void RimProofs::want_inside(const RimSurface& z, std::vector<RimSplit>& splits) {
+  const Complex& complex = live_.complex();
+  const double delta = volume_.thresholds().delta;
+  std::vector<FacetVerdict> inside(z.kept.size());
+  parallel_for(z.kept.size(), 16, [&](std::size_t i) {
+    if (proven_.contains(z.kept[i])) return;
+    const Triangle3 t{complex.position(z.kept[i][0]), complex.position(z.kept[i][1]),
+                      complex.position(z.kept[i][2])};
+    inside[i] = certify_facet(volume_.field(), t, delta, delta, rim_piece_budget);
+  });
+  for (std::size_t i = 0; i < z.kept.size(); ++i) {
+    if (proven_.contains(z.kept[i])) continue;
+    if (inside[i].kind == FacetVerdict::Kind::inside) {
+      proven_.insert(z.kept[i]);
+      continue;
+    }
+    const auto all = rim_edges(z.kept[i]);
+    const RimEdge longest = *std::max_element(
+        all.begin(), all.end(), [&](const RimEdge& x, const RimEdge& y) { return length(x) < length(y); });
+    want(splits, z, longest, Reason::leaves_volume, inside[i].witness, inside[i].closest.distance());
+  }
+}
+
+/// Edges of the border that are not proven to be within δ of the rim.
+void RimProofs::want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits) {
+  const double delta = volume_.thresholds().delta;
+  const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
+  std::vector<FacetVerdict> near(z.border.size());
+  parallel_for(z.border.size(), 16, [&](std::size_t i) {
+    if (near_rim_.contains(z.border[i])) return;
+    const auto [a, b] = segment(z.border[i]);
+    near[i] = certify_facet(curve, {a, b, b}, delta, delta, rim_piece_budget);
+  });
+  for (std::size_t i = 0; i < z.border.size(); ++i) {
+    if (near_rim_.contains(z.border[i])) continue;
+    if (near[i].kind == FacetVerdict::Kind::inside)
+      near_rim_.insert(z.border[i]);
+    else
+      want(splits, z, z.border[i], Reason::border_off_rim, near[i].witness, near[i].closest.distance());
+  }
+}
+
+/// Places of the rim that no border is proven to be within δ of: the facet of Z there goes on to them.
+void RimProofs::want_rim_reached(const RimSurface& z, std::vector<RimSplit>& splits,
+                                 const std::function<bool(VertexId)>& is_kept) const {
+  if (z.border.empty()) return;
+  const double delta = volume_.thresholds().delta;
+  std::vector<Segment3> border;
+  for (const RimEdge& e : z.border) border.push_back(segment(e));
+  const ClosestPointIndex index(flat_triangles(border));
+  const auto pieces = volume_.open_sides()->rim().pieces();
+  std::vector<FacetVerdict> reached(pieces.size());
+  parallel_for(pieces.size(), 16, [&](std::size_t i) {
+    reached[i].kind = FacetVerdict::Kind::inside;
+    if (pieces[i].open)
+      reached[i] =
+          certify_facet(index, {pieces[i].a, pieces[i].b, pieces[i].b}, delta, delta, rim_piece_budget);
+  });
+  std::erase_if(reached, [](const FacetVerdict& v) { return v.kind == FacetVerdict::Kind::inside; });
+  if (reached.empty()) return;
+  TriangleSoup soup;
+  for (const RimFacet& f : z.facets) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const VertexId v : f) soup.points.push_back(live_.complex().position(v));
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  const ClosestPointIndex zero_set(soup);
+  // The longest edge from what is kept to what is not, where the facet has one, else the longest.
+  const auto edge_towards = [&](const RimFacet& facet) {
+    const auto all = rim_edges(facet);
+    const auto rank = [&](const RimEdge& e) { return std::pair{is_kept(e[0]) != is_kept(e[1]), length(e)}; };
+    return *std::max_element(all.begin(), all.end(),
+                             [&](const RimEdge& x, const RimEdge& y) { return rank(x) < rank(y); });
+  };
+  for (const FacetVerdict& verdict : reached)
+    want(splits, z, edge_towards(z.facets[zero_set.closest(verdict.witness).triangle.index()]),
+         Reason::rim_off_border, verdict.witness, verdict.closest.distance());
+}
+
+std::vector<RimSplit> RimProofs::wanted_splits(const RimSurface& z,
+                                               const std::function<bool(VertexId)>& is_kept) {
+  std::vector<RimSplit> splits;
+  want_inside(z, splits);
+  want_near_rim(z, splits);
+  want_rim_reached(z, splits, is_kept);
+  std::stable_sort(splits.begin(), splits.end(),
+                   [](const RimSplit& x, const RimSplit& y) { return x.edge < y.edge; });
+  splits.erase(std::unique(splits.begin(), splits.end(),
+                           [](const RimSplit& x, const RimSplit& y) { return x.edge == y.edge; }),
+               splits.end());
+  return splits;
+}
+
+} // namespace isoscope

@@ -1,0 +1,63 @@
+// What the cut over the rim has to prove of what it keeps, and where it has to split for that.
+#pragma once
+
+#include "base/segment.h"
+#include "collapse/live_complex.h"
+#include "journal/event.h"
+#include "simplify/rim_patches.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <functional>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace isoscope {
+
+/// Pieces up to which a proof by branch and bound is carried.
+constexpr std::size_t rim_piece_budget = 20000;
+
+/// An edge of Z that is to be split: why, and where the proof failed.
+struct RimSplit {
+  RimEdge edge;
+  Reason reason;
+  Vec3 witness;
+  double value; ///< the distance there
+};
+
+/// Z during the cut.
+struct RimSurface {
+  std::span<const RimFacet> facets; ///< all of Z
+  std::span<const RimFacet> kept;
+  std::span<const RimEdge> border; ///< of what is kept
+  const std::set<RimEdge>& whole;  ///< edges that are not to be split
+};
+
+class RimProofs {
+ public:
+  /// Both must outlive it.
+  RimProofs(const LiveComplex& live, const ToleranceVolume& volume) : live_(live), volume_(volume) {}
+  /// What is not proven yet, each by one edge whose splitting brings it nearer to it; ascending, each edge
+  /// once. Proven are: facets that are kept inside Ω, edges of the border within δ of the rim, the open rim
+  /// within δ of the border.
+  std::vector<RimSplit> wanted_splits(const RimSurface& z, const std::function<bool(VertexId)>& is_kept);
+
+ private:
+  void want_inside(const RimSurface& z, std::vector<RimSplit>& splits);
+  void want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits);
+  void want_rim_reached(const RimSurface& z, std::vector<RimSplit>& splits,
+                        const std::function<bool(VertexId)>& is_kept) const;
+  void want(std::vector<RimSplit>& splits, const RimSurface& z, RimEdge edge, Reason reason, Vec3 witness,
+            double value) const;
+  Segment3 segment(const RimEdge& e) const {
+    return {live_.complex().position(e[0]), live_.complex().position(e[1])};
+  }
+  double length(const RimEdge& e) const { return distance(segment(e)[0], segment(e)[1]); }
+
+  const LiveComplex& live_;
+  const ToleranceVolume& volume_;
+  std::set<RimFacet> proven_;  ///< kept ones that are inside Ω
+  std::set<RimEdge> near_rim_; ///< border edges within δ of the rim
+};
+
+} // namespace isoscope

@@ -1,0 +1,30 @@
+// The panes of the window: what stands where, and the strips between them.
+#pragma once
+
+#include "app/app_model.h"
+#include "app/overlays.h"
+#include "timeline/timeline_panel.h"
+#include "two_runs/run_views.h"
+
+namespace isoscope {
+
+class WindowPanes {
+ public:
+  /// All must outlive the panes.
+  WindowPanes(AppModel& model, RunViews& views, TimelinePane& timeline, Overlays& overlays)
+      : model_(model), views_(views), timeline_(timeline), overlays_(overlays) {}
+  /// Everything in the window, for one frame. `resting`: the mouse has not moved for a while, and its pointer
+  /// is hidden where somebody presents.
+  void draw(Ui& ui, bool resting);
+
+ private:
+  /// The window in presenter mode.
+  void present(Ui& ui, ImVec2 size, bool resting);
+
+  AppModel& model_;
+  RunViews& views_;
+  TimelinePane& timeline_;
+  Overlays& overlays_;
+};
+
+} // namespace isoscope
