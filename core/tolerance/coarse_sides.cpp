@@ -103,16 +103,27 @@ bool CoarseSides::spread(const SidedInput& input, const RunControl& control) {
       give(number(c), region.label > 0 ? 1 : -1);
   }
   if (!spread_proven()) return false;
-  // What is left lies along the input or in small pockets.
-  for (std::size_t done = 0; done < queue.size(); ++done) {
-    if ((done & 0xffu) == 0 && control.cancelled()) return false;
-    const std::size_t i = queue[done];
-    for_each_neighbor(i, [&](std::size_t other) {
-      if (sides_[other] != 0) return;
-      give(other,
-           input.sides.label_across(position(coordinates(i)), sides_[i], position(coordinates(other))));
-    });
+  // Regions that nobody named: many rays tell of one point, what joins it follows. One segment that grazes an
+  // edge must not speak for them.
+  for (std::size_t i = 0; has_surface && i < sides_.size(); ++i) {
+    if (sides_[i] != 0 || phi_[i] <= 0.5 * spacing_) continue;
+    if (control.cancelled()) return false;
+    give(i, input.sides.label(position(coordinates(i))));
+    if (!spread_proven()) return false;
   }
+  // What is left lies along the input or in small pockets. What lies on the input tells nobody whether one
+  // crosses it: it waits, and spreads nothing before.
+  const auto is_on_input = [&](std::size_t i) { return has_surface && phi_[i] < 1e-3 * spacing_; };
+  for (const bool waiting : {false, true})
+    for (std::size_t done = 0; done < queue.size(); ++done) {
+      if ((done & 0xffu) == 0 && control.cancelled()) return false;
+      const std::size_t i = queue[done];
+      for_each_neighbor(i, [&](std::size_t other) {
+        if (sides_[other] != 0 || (!waiting && (is_on_input(i) || is_on_input(other)))) return;
+        give(other,
+             input.sides.label_across(position(coordinates(i)), sides_[i], position(coordinates(other))));
+      });
+    }
   return true;
 }
 

@@ -19,10 +19,11 @@ struct SidedInput {
   std::span<const Region> regions;
 
   /// Whether two points are on one side because nothing can lie between them, from φ there. Without an input
-  /// surface it is Ω that divides the sides.
+  /// surface it is Ω that divides the sides. Straight across a flat wall both sides of the comparison are
+  /// equal: rounding must not decide it.
   bool joined(double phi_a, double phi_b, double gap) const {
     const double reach = field.surface() != nullptr ? phi_a + phi_b : phi_a + phi_b - 2 * delta;
-    return reach > gap;
+    return reach > gap * (1 + 1e-9);
   }
 };
 

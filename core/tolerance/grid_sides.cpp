@@ -176,15 +176,32 @@ void BrickSides::decide_rest(std::size_t brick) {
     sides[farthest] = static_cast<std::int8_t>(input_.sides.label(position(brick, farthest)));
     queue[end++] = static_cast<std::uint16_t>(farthest);
   }
-  for (std::size_t next = 0; next < end; ++next) {
-    const std::size_t sample = queue[next];
-    for_each_neighbor(sample, [&](std::size_t other) {
-      if (sides[other] != 0) return;
-      sides[other] = static_cast<std::int8_t>(
-          input_.sides.label_across(position(brick, sample), sides[sample], position(brick, other)));
-      queue[end++] = static_cast<std::uint16_t>(other);
+  const auto step_across = [&](std::size_t sample, std::size_t other) {
+    if (sides[other] != 0) return;
+    sides[other] = static_cast<std::int8_t>(
+        input_.sides.label_across(position(brick, sample), sides[sample], position(brick, other)));
+    queue[end++] = static_cast<std::uint16_t>(other);
+  };
+  // What lies on the input tells nobody whether one crosses it: it waits, and spreads nothing.
+  const auto is_on_input = [&](std::size_t sample) {
+    return has_surface_ && phi(brick, sample) <= 2 * unit_;
+  };
+  for (std::size_t next = 0; next < end; ++next)
+    for_each_neighbor(queue[next], [&](std::size_t other) {
+      if (!is_on_input(queue[next]) && !is_on_input(other)) step_across(queue[next], other);
     });
+  for (std::size_t sample = 0; sample < DistanceGrid::brick_size; ++sample) {
+    if (sides[sample] != 0 || is_on_input(sample)) continue;
+    sides[sample] = static_cast<std::int8_t>(input_.sides.label(position(brick, sample)));
+    const std::size_t begin = end;
+    queue[end++] = static_cast<std::uint16_t>(sample);
+    for (std::size_t next = begin; next < end; ++next)
+      for_each_neighbor(queue[next], [&](std::size_t other) {
+        if (!is_on_input(other)) step_across(queue[next], other);
+      });
   }
+  for (std::size_t next = 0; next < end; ++next)
+    for_each_neighbor(queue[next], [&](std::size_t other) { step_across(queue[next], other); });
 }
 
 void BrickSides::sign_bricks() {

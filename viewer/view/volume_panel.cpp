@@ -13,10 +13,10 @@ namespace isoscope::panels {
 namespace {
 
 constexpr float most_haze = 1; ///< at the curve's upper rim; scripts may set more
-constexpr float handle = 4.5f;
+constexpr float handle_radius = 4.5f;
 
 /// Small values have room too.
-float height_of(float haze) {
+float curve_height(float haze) {
   return std::sqrt(std::clamp(haze / most_haze, 0.0f, 1.0f));
 }
 
@@ -39,7 +39,7 @@ void looks(Ui& ui) {
 void curve(Ui& ui) {
   ViewSettings& view = ui.window.view;
   const std::array<float*, 3> haze{&view.haze_outer, &view.haze_middle, &view.haze_inner};
-  const float high = ui.px(44), pad = ui.px(handle + 2);
+  const float high = ui.px(44), pad = ui.px(handle_radius + 2);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::InvisibleButton("haze", {width, high});
@@ -47,7 +47,7 @@ void curve(Ui& ui) {
   const auto x_of = [&](std::size_t i) {
     return at.x + pad + (width - 2 * pad) * 0.5f * static_cast<float>(i);
   };
-  const auto y_of = [&](float value) { return at.y + high - pad - (high - 2 * pad) * height_of(value); };
+  const auto y_of = [&](float value) { return at.y + high - pad - (high - 2 * pad) * curve_height(value); };
   std::size_t near = 0;
   const float mouse = held ? ImGui::GetIO().MouseClickedPos[0].x : ImGui::GetIO().MousePos.x;
   for (std::size_t i = 1; i < haze.size(); ++i)
@@ -77,7 +77,7 @@ void curve(Ui& ui) {
   list.AddLine({x_of(1), at.y + pad}, {x_of(1), floor}, to_u32(ui.colors.line), 1);
   for (std::size_t i = 0; i < haze.size(); ++i)
     list.AddCircleFilled({x_of(i), y_of(*haze[i])},
-                         ui.px((hovered || held) && near == i ? handle + 1 : handle),
+                         ui.px((hovered || held) && near == i ? handle_radius + 1 : handle_radius),
                          to_u32(drawn ? ui.colors.text : ui.colors.quiet), 16);
   widgets::tip(
       ui, "Haze in Ω",
