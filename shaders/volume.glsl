@@ -26,10 +26,12 @@ vec3 origin, direction;
 vec3 q_origin, q_direction, inverse_q; // the ray in places
 vec3 q_at(float t) { return q_origin + t * q_direction; }
 
-vec3 gradient(vec3 q) {
+// The direction in which g grows; 0 where it does not.
+vec3 rise(vec3 q) {
   float e = 0.9 * voxel / place_side;
   vec3 a = vec3(1, -1, -1), b = vec3(-1, -1, 1), c = vec3(-1, 1, -1), d = vec3(1, 1, 1);
-  return a * value_at(q + a * e) + b * value_at(q + b * e) + c * value_at(q + c * e) + d * value_at(q + d * e);
+  vec3 sum = a * value_at(q + a * e) + b * value_at(q + b * e) + c * value_at(q + c * e) + d * value_at(q + d * e);
+  return sum / max(length(sum), 1e-12);
 }
 
 void add(vec3 rgb, float alpha, float t) {
@@ -43,7 +45,7 @@ void surface(float t, float value) {
   bool outer = value * side_at(q) > 0.0;
   vec4 tint = outer ? outer_tint : inner_tint;
   if (tint.a <= 0.0) return;
-  vec3 n = normalize(gradient(q));
+  vec3 n = rise(q);
   float facing = dot(n, -direction), across = abs(facing);
   bool outside = facing * value > 0.0; // seen from outside of Ω
   vec3 rgb = lit(tint.rgb, facing < 0.0 ? -n : n, -direction) * (outside ? 1.0 : 0.8);
@@ -76,7 +78,7 @@ void cap(float t) {
 #ifdef MOVING
   float slope = 1.0;
 #else
-  vec3 cut = clip_shape.x > 2.5 ? normalize(p - clip_point.xyz) : clip_normal.xyz, n = normalize(gradient(q));
+  vec3 cut = clip_shape.x > 2.5 ? normalize(p - clip_point.xyz) : clip_normal.xyz, n = rise(q);
   float slope = max(length(n - dot(n, cut) * cut), 0.2);
 #endif
   vec4 face = band(g * side_at(q) / level, level * delta * pixels_per_unit(p) / slope, inner_tint.rgb, outer_tint.rgb);
