@@ -2,7 +2,9 @@
 #include "cli/command_line.h"
 
 #include "base/field_options.h"
+#include "base/numbers.h"
 #include "cli/exit_status.h"
+#include "run/report.h"
 
 #include <CLI/CLI.hpp>
 
@@ -14,10 +16,16 @@ namespace isoscope {
 
 struct CommandLine::App : CLI::App {
   using CLI::App::App;
+  ManualPage told; ///< what the library has no place for
 };
 
 CommandLine::CommandLine(const std::string& about, const std::string& program)
-    : app_(std::make_unique<App>(about, program)) {}
+    : app_(std::make_unique<App>(about, program)) {
+  // Like the version, it is given before anything is found missing.
+  app_->add_flag_callback(
+      "--man", [this] { throw CLI::CallForVersion(manual(), 0); },
+      "Print the manual page for man(1) and exit");
+}
 CommandLine::~CommandLine() = default;
 
 void CommandLine::flag(const std::string& name, bool& given, const std::string& help) {
@@ -39,12 +47,18 @@ void CommandLine::option(const std::string& name, unsigned& value, const std::st
 
 void CommandLine::option(const std::string& name, double& value, const std::string& help, double low,
                          double high) {
-  app_->add_option(name, value, help)->check(CLI::Range(low, high));
+  constexpr int digits = 9;
+  const std::string range = general(low, digits) + " to " + general(high, digits);
+  app_->add_option(name, value, help + "; " + range)->check(CLI::Range(low, high).description(""));
 }
 
 void CommandLine::choice(const std::string& name, std::string& value,
-                         std::initializer_list<std::string> words) {
-  app_->add_option(name, value)->check(CLI::IsMember(std::vector<std::string>(words)));
+                         std::initializer_list<std::string> words, const std::string& help) {
+  std::string offered;
+  for (const std::string& word : words) offered += (offered.empty() ? "" : "|") + word;
+  app_->add_option(name, value, help)
+      ->check(CLI::IsMember(std::vector<std::string>(words)).description(""))
+      ->type_name(offered);
 }
 
 /// An option whose text is several arguments.
@@ -92,11 +106,59 @@ void CommandLine::version(const std::string& text) {
   app_->set_version_flag("--version", text);
 }
 
-void CommandLine::footer(const std::string& text) {
-  app_->footer(text);
+void CommandLine::verb(const ManualVerb& verb) {
+  app_->told.verbs.push_back(verb);
+}
+
+void CommandLine::notes(const std::string& text) {
+  app_->told.notes = text;
+}
+
+void CommandLine::exit_status(const std::string& text) {
+  app_->told.exit_status = text;
+}
+
+void CommandLine::see_also(const std::string& program) {
+  app_->told.see_also.push_back(program);
+}
+
+std::string CommandLine::footer() const {
+  const ManualPage& told = app_->told;
+  std::string text;
+  for (const ManualVerb& v : told.verbs)
+    text += app_->get_name() + " " + v.name + " " + v.arguments + " " + v.does + "; " + v.name +
+            " --help tells more.\n";
+  const auto add = [&](const std::string& paragraph) {
+    text += (text.empty() ? "" : "\n") + paragraph + "\n";
+  };
+  if (!told.notes.empty()) add(told.notes);
+  if (!told.exit_status.empty()) add("Exit status: " + told.exit_status);
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+std::string CommandLine::manual() const {
+  ManualPage page = app_->told;
+  page.program = app_->get_name();
+  page.version = std::string(isoscope::version());
+  page.about = app_->get_description();
+  page.usage = "[OPTIONS]";
+  const CLI::Formatter words;
+  for (const CLI::Option* option : static_cast<const App&>(*app_).get_options()) {
+    const bool by_place = option->get_positional();
+    std::string values = words.make_option_opts(option);
+    values.erase(0, values.find_first_not_of(' '));
+    (by_place ? page.arguments : page.options)
+        .push_back({words.make_option_name(option, by_place), values, words.make_option_desc(option)});
+    if (by_place) page.usage += " " + words.make_option_usage(option);
+  }
+  std::string text = page.troff();
+  text.pop_back(); // the library ends the line
+  return text;
 }
 
 Result<std::optional<std::string>> CommandLine::read(int argc, const char* const* argv) {
+  app_->footer(footer());
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& said) {

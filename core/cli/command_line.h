@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/status.h"
+#include "cli/manual_page.h"
 
 #include <functional>
 #include <initializer_list>
@@ -26,14 +27,19 @@ class CommandLine {
   void option(const std::string& name, unsigned& value, const std::string& help);
   void option(const std::string& name, double& value, const std::string& help, double low, double high);
   /// One of these words.
-  void choice(const std::string& name, std::string& value, std::initializer_list<std::string> words);
+  void choice(const std::string& name, std::string& value, std::initializer_list<std::string> words,
+              const std::string& help);
   /// Options of fields. Once it is read, `wrong` holds the first value that a field cannot have.
   void fields(const std::vector<FieldOption>& options, std::optional<Error>& wrong);
   void version(const std::string& text);
-  /// What help ends with.
-  void footer(const std::string& text);
+  /// What help ends with, and the manual page: verbs, then notes in paragraphs, then what the status means.
+  void verb(const ManualVerb& verb);
+  void notes(const std::string& text);
+  void exit_status(const std::string& text);
+  /// Another program that the manual page refers to.
+  void see_also(const std::string& program);
 
-  /// Reads it. A text is what was asked for instead: help or the version.
+  /// Reads it. A text is what was asked for instead: help, the manual page or the version.
   Result<std::optional<std::string>> read(int argc, const char* const* argv);
   /// The same for a program in a terminal, which prints it; the exit status where it ends there.
   std::optional<int> parse(int argc, const char* const* argv);
@@ -45,6 +51,8 @@ class CommandLine {
  private:
   struct App;
   void words(const FieldOption& option, const std::function<void(const Status&)>& judge);
+  std::string footer() const;
+  std::string manual() const;
   std::unique_ptr<App> app_;
 };
 

@@ -22,9 +22,9 @@ int diff(int argc, char** argv) {
   app.option("B", file_b, "the recording that it is compared with", true);
   app.option("--rows", rows, "how many decisions of one run alone are listed; default 10");
   app.flag("--quiet", quiet, "print nothing but errors: the exit status tells");
-  app.footer("Runs on the same input are compared event by event, without times; decisions after the first "
-             "difference are matched by their places.\n\n"
-             "Exit status: 0 the same, 1 different, 2 usage or a file that cannot be read.");
+  app.notes("Runs on the same input are compared event by event, without times; decisions after the first "
+            "difference are matched by their places.");
+  app.exit_status("0 the same, 1 different, 2 usage or a file that cannot be read.");
   if (const auto ended = app.parse(argc, argv)) return *ended;
   if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
   const auto a = read_recorded_run(file_a);

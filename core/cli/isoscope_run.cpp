@@ -11,6 +11,7 @@
 #include "input/mesh_io.h"
 #include "journal/describe.h"
 #include "recording/recording_writer.h"
+#include "run/approximate.h"
 #include "run/pipeline.h"
 #include "run/recorded_run.h"
 #include "run/report.h"
@@ -108,6 +109,17 @@ class BatchGate : public Gate {
   }
 };
 
+/// A verb as help tells it, and what it runs.
+struct Verb {
+  ManualVerb told;
+  int (*run)(int argc, char** argv);
+};
+const Verb verbs[] = {
+    {{"replay", "RUN.isorun", "reads a recording"}, replay},
+    {{"diff", "A.isorun B.isorun", "tells what differs between two"}, diff},
+    {{"recover", "BROKEN.isorun -o OUT.isorun", "saves what is sound in a damaged one"}, recover},
+};
+
 void note(const std::string& text) {
   std::fprintf(stderr, "isoscope-run: note: %s\n", text.c_str());
 }
@@ -119,27 +131,25 @@ int run(int argc, char** argv) {
   RunOptions options(app);
   Outputs outputs;
   bool quiet = false, compare = false, list_gallery = false;
-  double history_limit = 2048;
+  double history_limit = usual_history_mib;
   app.option("-o,--output", outputs.mesh, "the resulting mesh: .off, .obj, .ply or .stl");
   app.option("--report", outputs.report, "the report as JSON; - for standard output");
   app.flag("--compare", compare,
            "print the stages side by side: operations, vertices, times, rejections by reason");
   app.option("--history-limit", history_limit,
-             "of the journal in memory, MiB; what is older goes to the disk; default 2048", 1, 1048576);
+             "of the journal in memory, MiB; what is older goes to the disk; default " +
+                 std::to_string(usual_history_mib),
+             1, 1048576);
   app.flag("--quiet", quiet, "print nothing but warnings and errors");
   app.flag("--list-gallery", list_gallery, "list the bundled models");
   app.version(std::string("isoscope-run ") + std::string(version()));
-  app.footer("isoscope-run replay RUN.isorun reads a recording; replay --help tells more.\n"
-             "isoscope-run diff A.isorun B.isorun tells what differs between two; diff --help tells more.\n"
-             "isoscope-run recover BROKEN.isorun -o OUT.isorun saves what is sound in a damaged one; recover "
-             "--help tells more.\n\n"
-             "Exit status: 0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 "
-             "stopped by a limit "
-             "or by the user; 5 stopped at a breakpoint.");
-  const std::string_view verb = argc > 1 ? argv[1] : "";
-  if (verb == "replay") return replay(argc - 1, argv + 1);
-  if (verb == "diff") return diff(argc - 1, argv + 1);
-  if (verb == "recover") return recover(argc - 1, argv + 1);
+  for (const Verb& verb : verbs) app.verb(verb.told);
+  app.exit_status(
+      "0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 stopped by a limit "
+      "or by the user; 5 stopped at a breakpoint.");
+  app.see_also("isoscope");
+  for (const Verb& verb : verbs)
+    if (argc > 1 && verb.told.name == argv[1]) return verb.run(argc - 1, argv + 1);
   if (const auto ended = app.parse(argc, argv)) return *ended;
   if (list_gallery) return answer(gallery_table());
   BreakpointSet breakpoints;

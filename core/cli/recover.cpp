@@ -165,9 +165,8 @@ int recover(int argc, char** argv) {
            "which takes as long as the run did (Ctrl-C leaves it out)");
   app.option("--threads", options.threads, "number of threads, 0 for all cores");
   app.flag("--quiet", options.quiet, "print nothing but errors");
-  app.footer(
-      "Exit status: 0 the new recording is written, whatever had to be left out; 1 it cannot be written; 2 "
-      "usage; 3 nothing can be saved; 4 stopped by the user before anything was.");
+  app.exit_status("0 the new recording is written, whatever had to be left out; 1 it cannot be written; 2 "
+                  "usage; 3 nothing can be saved; 4 stopped by the user before anything was.");
   if (const auto ended = app.parse(argc, argv)) return *ended;
   if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
   if (are_one_file(options.file, options.output)) {

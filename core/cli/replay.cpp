@@ -94,8 +94,8 @@ int replay(int argc, char** argv) {
   app.option("-o,--output", options.mesh, "write Z as it is after the last operation");
   app.option("--threads", options.threads, "number of threads, 0 for all cores");
   app.flag("--quiet", options.quiet, "print nothing but errors");
-  app.footer("Exit status: that of the recorded run, 4 when it ended without finishing; with --check 0 when "
-             "it replays and 1 when it does not; 2 usage; 3 a file that cannot be read.");
+  app.exit_status("that of the recorded run, 4 when it ended without finishing; with --check 0 when "
+                  "it replays and 1 when it does not; 2 usage; 3 a file that cannot be read.");
   if (const auto ended = app.parse(argc, argv)) return *ended;
   if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
   if (!options.mesh.empty())

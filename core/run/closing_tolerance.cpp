@@ -2,8 +2,8 @@
 #include "run/closing_tolerance.h"
 
 #include "base/numbers.h"
-#include "journal/recorder.h"
 #include "refine/refinement.h"
+#include "run/passing_gate.h"
 #include "tolerance/parameter_check.h"
 #include "tolerance/thin_parts.h"
 
@@ -26,16 +26,6 @@ constexpr int most_attempts = 8;
 constexpr double attempt_step = 1.08;
 /// Vertices after which a refinement has shown that it runs.
 constexpr std::size_t trial_insertions = 3000;
-
-class OpenGate : public Gate {
- public:
-  explicit OpenGate(const CriteriaParameters& criteria) : criteria_(criteria) {}
-  Verdict pass(const Journal&, const Event&) override { return Verdict::go_on; }
-  CriteriaParameters wanted_parameters() const override { return criteria_; }
-
- private:
-  CriteriaParameters criteria_;
-};
 
 class Trials {
  public:
@@ -61,7 +51,7 @@ class Trials {
     const auto shared = std::make_shared<const BoundarySamples>(std::move(*samples));
     journal->add_sample_set(shared);
     journal->add_parameters(criteria);
-    OpenGate gate(criteria);
+    PassingGate gate(criteria);
     Recorder recorder(*journal, gate);
     Refinement refinement(*volume, shared, criteria, expected_topology(*volume, parameters_->topology),
                           {trial_insertions, trial_insertions}, recorder, *control_);

@@ -3,6 +3,7 @@
 
 #include "mesh/zero_set.h"
 #include "run/parameters_json.h"
+#include "run/passing_gate.h"
 #include "run/report.h"
 #include "run/statistics.h"
 
@@ -15,13 +16,6 @@ namespace isoscope {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Preparing needs a gate, but passes none.
-class NoGate : public Gate {
- public:
-  Verdict pass(const Journal&, const Event&) override { return Verdict::go_on; }
-  CriteriaParameters wanted_parameters() const override { return {}; }
-};
 
 /// A whole number; throws on any other, which get() would cast.
 template <class T> T whole(const Json& json) {
@@ -124,7 +118,7 @@ Result<std::shared_ptr<const Scene>> rebuild_scene(const RunParameters& paramete
                                                    std::vector<InputNote> notes) {
   RunParameters unlimited = parameters;
   unlimited.time_limit = unlimited.memory_limit = 0;
-  NoGate gate;
+  PassingGate gate; // preparing needs one, but passes none
   Pipeline pipeline(unlimited, std::make_shared<Journal>(), gate, control);
   auto prepared = pipeline.prepare(std::move(input), std::move(notes), ThinParts::accept);
   if (!prepared) return prepared.error();

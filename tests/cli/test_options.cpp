@@ -35,7 +35,7 @@ TEST_CASE("Questions are answered on standard output with status 0") {
 
 TEST_CASE("Answers into a pipe that nobody reads are no failure, those onto a full disk are") {
   for (const char* question :
-       {"--help", "--version", "--list-gallery", "replay --help", "diff --help", "recover --help"}) {
+       {"--help", "--man", "--version", "--list-gallery", "replay --help", "diff --man", "recover --help"}) {
     CAPTURE(question);
     // The reader has gone before the first byte comes.
     const Ended piped =

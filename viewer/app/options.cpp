@@ -59,11 +59,14 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   app.option("--step", o.step, "the screenshot shows this step: a number or end");
   app.option("--view", o.view, "the screenshot shows this view: a JSON file");
   app.option("--history-limit", o.history_limit, "of journal and keyframes together, MiB", 1, 1048576);
-  app.option("--ui-scale", ui_scale, "size of text and controls, 0.5 to 4", 0.5, 4);
+  app.option("--ui-scale", ui_scale, "size of text and controls", 0.5, 4);
   app.option("--size", size, "of the window, or of a plain screenshot: WIDTHxHEIGHT");
-  app.choice("--theme", theme, {"dark", "light", "paper"});
+  app.choice("--theme", theme, {"dark", "light", "paper"}, "colours of the window");
   app.flag("--list-lessons", list_lessons, "list the lessons: isoscope lesson:NAME begins one");
   app.flag("--version", show_version, "say the version");
+  app.exit_status("0 closed, or the script or the picture is done; 1 a command of the script failed, or the "
+                  "picture cannot be written; 2 usage, or no display; 3 bad input; 4 ended by a signal.");
+  app.see_also("isoscope-run");
   const auto asked = app.read(argc, argv);
   if (!asked) return bad(asked.error().message + (asked.error().message.ends_with('.') ? "" : "."));
   parsed.print = *asked;
