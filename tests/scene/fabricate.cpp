@@ -39,8 +39,8 @@ void judge(StateSnapshot& state) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const TetId tet = sets.tet_of(SampleId(i));
     state.sample_tets[i] = tet;
-    state.errors[i] = static_cast<float>(
-        sample_error_at(state.complex, tet, samples.positions[i], samples.labels[i]));
+    state.errors[i] =
+        static_cast<float>(sample_error_at(state.complex, tet, samples.positions[i], samples.labels[i]));
     if (is_bad(static_cast<double>(state.errors[i]))) ++state.bad_samples;
     if (state.errors[i] > state.largest_error) {
       state.largest_error = state.errors[i];
@@ -116,10 +116,13 @@ Fabricated refine(const std::shared_ptr<Scene>& scene, std::shared_ptr<const Bou
     judge(*state);
   }
   describe(*state);
-  auto grid = std::make_shared<DistanceGrid>(
-      take(make_distance_grid(*scene->field, scene->delta, resolution, control)));
+  GridWish wish;
+  wish.delta = scene->delta;
+  wish.level = 2;
+  wish.voxel = (scene->longest_edge + 4 * scene->delta) / resolution;
+  auto grid = std::make_shared<DistanceGrid>(take(make_distance_grid(*scene->field, wish, control)));
   const InputSides sides({scene->field, scene->field->surface()}, SideRule::parity, nullptr);
-  if (const Status found = find_sides(*grid, *scene->field, sides, scene->delta, scene->regions, control);
+  if (const Status found = find_sides(*grid, {*scene->field, sides, scene->delta, scene->regions}, control);
       !found)
     throw std::runtime_error(found.error().line());
   return {scene, state, grid};

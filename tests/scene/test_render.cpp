@@ -2,6 +2,7 @@
 #include "scene/fabricate.h"
 #include "scene/picture.h"
 #include "scene/renderer.h"
+#include "scene/volume_look.h"
 
 #include "input/gallery.h"
 #include "tolerance/weighted_points.h"
@@ -10,6 +11,7 @@
 #include <doctest/doctest.h>
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace isoscope;
@@ -324,4 +326,109 @@ TEST_CASE("Ω is drawn at another level at once") {
     const double wanted = std::pow((radius + static_cast<double>(level)) / (radius + 1), 2);
     CHECK(covered(level) / covered(1) == doctest::Approx(wanted).epsilon(0.03));
   }
+}
+
+TEST_CASE("frames of a resting picture are averaged into a smoother one of the same thing") {
+  Studio& s = studio();
+  ViewSettings view = nothing();
+  view.zero_set.visible = true;
+  view.outer.visible = view.inner.visible = true;
+  const Picture first = s.draw(view);
+  Picture last = first;
+  for (int still = 1; still < 12; ++still) {
+    s.request.still = still;
+    last = s.draw(view);
+  }
+  s.request.still = 0;
+  CHECK(last.width == first.width);
+  CHECK(testing::difference(first, last) < 3);
+  CHECK(testing::difference(first, last) > 0);
+  // How much colours jump twice in a row, as they do at stairs and in noise.
+  const auto roughness = [](const Picture& p) {
+    double sum = 0;
+    for (int y = 0; y < p.height; ++y)
+      for (int x = 1; x + 1 < p.width; ++x)
+        sum += std::abs(p.at(x - 1, y)[0] + p.at(x + 1, y)[0] - 2 * p.at(x, y)[0]);
+    return sum;
+  };
+  CHECK(roughness(last) < 0.95 * roughness(first));
+  CHECK(testing::difference(s.draw(view), first) < 0.01); // and it begins anew
+}
+
+TEST_CASE("a frame that is made strip by strip is the one that is made at once") {
+  Studio& s = studio();
+  ViewSettings view = nothing();
+  view.zero_set.visible = view.outer.visible = view.inner.visible = true;
+  const auto second = [&](int strips) {
+    s.draw(view);
+    s.request.still = 1;
+    s.request.strips = strips;
+    Picture last;
+    for (s.request.strip = 0; s.request.strip < strips; ++s.request.strip) last = s.draw(view);
+    s.request.still = s.request.strip = 0;
+    s.request.strips = 1;
+    return last;
+  };
+  const Picture whole = second(1);
+  CHECK(testing::difference(second(4), whole) < 0.01);
+  CHECK(testing::difference(s.draw(view), whole) > 0);
+}
+
+TEST_CASE(
+    "haze tells how much of Ω a ray goes through, and the order of both boundaries holds from all sides") {
+  Studio& s = studio();
+  ViewSettings view = nothing();
+  apply(volume_looks[3], view); // thickness
+  const Picture thin = s.draw(view);
+  const auto at_middle = thin.at(80, 70);
+  int strongest = 0;
+  for (int x = 0; x < 80; ++x)
+    strongest = std::max(strongest, std::abs(thin.at(x, 70)[2] - s.draw(nothing()).at(x, 70)[2]));
+  // A ray that grazes the ball stays in Ω for longer than one through its middle.
+  CHECK(strongest > std::abs(at_middle[2] - s.draw(nothing()).at(80, 70)[2]) + 15);
+  // Solid boundaries: from outside the cool one hides the warm one, cut open the warm one is before it.
+  view = nothing();
+  view.outer = view.inner = {true, 1.0f};
+  const CameraPose pose = s.camera.pose();
+  for (const int axis : {0, 1, 2})
+    for (const int sign : {-1, 1}) {
+      CAPTURE(axis);
+      CAPTURE(sign);
+      s.camera.look_along(axis, sign, false);
+      view.clip.shape = ClipSettings::Shape::none;
+      CHECK(bluish(s.draw(view).at(80, 70)));
+      view.clip.shape = ClipSettings::Shape::plane;
+      view.clip.point = s.sphere.scene->input->bounds().center();
+      view.clip.normal = normalized(s.camera.eye() - s.camera.pose().target);
+      const auto inside = s.draw(view).at(80, 70);
+      CHECK(inside[0] > inside[1] + 15);
+    }
+  s.camera.set(pose);
+}
+
+TEST_CASE("the face of a cut shows Ω's band with Z's line and the samples on it") {
+  Studio& s = studio();
+  ViewSettings view = nothing();
+  view.outer.visible = view.inner.visible = true;
+  view.clip.shape = ClipSettings::Shape::plane;
+  view.clip.point = s.sphere.scene->input->bounds().center();
+  view.clip.normal = normalized(s.camera.eye() - s.camera.pose().target);
+  const Picture band = s.draw(view);
+  CHECK(band.count(bluish) > 300);
+  view.zero_set.visible = true;
+  const Picture with_line = s.draw(view);
+  const auto white = [](const Picture::Color& c) { return c[0] > 225 && c[1] > 225 && c[2] > 225; };
+  CHECK(with_line.count(white) > band.count(white) + 100);
+  view.zero_set.visible = false;
+  view.samples.visible = true;
+  view.sample_size = 8;
+  CHECK(s.draw(view).count(green) > 60);
+  // Seen from behind the face does not lie open.
+  view.clip.flipped = true;
+  view.clip.normal = -view.clip.normal;
+  view.samples.visible = false;
+  view.zero_set.visible = true;
+  CHECK(testing::difference(s.draw(view), with_line) < 0.01);
+  view.clip.flipped = false;
+  CHECK(testing::difference(s.draw(view), with_line) > 3);
 }

@@ -24,7 +24,8 @@ inline int run_window(const std::string& name, const std::string& script,
   const fs::path results = ISOSCOPE_RESULTS;
   fs::create_directories(results);
   const fs::path file = results / (name + ".txt");
-  std::ofstream(file) << script;
+  // One frame a picture: what is averaged where a view rests is not what they are about.
+  std::ofstream(file) << "set stills 1\n" << script;
   std::string command = environment + ISOSCOPE_PROGRAM + " " + arguments + " --script " + file.string();
   if (!meanwhile.empty()) command += " & program=$!; " + meanwhile + "; wait $program";
   return exit_of(command);

@@ -1,4 +1,5 @@
 // The distance grid and the check of parameters.
+#include "base/parallel.h"
 #include "tolerance/closest_point.h"
 #include "tolerance/distance_grid.h"
 #include "tolerance/parameter_check.h"
@@ -6,30 +7,73 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace isoscope;
 
-TEST_CASE("the distance grid is exact below its clamp and clamped beyond") {
+TEST_CASE("the distance grid is exact where it has samples, and has them all around Ω") {
   TriangleSoup soup;
   testing::add_torus(soup, {0, 0, 0}, 1, 0.3, 24);
   const ClosestPointIndex index(soup);
-  const double delta = 0.05;
-  const auto grid = make_distance_grid(index, delta, 37, RunControl());
+  GridWish wish;
+  wish.delta = 0.05;
+  wish.voxel = 0.03;
+  const auto grid = make_distance_grid(index, wish, RunControl());
   REQUIRE(grid.ok());
-  CHECK(std::max({grid->size[0], grid->size[1], grid->size[2]}) == 37);
-  REQUIRE(grid->values.size() == static_cast<std::size_t>(grid->size[0] * grid->size[1] * grid->size[2]));
-  const Vec3 extent = grid->box.extent();
-  std::size_t i = 0, wrong = 0;
-  for (int z = 0; z < grid->size[2]; ++z)
-    for (int y = 0; y < grid->size[1]; ++y)
-      for (int x = 0; x < grid->size[0]; ++x, ++i) {
-        const Vec3 p =
-            grid->box.lo + Vec3{extent.x * (x + 0.5) / grid->size[0], extent.y * (y + 0.5) / grid->size[1],
-                                extent.z * (z + 0.5) / grid->size[2]};
-        const double expected = std::min(index.distance(p) / delta, static_cast<double>(grid->clamp));
-        if (std::abs(static_cast<double>(grid->values[i]) - expected) > 1e-5) ++wrong;
-      }
+  CHECK_FALSE(grid->coarsened);
+  CHECK(grid->bricks() * DistanceGrid::brick_size == grid->values.size());
+  const double unit = static_cast<double>(grid->clamp) / DistanceGrid::most;
+  std::size_t wrong = 0;
+  for (std::size_t b = 0; b < grid->bricks(); ++b)
+    for (int z = 0; z < DistanceGrid::samples; ++z)
+      for (int y = 0; y < DistanceGrid::samples; ++y)
+        for (int x = 0; x < DistanceGrid::samples; ++x) {
+          const Vec3 p =
+              grid->corner(grid->at[b]) +
+              grid->voxel * Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+          const double expected =
+              std::clamp(index.distance(p) / wish.delta, unit, static_cast<double>(grid->clamp));
+          if (std::abs(unit * grid->brick(b)[DistanceGrid::sample(x, y, z)] - expected) > unit) ++wrong;
+        }
   CHECK(wrong == 0);
-  CHECK(make_distance_grid(index, 0, 10, RunControl()).error().code == ErrorCode::usage);
+  // Whoever looks at a point in Ω finds its value; far from it there is nothing.
+  std::size_t missing = 0, empty = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 e = grid->box.extent();
+    const Vec3 p = grid->box.lo + Vec3{e.x * std::fmod(0.5 + i * 0.8191725134, 1.0),
+                                       e.y * std::fmod(0.5 + i * 0.6710436067, 1.0),
+                                       e.z * std::fmod(0.5 + i * 0.5497004779, 1.0)};
+    const double d = index.distance(p) / wish.delta;
+    if (d < 1.2 && std::abs(grid->value(p) - d) > 0.35) ++missing;
+    if (grid->value(p) == static_cast<double>(grid->reach)) ++empty;
+  }
+  CHECK(missing == 0);
+  CHECK(empty > 1000);
+  wish.delta = 0;
+  CHECK(make_distance_grid(index, wish, RunControl()).error().code == ErrorCode::usage);
+}
+
+TEST_CASE("a grid that memory does not allow is as fine as it may be and says so") {
+  TriangleSoup soup;
+  testing::add_torus(soup, {0, 0, 0}, 1, 0.3, 24);
+  const ClosestPointIndex index(soup);
+  GridWish wish;
+  wish.delta = 0.01;
+  wish.voxel = wish.coarsest = 0.005;
+  wish.most_bytes = std::size_t{3} << 20;
+  const auto grid = make_distance_grid(index, wish, RunControl());
+  REQUIRE(grid.ok());
+  CHECK(grid->coarsened);
+  CHECK(grid->texture_bytes() <= wish.most_bytes);
+  CHECK(grid->texture_bytes() > wish.most_bytes / 2);
+  CHECK(grid->voxel > wish.voxel);
+  // The same however many threads there are.
+  const ThreadLimit one(1);
+  const auto again = make_distance_grid(index, wish, RunControl());
+  REQUIRE(again.ok());
+  CHECK(again->index == grid->index);
+  CHECK(again->values == grid->values);
 }
 
 TEST_CASE("parameters that cannot satisfy condition 2 or section 3 are warned about") {

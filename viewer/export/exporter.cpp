@@ -94,6 +94,7 @@ Shot Exporter::shot_of(const Exports& desk, const ViewState& state, const Pictur
   shot.width = format.width > 0 ? format.width : extent.width;
   shot.height = format.height > 0 ? format.height : extent.height;
   shot.alpha = format.alpha;
+  shot.stills = desk.window.stills;
   const double from = static_cast<double>(extent.width) / extent.height,
                to = static_cast<double>(shot.width) / shot.height;
   shot.camera = desk.window.camera;

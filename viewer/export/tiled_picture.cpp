@@ -2,12 +2,15 @@
 #include "export/tiled_picture.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace isoscope {
 namespace {
 
 constexpr int tile_side = 1024;
+/// The window is drawn between two calls.
+constexpr auto longest_call = std::chrono::milliseconds(80);
 /// Discs, lines and Ω's coarser picture reach over a tile's rim, by units of the interface.
 constexpr double rim_units = 24;
 
@@ -33,12 +36,18 @@ Result<bool> TiledPicture::advance(Renderer& renderer) {
   request.mark = shot_.mark;
   request.transparent_background = shot_.alpha;
   request.tile = PictureTile{x - rim, y - rim, shot_.width, shot_.height};
-  const Renderer::Frame frame = shot_.view.mode == ViewMode::section
-                                    ? renderer.render_section(shot_.section, shot_.view, request)
-                                    : renderer.render(shot_.camera, shot_.view, request);
-  if (frame.texture == 0)
-    return Error{ErrorCode::device, "The graphics driver has no room for a part of the picture.",
-                 "Close other programs that use the graphics card."};
+  Renderer::Frame frame;
+  const auto begun = std::chrono::steady_clock::now();
+  do {
+    request.still = still_++;
+    frame = shot_.view.mode == ViewMode::section ? renderer.render_section(shot_.section, shot_.view, request)
+                                                 : renderer.render(shot_.camera, shot_.view, request);
+    if (frame.texture == 0)
+      return Error{ErrorCode::device, "The graphics driver has no room for a part of the picture.",
+                   "Close other programs that use the graphics card."};
+  } while (still_ < shot_.stills && std::chrono::steady_clock::now() - begun < longest_call);
+  if (still_ < shot_.stills) return false;
+  still_ = 0;
   const std::vector<std::uint8_t> pixels = renderer.read_pixels(frame);
   for (int row = 0; row < height; ++row) {
     const auto from = 4 * (static_cast<std::ptrdiff_t>(row + rim) * frame.width + rim);

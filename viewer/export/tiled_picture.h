@@ -16,6 +16,7 @@ struct Shot {
   int width = 0, height = 0;
   float pixel_scale = 1;
   bool alpha = false;
+  int stills = 1; ///< frames that are averaged in each tile
   Pick selection;
   std::optional<Vec3> mark;
 };
@@ -23,15 +24,17 @@ struct Shot {
 class TiledPicture {
  public:
   explicit TiledPicture(Shot shot);
-  /// Draws the next tile of what the renderer holds; true when the picture is complete. Fails with device.
+  /// Draws some frames of the next tile of what the renderer holds; true when the picture is complete. Fails
+  /// with device.
   Result<bool> advance(Renderer& renderer);
-  double part() const { return static_cast<double>(next_) / (columns_ * rows_); }
+  double part() const { return (next_ + static_cast<double>(still_) / shot_.stills) / (columns_ * rows_); }
   Image take() { return std::move(image_); }
 
  private:
   Shot shot_;
   Image image_;
   int columns_ = 1, rows_ = 1, next_ = 0;
+  int still_ = 0; ///< the next frame of the tile
 };
 
 } // namespace isoscope

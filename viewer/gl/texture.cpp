@@ -18,12 +18,16 @@ Layout layout(Format format) {
     return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
   case Format::rgba16f:
     return {GL_RGBA16F, GL_RGBA, GL_FLOAT};
+  case Format::rgba32f:
+    return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
   case Format::r16f:
     return {GL_R16F, GL_RED, GL_FLOAT};
-  case Format::rg16f:
-    return {GL_RG16F, GL_RG, GL_FLOAT};
-  case Format::r32f:
-    return {GL_R32F, GL_RED, GL_FLOAT};
+  case Format::r16s:
+    return {GL_R16_SNORM, GL_RED, GL_SHORT};
+  case Format::r8s:
+    return {GL_R8_SNORM, GL_RED, GL_BYTE};
+  case Format::r32u:
+    return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT};
   case Format::depth:
     return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
   }
@@ -79,8 +83,7 @@ void Texture::allocate(int width, int height, Format format, int samples, bool l
   glTexParameteri(target_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-void Texture::upload_volume(std::array<int, 3> size, std::span<const float> values, Format format,
-                            bool linear) {
+void Texture::allocate_volume(std::array<int, 3> size, Format format, bool linear) {
   create();
   target_ = GL_TEXTURE_3D;
   format_ = format;
@@ -89,14 +92,36 @@ void Texture::upload_volume(std::array<int, 3> size, std::span<const float> valu
   samples_ = 1;
   const Layout l = layout(format);
   glBindTexture(target_, id_);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage3D(target_, 0, static_cast<GLint>(l.internal), size[0], size[1], size[2], 0, l.format, GL_FLOAT,
-               values.data());
+  glTexImage3D(target_, 0, static_cast<GLint>(l.internal), size[0], size[1], size[2], 0, l.format, l.type,
+               nullptr);
   const GLint filter = linear ? GL_LINEAR : GL_NEAREST;
   glTexParameteri(target_, GL_TEXTURE_MIN_FILTER, filter);
   glTexParameteri(target_, GL_TEXTURE_MAG_FILTER, filter);
   for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
     glTexParameteri(target_, wrap, GL_CLAMP_TO_EDGE);
+}
+
+void Texture::fill(std::array<int, 3> corner, std::array<int, 3> size, const void* values) {
+  const Layout l = layout(format_);
+  glBindTexture(target_, id_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage3D(target_, 0, corner[0], corner[1], corner[2], size[0], size[1], size[2], l.format, l.type,
+                  values);
+}
+
+void Texture::fill_volume(std::array<int, 3> corner, std::array<int, 3> size,
+                          std::span<const std::int16_t> values) {
+  fill(corner, size, values.data());
+}
+
+void Texture::fill_volume(std::array<int, 3> corner, std::array<int, 3> size,
+                          std::span<const std::int8_t> values) {
+  fill(corner, size, values.data());
+}
+
+void Texture::fill_volume(std::array<int, 3> corner, std::array<int, 3> size,
+                          std::span<const std::uint32_t> values) {
+  fill(corner, size, values.data());
 }
 
 void Texture::bind(int unit) const {

@@ -18,9 +18,9 @@ float Message::strength(double clock) const {
   return static_cast<float>(std::clamp(left / fade, 0.0, 1.0));
 }
 
-bool WindowState::drag_in_scene(Vec3 place, float dx, float dy) {
+bool WindowState::drag_in_scene(Vec3 point, float dx, float dy) {
   const auto [x, y, width, height] = scene_area;
-  const ScreenPoint at = project(camera, place, static_cast<double>(width), static_cast<double>(height));
+  const ScreenPoint at = project(camera, point, static_cast<double>(width), static_cast<double>(height));
   if (!at.visible) return false;
   const float from_x = x + static_cast<float>(at.x), from_y = y + static_cast<float>(at.y);
   constexpr int moves = 8;
@@ -148,12 +148,10 @@ ViewSettings WindowState::shown_view() const {
 }
 
 std::optional<std::array<double, 2>> WindowState::preview_range() const {
-  constexpr double below_clamp = 0.95; ///< what is clamped is no value
   const auto shown = grid.grid();
   if (!run.scene || !run.scene->study || run.scene->study->curve.empty() || !shown) return std::nullopt;
   const auto& curve = run.scene->study->curve;
-  const double most =
-      std::min(curve.back().delta, below_clamp * static_cast<double>(shown->clamp) * run.scene->delta);
+  const double most = std::min(curve.back().delta, static_cast<double>(shown->level) * run.scene->delta);
   if (!(most > curve.front().delta)) return std::nullopt;
   return std::array{curve.front().delta, most};
 }

@@ -191,8 +191,9 @@ class WindowState : public ShownRun {
   std::deque<Message> messages;
   WindowRequests requests;
   std::array<float, 4> scene_area{}; ///< where the 3D view lies in the window: low x, y, width, height
-  double clock = 0;                  ///< seconds since the start
-  bool scripted = false;             ///< no easing, nothing remembered, following is immediate
+  int stills = 8;        ///< frames that are averaged in pictures and where a view rests, at least 1
+  double clock = 0;      ///< seconds since the start
+  bool scripted = false; ///< no easing, nothing remembered, following is immediate
   /// After the last update: the state shown is the one asked for, and nothing under way would change it.
   bool settled = false;
 
@@ -212,7 +213,7 @@ class WindowState : public ShownRun {
   const PaneLayout& kept_layout() const { return kept_layout_ ? *kept_layout_ : settings.panes; }
   /// Asks the mouse to drag what appears at a place in the scene by so many pixels; false where it is not in
   /// sight.
-  bool drag_in_scene(Vec3 place, float dx, float dy);
+  bool drag_in_scene(Vec3 point, float dx, float dy);
   /// Opens the inspector, which brings the answer into sight.
   void bring_into_sight(AnswerKind which);
 

@@ -1,81 +1,92 @@
-// How far a ray may go through the grid without meeting Ω.
+// Chebyshev distances between places.
 #include "scene/empty_space.h"
 
 #include "base/parallel.h"
+#include "scene/brick_atlas.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 
 namespace isoscope {
 namespace {
 
-/// Of the block, grown by a voxel all round.
-float least_in(const DistanceGrid& grid, std::array<int, 3> from, int block) {
-  bool positive = false, negative = false;
-  float least = grid.clamp;
-  std::array<int, 3> lo{}, hi{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    lo[i] = std::max(from[i] - 1, 0);
-    hi[i] = std::min(from[i] + block + 1, grid.size[i]);
-  }
-  for (int z = lo[2]; z < hi[2]; ++z)
-    for (int y = lo[1]; y < hi[1]; ++y)
-      for (int x = lo[0]; x < hi[0]; ++x) {
-        const std::size_t i = (static_cast<std::size_t>(z) * grid.size[1] + y) * grid.size[0] + x;
-        least = std::min(least, grid.values[i]);
-        (grid.sides.empty() || grid.sides[i] > 0 ? positive : negative) = true;
-      }
-  return positive && negative ? -1.0f : least;
-}
+constexpr float aside = 0.1f; ///< of the level, in δ
 
 } // namespace
 
-GridBlocks grid_blocks(const DistanceGrid& grid, int block) {
-  GridBlocks blocks;
-  blocks.block = block;
-  for (std::size_t i = 0; i < 3; ++i) blocks.size[i] = (grid.size[i] + block - 1) / block;
-  const auto row = static_cast<std::size_t>(blocks.size[0]),
-             slice = row * static_cast<std::size_t>(blocks.size[1]);
-  blocks.least.resize(slice * static_cast<std::size_t>(blocks.size[2]));
-  parallel_for(blocks.least.size(), 64, [&](std::size_t i) {
-    const std::array<int, 3> at{static_cast<int>(i % row), static_cast<int>(i % slice / row),
-                                static_cast<int>(i / slice)};
-    blocks.least[i] = least_in(grid, {at[0] * block, at[1] * block, at[2] * block}, block);
+std::vector<float> least_in_bricks(const DistanceGrid& grid) {
+  std::vector<float> least(grid.bricks());
+  const float unit = grid.clamp / DistanceGrid::most;
+  parallel_for(least.size(), 64, [&](std::size_t i) {
+    std::int16_t positive = DistanceGrid::most, negative = DistanceGrid::most;
+    for (const std::int16_t v : grid.brick(i))
+      (v > 0 ? positive : negative) =
+          std::min<std::int16_t>(v > 0 ? positive : negative, static_cast<std::int16_t>(std::abs(v)));
+    const bool both = positive < DistanceGrid::most && negative < DistanceGrid::most;
+    least[i] = both ? -1.0f : unit * static_cast<float>(std::min(positive, negative));
   });
-  return blocks;
+  return least;
 }
 
-std::vector<float> empty_space(const GridBlocks& blocks, float level, double voxel) {
-  const std::array<int, 3>& size = blocks.size;
-  const auto index = [&](int x, int y, int z) {
-    return (static_cast<std::size_t>(z) * size[1] + y) * size[0] + x;
-  };
-  // Chebyshev distance to the nearest occupied block by a forward and a backward sweep.
-  const int far_away = size[0] + size[1] + size[2];
-  std::vector<int> steps(static_cast<std::size_t>(size[0]) * size[1] * size[2], far_away);
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    if (blocks.least[i] <= level) steps[i] = 0;
-  const auto relax = [&](int x, int y, int z, int direction) {
-    int& here = steps[index(x, y, z)];
-    for (int dz = -1; dz <= 1; ++dz)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-          if ((dz * 9 + dy * 3 + dx) * direction >= 0) continue;
-          const int nx = x + dx, ny = y + dy, nz = z + dz;
-          if (nx < 0 || ny < 0 || nz < 0 || nx >= size[0] || ny >= size[1] || nz >= size[2]) continue;
-          here = std::min(here, steps[index(nx, ny, nz)] + 1);
+std::vector<std::uint32_t> place_entries(const DistanceGrid& grid, const std::vector<float>& least,
+                                         float level) {
+  constexpr std::uint32_t far_away = 255;
+  const std::array<int, 3>& size = grid.places;
+  const BrickAtlas atlas(grid.bricks());
+  std::vector<std::uint32_t> entries(grid.index.size());
+  std::vector<std::uint8_t> steps(entries.size());
+  parallel_for(entries.size(), 1u << 16, [&](std::size_t i) {
+    const std::int32_t brick = grid.index[i];
+    const bool has = brick >= 0;
+    // A ray that leaves an empty place goes on a little beyond: it must not be in Ω there.
+    const bool full = has && least[static_cast<std::size_t>(brick)] <= level + aside;
+    entries[i] = atlas.packed(has                            ? static_cast<std::size_t>(brick)
+                              : brick == DistanceGrid::inner ? atlas.inner()
+                                                             : atlas.outer());
+    steps[i] = static_cast<std::uint8_t>(full ? 0 : far_away);
+  });
+  // Chebyshev distance to the nearest full place: along one axis after the other.
+  const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(size[0]),
+                                          static_cast<std::size_t>(size[0]) *
+                                              static_cast<std::size_t>(size[1])};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto length = static_cast<std::size_t>(size[axis]);
+    const std::size_t across = (axis + 1) % 3, along = (axis + 2) % 3;
+    const auto rows = static_cast<std::size_t>(size[across]) * static_cast<std::size_t>(size[along]);
+    parallel_for(rows, 64, [&](std::size_t row) {
+      const std::size_t first = row % static_cast<std::size_t>(size[across]) * stride[across] +
+                                row / static_cast<std::size_t>(size[across]) * stride[along];
+      if (axis == 0) {
+        // In one dimension the distance is what two sweeps find.
+        for (std::size_t i = 1; i < length; ++i) {
+          std::uint8_t& here = steps[first + i];
+          here = std::min<std::uint8_t>(
+              here, static_cast<std::uint8_t>(std::min<int>(steps[first + i - 1] + 1, far_away)));
         }
-  };
-  for (int z = 0; z < size[2]; ++z)
-    for (int y = 0; y < size[1]; ++y)
-      for (int x = 0; x < size[0]; ++x) relax(x, y, z, 1);
-  for (int z = size[2] - 1; z >= 0; --z)
-    for (int y = size[1] - 1; y >= 0; --y)
-      for (int x = size[0] - 1; x >= 0; --x) relax(x, y, z, -1);
-  std::vector<float> jump(steps.size());
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    jump[i] = static_cast<float>(std::max(0, steps[i] - 1) * blocks.block * voxel);
-  return jump;
+        for (std::size_t i = length - 1; i-- > 0;) {
+          std::uint8_t& here = steps[first + i];
+          here = std::min<std::uint8_t>(
+              here, static_cast<std::uint8_t>(std::min<int>(steps[first + i + 1] + 1, far_away)));
+        }
+        return;
+      }
+      // The least over all places of the row of max(what is there, how far that is): growing what is looked
+      // at until nothing farther can be less.
+      std::vector<std::uint8_t> old(length);
+      for (std::size_t i = 0; i < length; ++i) old[i] = steps[first + i * stride[axis]];
+      for (std::size_t i = 0; i < length; ++i) {
+        std::size_t best = old[i];
+        for (std::size_t away = 1; away < best; ++away) {
+          if (i >= away) best = std::min(best, std::max<std::size_t>(old[i - away], away));
+          if (i + away < length) best = std::min(best, std::max<std::size_t>(old[i + away], away));
+        }
+        steps[first + i * stride[axis]] = static_cast<std::uint8_t>(best);
+      }
+    });
+  }
+  parallel_for(entries.size(), 1u << 16,
+               [&](std::size_t i) { entries[i] |= static_cast<std::uint32_t>(steps[i]) << brick_bits; });
+  return entries;
 }
 
 } // namespace isoscope

@@ -1,23 +1,27 @@
-// How far a ray may go through the grid without meeting Ω.
+// Which places of the distance grid a ray has to look at, and how far it may go otherwise.
 #pragma once
 
 #include "tolerance/distance_grid.h"
 
-#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace isoscope {
 
-/// The grid in blocks of so many voxels a side, each with a margin of one voxel.
-struct GridBlocks {
-  std::array<int, 3> size{};
-  int block = 1;
-  std::vector<float> least; ///< the least φ/δ in the block; -1 where it holds a change of side
-};
-GridBlocks grid_blocks(const DistanceGrid& grid, int block);
+/// By brick: the least φ/δ in it; -1 where it holds a change of side.
+std::vector<float> least_in_bricks(const DistanceGrid& grid);
 
-/// By block: how far one may go from any point of it without meeting a voxel with φ <= level δ or a change of
-/// side. Lengths in the unit of `voxel`.
-std::vector<float> empty_space(const GridBlocks& blocks, float level, double voxel);
+/// What the shaders read of a place: where its brick is (BrickAtlas::packed), and above that how many places
+/// around it, itself included, a ray may cross in any direction; 0 where it may meet Ω.
+constexpr unsigned brick_bits = 18;
+/// A place that a ray may meet Ω in.
+constexpr bool is_full(std::uint32_t entry) {
+  return entry >> brick_bits == 0;
+}
+
+/// By place; bricks whose least value is above the level need not be looked at. A place without a brick has
+/// one of one value.
+std::vector<std::uint32_t> place_entries(const DistanceGrid& grid, const std::vector<float>& least,
+                                         float level);
 
 } // namespace isoscope

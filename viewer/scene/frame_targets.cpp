@@ -41,6 +41,12 @@ Status FrameTargets::resize(int new_width, int new_height, int new_samples, int 
   return {};
 }
 
+Status FrameTargets::prepare_average() {
+  if (average.id() != 0 && average.width() == width && average.height() == height) return {};
+  average.allocate(width, height, gl::Format::rgba32f, 1, true);
+  return averaging.attach({&average}, nullptr);
+}
+
 std::vector<std::uint8_t> read_picture(std::uint32_t texture, int columns, int rows) {
   if (texture == 0) return {};
   const auto width = static_cast<std::size_t>(columns), height = static_cast<std::size_t>(rows);

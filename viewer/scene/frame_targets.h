@@ -17,9 +17,12 @@ struct FrameTargets {
   gl::Texture cell_sum, cell_cover;       ///< weighted sum and product of transparencies of translucent cells
   gl::Texture volume_color, volume_depth; ///< Ω, premultiplied
   gl::Texture result;
-  gl::Framebuffer multisampled, opaque, cells, volume, output;
+  gl::Texture average; ///< of frames of a resting picture
+  gl::Framebuffer multisampled, opaque, cells, volume, output, averaging;
   int width = 0, height = 0, samples = 0, volume_width = 0, volume_height = 0;
 
+  /// Makes room for the average of frames of the present size.
+  Status prepare_average();
   Status resize(int new_width, int new_height, int new_samples, int new_volume_width, int new_volume_height);
 };
 

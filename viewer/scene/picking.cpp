@@ -217,34 +217,10 @@ void hit_input(const Search& search, std::vector<Hit>& hits) {
   }
 }
 
-/// φ/δ between voxel centres; `clamp` outside.
-double interpolate(const DistanceGrid& grid, Vec3 p) {
-  std::array<int, 3> base{};
-  std::array<double, 3> part{};
-  const Vec3 extent = grid.box.extent();
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double x = (p[i] - grid.box.lo[i]) / extent[i] * grid.size[k] - 0.5;
-    if (!(x >= 0) || x >= grid.size[k] - 1) return static_cast<double>(grid.clamp);
-    base[k] = static_cast<int>(x);
-    part[k] = x - base[k];
-  }
-  double sum = 0;
-  for (int c = 0; c < 8; ++c) {
-    const int dx = c & 1, dy = (c >> 1) & 1, dz = c >> 2;
-    const std::size_t at =
-        (static_cast<std::size_t>(base[2] + dz) * grid.size[1] + base[1] + dy) * grid.size[0] + base[0] + dx;
-    const double weight =
-        (dx ? part[0] : 1 - part[0]) * (dy ? part[1] : 1 - part[1]) * (dz ? part[2] : 1 - part[2]);
-    sum += weight * static_cast<double>(grid.values[at]);
-  }
-  return sum;
-}
-
 /// Where the ray enters Ω.
 std::optional<double> meet_tolerance(const Search& search) {
   const DistanceGrid* grid = search.scene.grid;
-  if (!grid || grid->values.empty() || !(search.view.outer.shown() || search.view.inner.shown()))
+  if (!grid || grid->empty() || !(search.view.outer.shown() || search.view.inner.shown()))
     return std::nullopt;
   double lo = 0, hi = Box3::inf;
   for (int i = 0; i < 3; ++i) {
@@ -253,12 +229,15 @@ std::optional<double> meet_tolerance(const Search& search) {
     lo = std::max(lo, std::min(a, b));
     hi = std::min(hi, std::max(a, b));
   }
-  const Vec3 extent = grid->box.extent();
-  const double step =
-      0.5 * std::min({extent.x / grid->size[0], extent.y / grid->size[1], extent.z / grid->size[2]});
+  const auto level = static_cast<double>(search.view.level);
+  const double least_step = 0.5 * grid->voxel;
+  // φ is 1-Lipschitz, and at least what is read where there are no samples.
   for (const auto& [from, to] : search.clip.kept_intervals(search.ray.origin, search.ray.direction, lo, hi))
-    for (double t = from; t < to; t += step)
-      if (interpolate(*grid, search.along(t)) <= static_cast<double>(search.view.level)) return t;
+    for (double t = from; t < to;) {
+      const double value = grid->value(search.along(t));
+      if (value <= level) return t;
+      t += std::max(least_step, 0.9 * grid->delta * (value - level));
+    }
   return std::nullopt;
 }
 

@@ -4,32 +4,37 @@
 namespace isoscope {
 
 Result<Programs> Programs::build(const gl::ShaderSource& source) {
-  struct Entry {
-    gl::Program Programs::*member;
-    const char *name, *vertex, *fragment;
-  };
-  const Entry entries[] = {
-      {&Programs::background, "background", "fullscreen.vert", "background.frag"},
-      {&Programs::mesh_opaque, "mesh_opaque", "mesh.vert", "mesh_opaque.frag"},
-      {&Programs::mesh_translucent, "mesh_translucent", "mesh.vert", "mesh_translucent.frag"},
-      {&Programs::mesh_flat, "mesh_flat", "mesh.vert", "mesh_flat.frag"},
-      {&Programs::line, "line", "line.vert", "line.frag"},
-      {&Programs::marker, "marker", "marker.vert", "marker.frag"},
-      {&Programs::sample, "sample", "sample.vert", "sample.frag"},
-      {&Programs::point, "point", "point.vert", "point.frag"},
-      {&Programs::volume, "volume", "fullscreen.vert", "volume.frag"},
-      {&Programs::composite, "composite", "fullscreen.vert", "composite.frag"},
-      {&Programs::section, "section", "fullscreen.vert", "section.frag"},
-  };
   Programs programs;
-  for (const Entry& entry : entries) {
+  const struct {
+    gl::Program& program;
+    const char *name, *vertex, *fragment;
+  } entries[] = {
+      {programs.background, "background", "fullscreen.vert", "background.frag"},
+      {programs.mesh_opaque, "mesh_opaque", "mesh.vert", "mesh_opaque.frag"},
+      {programs.mesh_translucent, "mesh_translucent", "mesh.vert", "mesh_translucent.frag"},
+      {programs.mesh_flat, "mesh_flat", "mesh.vert", "mesh_flat.frag"},
+      {programs.line, "line", "line.vert", "line.frag"},
+      {programs.marker, "marker", "marker.vert", "marker.frag"},
+      {programs.sample, "sample", "sample.vert", "sample.frag"},
+      {programs.point, "point", "point.vert", "point.frag"},
+      {programs.volume[0], "volume", "fullscreen.vert", "volume.frag"},
+      {programs.volume[1], "volume_sided", "fullscreen.vert", "volume_sided.frag"},
+      {programs.volume_haze[0], "volume_haze", "fullscreen.vert", "volume_haze.frag"},
+      {programs.volume_haze[1], "volume_haze_sided", "fullscreen.vert", "volume_haze_sided.frag"},
+      {programs.volume_moving[0], "volume_moving", "fullscreen.vert", "volume_moving.frag"},
+      {programs.volume_moving[1], "volume_moving_sided", "fullscreen.vert", "volume_moving_sided.frag"},
+      {programs.composite, "composite", "fullscreen.vert", "composite.frag"},
+      {programs.section, "section", "fullscreen.vert", "section.frag"},
+      {programs.copy, "copy", "fullscreen.vert", "copy.frag"},
+  };
+  for (const auto& entry : entries) {
     const auto vertex = source.load(entry.vertex);
     if (!vertex) return vertex.error();
     const auto fragment = source.load(entry.fragment);
     if (!fragment) return fragment.error();
     auto program = gl::Program::build(entry.name, *vertex, *fragment);
     if (!program) return program.error();
-    programs.*entry.member = std::move(*program);
+    entry.program = std::move(*program);
   }
   return programs;
 }

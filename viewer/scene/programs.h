@@ -5,11 +5,15 @@
 #include "gl/program.h"
 #include "gl/shader_source.h"
 
+#include <array>
+
 namespace isoscope {
 
 struct Programs {
-  gl::Program background, mesh_opaque, mesh_translucent, mesh_flat, line, marker, sample, point, volume,
-      composite, section;
+  gl::Program background, mesh_opaque, mesh_translucent, mesh_flat, line, marker, sample, point, composite,
+      section, copy;
+  /// Ω: resting without and with a haze, and moving; of each the one whose values are signed, and the other.
+  std::array<gl::Program, 2> volume, volume_haze, volume_moving;
 
   /// Compiles them all; fails with device and the driver's log.
   static Result<Programs> build(const gl::ShaderSource& source);

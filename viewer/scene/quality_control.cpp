@@ -15,7 +15,14 @@ constexpr std::array<FrameQuality, 5> levels{{{1.0, 0.6, 1.5f, 4, 1000000},
                                               {0.7, 0.5, 2.5f, 1, 20000},
                                               {0.5, 0.5, 3.0f, 1, 10000}}};
 
+constexpr double quick_at_rest = 0.02, longest_rest = 2;
+
 } // namespace
+
+int resting_frames(int asked, double seconds) {
+  if (seconds < quick_at_rest) return 4 * asked;
+  return std::clamp(static_cast<int>(longest_rest / seconds), 1, asked);
+}
 
 FrameQuality QualityControl::choose(Quality quality) const {
   if (quality == Quality::moving) return levels[static_cast<std::size_t>(level_)];

@@ -16,6 +16,10 @@ struct FrameQuality {
   std::size_t sprites = 1000000;
 };
 
+/// How many frames a resting picture is averaged from, where one of them takes so long: four times as many as
+/// asked for where that is quick, fewer where all of them would take too long.
+int resting_frames(int asked, double seconds);
+
 /// Levels from fine to coarse; a slow moving frame makes the next one coarser, a quick one finer.
 class QualityControl {
  public:

@@ -63,12 +63,14 @@ struct Renderer::Impl {
   void upload_frame(const Camera& camera, const ClipSettings& clip, const FrameRequest& request,
                     const ViewFrame& frame);
   void draw_opaque(const ViewFrame& frame, const FrameRequest& request, const FrameQuality& quality);
-  bool draw_cells(const FrameTargets& drawn, const ViewFrame& frame);
+  void draw_cells(const FrameTargets& drawn, const ViewFrame& frame);
   void composite(const FrameTargets& drawn, bool with_cells, bool with_volume);
   ViewFrame view_frame(const Camera& camera, const ViewSettings& view, const FrameRequest& request, int width,
                        int height) const;
-  Renderer::Frame finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
-                         Quality quality);
+  /// Takes the result into the average, by that part.
+  void average(FrameTargets& drawn, float part);
+  Renderer::Frame finish(FrameTargets& drawn, std::chrono::steady_clock::time_point start,
+                         const FrameRequest& request);
   PickScene pick_scene_data() const {
     return {shown.state.get(), shown.scene ? shown.scene->input.get() : nullptr, grid.get(),
             shown.points.get()};
@@ -109,10 +111,8 @@ void Renderer::Impl::upload_grid() {
     layers.tolerance.clear();
     return;
   }
-  const Vec3 extent = grid->box.extent();
   // The robust distance is nowhere 0: what lies between the sides is no zero of a signed function.
-  layers.tolerance.set(*grid, shown.scene ? shown.scene->delta : extent.x / std::max(grid->size[0], 1),
-                       shown.points == nullptr);
+  layers.tolerance.set(grid, shown.points == nullptr);
 }
 
 void Renderer::Impl::reload_shaders() {
@@ -132,6 +132,7 @@ ViewFrame Renderer::Impl::view_frame(const Camera& camera, const ViewSettings& v
   frame.hover = request.hover;
   frame.pulse = request.pulse;
   frame.mark = request.mark;
+  frame.phase = std::fmod(0.6180339887f * static_cast<float>(request.still), 1.0f);
   frame.pixels_per_unit = pixels_per_unit(camera, request.tile ? request.tile->full_height : height);
   if (request.tile) {
     const auto row = [&](int y) {
@@ -139,6 +140,7 @@ ViewFrame Renderer::Impl::view_frame(const Camera& camera, const ViewSettings& v
     };
     frame.rows = {row(request.tile->y + height), row(request.tile->y)};
   }
+  frame.eye = camera.eye();
   const Vec3 toward = normalized(camera.eye() - camera.pose().target);
   frame.toward = {static_cast<float>(toward.x), static_cast<float>(toward.y), static_cast<float>(toward.z)};
   return frame;
@@ -146,13 +148,14 @@ ViewFrame Renderer::Impl::view_frame(const Camera& camera, const ViewSettings& v
 
 void Renderer::Impl::upload_frame(const Camera& camera, const ClipSettings& clip, const FrameRequest& request,
                                   const ViewFrame& frame) {
-  if (!request.tile) {
-    block.upload(frame_uniforms(camera, space, clip, frame.width, frame.height, frame.pixel_scale));
-    return;
-  }
+  const auto upload = [&](const FrameUniforms& uniforms) {
+    block.upload(moved_uniforms(uniforms, still_offset(request.still)));
+  };
+  if (!request.tile)
+    return upload(frame_uniforms(camera, space, clip, frame.width, frame.height, frame.pixel_scale));
   const FrameUniforms whole = frame_uniforms(camera, space, clip, request.tile->full_width,
                                              request.tile->full_height, frame.pixel_scale);
-  block.upload(tile_uniforms(whole, *request.tile, frame.width, frame.height));
+  upload(tile_uniforms(whole, *request.tile, frame.width, frame.height));
 }
 
 void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request,
@@ -176,8 +179,8 @@ void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& req
   layers.draw_opaque(programs, frame, quality);
 }
 
-bool Renderer::Impl::draw_cells(const FrameTargets& drawn, const ViewFrame& frame) {
-  if (!layers.has_cells(frame.view)) return false;
+void Renderer::Impl::draw_cells(const FrameTargets& drawn, const ViewFrame& frame) {
+  if (!layers.has_cells(frame.view)) return;
   drawn.cells.bind(drawn.width, drawn.height);
   constexpr std::array<float, 4> none{0, 0, 0, 0}, clear_part{1, 1, 1, 1};
   glClearBufferfv(GL_COLOR, 0, none.data());
@@ -190,7 +193,6 @@ bool Renderer::Impl::draw_cells(const FrameTargets& drawn, const ViewFrame& fram
   layers.draw_cells(programs, frame);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
-  return true;
 }
 
 void Renderer::Impl::composite(const FrameTargets& drawn, bool with_cells, bool with_volume) {
@@ -219,8 +221,25 @@ void Renderer::Impl::composite(const FrameTargets& drawn, bool with_cells, bool 
   glDepthMask(GL_TRUE);
 }
 
-Renderer::Frame Renderer::Impl::finish(const FrameTargets& drawn, std::chrono::steady_clock::time_point start,
-                                       Quality quality) {
+void Renderer::Impl::average(FrameTargets& drawn, float part) {
+  if (!drawn.prepare_average()) return;
+  drawn.averaging.bind(drawn.width, drawn.height);
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendColor(0, 0, 0, part);
+  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+  programs.copy.use();
+  drawn.result.bind(0);
+  programs.copy.set("picture", 0);
+  glBindVertexArray(empty_array);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+}
+
+Renderer::Frame Renderer::Impl::finish(FrameTargets& drawn, std::chrono::steady_clock::time_point start,
+                                       const FrameRequest& request) {
+  if (request.still > 0 && request.strip + 1 == request.strips)
+    average(drawn, 1 / static_cast<float>(request.still + 1));
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glBindVertexArray(0);
@@ -229,8 +248,8 @@ Renderer::Frame Renderer::Impl::finish(const FrameTargets& drawn, std::chrono::s
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glFinish();
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  control.took(quality, seconds);
-  return {drawn.result.id(), drawn.width, drawn.height};
+  control.took(request.quality, seconds);
+  return {(request.still > 0 ? drawn.average : drawn.result).id(), drawn.width, drawn.height};
 }
 
 Renderer::Renderer() = default;
@@ -303,7 +322,8 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   r.reload_shaders();
   const auto start = std::chrono::steady_clock::now();
   FrameQuality quality = r.control.choose(request.quality);
-  quality.samples = std::min(quality.samples, r.device.max_samples);
+  // Averaging smooths edges without samples.
+  quality.samples = request.still > 0 ? 1 : std::min(quality.samples, r.device.max_samples);
   const auto scaled = [](int pixels, double scale) {
     return std::max(1, static_cast<int>(std::lround(pixels * scale)));
   };
@@ -313,30 +333,38 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   FrameTargets& targets = request.tile ? r.tile_targets : r.targets;
   if (!targets.resize(width, height, quality.samples, volume_width, volume_height)) return {};
 
+  const bool first_strip = request.strip == 0, last_strip = request.strip + 1 == request.strips;
+  if (request.still == 1 && first_strip) r.average(targets, 1);
   const ViewFrame frame = r.view_frame(camera, view, request, width, height);
   r.layers.update(r.shown, frame);
   Camera bounded = camera;
   bounded.set_scene_bounds(r.visible_bounds(view));
   r.upload_frame(bounded, view.clip, request, frame);
 
-  const bool multisampled = quality.samples > 1;
-  (multisampled ? targets.multisampled : targets.opaque).bind(width, height);
-  r.draw_opaque(frame, request, quality);
-  if (multisampled) targets.multisampled.resolve_into(targets.opaque, width, height, true);
-
-  const bool with_cells = r.draw_cells(targets, frame);
-  const bool with_volume = r.layers.tolerance.shown(view);
+  if (first_strip) {
+    const bool multisampled = quality.samples > 1;
+    (multisampled ? targets.multisampled : targets.opaque).bind(width, height);
+    r.draw_opaque(frame, request, quality);
+    if (multisampled) targets.multisampled.resolve_into(targets.opaque, width, height, true);
+    r.draw_cells(targets, frame);
+  }
+  const bool with_cells = r.layers.has_cells(view), with_volume = r.layers.tolerance.shown(view);
   if (with_volume) {
     targets.volume.bind(volume_width, volume_height);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(r.empty_array);
-    r.layers.tolerance.march(r.programs.volume, frame, targets.depth, quality.coarseness);
+    const auto row = [&](int strip) { return volume_height * strip / request.strips; };
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, row(request.strip), volume_width, row(request.strip + 1) - row(request.strip));
+    r.layers.tolerance.march(r.programs, frame, targets.depth, quality);
+    glDisable(GL_SCISSOR_TEST);
   }
+  if (!last_strip) return r.finish(targets, start, request);
   r.composite(targets, with_cells, with_volume);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   r.layers.draw_over(r.programs, frame);
-  return r.finish(targets, start, request.quality);
+  return r.finish(targets, start, request);
 }
 
 Renderer::Frame Renderer::render_section(const SectionView& section, const ViewSettings& view,
@@ -348,15 +376,16 @@ Renderer::Frame Renderer::render_section(const SectionView& section, const ViewS
   FrameTargets& targets = request.tile ? r.tile_targets : r.section_targets;
   if (!targets.resize(request.width, request.height, 1, 1, 1)) return {};
   const Camera camera = section_camera(section, view.clip);
+  if (request.still == 1) r.average(targets, 1);
   const ViewFrame frame = r.view_frame(camera, view, request, request.width, request.height);
-  r.section.update(r.shown, frame);
+  if (request.still == 0) r.section.update(r.shown, frame);
   ClipSettings plane = view.clip;
   plane.shape = ClipSettings::Shape::none;
   r.upload_frame(camera, plane, request, frame);
   targets.output.bind(request.width, request.height);
   glBindVertexArray(r.empty_array);
   r.section.draw(r.programs, frame, r.layers.tolerance, request.transparent_background ? 0.0f : 1.0f);
-  return r.finish(targets, start, request.quality);
+  return r.finish(targets, start, request);
 }
 
 Pick Renderer::pick(const Camera& camera, const ViewSettings& view, double x, double y, int width, int height,

@@ -38,6 +38,12 @@ struct FrameRequest {
   std::optional<Vec3> mark; ///< a point to be seen: a witness
   float pulse = 0;          ///< in [0, 1): phase for the highlight of the current operation
   bool transparent_background = false;
+  /// Number of this frame among those of one resting picture: 0 is a picture by itself; the others, each a
+  /// part of a pixel aside, are averaged with what was drawn before them, and come right after it.
+  int still = 0;
+  /// One of those others may be made by this many calls, so that none takes long: each draws a strip of Ω,
+  /// from `strip` 0 on, with nothing else drawn between, and the last one adds the frame to the average.
+  int strip = 0, strips = 1;
   /// Draws this part of a larger picture, into targets of its own: the frame of the window stays valid.
   std::optional<PictureTile> tile;
 };

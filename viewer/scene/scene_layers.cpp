@@ -95,6 +95,7 @@ void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
   refresh(view.tetrahedra, wanted, tetrahedra_, [&](TetrahedraLayer& layer) {
     layer.update(*state, view.tets, view.side_tint, clip, frame.colors, frame.space);
   });
+  if (CutLayer::shown(frame)) cut_.update(inputs.state, inputs.scene ? 3e-3 * inputs.scene->delta : 0, frame);
   highlight_.update(state, frame);
   attempt_.update(view.xray.shown() ? inputs.xray.get() : nullptr, inputs.study.get(), frame);
   annotations_.update(inputs.annotation.get(), frame);
@@ -149,6 +150,7 @@ void SceneLayers::draw_cells(Programs& programs, const ViewFrame& frame) {
 }
 
 void SceneLayers::draw_over(Programs& programs, const ViewFrame& frame) {
+  if (CutLayer::shown(frame)) cut_.draw(programs, frame);
   preview_.draw(programs);
   highlight_.draw(programs, frame);
   attempt_.draw(programs, frame);

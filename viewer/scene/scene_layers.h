@@ -1,6 +1,7 @@
 // The layers of the 3D view: keeps their buffers up to date and draws them in their passes.
 #pragma once
 
+#include "scene/layer_cut.h"
 #include "scene/layer_points.h"
 #include "scene/layer_preview.h"
 #include "scene/layer_samples.h"
@@ -72,6 +73,7 @@ class SceneLayers {
   Kept<TetrahedraLayer> tetrahedra_;
   Kept<PointsLayer> points_;
   Kept<SamplesLayer> samples_;
+  CutLayer cut_;
   HighlightLayer highlight_;
   AttemptLayer attempt_;
   AnnotationLayer annotations_;

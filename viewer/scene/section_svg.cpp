@@ -27,33 +27,6 @@ std::string short_number(double value) {
   return number(value, "%.4g");
 }
 
-/// d/δ with its side at a point, linear between voxel centres.
-double signed_distance(const DistanceGrid& grid, Vec3 p) {
-  const Vec3 extent = grid.box.extent();
-  std::array<int, 3> low{};
-  std::array<double, 3> part{};
-  for (int k = 0; k < 3; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const double at = (p[k] - grid.box.lo[k]) / extent[k] * grid.size[i] - 0.5;
-    low[i] = std::clamp(static_cast<int>(std::floor(at)), 0, std::max(grid.size[i] - 2, 0));
-    part[i] = std::clamp(at - low[i], 0.0, 1.0);
-  }
-  double sum = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    std::size_t index = 0;
-    double weight = 1;
-    for (std::size_t k = 3; k-- > 0;) {
-      const int up = (corner >> k) & 1;
-      const int at = std::min(low[k] + up, grid.size[k] - 1);
-      index = index * static_cast<std::size_t>(grid.size[k]) + static_cast<std::size_t>(at);
-      weight *= up ? part[k] : 1 - part[k];
-    }
-    const double side = grid.sides.empty() ? 1 : grid.sides[index];
-    sum += weight * side * static_cast<double>(grid.values[index]);
-  }
-  return sum;
-}
-
 /// 1, 2 or 5 times a power of ten, at most `most`.
 double round_length(double most) {
   const double power = std::pow(10, std::floor(std::log10(most)));
@@ -416,7 +389,7 @@ std::string Drawing::text() {
 
 Lattice section_lattice(const DistanceGrid& grid, const SectionPlane& plane) {
   Lattice lattice;
-  if (grid.box.empty() || grid.values.empty()) return lattice;
+  if (grid.empty()) return lattice;
   PlanePoint low{Box3::inf, Box3::inf}, high{-Box3::inf, -Box3::inf};
   for (int corner = 0; corner < 8; ++corner) {
     const PlanePoint p = plane.project({(corner & 1) ? grid.box.hi.x : grid.box.lo.x,
@@ -426,14 +399,12 @@ Lattice section_lattice(const DistanceGrid& grid, const SectionPlane& plane) {
     high = {std::max(high.u, p.u), std::max(high.v, p.v)};
   }
   const double longest = std::max(high.u - low.u, high.v - low.v);
-  const int finest = *std::max_element(grid.size.begin(), grid.size.end());
-  const double voxel = grid.box.longest_edge() / std::max(finest, 1);
-  lattice.spacing = std::max(voxel, longest / lattice_most);
+  lattice.spacing = std::max(grid.voxel, longest / lattice_most);
   lattice.origin = {low.u - lattice.spacing, low.v - lattice.spacing};
   lattice.columns = static_cast<int>((high.u - low.u) / lattice.spacing) + 4;
   lattice.rows = static_cast<int>((high.v - low.v) / lattice.spacing) + 4;
   lattice.values.assign(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(lattice.rows),
-                        grid.clamp);
+                        grid.reach);
   for (int y = 1; y + 1 < lattice.rows; ++y)
     for (int x = 1; x + 1 < lattice.columns; ++x) {
       const Vec3 p =
@@ -442,7 +413,7 @@ Lattice section_lattice(const DistanceGrid& grid, const SectionPlane& plane) {
       for (int k = 0; k < 3; ++k) within = within && p[k] >= grid.box.lo[k] && p[k] <= grid.box.hi[k];
       if (within)
         lattice.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(lattice.columns) +
-                       static_cast<std::size_t>(x)] = static_cast<float>(signed_distance(grid, p));
+                       static_cast<std::size_t>(x)] = static_cast<float>(grid.signed_value(p));
     }
   return lattice;
 }

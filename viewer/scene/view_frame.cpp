@@ -44,6 +44,22 @@ FrameUniforms tile_uniforms(FrameUniforms whole, const PictureTile& tile, int wi
   return whole;
 }
 
+FrameUniforms moved_uniforms(FrameUniforms uniforms, glm::dvec2 pixels) {
+  const glm::dvec3 shift(2 * pixels.x / static_cast<double>(uniforms.viewport.x),
+                         2 * pixels.y / static_cast<double>(uniforms.viewport.y), 0);
+  uniforms.view_projection =
+      glm::mat4(glm::translate(glm::dmat4(1), shift) * glm::dmat4(uniforms.view_projection));
+  uniforms.inverse_view_projection = glm::mat4(glm::inverse(glm::dmat4(uniforms.view_projection)));
+  return uniforms;
+}
+
+glm::dvec2 still_offset(int still) {
+  if (still == 0) return {0, 0};
+  // Multiples of the two numbers that fill a square most evenly, however many are taken.
+  const auto part = [&](double step) { return std::fmod(0.5 + still * step, 1.0) - 0.5; };
+  return {part(0.7548776662466927), part(0.5698402909980532)};
+}
+
 void FrameBlock::upload(const FrameUniforms& uniforms) {
   buffer_.upload(std::span<const FrameUniforms>(&uniforms, 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer_.id());

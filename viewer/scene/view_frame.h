@@ -40,6 +40,11 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneSpace& space, cons
 /// The same for a part of the picture, `width` by `height` pixels large.
 FrameUniforms tile_uniforms(FrameUniforms whole, const PictureTile& tile, int width, int height);
 
+/// The same moved by a part of a pixel: frames that are averaged sample different places of it.
+FrameUniforms moved_uniforms(FrameUniforms uniforms, glm::dvec2 pixels);
+/// Where the frame of that number samples pixels, relative to their middle: within half a pixel.
+glm::dvec2 still_offset(int still);
+
 /// One frame's circumstances.
 struct ViewFrame {
   const ViewSettings& view;
@@ -53,7 +58,9 @@ struct ViewFrame {
   std::optional<Vec3> mark{}; ///< a point to be seen
   double pixels_per_unit = 1; ///< at the target
   glm::vec2 rows{0, 1};       ///< heights of the frame's lower and upper rim in the picture
+  Vec3 eye{};                 ///< scene coordinates
   glm::vec3 toward{0, 0, 1};  ///< unit, from the target to the eye
+  float phase = 0;            ///< in [0, 1): frames that are averaged differ in it
 };
 
 /// The uniform buffer behind the block Frame.

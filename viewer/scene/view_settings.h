@@ -84,6 +84,8 @@ struct ViewSettings {
   bool side_tint = true;    ///< tetrahedra in the colour of their side once Z is embedded
   float sample_size = 5.0f; ///< pixels at the orbit distance
   float level = 1;          ///< Ω is drawn as {φ <= level δ}
+  /// Optical depth of a way of δ through Ω, at its outer boundary, at the input and at its inner boundary.
+  float haze_outer = 0, haze_middle = 0, haze_inner = 0;
   TetFilter tets;
   ClipSettings clip;
   ViewMode mode = ViewMode::scene;

@@ -113,6 +113,8 @@ std::vector<Part> status_parts(const Ui& ui, const HistoryMemory& h) {
             (dropped > 0 ? ", " + grouped(dropped) + " dropped" : ""),
         ui.colors.quiet);
   }
+  if (const auto grid = m.grid.grid(); grid && !m.grid.working())
+    put(coarseness_in_words(*grid), ui.colors.warning_text);
   return parts;
 }
 

@@ -223,6 +223,7 @@ void layers(Ui& ui) {
   for (const Row& row : layer_rows) {
     if (!has_layer(ui, row.layer)) continue;
     layer_row(ui, row);
+    if (row.layer == "inner") volume_look(ui);
     if (row.layer == "points" && ui.window.view.points.visible) weight_legend(ui);
     if (row.layer == "good" && ui.window.view.good_samples.visible) near_switch(ui);
     if (row.layer == "zero" && ui.window.view.zero_set.visible && ui.window.has_rooms()) room_legend(ui);

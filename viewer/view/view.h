@@ -32,6 +32,8 @@ namespace panels {
 /// Sections of the left pane.
 void layers(Ui& ui);
 void clip_and_filter(Ui& ui);
+/// How Ω is drawn; a part of the layers.
+void volume_look(Ui& ui);
 
 } // namespace panels
 

@@ -2,6 +2,7 @@
 #include "view/view.h"
 
 #include "command/commands.h"
+#include "scene/volume_look.h"
 #include "ui/icons.h"
 
 #include <GLFW/glfw3.h>
@@ -59,6 +60,14 @@ struct AxisCommand {
 constexpr std::array<AxisCommand, 3> axis_commands{{{"front", "Front view", "z", GLFW_KEY_KP_1},
                                                     {"right", "Right view", "x", GLFW_KEY_KP_3},
                                                     {"top", "Top view", "y", GLFW_KEY_KP_7}}};
+
+/// The look after the present one; the first after what is none.
+Status next_look(WindowState& m, const Arguments&) {
+  const VolumeLook* now = look_of(m.view);
+  const std::size_t next = now ? static_cast<std::size_t>(now - volume_looks.data() + 1) : 0;
+  apply(volume_looks[next % volume_looks.size()], m.view);
+  return {};
+}
 
 Status set_view(WindowState& m, const Arguments& a) {
   return a.size() == 1 ? show_view(m, a[0]) : Status(wrong_arguments("The view's JSON is missing."));
@@ -163,6 +172,10 @@ void add_view_commands(CommandTable& table, WindowState& m) {
               .keys = {{'Z'}},
               .run = flips(m.view.focus),
               .checked = is_on(m.view.focus)},
+             {.name = "omega-look",
+              .title = "Next look of Ω",
+              .help = "Draws Ω as shell, fog, inner boundary or thickness in turn.",
+              .run = on(m, next_look)},
              {.name = "near-samples",
               .title = "Good samples near the operation only",
               .help = "In 3D shows good samples around the current operation alone, or all of them.",

@@ -1,5 +1,5 @@
 // The picture of a view: drawn again only when something that it depends on has changed, at full quality once
-// it rests.
+// it rests, smoother with every frame that it rests longer.
 #pragma once
 
 #include "scene/renderer.h"
@@ -37,6 +37,8 @@ class ViewPicture {
   void draw(const Ui& ui, ViewArea area, Key key, const Render& render);
   /// Another frame is due although nothing asks for one.
   bool unfinished() const { return unfinished_; }
+  /// How many frames of the picture at rest are averaged in it.
+  int stills() const { return stills_; }
   /// It is not shown: nothing is due.
   void rest() { unfinished_ = false; }
   const Renderer::Frame& frame() const { return frame_; }
@@ -45,12 +47,19 @@ class ViewPicture {
   float pixel_scale() const { return pixel_scale_; }
 
  private:
+  /// Adds to the average for as long as the window may wait, or all that is left.
+  void smoothen(FrameRequest request, int wanted, bool all, const Render& render);
   Key key_;
   Renderer::Frame frame_;
   double changed_at_ = -1;
   float pixel_scale_ = 1;
   bool coarse_ = false; ///< not at full quality
   bool unfinished_ = false;
+  int stills_ = 0;           ///< frames that are averaged in the picture
+  int strip_ = 0;            ///< of the next of them
+  int strips_ = 1;           ///< that it is made of
+  double spent_ = 0;         ///< on its strips until now, seconds
+  double still_seconds_ = 0; ///< what a frame at rest takes
 };
 
 } // namespace isoscope

@@ -3,6 +3,7 @@
 
 #include "model/words.h"
 #include "scene/view_fields.h"
+#include "scene/volume_look.h"
 
 #include <array>
 #include <sstream>
@@ -29,6 +30,15 @@ Status set_normal(WindowState& m, const std::string& text) {
   return {};
 }
 
+Status set_look(WindowState& m, const std::string& name) {
+  for (const VolumeLook& look : volume_looks)
+    if (look.name == name) {
+      apply(look, m.view);
+      return {};
+    }
+  return wrong_value(name, "shell, fog, inner or thickness");
+}
+
 } // namespace
 
 void add_view_values(NamedValues& t, WindowState& m) {
@@ -42,6 +52,25 @@ void add_view_values(NamedValues& t, WindowState& m) {
   t.bind_fields(m.view);
   t.bind_fields(m.view.tets);
   t.bind_fields(m.view.clip);
+  t.add(
+      "omega.look", "how Ω is drawn: shell, fog, inner, thickness, or own where set otherwise",
+      [&m] {
+        const VolumeLook* look = look_of(m.view);
+        return look ? std::string(look->name) : std::string("own");
+      },
+      [&m](const std::string& text) { return set_look(m, text); });
+  const auto grid = t.readings("omega.", [&m] { return m.grid.grid(); });
+  grid("voxels", "voxels across Ω", [](const DistanceGrid& g) { return 2 * g.delta / g.voxel; });
+  grid("bricks", "bricks of the grid of Ω", [](const DistanceGrid& g) { return g.bricks(); });
+  grid("megabytes", "texture memory that Ω takes, MiB",
+       [](const DistanceGrid& g) { return static_cast<double>(g.texture_bytes()) / (1 << 20); });
+  grid("coarse", "Ω is drawn coarser than wanted", [](const DistanceGrid& g) { return g.coarsened; });
+  t.add("omega.seconds", "how long the grid of Ω took", [&m] { return m.grid.seconds(); });
+  t.bind(
+      "stills",
+      "frames that are averaged in a picture; where a view rests four times as many if they are quick, fewer "
+      "if they would take longer than two seconds",
+      {.range = {.low = 1, .high = 256}}, m.stills);
   static constexpr std::array<Choice, 4> targets{{{"automatic"}, {"halfedge"}, {"general"}, {"octree"}}};
   static constexpr std::array<Choice, 2> plotted{{{"steps"}, {"seconds"}}};
   t.bind("xray.target", "which targets the X-ray looks for", {.choices = targets}, m.selection.target);
