@@ -25,7 +25,7 @@ inline constexpr std::array<VolumeLook, 4> volume_looks{
       {0.10f, 0.60f, 0.10f}},
      {"inner", "Inner", "The inner boundary alone.", {false, 0.22f}, {true, 0.85f}, {0, 0, 0}},
      {"thickness",
-      "Thickness",
+      "Thick",
       "An even haze: the darker, the more of Ω lies behind a pixel.",
       {true, 0.03f},
       {true, 0.03f},

@@ -32,7 +32,7 @@ void looks(Ui& ui) {
     apply(volume_looks[static_cast<std::size_t>(chosen)], ui.window.view);
   widgets::tip(ui, "Looks of Ω",
                "Shell: both boundaries. Fog: a haze around the input. Inner: the inner boundary alone. "
-               "Thickness: the darker, the more of Ω lies behind.");
+               "Thick: the darker, the more of Ω lies behind.");
 }
 
 /// Opacity over d from the outer boundary (left) through the input to the inner one.
