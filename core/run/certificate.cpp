@@ -356,7 +356,13 @@ Certificate certify(const TriangleMesh& given, const ToleranceVolume& volume,
     check_regions(mesh, c);
   else
     check_connectivity(mesh, volume.open_sides() != nullptr, c);
-  if (mesh.triangles.empty()) return c;
+  if (mesh.triangles.empty()) {
+    if (volume.open_sides() != nullptr && !control.cancelled())
+      c.failures.back() +=
+          " All of the open surface is nearer to its border, or to another part of itself, than Ω "
+          "is thick: choose a smaller tolerance.";
+    return c;
+  }
   std::string open;
   const auto note = [&](bool found_out, const char* what) {
     if (!found_out) open += (open.empty() ? "" : ", ") + std::string(what);

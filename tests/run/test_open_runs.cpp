@@ -9,6 +9,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
 
 using namespace isoscope;
@@ -94,6 +97,29 @@ TEST_CASE("The cut is a stage of its own that is stepped through both ways") {
   }
   CHECK(splits > 10);
   CHECK(cuts == 1);
+}
+
+TEST_CASE("A tube that is narrower than Ω is thick leaves no mesh, and is told why") {
+  TriangleSoup tube;
+  constexpr std::uint32_t around = 16, along = 10;
+  for (std::uint32_t j = 0; j <= along; ++j)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const double t = 2 * std::numbers::pi * i / around;
+      tube.points.push_back({double{j} / along, 0.05 * std::cos(t), 0.05 * std::sin(t)});
+    }
+  for (std::uint32_t j = 0; j < along; ++j)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t a = j * around + i, b = j * around + (i + 1) % around;
+      tube.triangles.push_back({a, a + around, b});
+      tube.triangles.push_back({b, a + around, b + around});
+    }
+  CompleteRun run(open_parameters(10));
+  run.soup = shared(std::move(tube));
+  REQUIRE(run.run());
+  CHECK(run.result->mesh.triangles.empty());
+  CHECK(run.result->exit_status() == 1);
+  REQUIRE(run.result->certificate.failures.size() == 1);
+  CHECK(run.result->certificate.failures[0].find("choose a smaller tolerance") != std::string::npos);
 }
 
 TEST_CASE("A strip of one side is refused with the place") {
