@@ -105,12 +105,15 @@ bool CoarseSides::spread(const SidedInput& input, const RunControl& control) {
   if (!spread_proven()) return false;
   // Regions that nobody named: many rays tell of one point, what joins it follows. One segment that grazes an
   // edge must not speak for them.
-  for (std::size_t i = 0; has_surface && i < sides_.size(); ++i) {
+  for (std::size_t i = 0; has_surface && input.tells_sides() && i < sides_.size(); ++i) {
     if (sides_[i] != 0 || phi_[i] <= 0.5 * spacing_) continue;
     if (control.cancelled()) return false;
     give(i, input.sides.label(position(coordinates(i))));
     if (!spread_proven()) return false;
   }
+  // Between rooms nothing tells whether a wall that is crossed leads outside: what is left there stays
+  // unknown.
+  if (has_surface && !input.tells_sides()) return true;
   // What is left lies along the input or in small pockets. What lies on the input tells nobody whether one
   // crosses it: it waits, and spreads nothing before.
   const auto is_on_input = [&](std::size_t i) { return has_surface && phi_[i] < 1e-3 * spacing_; };
@@ -127,6 +130,25 @@ bool CoarseSides::spread(const SidedInput& input, const RunControl& control) {
   return true;
 }
 
+int CoarseSides::nearest_side(Vec3 p) const {
+  std::array<int, 3> c{};
+  for (int a = 0; a < 3; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    c[axis] = static_cast<int>(std::clamp(std::round((p[a] - low_[a]) / spacing_), 0.0, size_[axis] - 1.0));
+  }
+  // Few are unknown, and none far from all others.
+  for (int reach = 0; reach <= 3; ++reach)
+    for (int dz = -reach; dz <= reach; ++dz)
+      for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx) {
+          const std::array<int, 3> near{c[0] + dx, c[1] + dy, c[2] + dz};
+          bool within = true;
+          for (std::size_t a = 0; a < 3; ++a) within = within && near[a] >= 0 && near[a] < size_[a];
+          if (within && sides_[number(near)] != 0) return sides_[number(near)];
+        }
+  return +1;
+}
+
 int CoarseSides::side(const SidedInput& input, Vec3 p, double phi) const {
   std::array<int, 3> low{}, high{};
   for (int a = 0; a < 3; ++a) {
@@ -140,7 +162,7 @@ int CoarseSides::side(const SidedInput& input, Vec3 p, double phi) const {
       for (int x = low[0]; x <= high[0]; ++x) {
         const std::array<int, 3> c{x, y, z};
         const std::size_t i = number(c);
-        if (input.joined(phi_[i], phi, distance(position(c), p))) return sides_[i];
+        if (sides_[i] != 0 && input.joined(phi_[i], phi, distance(position(c), p))) return sides_[i];
       }
   return 0;
 }

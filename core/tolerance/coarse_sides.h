@@ -18,6 +18,9 @@ struct SidedInput {
   double delta;
   std::span<const Region> regions;
 
+  /// Whether one can ask for the side of a point; else, in rooms and around points, what lies beside it
+  /// tells.
+  bool tells_sides() const { return sides.rule() != SideRule::rooms && sides.rule() != SideRule::depth; }
   /// Whether two points are on one side because nothing can lie between them, from φ there. Without an input
   /// surface it is Ω that divides the sides. Straight across a flat wall both sides of the comparison are
   /// equal: rounding must not decide it.
@@ -37,6 +40,8 @@ class CoarseSides {
                                   const RunControl& control);
   /// The side of a point, where one of the points near to it proves it; else 0.
   int side(const SidedInput& input, Vec3 p, double phi) const;
+  /// That of the nearest of the points whose side is known.
+  int nearest_side(Vec3 p) const;
 
  private:
   std::array<int, 3> coordinates(std::size_t i) const;

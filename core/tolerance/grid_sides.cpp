@@ -173,7 +173,9 @@ void BrickSides::decide_rest(std::size_t brick) {
   if (end == 0) {
     const auto farthest = static_cast<std::size_t>(
         std::max_element(grid_.brick(brick).begin(), grid_.brick(brick).end()) - grid_.brick(brick).begin());
-    sides[farthest] = static_cast<std::int8_t>(input_.sides.label(position(brick, farthest)));
+    const Vec3 at = position(brick, farthest);
+    sides[farthest] =
+        static_cast<std::int8_t>(input_.tells_sides() ? input_.sides.label(at) : coarse_.nearest_side(at));
     queue[end++] = static_cast<std::uint16_t>(farthest);
   }
   const auto step_across = [&](std::size_t sample, std::size_t other) {
@@ -190,7 +192,7 @@ void BrickSides::decide_rest(std::size_t brick) {
     for_each_neighbor(queue[next], [&](std::size_t other) {
       if (!is_on_input(queue[next]) && !is_on_input(other)) step_across(queue[next], other);
     });
-  for (std::size_t sample = 0; sample < DistanceGrid::brick_size; ++sample) {
+  for (std::size_t sample = 0; input_.tells_sides() && sample < DistanceGrid::brick_size; ++sample) {
     if (sides[sample] != 0 || is_on_input(sample)) continue;
     sides[sample] = static_cast<std::int8_t>(input_.sides.label(position(brick, sample)));
     const std::size_t begin = end;

@@ -1,5 +1,6 @@
 // Whole runs on rooms that share walls (§4.2), from soups and from segmentations.
 #include "base/disjoint_sets.h"
+#include "input/gallery.h"
 #include "input/label_walls.h"
 #include "input/mesh_io.h"
 #include "journal/playback.h"
@@ -9,6 +10,8 @@
 #include "run/report.h"
 #include "run/room_soups.h"
 #include "run/statistics.h"
+#include "tolerance/grid_sides.h"
+#include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -235,4 +238,36 @@ TEST_CASE("any step of a run between rooms is reached both ways") {
   CHECK(playback.complex() == middle);
   playback.seek(last);
   CHECK(playback.complex() == end);
+}
+
+TEST_CASE("A picture's bricks have all of a room on its inner side") {
+  const auto bubbles = make_gallery_model("bubbles");
+  REQUIRE(bubbles.ok());
+  RunParameters parameters;
+  parameters.input = "soup";
+  parameters.tolerance = {4, true};
+  CompleteRun run(parameters);
+  run.soup = std::make_shared<const TriangleSoup>(*bubbles);
+  REQUIRE(run.prepare());
+  const Scene& scene = *run.scene;
+  REQUIRE(scene.volume->sides().rule() == SideRule::rooms);
+  GridWish wish;
+  wish.delta = scene.delta;
+  wish.voxel = 0.25 * scene.delta;
+  auto grid = make_distance_grid(*scene.field, wish, {});
+  REQUIRE(grid.ok());
+  REQUIRE(find_sides(*grid, {*scene.field, scene.volume->sides(), scene.delta, scene.regions}, {}).ok());
+  testing::Random random(4);
+  std::size_t rooms = 0;
+  for (const Region& region : scene.regions) {
+    if (region.unbounded) continue;
+    ++rooms;
+    // Nothing of the input is in this ball.
+    const double reach = 0.9 * region.depth;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 p = region.deepest + reach * random.unit() * random.direction();
+      if (!(grid->signed_value(p) < 0)) FAIL_CHECK("a place of room " << region.label << " is outside");
+    }
+  }
+  CHECK(rooms == 4);
 }
