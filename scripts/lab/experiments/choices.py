@@ -23,8 +23,8 @@ UNDULATING = {"tiny": (24, "10"), "quick": (48, "10"), "short": (72, "10"), "who
 # Figure 28: number of points, and δ in percent of each case.
 ROBUSTNESS = {
     "tiny": (4000, {"points": "8", "soup": "8"}),
-    "quick": (6000, {"points": "3", "soup": "3"}),
-    "short": (10000, {"points": "2.5", "soup": "2", "noisy points": "4", "noisy soup": "5"}),
+    "quick": (6000, {"points": "6", "soup": "3"}),
+    "short": (10000, {"points": "4", "soup": "3", "noisy points": "5", "noisy soup": "5"}),
     "whole": (200000, {"points": "0.9", "soup": "1.2", "noisy points": "2", "noisy soup": "5"}),
 }
 
