@@ -26,6 +26,15 @@ Vec3 CoarseSides::position(std::array<int, 3> c) const {
          spacing_ * Vec3{static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
 }
 
+std::array<int, 3> CoarseSides::nearest(Vec3 p) const {
+  std::array<int, 3> c{};
+  for (int a = 0; a < 3; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    c[axis] = static_cast<int>(std::clamp(std::round((p[a] - low_[a]) / spacing_), 0.0, size_[axis] - 1.0));
+  }
+  return c;
+}
+
 template <class Visit> void CoarseSides::for_each_neighbor(std::size_t i, Visit&& visit) const {
   const auto c = coordinates(i);
   std::size_t stride = 1;
@@ -92,12 +101,7 @@ bool CoarseSides::spread(const SidedInput& input, const RunControl& control) {
   if (!spread_proven()) return false;
   const bool has_surface = input.field.surface() != nullptr;
   for (const Region& region : input.regions) {
-    std::array<int, 3> c{};
-    for (int a = 0; a < 3; ++a) {
-      const auto axis = static_cast<std::size_t>(a);
-      const double x = (region.deepest[a] - low_[a]) / spacing_;
-      c[axis] = static_cast<int>(std::clamp(std::round(x), 0.0, size_[axis] - 1.0));
-    }
+    const std::array<int, 3> c = nearest(region.deepest);
     // Only a point that is certainly in the same region may speak for it.
     if (distance(position(c), region.deepest) < region.depth - (has_surface ? 0 : input.delta))
       give(number(c), region.label > 0 ? 1 : -1);
@@ -131,11 +135,7 @@ bool CoarseSides::spread(const SidedInput& input, const RunControl& control) {
 }
 
 int CoarseSides::nearest_side(Vec3 p) const {
-  std::array<int, 3> c{};
-  for (int a = 0; a < 3; ++a) {
-    const auto axis = static_cast<std::size_t>(a);
-    c[axis] = static_cast<int>(std::clamp(std::round((p[a] - low_[a]) / spacing_), 0.0, size_[axis] - 1.0));
-  }
+  const std::array<int, 3> c = nearest(p);
   // Few are unknown, and none far from all others.
   for (int reach = 0; reach <= 3; ++reach)
     for (int dz = -reach; dz <= reach; ++dz)

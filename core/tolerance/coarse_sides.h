@@ -47,6 +47,7 @@ class CoarseSides {
   std::array<int, 3> coordinates(std::size_t i) const;
   std::size_t number(std::array<int, 3> c) const;
   Vec3 position(std::array<int, 3> c) const;
+  std::array<int, 3> nearest(Vec3 p) const;
   template <class Visit> void for_each_neighbor(std::size_t i, Visit&& visit) const;
   bool spread(const SidedInput& input, const RunControl& control);
 

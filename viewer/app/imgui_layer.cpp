@@ -64,11 +64,6 @@ void ImguiLayer::press(int key) {
 
 void ImguiLayer::hold_keys() {
   ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput) {
-    presses_.clear();
-    pressed_ = false;
-    return;
-  }
   std::optional<int> held;
   if (!pressed_ && !presses_.empty()) {
     held = presses_.front();
@@ -87,7 +82,7 @@ void ImguiLayer::begin_frame(const MouseStep* mouse, double step, bool keys_in_p
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   else
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-  if (keys_in_pane)
+  if (keys_in_pane && !io.WantTextInput)
     hold_keys();
   else
     presses_.clear(), pressed_ = false;

@@ -77,22 +77,41 @@ std::string fitted(std::string_view s, float width) {
   return cut + "…";
 }
 
+namespace {
+
+/// Where the line ends that s begins with, broken at a blank: its first word at least.
+std::size_t line_end(std::string_view s, float width) {
+  std::size_t end = std::min(s.find(' '), s.size());
+  while (end < s.size()) {
+    const std::size_t next = std::min(s.find(' ', end + 1), s.size());
+    if (text_size(s.substr(0, next)).x > width) break;
+    end = next;
+  }
+  return end;
+}
+
+} // namespace
+
 void wrapped_text(std::string_view s) {
   const float width = ImGui::GetContentRegionAvail().x;
   std::string lines;
-  std::size_t begin = 0;
-  while (begin < s.size()) {
-    std::size_t end = std::min(s.find(' ', begin), s.size());
-    while (end < s.size()) {
-      const std::size_t next = std::min(s.find(' ', end + 1), s.size());
-      if (text_size(s.substr(begin, next - begin)).x > width) break;
-      end = next;
-    }
+  while (!s.empty()) {
+    const std::size_t end = line_end(s, width);
     if (!lines.empty()) lines += '\n';
-    lines += s.substr(begin, end - begin);
-    begin = end + 1;
+    lines += s.substr(0, end);
+    s.remove_prefix(std::min(end + 1, s.size()));
   }
   text(lines);
+}
+
+std::string fitted(std::string_view s, float width, int lines) {
+  std::string broken;
+  for (; lines > 1 && text_size(s).x > width; --lines) {
+    const std::size_t end = line_end(s, width);
+    broken += fitted(s.substr(0, end), width) + '\n';
+    s.remove_prefix(std::min(end + 1, s.size()));
+  }
+  return broken + fitted(s, width);
 }
 
 Row::Row(const Ui& ui, float high_units, float wide)

@@ -122,6 +122,8 @@ void quiet_text(const Ui& ui, std::string_view text, bool wrapped = false);
 void wrapped_text(std::string_view text);
 /// Text cut with an ellipsis to a width.
 std::string fitted(std::string_view text, float width);
+/// The same over at most so many lines, broken at blanks.
+std::string fitted(std::string_view text, float width, int lines);
 /// A speed of the play head: "¼×", "64×", "auto", "max".
 std::string speed_text(double steps_per_second);
 /// In the present font.

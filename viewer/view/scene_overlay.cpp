@@ -128,31 +128,10 @@ void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double heigh
       label);
 }
 
-namespace {
-
-/// The text over at most so many lines of a width, in the present font.
-std::string broken(std::string_view text, float width, int lines) {
-  std::string broken;
-  for (int line = 1; !text.empty(); ++line) {
-    std::size_t end = text.size();
-    while (line < lines && end != 0 && ImGui::CalcTextSize(text.data(), text.data() + end).x > width) {
-      const std::size_t blank = text.rfind(' ', end - 1);
-      end = blank == std::string_view::npos ? 0 : blank;
-    }
-    if (line == lines || end == 0) return broken + widgets::fitted(text, width);
-    broken += text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (!text.empty()) broken += '\n';
-  }
-  return broken;
-}
-
-} // namespace
-
 void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room, int lines) {
   if (room < ui.px(100)) return;
   ImGui::PushFont(ui.fonts.small);
-  text = broken(text, room, lines);
+  text = widgets::fitted(text, room, lines);
   const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
   ImGui::PopFont();
   const ImVec2 at{low.x + ui.px(12), low.y + ui.px(10)};
