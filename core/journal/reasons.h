@@ -57,9 +57,11 @@ enum class Reason : std::uint8_t {
   leaves_volume,  ///< a facet beside it is not proven inside Ω
   border_off_rim, ///< it is on the border of Z and not within δ of the rim
   rim_off_border, ///< a place of the rim is farther than δ from the border of Z
-  pinched_border  ///< two parts of Z would meet in its end alone
+  pinched_border, ///< two parts of Z would meet in its end alone
+  // Later ones.
+  cut_off ///< topology: a place on the way over the largest φ that Z cuts, where sides are told by depth
 };
-constexpr int reason_count = static_cast<int>(Reason::pinched_border) + 1;
+constexpr int reason_count = static_cast<int>(Reason::cut_off) + 1;
 
 /// What a reason explains.
 enum class ReasonRole : std::uint8_t { none, place, exhaustion, target, rejection };
@@ -221,6 +223,11 @@ inline constexpr std::array reason_table{
                 .role = ReasonRole::place,
                 .sentence = "two parts of Z would meet in its end alone",
                 .measure = Measure::length},
+    ReasonWords{.value = Reason::cut_off,
+                .name = "cut-off",
+                .title = "cut-off place",
+                .role = ReasonRole::place,
+                .sentence = "a place goes in that Z cuts off from the region it belongs to"},
 };
 static_assert(is_complete(reason_table, reason_count));
 

@@ -2,7 +2,9 @@
 #include "refine/misclassified_points.h"
 
 #include "base/parallel.h"
+#include "mesh/label_functions.h"
 #include "tolerance/contacts.h"
+#include "tolerance/regions.h"
 
 #include <algorithm>
 #include <optional>
@@ -20,6 +22,9 @@ constexpr double thin = 1 - 1e-3;
 /// Where the climb from a foot on the input starts, in units of δ', and how many feet a triangle has.
 constexpr double summit_start = 1e-3;
 constexpr std::size_t feet_by_triangle = 4;
+/// Leaves of basins are looked at up to this factor above the level that is asked for: what lies far outside
+/// of Ω has its side.
+constexpr double basin_reach = 4;
 /// Facets pierced more often are judged by this many of their piercings.
 constexpr std::size_t piercings_considered = 12;
 
@@ -251,6 +256,31 @@ std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume, cons
   std::stable_sort(summits.begin(), summits.end(),
                    [](const auto& a, const auto& b) { return a.height > b.height; });
   return summits;
+}
+
+std::vector<MisclassifiedPoint> misclassified_basins(const LiveTriangulation& live,
+                                                     const ToleranceVolume& volume, double level,
+                                                     const RunControl& control) {
+  const Regions& octree = volume.octree();
+  const std::span<const std::int8_t> basins = volume.basins();
+  SparsePoll poll(control);
+  std::vector<MisclassifiedPoint> points;
+  TetId near;
+  for (std::size_t i = 0; i < basins.size() && !poll.cancelled(); ++i) {
+    const Regions::Cell& cell = octree.cell(static_cast<Regions::CellIndex>(i));
+    const bool was_leaf = cell.child == Regions::none || cell.child >= basins.size();
+    const double height = static_cast<double>(cell.distance);
+    if (!was_leaf || basins[i] == 0 || height < level || height > basin_reach * level) continue;
+    const Vec3 center = octree.center(cell);
+    const TetId t = live.delaunay().locate(center, near);
+    if (!t.valid()) continue;
+    near = t;
+    if (LabelFunctions(live.complex(), t).of(basins[i])(center) > 0) continue;
+    points.push_back({center, basins[i], height, center, height, t});
+  }
+  std::stable_sort(points.begin(), points.end(),
+                   [](const auto& a, const auto& b) { return a.height > b.height; });
+  return points;
 }
 
 std::vector<MisclassifiedPoint> contact_points(const ToleranceVolume& volume, double spacing,

@@ -38,6 +38,13 @@ std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation&
 /// gaps are thinner than 2δ': whatever T is, f should have their sides. Highest first; `tet` stays invalid.
 std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume, const RunControl& control);
 
+/// The centres of the octree's leaves with φ from `level` on that f has on another side than that to which
+/// the way over the largest φ leads: where Z cuts a region in two, or a pocket off. Highest φ first; only
+/// where sides are told by depth.
+std::vector<MisclassifiedPoint> misclassified_basins(const LiveTriangulation& live,
+                                                     const ToleranceVolume& volume, double level,
+                                                     const RunControl& control);
+
 /// Points along the contacts of the input, at most about `spacing` apart: inside where parts are to be
 /// joined. All of the same height; `tet` stays invalid.
 std::vector<MisclassifiedPoint> contact_points(const ToleranceVolume& volume, double spacing,

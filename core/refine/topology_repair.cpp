@@ -14,6 +14,8 @@ namespace {
 /// units of δ. Where the topology is only aimed at, or parts are to be joined, parts of the input may cross,
 /// and what lies lower is as likely to be such a crossing as a handle.
 constexpr double level_step = 0.7, lowest_level = 0.01, lowest_level_aimed_at = 0.3;
+/// The same for places between regions and pockets where sides are told by depth, in units of δ'.
+constexpr double highest_basin = 0.98, basin_step = 0.93, lowest_basin = 0.3;
 /// How far apart points along contacts are, in units of δ', at first and at last.
 constexpr double first_contact_spacing = 0.5, finest_contact_spacing = 0.125;
 /// From a summit down to its point, the first of so many stations that f has on the wrong side goes in.
@@ -68,10 +70,11 @@ void TopologyCondition::enter(Phase phase) {
   fruitful_ = false;
   if (phase == Phase::contacts || phase == Phase::edges || phase == Phase::summits)
     level_ = context_.volume().thresholds().boundary * level_step;
+  if (phase == Phase::basins) level_ = context_.volume().thresholds().boundary * highest_basin;
 }
 
 std::size_t TopologyCondition::circumradius_limit() const {
-  return sides_known() ? insertion_limit_ / 2 : insertion_limit_;
+  return searchable() ? insertion_limit_ / 2 : insertion_limit_;
 }
 
 Event TopologyCondition::event(Reason reason) const {
@@ -103,7 +106,7 @@ Turn TopologyCondition::mend() {
         return Turn::acted;
       enter(first_search());
     }
-    if (!sides_known()) break;
+    if (!searchable()) break;
     if (insert_next_point()) {
       mending_ = true;
       return Turn::acted;
@@ -140,6 +143,11 @@ bool TopologyCondition::insert_next_point() {
 void TopologyCondition::advance() {
   if (fruitful_) return;
   if (phase_ == Phase::contacts) return leave_contacts();
+  if (phase_ == Phase::basins) {
+    level_ *= basin_step;
+    if (level_ < lowest_basin * context_.volume().thresholds().boundary) enter(Phase::given_up);
+    return;
+  }
   if (phase_ != Phase::facets) {
     phase_ = phase_ == Phase::summits ? Phase::edges : Phase::facets;
     return;
@@ -179,6 +187,8 @@ void TopologyCondition::collect_points() {
   } else if (phase_ == Phase::summits) {
     points_ = *summits_;
     while (!points_.empty() && points_.back().height < level_) points_.pop_back();
+  } else if (phase_ == Phase::basins) {
+    points_ = misclassified_basins(context_.live(), context_.volume(), level_, context_.control());
   } else if (phase_ == Phase::edges) {
     points_ = misclassified_on_edges(context_.live(), context_.volume(), context_.control());
   } else {
@@ -204,7 +214,7 @@ bool TopologyCondition::insert_point(const MisclassifiedPoint& candidate) {
     t = at;
     if (!misclassified(vertex.position, candidate.label, t)) continue;
     if (context_.spacing(vertex.position, t) < context_.smallest_spacing()) continue;
-    Event why = event(Reason::crossing_simplex);
+    Event why = event(sides_known() ? Reason::crossing_simplex : Reason::cut_off);
     why.tet = t;
     why.witness = candidate.point;
     if (context_.insert(vertex, t, why)) return true;

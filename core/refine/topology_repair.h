@@ -34,7 +34,7 @@ class TopologyCondition {
 
  private:
   /// What is tried, in this order.
-  enum class Phase { circumradii, contacts, summits, edges, facets, given_up };
+  enum class Phase { circumradii, contacts, summits, edges, facets, basins, given_up };
   struct Candidate {
     TetId tet;
     std::uint32_t generation = 0;
@@ -60,11 +60,15 @@ class TopologyCondition {
 
   void note_check();
   bool sides_known() const { return context_.volume().input().sides_known(); }
+  /// Whether there are places whose side is told.
+  bool searchable() const { return sides_known() || !context_.volume().basins().empty(); }
   /// Insertions that the paper's rule may ask for.
   std::size_t circumradius_limit() const;
   void enter(Phase phase);
   /// The first phase that looks for points.
-  Phase first_search() const { return expected_.joined ? Phase::contacts : Phase::edges; }
+  Phase first_search() const {
+    return !sides_known() ? Phase::basins : expected_.joined ? Phase::contacts : Phase::edges;
+  }
   Turn mend();
   void advance();
   void leave_contacts();

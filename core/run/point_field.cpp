@@ -1,6 +1,7 @@
 // Sites of points, and which of them are left out.
 #include "run/point_field.h"
 
+#include "base/disjoint_sets.h"
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/place.h"
@@ -23,6 +24,12 @@ constexpr double largest_blob = 0.05;
 /// up to three. δ where none is known yet, relative to the longest edge.
 constexpr double samples_by_square = 24, reference_delta = 0.02;
 constexpr std::size_t most_samples = 2'000'000, fewest_samples = 1000;
+/// Values of the study are right to about a tenth.
+constexpr double study_error = 1.1;
+/// How far around a saddle an opening is looked for, in units of its level, and by how many steps to each
+/// side.
+constexpr double opening_reach = 0.5;
+constexpr std::size_t opening_steps = 10;
 
 std::uint64_t digest_of(const TriangleSoup& soup) {
   std::uint64_t digest = golden_step;
@@ -80,11 +87,12 @@ PointDistances::Quantiles quantiles(std::vector<double> distances) {
   return {at(0.5), at(0.9), at(0.99), at(1)};
 }
 
-Error nothing_inside(const DeltaStudy& study, double delta) {
+/// `opened`: a passage was found at the study's saddle.
+Error nothing_inside(const DeltaStudy& study, double delta, bool opened) {
   const std::string what = "At this tolerance the volume around the points encloses nothing";
   if (!study.found()) return {ErrorCode::open_surface, what + ".", "Are these points of a closed surface?"};
   const std::string why =
-      delta < study.least
+      opened || delta < study.least
           ? ": it has holes, as between the points near " + place(study.saddle(), place_digits) + "."
       : delta > study.most
           ? ": the inside is closed up, as around " + place(study.closing(), place_digits) + "."
@@ -92,6 +100,60 @@ Error nothing_inside(const DeltaStudy& study, double delta) {
   return {ErrorCode::open_surface, what + why,
           "Ω encloses something for δ from " + general(study.least, 3) + " to " + general(study.most, 3) +
               ": choose --tolerance auto, or a length between them."};
+}
+
+/// The label of the region that ways up from p, which is outside of Ω', lead to; 0 where that is not told.
+int label_above(const ToleranceVolume& volume, Vec3 p) {
+  const RegionId region = volume.escape(p, volume.field().closest(p)).region;
+  return region.valid() ? volume.regions()[region.index()].label : 0;
+}
+
+/// Whether Ω' is open where the study saw an inside open: balls outside of Ω' around the nodes of a lattice
+/// there, joined where they overlap, lead to both sides; or its level there exceeds δ' by more than the study
+/// errs.
+bool is_open_at(const LastingRegion& inside, const ToleranceVolume& volume) {
+  const double boundary = volume.thresholds().boundary;
+  if (inside.separation > study_error * boundary) return true;
+  if (!(inside.separation > boundary)) return false;
+  constexpr std::size_t n = 2 * opening_steps + 1;
+  const double spacing = inside.separation * opening_reach / opening_steps;
+  std::vector<double> radius(n * n * n);
+  DisjointSets joined(radius.size());
+  std::vector<std::array<bool, 2>> leads(radius.size()); // by set: outside, inside
+  const std::array<std::size_t, 3> strides{1, n, n * n};
+  const auto coordinates = [&](std::size_t i) { return std::array{i % n, i / n % n, i / (n * n)}; };
+  const auto position = [&](std::size_t i) {
+    Vec3 p = inside.saddle;
+    const auto at = coordinates(i);
+    for (int a = 0; a < 3; ++a)
+      p[a] += spacing * (static_cast<double>(at[static_cast<std::size_t>(a)]) - opening_steps);
+    return p;
+  };
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    radius[i] = volume.field().distance(position(i)) - boundary;
+    const auto at = coordinates(i);
+    for (std::size_t a = 0; a < 3; ++a)
+      if (at[a] > 0 && std::min(radius[i], radius[i - strides[a]]) > 0 &&
+          radius[i] + radius[i - strides[a]] > spacing)
+        joined.unite(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i - strides[a]));
+  }
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    if (!(radius[i] > 0)) continue;
+    const int label = label_above(volume, position(i));
+    if (label == 0) continue;
+    std::array<bool, 2>& both = leads[joined.find(static_cast<std::uint32_t>(i))];
+    both[label < 0 ? 1 : 0] = true;
+    if (both[0] && both[1]) return true;
+  }
+  return false;
+}
+
+/// An inside by the octree's main cells although Ω' has a passage there, which they are too coarse to show.
+bool has_hidden_opening(const PointField& points, const ToleranceVolume& volume) {
+  return std::any_of(points.study.insides.begin(), points.study.insides.end(),
+                     [&](const LastingRegion& inside) {
+                       return label_above(volume, inside.deepest) < 0 && is_open_at(inside, volume);
+                     });
 }
 
 } // namespace
@@ -193,7 +255,9 @@ Result<MadePointField> without_blobs(const MadePointField& from, const Tolerance
                                      const RunControl& control) {
   const auto regions = volume.regions();
   if (std::none_of(regions.begin(), regions.end(), [](const Region& r) { return r.label < 0 && !r.shallow; }))
-    return nothing_inside(from.points->study, volume.thresholds().delta);
+    return nothing_inside(from.points->study, volume.thresholds().delta, false);
+  if (has_hidden_opening(*from.points, volume))
+    return nothing_inside(from.points->study, volume.thresholds().delta, true);
   const std::size_t components = volume.volume_component_count();
   std::vector<std::array<bool, 2>> has(components); // an inside, an outside
   for (const BoundaryComponent& c : volume.boundary_components())

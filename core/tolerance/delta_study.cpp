@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -21,6 +22,8 @@ constexpr double lasting_factor = 1.5;
 constexpr double same_opening = 1.3;
 /// How far inside of the interval δ is proposed, and how much farther fewer components are looked for.
 constexpr double above_separation = 1.15, search_factor = 1.5;
+/// A neck at a level between these parts of δ' and of δ may be open for the one and closed for the other.
+constexpr double neck_below = 0.97, neck_above = 1.05;
 constexpr std::size_t curve_steps = 64;
 constexpr std::size_t most_regions = 200;
 
@@ -136,16 +139,28 @@ std::vector<DeltaStudy::Step> make_curve(const Histories& histories, double from
   return curve;
 }
 
-/// The least δ above the margin with as few components as there are at any δ a little larger.
-double propose(const DeltaStudy& study, double separation) {
+/// Whether a neck of a deep region is as wide as Ω' leaves open and Ω may close: what is joined there is left
+/// to chance.
+bool has_neck(const Histories& histories, double delta) {
+  const double narrowest = neck_below * ToleranceVolume::Options().boundary_ratio * delta;
+  return std::any_of(histories.regions.begin(), histories.regions.end(), [&](const Pair& p) {
+    return p.death > narrowest && p.death < neck_above * delta && p.birth > deep_enough * delta;
+  });
+}
+
+/// The least δ above the margin with as few components as there are at any δ a little larger, and no neck.
+double propose(const DeltaStudy& study, const Histories& histories, double separation) {
   const double from = above_separation * separation, to = std::min(study.most, search_factor * from);
   if (from >= study.most) return study.most > study.least ? std::sqrt(study.least * study.most) : 0;
   double best = from;
-  std::size_t fewest = ~std::size_t{0};
+  std::pair<std::size_t, bool> fewest{~std::size_t{0}, true};
   for (const DeltaStudy::Step& step : study.curve) {
-    if (step.delta * 1.001 < from || step.delta > to || step.components >= fewest) continue;
-    fewest = step.components;
-    best = std::max(from, step.delta);
+    if (step.delta * 1.001 < from || step.delta > to) continue;
+    const double delta = std::max(from, step.delta);
+    const std::pair here{step.components, has_neck(histories, delta)};
+    if (here >= fewest) continue;
+    fewest = here;
+    best = delta;
   }
   return best;
 }
@@ -198,7 +213,7 @@ DeltaStudy study_delta(const ToleranceField& field, double finest, const RunCont
     to = 1.05 * study.insides.front().depth;
   }
   study.curve = make_curve(histories, from, to);
-  if (!study.insides.empty()) study.proposed = propose(study, separation);
+  if (!study.insides.empty()) study.proposed = propose(study, histories, separation);
   return study;
 }
 

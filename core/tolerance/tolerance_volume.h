@@ -201,6 +201,11 @@ class ToleranceVolume {
   /// it.
   std::optional<std::uint16_t> boundary_component(RegionId region, std::uint32_t volume_component) const;
 
+  /// By cell of the octree, as many as there were when sides were told by depth (N1): the side of the deep
+  /// region to which the way over the largest φ leads from there, 0 where none does. Empty where sides are
+  /// told otherwise.
+  std::span<const std::int8_t> basins() const { return basins_; }
+
   /// A copy that knows distances, thresholds and regions and has no octree to ask for more: for those who
   /// look at a run from another thread.
   ToleranceVolume without_octree() const;
@@ -251,7 +256,7 @@ class ToleranceVolume {
   std::vector<BoundaryComponent> boundary_components_; ///< ascending by region, then component of Ω'
   std::vector<std::uint32_t> volume_components_;       ///< by site
   std::size_t volume_component_count_ = 0;
-  std::vector<std::int8_t> basins_; ///< where pockets go with deep regions, by leaf: the side of one there
+  std::vector<std::int8_t> basins_; ///< by cell
 };
 
 /// What pieces of Z beyond Ω count for until Z is cut along the rim of open surfaces; empty where there are

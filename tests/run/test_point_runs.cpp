@@ -196,6 +196,40 @@ TEST_CASE("tolerances outside of the interval are told, by the end that is left"
   CHECK(open->error->code == ErrorCode::open_surface);
 }
 
+TEST_CASE("just below the interval a passage is found that the octree does not show") {
+  Random random(15);
+  const std::vector<Vec3> points = sphere_points(random, 2500, 1, 0.005);
+  const auto studied = run_of(points);
+  REQUIRE(studied->prepare());
+  const double least = studied->scene->points->study.least;
+  for (const double part : {0.8, 0.9, 0.94, 0.97}) {
+    CAPTURE(part);
+    const auto run = run_of(points, {part * least, false});
+    if (run->prepare()) {
+      run->run();
+      CHECK(run->result->certificate.holds());
+    } else {
+      CHECK(run->error->code == ErrorCode::open_surface);
+      CHECK(run->error->message.find("encloses nothing: it has holes") != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("a pocket in the tip of a trunk is no part of its own") {
+  const auto file = demo_model("elephant.off");
+  if (!file) return;
+  const auto soup = read_mesh(*file);
+  REQUIRE(soup.ok());
+  for (const std::uint64_t seed : {2, 4}) {
+    Random random(seed);
+    const auto run = run_of(surface_points(random, *soup, 10000, 0));
+    if (!run->run()) FAIL(run->error->line());
+    CAPTURE(seed);
+    CHECK(run->result->certificate.holds());
+    CHECK(run->result->certificate.components == 1);
+  }
+}
+
 TEST_CASE("a torn soup is taken as points where that is asked for") {
   RunParameters parameters = gallery_parameters("soup");
   parameters.tolerance = {6, true};
