@@ -21,7 +21,27 @@ void chain(std::vector<Wedge>& wedges, std::uint32_t first) {
       }
 }
 
+/// The same of the sheets around a vertex on a curve, one after the other. Where the next one begins at the
+/// end of the last it may go on from there.
+void chain_sheets(std::vector<Wedge>& wedges) {
+  for (auto at = wedges.begin(); at != wedges.end(); ++at) {
+    auto follows = wedges.end();
+    if (at != wedges.begin())
+      follows = std::find_if(at, wedges.end(), [&](const Wedge& w) { return w.rim == (at - 1)->next; });
+    if (follows == wedges.end())
+      follows = std::find_if(at, wedges.end(), [&](const Wedge& w) {
+        return std::none_of(at, wedges.end(), [&](const Wedge& other) { return other.next == w.rim; });
+      });
+    if (follows != wedges.end()) std::iter_swap(at, follows);
+  }
+}
+
 } // namespace
+
+std::size_t FacetComplex::fewest_facets(std::uint32_t v) const {
+  if (is_rigid(v)) return stars[v].size();
+  return on_border(v) || (!strata.empty() && strata[v].on_curve()) ? 1 : 3;
+}
 
 void FacetComplex::build_stars() {
   stars.assign(points.size(), {});
@@ -78,9 +98,11 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> FacetComplex::edges() const
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t from = f.v[k], to = f.v[(k + 1) % 3];
       if (from < to) edges.emplace_back(from, to);
-      if (from > to && !border.empty() && border[from].next == to) edges.emplace_back(to, from);
+      if (from > to && (!strata.empty() || (!border.empty() && border[from].next == to)))
+        edges.emplace_back(to, from);
     }
   }
+  if (!strata.empty()) sort_unique(edges);
   return edges;
 }
 
@@ -103,7 +125,10 @@ std::vector<Wedge> FacetComplex::star(std::uint32_t v) const {
     const std::size_t k = facets[f].corner(v);
     wedges.push_back({facets[f].v[(k + 1) % 3], facets[f].v[(k + 2) % 3], f, static_cast<std::uint8_t>(k)});
   }
-  chain(wedges, on_border(v) ? border[v].next : BorderEdge::none);
+  if (strata.empty())
+    chain(wedges, on_border(v) ? border[v].next : BorderEdge::none);
+  else
+    chain_sheets(wedges);
   return wedges;
 }
 
@@ -116,6 +141,10 @@ std::vector<Wedge> FacetComplex::merged_star(std::uint32_t a, std::uint32_t b) c
       const std::size_t k = facets[f].corner(v);
       wedges.push_back({facets[f].v[(k + 1) % 3], facets[f].v[(k + 2) % 3], f, static_cast<std::uint8_t>(k)});
     }
+  if (!strata.empty()) {
+    chain_sheets(wedges);
+    return wedges;
+  }
   std::uint32_t first = BorderEdge::none;
   for (const std::uint32_t v : {a, b})
     if (on_border(v) && border[v].next != (v == a ? b : a)) first = border[v].next;
@@ -124,6 +153,7 @@ std::vector<Wedge> FacetComplex::merged_star(std::uint32_t a, std::uint32_t b) c
 }
 
 bool FacetComplex::link_condition(std::uint32_t a, std::uint32_t b) const {
+  if (!strata.empty()) return strata_link_condition(*this, a, b);
   const std::vector<std::uint32_t> of_a = neighbors(a), of_b = neighbors(b);
   std::vector<std::uint32_t> common;
   std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(common));
@@ -159,6 +189,7 @@ void FacetComplex::merge_border(std::uint32_t a, std::uint32_t b) {
 
 void FacetComplex::collapse(std::uint32_t a, std::uint32_t b) {
   merge_border(a, b);
+  if (!strata.empty()) merge_strata(strata, a, b);
   const std::vector<std::uint32_t> of_b = stars[b];
   for (const std::uint32_t f : of_b) {
     std::array<std::uint32_t, 3> v = facets[f].v;

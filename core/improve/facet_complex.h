@@ -4,6 +4,8 @@
 
 #include "base/geometry.h"
 #include "base/ids.h"
+#include "base/labels.h"
+#include "improve/facet_strata.h"
 
 #include <array>
 #include <cstdint>
@@ -31,6 +33,7 @@ struct Facet {
   bool folded = false;            ///< turned away from the input's normals
   bool proven = false;            ///< inside Ω by certificate
   std::uint8_t misoriented = 0;   ///< failed tests of condition 3, at most 6
+  LabelPair labels{+1, -1};       ///< what it lies between; nothing changes that
   TriangleId seed;                ///< an input triangle close to it
   std::vector<Barycentric> extra; ///< where certificates failed: sampled too
 
@@ -69,6 +72,7 @@ struct FacetComplex {
   std::vector<Facet> facets;
   std::vector<std::vector<std::uint32_t>> stars; ///< facets of each vertex, in no particular order
   std::vector<BorderEdge> border;                ///< by vertex; empty where the surface is closed
+  std::vector<VertexStratum> strata;             ///< by vertex; empty where there are two sides only
 
   Triangle3 triangle(const Facet& f) const { return {points[f.v[0]], points[f.v[1]], points[f.v[2]]}; }
   Triangle3 triangle(std::size_t f) const { return triangle(facets[f]); }
@@ -82,21 +86,25 @@ struct FacetComplex {
   bool has_border_edge(std::uint32_t a, std::uint32_t b) const {
     return !border.empty() && (border[a].next == b || border[b].next == a);
   }
+  /// Whether the edge lies on a curve where sheets meet.
+  bool on_curve(std::uint32_t a, std::uint32_t b) const { return !strata.empty() && strata[a].leads_to(b); }
+  bool is_rigid(std::uint32_t v) const { return !strata.empty() && strata[v].rigid; }
   /// The vertex from which a border edge leads to v; v's star must be complete.
   std::uint32_t border_before(std::uint32_t v) const;
   /// A vertex needs more facets than this to lose one.
-  std::size_t fewest_facets(std::uint32_t v) const { return on_border(v) ? 1 : 3; }
-  /// Every edge once, its smaller end first, in the order of the facets.
+  std::size_t fewest_facets(std::uint32_t v) const;
+  /// Every edge once, its smaller end first, in the order of the facets; ascending where there are strata.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges() const;
   /// Vertices that share a facet with v, ascending.
   std::vector<std::uint32_t> neighbors(std::uint32_t v) const;
   bool has_edge(std::uint32_t a, std::uint32_t b) const;
-  /// The facet left of the directed edge, or Facet::none.
+  /// The facet left of the directed edge, which is on no curve, or Facet::none.
   std::uint32_t facet_left_of(std::uint32_t from, std::uint32_t to) const;
   /// Gives a facet other corners (or none): keeps the stars, drops its extra samples.
   void replace_facet(std::uint32_t f, std::array<std::uint32_t, 3> v);
 
-  /// The star of v in cyclic order, from border to border where v is on it; v's star must be complete.
+  /// The star of v in cyclic order, from border to border where v is on it, sheet by sheet where several
+  /// meet; v's star must be complete.
   std::vector<Wedge> star(std::uint32_t v) const;
   /// The star that the merged vertex of the edge ab would have; needs the link condition.
   std::vector<Wedge> merged_star(std::uint32_t a, std::uint32_t b) const;

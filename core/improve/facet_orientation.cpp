@@ -28,14 +28,15 @@ Vec3 OrientationTester::nearest_on_boundary(Vec3 x, Vec3 sample) const {
   return nearest;
 }
 
-std::vector<SideSample> OrientationTester::failures(const Triangle3& facet) const {
+std::vector<SideSample> OrientationTester::failures(const Triangle3& facet, LabelPair labels) const {
   std::vector<SideSample> failed;
   const Vec3 normal = normalized(cross(facet[1] - facet[0], facet[2] - facet[0]));
-  for (const FacetOrientationTest& test : check_facet_orientation(facet, shrink, radius, *samples)) {
+  for (const FacetOrientationTest& test : check_facet_orientation(facet, shrink, radius, *samples, labels)) {
     if (test.good()) continue;
     const Vec3 p = nearest_on_boundary(test.shrunk, samples->positions()[test.sample.index()]);
-    if (test.label * dot(normal, p - facet[0]) > 0) continue;
-    failed.push_back({p, double(test.label)});
+    const double side = test.label == labels.front ? 1 : -1;
+    if (side * dot(normal, p - facet[0]) > 0) continue;
+    failed.push_back({p, side});
   }
   return failed;
 }

@@ -21,7 +21,8 @@ struct OrientationTester {
 
   /// Failed tests among the six (three corners, both sides), as points of ∂Ω: the positive one must lie on
   /// the positive side of the facet, the negative one on the negative side.
-  std::vector<SideSample> failures(const Triangle3& facet) const;
+  /// `labels`: what the facet lies between, the larger one on its positive side.
+  std::vector<SideSample> failures(const Triangle3& facet, LabelPair labels = {+1, -1}) const;
 
  private:
   /// The point with φ = δ on the ray from the input through x; x near ∂Ω.

@@ -35,6 +35,7 @@ struct Numbering {
       facets.push_back(FacetId(f));
       mesh.triangles.push_back(
           {number[facet.v[0].index()], number[facet.v[1].index()], number[facet.v[2].index()]});
+      if (!complex.facet_labels.empty()) mesh.labels.push_back(complex.labels(facets.back()));
     }
   }
 };

@@ -37,7 +37,8 @@ struct RoomInT {
 };
 
 /// Improves `mesh`: an oriented 2-manifold without intersections, inside Ω, that separates the regions; an
-/// empty one stays so. Its border keeps to the open rim that the volume knows.
+/// empty one stays so. Its border keeps to the open rim that the volume knows. With labels it is one between
+/// rooms: then the curves along which its sheets meet stay what they are (§4.2).
 /// Every change keeps that, so the result holds at whatever moment it is cancelled. `samples` may be null:
 /// then normals are not preserved. With `room`, whose
 /// embedding has `mesh` as its Z, every change is one of T too, whose tetrahedra stay positively oriented.

@@ -75,8 +75,12 @@ LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Em
   complex_.points = mesh.points;
   complex_.facets.resize(mesh.triangles.size());
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) complex_.facets[f].v = mesh.triangles[f];
+  for (std::size_t f = 0; f < mesh.labels.size(); ++f) complex_.facets[f].labels = mesh.labels[f];
   complex_.build_stars();
-  complex_.build_border();
+  if (mesh.labels.empty())
+    complex_.build_border();
+  else
+    complex_.strata = find_strata(complex_);
   if (!complex_.border.empty()) share_rim(*rules.input);
   for (const auto& star : complex_.stars) vertex_count_ += star.empty() ? 0u : 1u;
   parallel_until(complex_.facets.size(), 64, control, [&](std::size_t f) {
@@ -84,8 +88,8 @@ LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Em
     Facet& facet = complex_.facets[f];
     facet.proven = true;
     if (rules.orientation)
-      facet.misoriented =
-          static_cast<std::uint8_t>(rules.orientation->failures(complex_.triangle(facet)).size());
+      facet.misoriented = static_cast<std::uint8_t>(
+          rules.orientation->failures(complex_.triangle(facet), facet.labels).size());
   });
   for (std::uint32_t f = 0; f < complex_.facets.size(); ++f) octree_.insert(f, box_of(complex_.triangle(f)));
 }
@@ -231,6 +235,7 @@ SurfaceChange LiveSurface::commit(const SurfacePatch& patch, EventKind kind) {
     if (edge.here()) edge.next = patch.vertices[edge.next];
     complex_.border[patch.vertices[v]] = std::move(edge);
   }
+  if (!patch.start_strata.empty()) commit_strata(patch, complex_);
   for (const std::uint32_t f : changed) {
     const std::uint32_t slot = patch.slots[f];
     Facet facet = patch.complex.facets[f];
@@ -266,8 +271,11 @@ TriangleMesh LiveSurface::compacted() const {
     ids[v] = static_cast<std::uint32_t>(mesh.points.size());
     mesh.points.push_back(complex_.points[v]);
   }
-  for (const Facet& f : complex_.facets)
-    if (f.alive()) mesh.triangles.push_back({ids[f.v[0]], ids[f.v[1]], ids[f.v[2]]});
+  for (const Facet& f : complex_.facets) {
+    if (!f.alive()) continue;
+    mesh.triangles.push_back({ids[f.v[0]], ids[f.v[1]], ids[f.v[2]]});
+    if (!complex_.strata.empty()) mesh.labels.push_back(f.labels);
+  }
   return mesh;
 }
 

@@ -15,9 +15,10 @@ namespace isoscope {
 class LiveSurface {
  public:
   /// Copies an oriented 2-manifold without intersections, inside Ω, and measures its facets. Its border keeps
-  /// to the input's rim, if it has one. With an embedding, whose Z the mesh is, patches hold their part of T,
-  /// and commits reach it. Once the control is cancelled facets are not measured: then only what the mesh was
-  /// is of use.
+  /// to the input's rim, if it has one. With labels it is one between rooms: sheets that meet along curves,
+  /// which stay what they are; where they end nothing moves. With an embedding, whose Z the mesh is, patches
+  /// hold their part of T, and commits reach it. Once the control is cancelled facets are not measured: then
+  /// only what the mesh was is of use.
   LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding = nullptr,
               const RunControl& control = {});
 

@@ -23,8 +23,12 @@ void store(FacetComplex& complex, std::span<const Wedge> wedges, const Placement
   }
 }
 
-/// Where the merged vertex of an edge has to lie, as one end alone is on the border.
+/// Where the merged vertex of an edge has to lie, as one end alone is on the border or a curve.
 std::optional<Vec3> pinned_target(const FacetComplex& complex, std::uint32_t a, std::uint32_t b) {
+  if (!complex.strata.empty()) {
+    const std::optional<std::uint32_t> end = pinned_end(complex, a, b);
+    return end ? std::optional(complex.points[*end]) : std::nullopt;
+  }
   if (complex.on_border(a) == complex.on_border(b)) return std::nullopt;
   return complex.points[complex.on_border(a) ? a : b];
 }
@@ -112,6 +116,7 @@ void collapse_to(const InputSurface& input, SurfacePatch& patch, std::uint32_t a
 
 bool relocate(const InputSurface& input, SurfacePatch& patch, std::uint32_t v, int rounds) {
   FacetComplex& complex = patch.complex;
+  if (complex.is_rigid(v)) return false;
   const std::vector<Wedge> wedges = complex.star(v);
   Star star = make_star(complex, wedges, true);
   if (complex.on_border(v)) move_border(input, complex, v, v, star);
@@ -139,6 +144,7 @@ std::optional<FlipPlan> flip_corners(const FacetComplex& complex, std::uint32_t 
   plan.a = first.v[k];
   plan.b = first.v[(k + 1) % 3];
   plan.c = first.v[(k + 2) % 3];
+  if (complex.on_curve(plan.a, plan.b)) return std::nullopt;
   plan.g = complex.facet_left_of(plan.b, plan.a);
   if (plan.g == Facet::none) return std::nullopt;
   const Facet& second = complex.facets[plan.g];
@@ -170,7 +176,7 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
 std::optional<FlipPlan> force_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t a,
                                    std::uint32_t b, double most_distance) {
   FacetComplex& complex = patch.complex;
-  if (!patch.may_lose_facet(a) || !patch.may_lose_facet(b)) return std::nullopt;
+  if (!patch.may_lose_facet(a) || !patch.may_lose_facet(b) || complex.on_curve(a, b)) return std::nullopt;
   const std::uint32_t f = complex.facet_left_of(a, b);
   if (f == Facet::none) return std::nullopt;
   std::optional<FlipPlan> plan = flip_corners(complex, f, complex.facets[f].corner(a));

@@ -45,7 +45,7 @@ struct FlipPlan {
 };
 
 /// Two facets and their edge, from f's k-th corner to its next, as a flip without samples or quality; nothing
-/// where the edge has one facet only.
+/// where the edge has one facet only or is on a curve.
 std::optional<FlipPlan> flip_corners(const FacetComplex& complex, std::uint32_t f, std::size_t k);
 /// Whether flipping the edge of f from its k-th to its next corner lowers the energy; asked only where a
 /// facet comes near the limit or is folded. Connectivity is the caller's: c and d must not be joined, a and b

@@ -66,7 +66,14 @@ Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool 
     if (with_extra) wedge.extra = f.extra, wedge.sides = f.sides;
     star.wedges.push_back(wedge);
   }
-  if (wedges.back().next != wedges.front().rim) star.last = complex.points[wedges.back().next];
+  std::size_t begin = 0;
+  for (std::size_t end = 1; end <= wedges.size(); ++end) {
+    const std::uint32_t next = wedges[end - 1].next;
+    if (end < wedges.size() && wedges[end].rim == next) continue;
+    Star::Fan& fan = star.fans.emplace_back(Star::Fan{begin, end, {}});
+    if (next != wedges[begin].rim) fan.last = complex.points[next];
+    begin = end;
+  }
   return star;
 }
 
@@ -76,19 +83,43 @@ void move_border(const InputSurface& input, const FacetComplex& complex, std::ui
   star.rim = rim_around(complex, std::array{a, b});
 }
 
+void StarEvaluator::number_spokes() {
+  const std::size_t n = star_->wedges.size();
+  first_.resize(n);
+  second_.resize(n);
+  for (const Star::Fan& fan : star_->fans) {
+    const std::size_t first = spokes_.size();
+    for (std::size_t i = fan.begin; i < fan.end; ++i) {
+      first_[i] = spokes_.size();
+      second_[i] = spokes_.size() + 1;
+      Spoke& spoke = spokes_.emplace_back();
+      spoke.rim = star_->wedges[i].rim;
+      spoke.after = i;
+      if (i > fan.begin) spoke.before = i - 1;
+    }
+    if (fan.last) {
+      spokes_.emplace_back().rim = *fan.last;
+    } else {
+      second_[fan.end - 1] = first;
+    }
+    spokes_[second_[fan.end - 1]].before = fan.end - 1;
+  }
+}
+
 StarEvaluator::StarEvaluator(const InputSurface& input, const Star& star)
-    : input_(&input), star_(&star), fixed_(star.wedges.size()), rim_steps_(star.wedges.size()),
-      spokes_(spokes()) {
+    : input_(&input), star_(&star), fixed_(star.wedges.size()), rim_steps_(star.wedges.size()) {
+  number_spokes();
   const std::size_t n = star.wedges.size();
   TriangleId guess = star.wedges.front().seed;
   center_guess_ = guess;
   for (std::size_t i = 0; i < n; ++i) {
     const Star::Wedge& wedge = star.wedges[i];
+    Spoke &first = spokes_[first_[i]], &second = spokes_[second_[i]];
     if (wedge.seed.valid()) guess = wedge.seed;
     const DistanceSample corner = input_->sample(wedge.rim, guess);
     guess = corner.triangle;
-    beside(i, [&](std::size_t w) { fixed_[w].add(corner, input); });
-    const Vec3 along = rim(i + 1) - wedge.rim;
+    beside(first_[i], [&](std::size_t w) { fixed_[w].add(corner, input); });
+    const Vec3 along = second.rim - wedge.rim;
     rim_steps_[i] = sampling_steps(length(along), input.delta());
     for (int j = 1; j < rim_steps_[i]; ++j) {
       const DistanceSample s =
@@ -96,14 +127,14 @@ StarEvaluator::StarEvaluator(const InputSurface& input, const Star& star)
       guess = s.triangle;
       fixed_[i].add(s, input);
     }
-    spokes_[i].edge.fill(corner.triangle);
-    spokes_[i].inner.fill(guess);
-    spokes_[i].extra.assign(wedge.extra.size(), guess);
+    first.edge.fill(corner.triangle);
+    first.inner.fill(guess);
+    first.extra.assign(wedge.extra.size(), guess);
+    if (second.after != none) continue;
+    const DistanceSample last = input_->sample(second.rim, guess);
+    fixed_[i].add(last, input);
+    second.edge.fill(last.triangle);
   }
-  if (closed()) return;
-  const DistanceSample corner = input_->sample(*star.last, guess);
-  fixed_[n - 1].add(corner, input);
-  spokes_[n].edge.fill(corner.triangle);
 }
 
 DistanceSample StarEvaluator::sample(Vec3 p, double weight, TriangleId& guess) {
@@ -121,17 +152,17 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   result.seeds.resize(n);
   linear_.clear();
   sums_ = fixed_;
-  spoke_steps_.resize(spokes());
+  spoke_steps_.resize(spokes_.size());
   counts_.resize(n);
-  for (std::size_t i = 0; i < spokes(); ++i)
-    spoke_steps_[i] = sampling_steps(distance(rim(i), x), input_->delta());
+  for (std::size_t i = 0; i < spokes_.size(); ++i)
+    spoke_steps_[i] = sampling_steps(distance(spokes_[i].rim, x), input_->delta());
   // What is summed so far, over the final number of samples, never exceeds the energy.
   double energy = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Star::Wedge& wedge = star_->wedges[i];
     const auto inner = inner_samples(longest_steps(i)).size();
     counts_[i] =
-        static_cast<double>(fixed_[i].count + spoke_steps_[i] + spoke_steps_[(i + 1) % spokes()] - 1) +
+        static_cast<double>(fixed_[i].count + spoke_steps_[first_[i]] + spoke_steps_[second_[i]] - 1) +
         static_cast<double>(inner + wedge.extra.size() + wedge.sides.size());
     energy += fixed_[i].energy / counts_[i];
   }
@@ -141,9 +172,9 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   const auto give_up = [&] { result.energy = energy; };
   const DistanceSample center = sample(x, 1, center_guess_);
   for (std::size_t i = 0; i < n; ++i) add(i, center);
-  for (std::size_t i = 0; i < spokes(); ++i) {
+  for (std::size_t i = 0; i < spokes_.size(); ++i) {
     if (energy > most_energy) return give_up(), result;
-    const Vec3 along = rim(i) - x;
+    const Vec3 along = spokes_[i].rim - x;
     for (int j = 1; j < spoke_steps_[i]; ++j) {
       const double t = j / static_cast<double>(spoke_steps_[i]);
       const DistanceSample s = sample(x + t * along, 1 - t, spokes_[i].edge[static_cast<std::size_t>(j - 1)]);
@@ -152,15 +183,16 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (energy > most_energy) return give_up(), result;
-    const Triangle3 t{x, rim(i), rim(i + 1)};
+    const Triangle3 t = facet(i, x);
+    Spoke& spoke = spokes_[first_[i]];
     const auto inner = inner_samples(longest_steps(i));
     for (std::size_t j = 0; j < inner.size(); ++j)
-      add(i, sample(at(inner[j], t), inner[j][0], spokes_[i].inner[j]));
+      add(i, sample(at(inner[j], t), inner[j][0], spoke.inner[j]));
     const Star::Wedge& wedge = star_->wedges[i];
     for (std::size_t j = 0; j < wedge.extra.size(); ++j) {
       const Barycentric& e = wedge.extra[j];
       const Barycentric w{e[wedge.corner], e[(wedge.corner + 1u) % 3], e[(wedge.corner + 2u) % 3]};
-      add(i, sample(at(w, t), w[0], spokes_[i].extra[j]));
+      add(i, sample(at(w, t), w[0], spoke.extra[j]));
     }
     for (const SideSample& side : wedge.sides) {
       const SideDistance d = side_distance(side, t, input_->delta());
@@ -169,8 +201,8 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    result.facets[i] = judge(sums_[i], {x, rim(i), rim(i + 1)}, input_->delta());
-    result.seeds[i] = spokes_[i].edge[0];
+    result.facets[i] = judge(sums_[i], facet(i, x), input_->delta());
+    result.seeds[i] = spokes_[first_[i]].edge[0];
     result.energy += result.facets[i].energy;
     result.largest = std::max(result.largest, result.facets[i].largest);
     result.folded = result.folded || result.facets[i].folded;
@@ -180,7 +212,7 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
 }
 
 void StarEvaluator::add_border(Vec3 x, Placement& placement) {
-  const std::array<Segment3, 2> edges{Segment3{x, rim(0)}, Segment3{x, rim(star_->wedges.size())}};
+  const std::array<Segment3, 2> edges{Segment3{x, spokes_.front().rim}, Segment3{x, spokes_.back().rim}};
   std::array<FacetSums, 2> sums;
   const auto add = [&](std::size_t edge, const BorderSample& s) {
     sums[edge].add(s.distance, *input_);
@@ -203,7 +235,7 @@ void StarEvaluator::add_border(Vec3 x, Placement& placement) {
 }
 
 int StarEvaluator::longest_steps(std::size_t i) const {
-  return std::max({spoke_steps_[i], spoke_steps_[(i + 1) % spoke_steps_.size()], rim_steps_[i]});
+  return std::max({spoke_steps_[first_[i]], spoke_steps_[second_[i]], rim_steps_[i]});
 }
 
 Vec3 StarEvaluator::minimax_step(double trust) const {

@@ -11,8 +11,8 @@
 
 namespace isoscope {
 
-/// A fan of facets around a vertex that may move: wedge i is (vertex, rim i, rim i + 1). It closes up, or
-/// lies between two edges of the border.
+/// The facets around a vertex that may move, in fans: a wedge is (vertex, its rim, that of the next one). A
+/// fan closes up, or lies between two edges of the border or of curves.
 struct Star {
   struct Wedge {
     Vec3 rim;
@@ -21,14 +21,19 @@ struct Star {
     std::uint8_t corner = 0; ///< which corner the vertex is
     TriangleId seed;
   };
+  /// Wedges that follow one another; there are several where sheets meet.
+  struct Fan {
+    std::size_t begin = 0, end = 0;
+    std::optional<Vec3> last; ///< the rim behind its last wedge, where it is open
+  };
   std::vector<Wedge> wedges;
-  std::optional<Vec3> last; ///< the rim behind the last wedge, where the fan is open
+  std::vector<Fan> fans;
   /// Where both border edges of an open fan move with the vertex: what they have to keep to.
   const BorderGate* gate = nullptr;
   std::vector<Vec3> rim; ///< samples of the input's rim that one of them has to be near
 };
 
-/// The star of wedges found in a complex; `with_extra` false leaves out what failed checks
+/// The star of wedges found in a complex, in their order; `with_extra` false leaves out what failed checks
 /// have added to the facets.
 Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool with_extra);
 /// Lets the border edges of an open fan move, whose vertex these were, of which the second may be the same.
@@ -63,7 +68,11 @@ class StarEvaluator {
     double weight;
     DistanceSample sample;
   };
+  static constexpr std::size_t none = ~std::size_t{0};
+  /// An edge from the vertex.
   struct Spoke {
+    Vec3 rim;
+    std::size_t after = none, before = none; ///< the wedges that begin and end there
     std::array<TriangleId, most_steps - 1> edge;
     std::array<TriangleId, most_inner_samples>
         inner; ///< nearest triangles the last time: guesses for the next
@@ -75,18 +84,16 @@ class StarEvaluator {
   /// Adds the border edges with their vertex at x.
   void add_border(Vec3 x, Placement& placement);
   int longest_steps(std::size_t wedge) const;
-  bool closed() const { return !star_->last; }
-  /// The edges from the vertex: one more than wedges where the fan is open.
-  std::size_t spokes() const { return star_->wedges.size() + (closed() ? 0 : 1); }
-  Vec3 rim(std::size_t i) const {
-    const std::size_t n = star_->wedges.size();
-    return i == n && star_->last ? *star_->last : star_->wedges[i % n].rim;
+  /// Numbers the spokes: one a wedge, and the last of each open fan.
+  void number_spokes();
+  /// The facet of a wedge with the vertex at x.
+  Triangle3 facet(std::size_t wedge, Vec3 x) const {
+    return {x, spokes_[first_[wedge]].rim, spokes_[second_[wedge]].rim};
   }
   /// Calls add(wedge) for the wedges on both sides of a spoke.
   template <class Add> void beside(std::size_t spoke, const Add& add) const {
-    const std::size_t n = star_->wedges.size();
-    if (spoke < n) add(spoke);
-    if (spoke > 0 || closed()) add((spoke + n - 1) % n);
+    if (spokes_[spoke].after != none) add(spokes_[spoke].after);
+    if (spokes_[spoke].before != none) add(spokes_[spoke].before);
   }
 
   const InputSurface* input_;
@@ -94,6 +101,7 @@ class StarEvaluator {
   std::vector<FacetSums> fixed_; ///< by wedge: its rim corners and rim edge
   std::vector<int> rim_steps_;
   std::vector<Spoke> spokes_;
+  std::vector<std::size_t> first_, second_; ///< by wedge: its spokes
   TriangleId center_guess_;
   std::vector<FacetSums> sums_;  ///< by wedge, of the last evaluation
   std::vector<double> counts_;   ///< by wedge: its samples

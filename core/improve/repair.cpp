@@ -80,7 +80,7 @@ PatchVerdict check_orientation(const SurfaceRules& rules, SurfacePatch& patch) {
     Facet& facet = patch.complex.facets[f];
     if (!patch.changed(f)) before -= facet.misoriented;
     if (!patch.changed(f) || !facet.alive()) continue;
-    auto failures = rules.orientation->failures(patch.complex.triangle(facet));
+    auto failures = rules.orientation->failures(patch.complex.triangle(facet), facet.labels);
     facet.misoriented = static_cast<std::uint8_t>(failures.size());
     after += facet.misoriented;
     if (!failures.empty()) failed.emplace_back(f, std::move(failures));
@@ -124,7 +124,9 @@ PatchVerdict check_shape(const SurfaceRules& rules, SurfacePatch& patch) {
     after.push_back(patch.complex.triangle(facet));
     if (is_degenerate(after.back())) return {Refusal{Reason::folded, 0, 0, after.back()[0]}, facet.v};
   }
-  if (const auto swept = swept_witness(rules.witnesses, before, after))
+  const bool rooms = !patch.complex.strata.empty();
+  if (const auto swept = rooms ? swept_witness_between_rooms(rules.witnesses, patch)
+                               : swept_witness(rules.witnesses, before, after))
     return Refusal{Reason::witness_side, 0, 0, *swept};
   return rules.orientation ? check_orientation(rules, patch) : PatchVerdict{};
 }

@@ -62,6 +62,7 @@ void Digest::add(const Delta& d) {
   each(d.added_facets);
   if (d.sample_set) add(d.sample_set->before, d.sample_set->after);
   if (d.form) add(d.form->before, d.form->after);
+  for (const LabelPair labels : d.facet_labels) add(labels.front, labels.back);
 }
 
 void Digest::add(const Complex& c) {
@@ -73,6 +74,7 @@ void Digest::add(const Complex& c) {
     if (t.dropped != 0) add(t.dropped);
   }
   for (const ZeroFacet& f : c.facets) each(f.v);
+  for (const LabelPair labels : c.facet_labels) add(labels.front, labels.back);
   add(c.form);
 }
 

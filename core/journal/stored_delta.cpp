@@ -17,7 +17,7 @@ constexpr std::size_t segment_bytes = std::size_t{1} << 19;
 /// The lists of a delta, in the order of their bytes.
 template <class D> auto lists_of(D& d) {
   return std::tie(d.added_vertices, d.killed_vertices, d.values, d.moves, d.removed, d.added, d.sides,
-                  d.dropped, d.removed_facets, d.added_facets);
+                  d.dropped, d.removed_facets, d.added_facets, d.facet_labels);
 }
 constexpr std::size_t list_count = std::tuple_size_v<decltype(lists_of(std::declval<Delta&>()))>;
 

@@ -136,7 +136,8 @@ std::size_t Delta::memory_bytes() const {
          killed_vertices.capacity() * sizeof(VertexId) + values.capacity() * sizeof(ValueChange) +
          moves.capacity() * sizeof(Move) + (removed.capacity() + added.capacity()) * sizeof(TetRecord) +
          sides.capacity() * sizeof(SideChange) + dropped.capacity() * sizeof(DroppedChange) +
-         (removed_facets.capacity() + added_facets.capacity()) * sizeof(FacetRecord);
+         (removed_facets.capacity() + added_facets.capacity()) * sizeof(FacetRecord) +
+         facet_labels.capacity() * sizeof(LabelPair);
 }
 
 std::array<Vec3, 4> Complex::positions(TetId t) const {
@@ -174,7 +175,7 @@ std::size_t Complex::alive_tets() const {
 
 std::size_t Complex::memory_bytes() const {
   return sizeof(Complex) + vertices.capacity() * sizeof(Vertex) + tets.capacity() * sizeof(Tet) +
-         facets.capacity() * sizeof(ZeroFacet);
+         facets.capacity() * sizeof(ZeroFacet) + facet_labels.capacity() * sizeof(LabelPair);
 }
 
 void Complex::apply(const Delta& delta) {
@@ -184,7 +185,7 @@ void Complex::apply(const Delta& delta) {
   for (const auto& m : delta.moves) vertices[m.vertex.index()].position = m.after;
   for (const auto& s : delta.sides) tets[s.tet.index()].side = s.after;
   for (const auto& d : delta.dropped) tets[d.tet.index()].dropped = d.after;
-  if (delta.form) form = delta.form->after;
+  if (delta.form) form = delta.form->after, facet_labels = delta.facet_labels;
   exchange_facets(facets, delta.removed_facets, delta.added_facets);
   if (delta.removed.empty() && delta.added.empty()) return;
   assert(delta.slots_before == tets.size());
@@ -203,7 +204,7 @@ void Complex::undo(const Delta& delta) {
     exchange_facets(facets, delta.added_facets, delta.removed_facets);
     facets.resize(delta.facet_slots_before);
   }
-  if (delta.form) form = delta.form->before;
+  if (delta.form) form = delta.form->before, facet_labels.clear();
   for (const auto& d : delta.dropped) tets[d.tet.index()].dropped = d.before;
   for (const auto& s : delta.sides) tets[s.tet.index()].side = s.before;
   for (auto m = delta.moves.rbegin(); m != delta.moves.rend(); ++m) {

@@ -137,6 +137,7 @@ struct Delta {
   std::vector<DroppedChange> dropped; ///< the same for their dropped facets
   std::vector<FacetRecord> removed_facets, added_facets;
   std::uint32_t facet_slots_before = 0; ///< the same for facets
+  std::vector<LabelPair> facet_labels;  ///< what Complex::facet_labels becomes as Z leaves T
   std::optional<SampleSetChange> sample_set;
   std::optional<FormChange> form;
 
@@ -149,11 +150,18 @@ struct Complex {
   std::vector<Vertex> vertices;
   std::vector<Tet> tets;         ///< slots; dead ones are on no list, the free list is the refiner's business
   std::vector<ZeroFacet> facets; ///< slots of Z once it is free
+  /// What the facets of a free Z between rooms lie between, by slot, which no later change of a facet alters
+  /// (§4.2). Empty where there is one inside.
+  std::vector<LabelPair> facet_labels;
   ZeroForm form = ZeroForm::interpolated;
 
   const Vec3& position(VertexId v) const { return vertices[v.index()].position; }
   double value(VertexId v) const { return vertices[v.index()].value; }
   std::int8_t label(VertexId v) const { return vertices[v.index()].label(); }
+  /// The two sides of a facet of a free Z.
+  LabelPair labels(FacetId f) const {
+    return f.index() < facet_labels.size() ? facet_labels[f.index()] : LabelPair{+1, -1};
+  }
   const Tet& tet(TetId t) const { return tets[t.index()]; }
   std::array<Vec3, 4> positions(TetId t) const;
   std::array<double, 4> values(TetId t) const;

@@ -246,7 +246,8 @@ ZeroSet free_zero_set(const Complex& complex) {
   for (std::size_t i = 0; i < complex.facets.size(); ++i) {
     if (!complex.facets[i].alive()) continue;
     const auto& [a, b, c] = complex.facets[i].v;
-    polygons.push_back({TetId(), {a.value, b.value, c.value, 0}, 3, 0, FacetId(i), {+1, -1}});
+    polygons.push_back(
+        {TetId(), {a.value, b.value, c.value, 0}, 3, 0, FacetId(i), complex.labels(FacetId(i))});
   }
   return number_vertices(complex, std::move(polygons));
 }

@@ -13,7 +13,8 @@ namespace {
 constexpr std::uint64_t part_vertices = 1, part_killed = 2, part_values = 4, part_moves = 8,
                         part_removed = 16, part_added = 32, part_slots = 64, part_sides = 128,
                         part_removed_facets = 256, part_added_facets = 512, part_facet_slots = 1024,
-                        part_sample_set = 2048, part_form = 4096, part_dropped = 8192;
+                        part_sample_set = 2048, part_form = 4096, part_dropped = 8192,
+                        part_facet_labels = 16384;
 
 /// Slots are handed out densely and each is told with some bytes: what lies beyond this many and so many more
 /// a byte is damage, and must not ask for memory.
@@ -305,7 +306,8 @@ std::uint64_t parts_of(const Delta& d) {
          (d.removed_facets.empty() ? 0 : part_removed_facets) |
          (d.added_facets.empty() ? 0 : part_added_facets) |
          (d.facet_slots_before == 0 ? 0 : part_facet_slots) | (d.sample_set ? part_sample_set : 0) |
-         (d.form ? part_form : 0) | (d.dropped.empty() ? 0 : part_dropped);
+         (d.form ? part_form : 0) | (d.dropped.empty() ? 0 : part_dropped) |
+         (d.facet_labels.empty() ? 0 : part_facet_labels);
 }
 
 template <class Io> void pass_form(Io& io, Shown<Io, ZeroForm>& form) {
@@ -313,6 +315,14 @@ template <class Io> void pass_form(Io& io, Shown<Io, ZeroForm>& form) {
   io.byte(number);
   if (number > static_cast<std::uint8_t>(ZeroForm::free)) return io.fail();
   if constexpr (!Io::writes) form = static_cast<ZeroForm>(number);
+}
+
+template <class Io> void pass_facet_labels(Io& io, Shown<Io, std::vector<LabelPair>>& labels) {
+  io.length(labels, 2);
+  for (auto& pair : labels) {
+    io.signed_number(pair.front);
+    io.signed_number(pair.back);
+  }
 }
 
 template <class Io> void pass(Io& io, Shown<Io, Delta>& d, DeltaMirror& mirror, std::size_t slots) {
@@ -343,6 +353,7 @@ template <class Io> void pass(Io& io, Shown<Io, Delta>& d, DeltaMirror& mirror, 
     pass_form(io, d.form->before);
     pass_form(io, d.form->after);
   }
+  if (has(part_facet_labels)) pass_facet_labels(io, d.facet_labels);
 }
 
 } // namespace

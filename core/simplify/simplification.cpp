@@ -52,8 +52,9 @@ struct Simplification::Impl {
   std::unique_ptr<LiveComplex> live; ///< null once Z has left T
   Complex free;                      ///< the state after that
   bool filled = false;               ///< holes are, as far as they can be
-  /// The improver knows two sides only.
-  Stage last = context.volume.has_rooms() ? Stage::all : Stage::improve;
+  /// Inside T the improver knows two sides only.
+  Stage last = context.volume.has_rooms() && parameters.improver == ImproverPlace::embedded ? Stage::all
+                                                                                            : Stage::improve;
   std::size_t next = 0;  ///< into stage_order
   bool rejoined = false; ///< the journal has begun the next stage
 
@@ -301,7 +302,7 @@ Result<bool> Simplification::run() {
   if (m.log.stopped()) return false;
   m.fill_holes();
   if (comes_after(m.parameters.until, m.last))
-    m.log.warn("Z between rooms ends with the stage all: the improver knows two sides only.");
+    m.log.warn("Z between rooms ends with the stage all: inside T the improver knows two sides only.");
   m.next = std::min(m.next, stage_order.size() - 1);
   return true;
 }

@@ -231,7 +231,9 @@ Delta departure(const Complex& complex) {
     if (complex.vertices[v].alive && !on_zero_set[v]) delta.killed_vertices.push_back(VertexId(v));
   }
   std::size_t slot = 0;
+  const bool rooms = z.has_rooms();
   for (const ZeroSet::Polygon& p : z.polygons) {
+    if (rooms) delta.facet_labels.push_back(p.labels);
     delta.added_facets.push_back(
         {FacetId(slot++),
          {z.vertices[p.v[0]].negative, z.vertices[p.v[1]].negative, z.vertices[p.v[2]].negative}});
