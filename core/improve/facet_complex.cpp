@@ -189,7 +189,6 @@ void FacetComplex::merge_border(std::uint32_t a, std::uint32_t b) {
 
 void FacetComplex::collapse(std::uint32_t a, std::uint32_t b) {
   merge_border(a, b);
-  if (!strata.empty()) merge_strata(strata, a, b);
   const std::vector<std::uint32_t> of_b = stars[b];
   for (const std::uint32_t f : of_b) {
     std::array<std::uint32_t, 3> v = facets[f].v;
@@ -200,6 +199,7 @@ void FacetComplex::collapse(std::uint32_t a, std::uint32_t b) {
     v[facets[f].corner(b)] = a;
     replace_facet(f, v);
   }
+  if (!strata.empty()) merge_strata(*this, a, b);
 }
 
 } // namespace isoscope

@@ -40,6 +40,7 @@ struct Facet {
   std::vector<SideSample> sides; ///< where tests of condition 3 failed: sampled too
 
   bool alive() const { return v[0] != none; }
+  bool bounds(std::int8_t label) const { return labels.front == label || labels.back == label; }
   /// 0, 1 or 2: which corner the vertex is.
   std::size_t corner(std::uint32_t vertex) const { return v[0] == vertex ? 0 : (v[1] == vertex ? 1 : 2); }
   bool has(std::uint32_t vertex) const { return v[0] == vertex || v[1] == vertex || v[2] == vertex; }

@@ -6,6 +6,7 @@
 #include "improve/swept_witness.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace isoscope {
@@ -58,14 +59,53 @@ void insert_sorted(std::vector<std::uint32_t>& list, std::uint32_t value) {
   if (at == list.end() || *at != value) list.insert(at, value);
 }
 
-void exchange(std::vector<std::uint32_t>& list, std::uint32_t out, std::uint32_t in) {
-  std::erase(list, out);
-  insert_sorted(list, in);
+/// The labels of the facets at a vertex, ascending.
+std::vector<std::int8_t> labels_at(const FacetComplex& complex, std::uint32_t v) {
+  std::vector<std::int8_t> labels;
+  for (const std::uint32_t f : complex.stars[v]) {
+    labels.push_back(complex.facets[f].labels.front);
+    labels.push_back(complex.facets[f].labels.back);
+  }
+  sort_unique(labels);
+  return labels;
 }
 
-bool intersect(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&](std::uint32_t v) { return std::binary_search(b.begin(), b.end(), v); });
+/// The neighbours of a vertex on the boundary of a region, ascending.
+std::vector<std::uint32_t> neighbors_around(const FacetComplex& complex, std::uint32_t v, std::int8_t label) {
+  std::vector<std::uint32_t> found;
+  for (const std::uint32_t f : complex.stars[v])
+    if (complex.facets[f].bounds(label))
+      for (const std::uint32_t w : complex.facets[f].v)
+        if (w != v) found.push_back(w);
+  sort_unique(found);
+  return found;
+}
+
+/// Whether the boundary of a region, which has both vertices, remains the surface that it is.
+bool keeps_region(const FacetComplex& complex, std::uint32_t a, std::uint32_t b, std::int8_t label) {
+  const auto along = std::count_if(complex.stars[a].begin(), complex.stars[a].end(), [&](std::uint32_t f) {
+    return complex.facets[f].has(b) && complex.facets[f].bounds(label);
+  });
+  if (along != 2) return false;
+  const std::vector<std::uint32_t> of_a = neighbors_around(complex, a, label),
+                                   of_b = neighbors_around(complex, b, label);
+  const auto common = std::count_if(of_a.begin(), of_a.end(), [&](std::uint32_t v) {
+    return std::binary_search(of_b.begin(), of_b.end(), v);
+  });
+  return common == 2;
+}
+
+/// Whether no two facets would become one.
+bool keeps_facets(const FacetComplex& complex, std::uint32_t a, std::uint32_t b) {
+  for (const std::uint32_t f : complex.stars[a]) {
+    const Facet& facet = complex.facets[f];
+    if (facet.has(b)) continue;
+    const std::size_t k = facet.corner(a);
+    const std::uint32_t x = facet.v[(k + 1) % 3], y = facet.v[(k + 2) % 3];
+    for (const std::uint32_t g : complex.stars[b])
+      if (complex.facets[g].has(x) && complex.facets[g].has(y)) return false;
+  }
+  return true;
 }
 
 } // namespace
@@ -85,70 +125,41 @@ std::vector<VertexStratum> take_strata(const FacetComplex& surface, std::span<co
   std::vector<VertexStratum> strata;
   strata.reserve(vertices.size());
   for (const std::uint32_t v : vertices) {
-    VertexStratum& own = strata.emplace_back(surface.strata[v]);
-    for (std::uint32_t& end : own.curves) {
+    const VertexStratum& whole = surface.strata[v];
+    VertexStratum& own = strata.emplace_back(VertexStratum{whole.stratum, whole.rigid, {}});
+    for (const std::uint32_t end : whole.curves) {
       const auto at = std::lower_bound(vertices.begin(), vertices.end(), end);
-      const bool here = at != vertices.end() && *at == end;
-      end = here ? static_cast<std::uint32_t>(at - vertices.begin()) : end | VertexStratum::elsewhere;
+      if (at != vertices.end() && *at == end)
+        own.curves.push_back(static_cast<std::uint32_t>(at - vertices.begin()));
     }
-    std::sort(own.curves.begin(), own.curves.end());
   }
   return strata;
 }
 
-void commit_strata(const SurfacePatch& patch, FacetComplex& surface) {
-  const auto of_surface = [&](std::uint32_t end) {
-    return end >= VertexStratum::elsewhere ? end - VertexStratum::elsewhere : patch.vertices[end];
-  };
-  for (std::uint32_t v = 0; v < patch.vertices.size(); ++v) {
-    const VertexStratum &before = patch.start_strata[v], &now = patch.complex.strata[v];
-    if (before == now) continue;
-    // Others may have changed what is no part of this patch.
-    VertexStratum& own = surface.strata[patch.vertices[v]];
-    own.stratum = now.stratum;
-    own.rigid = now.rigid;
-    for (const std::uint32_t end : before.curves)
-      if (!now.leads_to(end)) std::erase(own.curves, of_surface(end));
-    for (const std::uint32_t end : now.curves)
-      if (!before.leads_to(end)) insert_sorted(own.curves, of_surface(end));
-  }
+void renew_strata(FacetComplex& complex, std::span<const std::uint32_t> vertices) {
+  for (const std::uint32_t v : vertices)
+    complex.strata[v] = complex.alive_vertex(v) ? stratum_at(complex, v) : VertexStratum{};
 }
 
 bool strata_link_condition(const FacetComplex& complex, std::uint32_t a, std::uint32_t b) {
-  const VertexStratum &at_a = complex.strata[a], &at_b = complex.strata[b];
-  const bool along_curve = at_a.leads_to(b);
-  // The dummy vertices: on two curves, or between two points.
-  if (at_a.on_curve() && at_b.on_curve() && !along_curve) return false;
-  if (at_a.stratum == Stratum::point && at_b.stratum == Stratum::point) return false;
-  if (intersect(at_a.curves, at_b.curves)) return false;
-  const std::vector<std::uint32_t> of_a = complex.neighbors(a), of_b = complex.neighbors(b);
-  std::size_t common = 0, opposite = 0;
-  for (const std::uint32_t v : of_a) common += std::binary_search(of_b.begin(), of_b.end(), v) ? 1u : 0u;
-  for (const std::uint32_t f : complex.stars[a]) {
-    const Facet& facet = complex.facets[f];
-    if (facet.has(b)) {
-      ++opposite;
-      continue;
-    }
-    const std::size_t k = facet.corner(a);
-    const std::uint32_t x = facet.v[(k + 1) % 3], y = facet.v[(k + 2) % 3];
-    for (const std::uint32_t g : complex.stars[b])
-      if (complex.facets[g].has(x) && complex.facets[g].has(y)) return false;
-  }
-  return common == opposite;
+  if (complex.is_rigid(a) && complex.is_rigid(b)) return false;
+  const std::vector<std::int8_t> of_a = labels_at(complex, a), of_b = labels_at(complex, b);
+  for (const std::int8_t label : of_a)
+    if (std::binary_search(of_b.begin(), of_b.end(), label) && !keeps_region(complex, a, b, label))
+      return false;
+  return keeps_facets(complex, a, b);
 }
 
-void merge_strata(std::vector<VertexStratum>& strata, std::uint32_t a, std::uint32_t b) {
-  VertexStratum gone = std::exchange(strata[b], {});
-  VertexStratum& stays = strata[a];
-  std::erase(stays.curves, b);
-  for (const std::uint32_t end : gone.curves) {
-    if (end == a) continue;
-    exchange(strata[end].curves, b, a);
-    insert_sorted(stays.curves, end);
+void merge_strata(FacetComplex& complex, std::uint32_t a, std::uint32_t b) {
+  renew_strata(complex, std::array{a, b});
+  for (const std::uint32_t end : complex.neighbors(a)) {
+    std::vector<std::uint32_t>& curves = complex.strata[end].curves;
+    std::erase(curves, b);
+    if (complex.strata[a].leads_to(end))
+      insert_sorted(curves, a);
+    else
+      std::erase(curves, a);
   }
-  stays.stratum = std::min(stays.stratum, gone.stratum);
-  stays.rigid = stays.rigid || gone.rigid;
 }
 
 std::optional<std::uint32_t> pinned_end(const FacetComplex& complex, std::uint32_t a, std::uint32_t b) {
@@ -167,7 +178,7 @@ std::optional<Vec3> swept_witness_between_rooms(std::span<const Vec3> witnesses,
     std::vector<Triangle3> before, after;
     for (std::size_t f = 0; f < patch.complex.facets.size(); ++f) {
       const Facet& facet = patch.complex.facets[f];
-      if (!patch.changed(f) || (facet.labels.front != label && facet.labels.back != label)) continue;
+      if (!patch.changed(f) || !facet.bounds(label)) continue;
       const auto turned = [&](Triangle3 t) {
         if (facet.labels.front == label) std::swap(t[1], t[2]);
         return t;

@@ -17,9 +17,6 @@ struct SurfacePatch;
 
 /// Where a vertex of a surface between rooms lies.
 struct VertexStratum {
-  /// In lists of a patch: added to the surface's id of a vertex that is not in the patch.
-  static constexpr std::uint32_t elsewhere = 0x80000000u;
-
   Stratum stratum = Stratum::sheet;
   bool rigid = false; ///< sheets end or touch there: it stays where it is, and no flip takes facets from it
   std::vector<std::uint32_t> curves; ///< the other ends of its edges on curves, ascending
@@ -31,16 +28,18 @@ struct VertexStratum {
 
 /// The strata of all vertices, from facets with their labels and stars.
 std::vector<VertexStratum> find_strata(const FacetComplex& complex);
-/// Those of some vertices (ascending) by their places among them.
+/// Those of some vertices (ascending) by their places among them; curves lead to these alone.
 std::vector<VertexStratum> take_strata(const FacetComplex& surface, std::span<const std::uint32_t> vertices);
-/// Carries what has changed in the strata of a patch to the surface.
-void commit_strata(const SurfacePatch& patch, FacetComplex& surface);
+/// Finds the strata of some vertices anew, whose stars must be complete.
+void renew_strata(FacetComplex& complex, std::span<const std::uint32_t> vertices);
 
-/// The link conditions among facets, with a dummy vertex joined to the curves, and among the curves, with one
-/// joined to the points. The stars of a and b must be complete.
+/// Whether a collapse leaves the boundary of each region the surface that it is, which is the link condition
+/// of surfaces for each that has both ends, and no two facets become one. Sheets and curves may vanish, and
+/// points merge, where they are smaller than Ω tells: the input may have four rooms along an edge, as Z has
+/// not until then. The stars of a and b must be complete.
 bool strata_link_condition(const FacetComplex& complex, std::uint32_t a, std::uint32_t b);
-/// b's place on curves becomes a's; for FacetComplex::collapse.
-void merge_strata(std::vector<VertexStratum>& strata, std::uint32_t a, std::uint32_t b);
+/// After b was merged into a, whose star must be complete: the strata of both, and their neighbours' curves.
+void merge_strata(FacetComplex& complex, std::uint32_t a, std::uint32_t b);
 /// The end of the edge ab at which their merged vertex has to lie; nothing where it may move.
 std::optional<std::uint32_t> pinned_end(const FacetComplex& complex, std::uint32_t a, std::uint32_t b);
 

@@ -235,7 +235,6 @@ SurfaceChange LiveSurface::commit(const SurfacePatch& patch, EventKind kind) {
     if (edge.here()) edge.next = patch.vertices[edge.next];
     complex_.border[patch.vertices[v]] = std::move(edge);
   }
-  if (!patch.start_strata.empty()) commit_strata(patch, complex_);
   for (const std::uint32_t f : changed) {
     const std::uint32_t slot = patch.slots[f];
     Facet facet = patch.complex.facets[f];
@@ -254,6 +253,7 @@ SurfaceChange LiveSurface::commit(const SurfacePatch& patch, EventKind kind) {
   for (std::uint32_t v = 0; v < patch.vertices.size(); ++v)
     if (!patch.complex.alive_vertex(v)) change.killed_vertices.push_back(patch.vertices[v]);
   vertex_count_ -= change.killed_vertices.size();
+  if (!complex_.strata.empty() && !change.killed_vertices.empty()) renew_strata(complex_, patch.vertices);
   if (patch.in_t) {
     change.tetrahedra = embedding_->commit(patch.in_t->tets);
     for (const TetRecord& t : change.tetrahedra.removed)

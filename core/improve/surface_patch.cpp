@@ -53,8 +53,7 @@ SurfacePatch take(const FacetComplex& surface, std::vector<std::uint32_t> slots,
   }
   patch.complex.build_stars();
   if (!surface.border.empty()) take_border(surface, patch);
-  if (!surface.strata.empty())
-    patch.start_strata = patch.complex.strata = take_strata(surface, patch.vertices);
+  if (!surface.strata.empty()) patch.complex.strata = take_strata(surface, patch.vertices);
   patch.start_points = patch.complex.points;
   patch.outside.reserve(patch.vertices.size());
   for (std::size_t i = 0; i < patch.vertices.size(); ++i)

@@ -19,7 +19,6 @@ struct SurfacePatch {
   std::vector<Vec3> start_points;      ///< as they were taken from the surface
   std::vector<std::array<std::uint32_t, 3>> start_facets;
   std::vector<std::uint32_t> start_border; ///< by local vertex: where its border edge led; empty if none did
-  std::vector<VertexStratum> start_strata; ///< by local vertex; empty where there are two sides only
   std::uint32_t start_misoriented = 0;     ///< failed tests of all facets
   std::uint32_t start_folded = 0;          ///< folded facets
 

@@ -19,6 +19,7 @@ Star cap(unsigned n, double r, double z) {
     const double angle = 2 * std::numbers::pi * i / n;
     star.wedges.push_back({{r * std::cos(angle), r * std::sin(angle), z}, {}, {}, 0, {}});
   }
+  star.fans.push_back({0, n, {}});
   return star;
 }
 

@@ -25,12 +25,12 @@ using namespace isoscope::test;
 namespace {
 
 std::unique_ptr<CompleteRun> run_rooms(TriangleSoup soup, double percent,
-                                       SidesMode sides = SidesMode::automatic) {
+                                       SidesMode sides = SidesMode::automatic, Stage until = Stage::all) {
   RunParameters parameters;
   parameters.input = "soup";
   parameters.tolerance = {percent, true};
   parameters.sides = sides;
-  parameters.until = Stage::all;
+  parameters.until = until;
   auto run = std::make_unique<CompleteRun>(parameters);
   run->soup = std::make_shared<const TriangleSoup>(std::move(soup));
   run->run();
@@ -124,6 +124,31 @@ TEST_CASE("rooms have the Euler characteristic of their walls, and sheets meet i
     for (const auto& [edges, count] : curves.vertex_edges) CHECK((edges == 2 || edges == 4));
     if (k.rooms == 2) CHECK(curves.vertex_edges.size() == 1); // one closed curve
     if (k.points > 0) CHECK(curves.vertex_edges.at(4) == k.points);
+  }
+}
+
+TEST_CASE("on Z alone boxes come down to their corners") {
+  struct Known {
+    TriangleSoup soup;
+    double percent;
+    std::size_t rooms;
+    long euler_characteristic;
+    std::size_t vertices; ///< the least there are, or few
+  };
+  const std::vector<Known> known{{cubes(2, 1, 1), 4, 2, 3, 12},
+                                 {three_in_t(), 4, 3, 4, 18},
+                                 {cubes(2, 2, 1), 4, 4, 5, 18},
+                                 {cubes(2, 2, 2), 4, 8, 9, 27},
+                                 {sphere_with_disc(), 4, 2, 3, 30}};
+  for (const Known& k : known) {
+    CAPTURE(k.rooms);
+    CAPTURE(k.euler_characteristic);
+    const auto run = run_rooms(k.soup, k.percent, SidesMode::automatic, Stage::improve);
+    check_rooms(*run, k.rooms, k.euler_characteristic);
+    CHECK(run->result->form == ZeroForm::free);
+    CHECK(run->result->mesh.labels.size() == run->result->mesh.triangles.size());
+    CHECK(run->result->mesh.points.size() <= k.vertices);
+    CHECK(curves_of(run->result->mesh).components == 1);
   }
 }
 
