@@ -98,7 +98,7 @@ FacetQuality judge(const FacetSums& sums, const Triangle3& facet, double delta) 
 }
 
 FacetQuality measure_facet(const InputSurface& input, const Triangle3& t, std::span<const Barycentric> extra,
-                           std::span<const SideSample> sides, TriangleId& seed) {
+                           std::span<const SideSample> sides, TriangleId& seed, LabelPair labels) {
   FacetSums sums;
   const auto add = [&](Vec3 p) {
     const DistanceSample s = input.sample(p, seed);
@@ -116,13 +116,16 @@ FacetQuality measure_facet(const InputSurface& input, const Triangle3& t, std::s
   for (const Barycentric& w : inner_samples(most)) add(at(w, t));
   for (const Barycentric& w : extra) add(at(w, t));
   for (const SideSample& side : sides) sums.add(side_distance(side, t, input.delta()).distance, input);
+  if (input.rooms().samples != nullptr)
+    for (const std::int8_t label : {labels.front, labels.back})
+      for (const Vec3 p : {t[0], t[1], t[2], centroid(t)}) sums.add(input.rooms().at(p, label).value, input);
   return judge(sums, t, input.delta());
 }
 
 void measure_facet(const InputSurface& input, FacetComplex& complex, std::uint32_t f) {
   Facet& facet = complex.facets[f];
   const FacetQuality quality =
-      measure_facet(input, complex.triangle(facet), facet.extra, facet.sides, facet.seed);
+      measure_facet(input, complex.triangle(facet), facet.extra, facet.sides, facet.seed, facet.labels);
   facet.energy = quality.energy;
   facet.largest = quality.largest;
   facet.folded = quality.folded;

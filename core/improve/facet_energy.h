@@ -46,10 +46,11 @@ std::span<const Barycentric> inner_samples(int steps);
 /// Judges a facet. It is folded when its normal and the mean input normal of its samples have cosine < 0.1,
 /// or when it is too thin to have a normal.
 FacetQuality judge(const FacetSums& sums, const Triangle3& facet, double delta);
-/// Samples and judges a facet; `seed` is where the searches start and is replaced by the last triangle found.
+/// Samples and judges a facet, which lies between two labels; `seed` is where the searches start and is
+/// replaced by the last triangle found.
 FacetQuality measure_facet(const InputSurface& input, const Triangle3& facet,
                            std::span<const Barycentric> extra, std::span<const SideSample> sides,
-                           TriangleId& seed);
+                           TriangleId& seed, LabelPair labels = {+1, -1});
 /// The same for a facet of a complex, stored in it.
 void measure_facet(const InputSurface& input, FacetComplex& complex, std::uint32_t f);
 

@@ -61,7 +61,7 @@ class Improver {
            const RoomInT* room)
       : options_(options), control_(control), observer_(observer), room_(room),
         input_(volume.field(), volume.thresholds().delta, mesh, control, volume.border_gate()),
-        rules_(make_rules(volume, samples)),
+        rules_(make_rules(mesh, volume, samples)),
         surface_(mesh, rules_, room != nullptr ? &room->embedding : nullptr, control) {}
 
   ImproverOutcome run() {
@@ -82,10 +82,12 @@ class Improver {
   TriangleMesh result() const { return surface_.compacted(); }
 
  private:
-  SurfaceRules make_rules(const ToleranceVolume& volume, const NearestSample* samples) const {
+  SurfaceRules make_rules(const TriangleMesh& mesh, const ToleranceVolume& volume,
+                          const NearestSample* samples) {
     SurfaceRules rules;
     rules.input = &input_;
     const double delta = volume.thresholds().delta;
+    if (!mesh.labels.empty() && samples != nullptr) input_.set_rooms(room_samples(mesh, *samples, delta));
     if (options_.preserve_normals && samples != nullptr)
       rules.orientation =
           OrientationTester{samples, options_.shrink, orientation_reach * delta, &volume.field(), delta};

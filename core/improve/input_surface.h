@@ -3,6 +3,7 @@
 
 #include "base/geometry.h"
 #include "base/run_control.h"
+#include "improve/room_distance.h"
 #include "input/triangle_soup.h"
 #include "tolerance/field.h"
 
@@ -44,6 +45,9 @@ class InputSurface {
   double delta() const { return delta_; }
   const ToleranceField& field() const { return *field_; }
   const BorderGate* gate() const { return gate_; }
+  /// What keeps walls between their rooms; nothing does where there are two sides only.
+  void set_rooms(const RoomSamples& rooms) { rooms_ = rooms; }
+  const RoomSamples& rooms() const { return rooms_; }
 
  private:
   DistanceSample sample(Vec3 p, const ClosestPoint& c) const {
@@ -54,6 +58,7 @@ class InputSurface {
   const ToleranceField* field_;
   const BorderGate* gate_;
   double delta_, on_surface_, enough_;
+  RoomSamples rooms_;
   std::vector<Vec3> normals_; ///< by site; zero for degenerate triangles
 };
 

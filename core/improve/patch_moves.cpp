@@ -164,10 +164,10 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
   plan.seeds = {first.seed, first.seed};
   const std::array<Triangle3, 2> after = flipped_triangles(complex, plan);
   for (const Facet* facet : {&first, &second}) carry_samples(complex, *facet, after, plan);
-  plan.quality[0] = measure_facet(input, after[0], plan.extra[0], plan.sides[0], plan.seeds[0]);
+  plan.quality[0] = measure_facet(input, after[0], plan.extra[0], plan.sides[0], plan.seeds[0], first.labels);
   if (plan.quality[0].folded || plan.quality[0].energy > allowed) return std::nullopt;
   plan.seeds[1] = plan.seeds[0];
-  plan.quality[1] = measure_facet(input, after[1], plan.extra[1], plan.sides[1], plan.seeds[1]);
+  plan.quality[1] = measure_facet(input, after[1], plan.extra[1], plan.sides[1], plan.seeds[1], first.labels);
   if (plan.quality[1].folded || plan.quality[0].energy + plan.quality[1].energy > allowed)
     return std::nullopt;
   return corners;
@@ -186,7 +186,7 @@ std::optional<FlipPlan> force_flip(const InputSurface& input, SurfacePatch& patc
   plan->seeds = {complex.facets[f].seed, complex.facets[plan->g].seed};
   const std::array<Triangle3, 2> after = flipped_triangles(complex, *plan);
   for (std::size_t i = 0; i < 2; ++i) {
-    plan->quality[i] = measure_facet(input, after[i], {}, {}, plan->seeds[i]);
+    plan->quality[i] = measure_facet(input, after[i], {}, {}, plan->seeds[i], complex.facets[f].labels);
     if (plan->quality[i].largest > most_distance) return std::nullopt;
   }
   apply_flip(complex, *plan);

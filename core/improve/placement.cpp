@@ -62,7 +62,7 @@ Star make_star(const FacetComplex& complex, std::span<const Wedge> wedges, bool 
   star.wedges.reserve(wedges.size());
   for (const Wedge& w : wedges) {
     const Facet& f = complex.facets[w.facet];
-    Star::Wedge wedge{complex.points[w.rim], {}, {}, w.corner, f.seed};
+    Star::Wedge wedge{complex.points[w.rim], {}, {}, w.corner, f.seed, f.labels};
     if (with_extra) wedge.extra = f.extra, wedge.sides = f.sides;
     star.wedges.push_back(wedge);
   }
@@ -130,6 +130,9 @@ StarEvaluator::StarEvaluator(const InputSurface& input, const Star& star)
     first.edge.fill(corner.triangle);
     first.inner.fill(guess);
     first.extra.assign(wedge.extra.size(), guess);
+    if (input.rooms().samples != nullptr)
+      for (const std::int8_t label : {wedge.labels.front, wedge.labels.back})
+        for (const Vec3 p : {first.rim, second.rim}) fixed_[i].add(input.rooms().at(p, label).value, input);
     if (second.after != none) continue;
     const DistanceSample last = input_->sample(second.rim, guess);
     fixed_[i].add(last, input);
@@ -156,6 +159,7 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   counts_.resize(n);
   for (std::size_t i = 0; i < spokes_.size(); ++i)
     spoke_steps_[i] = sampling_steps(distance(spokes_[i].rim, x), input_->delta());
+  const RoomSamples& rooms = input_->rooms();
   // What is summed so far, over the final number of samples, never exceeds the energy.
   double energy = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -163,7 +167,8 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
     const auto inner = inner_samples(longest_steps(i)).size();
     counts_[i] =
         static_cast<double>(fixed_[i].count + spoke_steps_[first_[i]] + spoke_steps_[second_[i]] - 1) +
-        static_cast<double>(inner + wedge.extra.size() + wedge.sides.size());
+        static_cast<double>(inner + wedge.extra.size() + wedge.sides.size()) +
+        (rooms.samples != nullptr ? 4 : 0);
     energy += fixed_[i].energy / counts_[i];
   }
   const auto add = [&](std::size_t wedge, const DistanceSample& s) {
@@ -199,6 +204,13 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
       energy += sums_[i].add(d.distance, *input_) / counts_[i];
       linear_.push_back({d.foot[0], {d.distance, d.direction, {}}});
     }
+    if (rooms.samples == nullptr) continue;
+    for (const std::int8_t label : {wedge.labels.front, wedge.labels.back})
+      for (const auto& [p, weight] : {std::pair(x, 1.), std::pair(centroid(t), 1. / 3)}) {
+        const RoomSamples::Distance d = rooms.at(p, label);
+        energy += sums_[i].add(d.value, *input_) / counts_[i];
+        linear_.push_back({weight, {d.value, d.direction, {}}});
+      }
   }
   for (std::size_t i = 0; i < n; ++i) {
     result.facets[i] = judge(sums_[i], facet(i, x), input_->delta());

@@ -20,6 +20,7 @@ struct Star {
     std::span<const SideSample> sides;
     std::uint8_t corner = 0; ///< which corner the vertex is
     TriangleId seed;
+    LabelPair labels{+1, -1};
   };
   /// Wedges that follow one another; there are several where sheets meet.
   struct Fan {

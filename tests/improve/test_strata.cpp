@@ -132,6 +132,26 @@ TEST_CASE("a collapse keeps the boundary of each region a surface") {
   for (const auto& [a, b] : tetrahedron.edges()) CHECK_FALSE(tetrahedron.link_condition(a, b));
 }
 
+TEST_CASE("a wall that slides away from its rooms is as bad as one that leaves the input") {
+  const std::vector<Vec3> places{{0, 0, 1}, {0, 0, -1}, {1, 0, 1}};
+  const std::vector<std::int8_t> labels{1, -1, -2};
+  const NearestSample samples(places, labels);
+  const TriangleMesh wall{{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}, {{0, 1, 2}}, {{+1, -1}}};
+  const RoomSamples rooms = room_samples(wall, samples, 0.5);
+  CHECK(rooms.reach == doctest::Approx(1.01 * 4 * 0.5));
+  CHECK(rooms.at({0, 0, 0}, -1).value == 0);
+  CHECK(rooms.at({0, 0, 0}, -7).value == 0); // no samples tell anything of it
+  const RoomSamples::Distance d = rooms.at({0, 0, rooms.reach - 1}, -1);
+  CHECK(d.value == doctest::Approx(0.5));
+  CHECK(d.direction.z > 0);
+  const double step = 1e-4;
+  CHECK(rooms.at({0, 0, rooms.reach - 1 + step}, -1).value - d.value ==
+        doctest::Approx(step * d.direction.z));
+  // What has slid already may stay, and goes no farther.
+  CHECK(room_samples({{{3, 0, 0}, {3.1, 0, 0}, {3, 0.1, 0}}, {{0, 1, 2}}, {{+1, -1}}}, samples, 0.5).reach >
+        3);
+}
+
 TEST_CASE("collapses and flips keep the regions, and curves are where the facets have them") {
   for (const std::array<int, 3> cubes : {std::array{2, 1, 1}, {2, 2, 1}, {2, 2, 2}}) {
     FacetComplex complex = complex_of(room_mesh(cubes, 3));
