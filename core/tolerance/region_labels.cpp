@@ -3,6 +3,7 @@
 
 #include "base/place.h"
 #include "tolerance/facet_turns.h"
+#include "tolerance/patch_seams.h"
 #include "tolerance/room_labels.h"
 
 #include <algorithm>
@@ -209,7 +210,8 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
     if (open[volume.volume_component(at)] != 0) return one_sided_near(*patches.one_sided);
   }
   // Patches before a one-sided one may be without turns: then all run as they are given.
-  const std::vector<std::int8_t> turns = patches.one_sided ? std::vector<std::int8_t>() : patches.turns;
+  std::vector<std::int8_t> turns = patches.one_sided ? std::vector<std::int8_t>() : patches.turns;
+  if (!turns.empty()) turn_along_seams(index, mesh, uses, volume.thresholds().boundary, turns);
   std::vector<std::uint32_t> component(index.size());
   for (std::uint32_t t = 0; t < component.size(); ++t) component[t] = volume.volume_component(TriangleId(t));
   Sides sides = std::make_shared<const OpenSides>(volume.shared_index(), std::move(component), open, turns,

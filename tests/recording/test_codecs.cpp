@@ -114,6 +114,7 @@ TEST_CASE("What the state does not hold, and odd numbers, come back too") {
   delta.facet_slots_before = 8;
   delta.sample_set = Delta::SampleSetChange{3, 4};
   delta.form = Delta::FormChange{ZeroForm::embedded, ZeroForm::free};
+  delta.facet_labels = {{+1, -127}, {-1, -2}};
   DeltaEncoder encoder;
   DeltaDecoder decoder;
   const std::string bytes(encoder.encode(delta));
@@ -124,6 +125,7 @@ TEST_CASE("What the state does not hold, and odd numbers, come back too") {
   CHECK(back.added_vertices[0].room == 127);
   CHECK(back.added_vertices[1].room == 1);
   CHECK(back.facet_slots_before == 8);
+  CHECK(back.facet_labels == delta.facet_labels);
 
   CHECK(back.added[2].dropped == 5);
   CHECK(back.added[3].side == -127);
