@@ -1,6 +1,7 @@
 // Sides of regions, from the input or by two-colouring.
 #include "tolerance/region_labels.h"
 
+#include "base/disjoint_sets.h"
 #include "base/place.h"
 #include "tolerance/facet_turns.h"
 #include "tolerance/patch_seams.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <deque>
 #include <optional>
+#include <tuple>
 
 namespace isoscope {
 namespace {
@@ -124,6 +126,29 @@ Error open_component_error(const ToleranceVolume& volume, std::uint32_t componen
       border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
 }
 
+/// Where the rim of a sheet ends on another part of it without a break for that long.
+std::optional<Vec3> end_on_wall(const OpenSides& sides, double enough) {
+  std::vector<const RimPiece*> ending;
+  for (const RimPiece& piece : sides.rim().pieces())
+    if (piece.meets_wall && sides.is_open(piece.triangle)) ending.push_back(&piece);
+  std::vector<std::pair<Vec3, std::uint32_t>> ends;
+  for (std::uint32_t i = 0; i < ending.size(); ++i)
+    for (const Vec3 p : {ending[i]->a, ending[i]->b}) ends.emplace_back(p, i);
+  std::sort(ends.begin(), ends.end(), [](const auto& x, const auto& y) {
+    return std::tie(x.first.x, x.first.y, x.first.z, x.second) <
+           std::tie(y.first.x, y.first.y, y.first.z, y.second);
+  });
+  DisjointSets runs(ending.size());
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    if (ends[i].first == ends[i - 1].first) runs.unite(ends[i].second, ends[i - 1].second);
+  std::vector<double> length(ending.size(), 0);
+  for (std::uint32_t i = 0; i < ending.size(); ++i)
+    length[runs.find(i)] += distance(ending[i]->a, ending[i]->b);
+  for (std::uint32_t i = 0; i < ending.size(); ++i)
+    if (length[runs.find(i)] >= enough) return 0.5 * (ending[i]->a + ending[i]->b);
+  return std::nullopt;
+}
+
 /// Where three sheets or more meet along some way, two δ' of it in one open component: at edges of three
 /// triangles, or where the rim of one ends on another.
 std::optional<Vec3> place_of_fin(const ToleranceVolume& volume, const OpenSides& sides,
@@ -138,9 +163,7 @@ std::optional<Vec3> place_of_fin(const ToleranceVolume& volume, const OpenSides&
     const Vec3 a = mesh.points[uses[i].low], b = mesh.points[uses[i].high];
     if (end - i > 2 && long_enough(TriangleId(uses[i].triangle), a, b)) return 0.5 * (a + b);
   }
-  for (const RimPiece& piece : sides.rim().pieces())
-    if (piece.meets_wall && long_enough(piece.triangle, piece.a, piece.b)) return 0.5 * (piece.a + piece.b);
-  return std::nullopt;
+  return end_on_wall(sides, enough);
 }
 
 /// A component among the open ones whose triangles, if it has more than one, are no sheet.
