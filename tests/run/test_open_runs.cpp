@@ -105,7 +105,7 @@ TEST_CASE("A tube that is narrower than Ω is thick leaves no mesh, and is told 
   for (std::uint32_t j = 0; j <= along; ++j)
     for (std::uint32_t i = 0; i < around; ++i) {
       const double t = 2 * std::numbers::pi * i / around;
-      tube.points.push_back({double{j} / along, 0.05 * std::cos(t), 0.05 * std::sin(t)});
+      tube.points.push_back({static_cast<double>(j) / along, 0.05 * std::cos(t), 0.05 * std::sin(t)});
     }
   for (std::uint32_t j = 0; j < along; ++j)
     for (std::uint32_t i = 0; i < around; ++i) {
