@@ -137,3 +137,21 @@ TEST_CASE("a boundary of more than χ = 2 is several surfaces and has no genus")
   CHECK(!BoundarySide{0, -1, 10}.genus());
   CHECK(BoundarySide{0, -1, 10}.least_parts() == 5);
 }
+
+TEST_CASE("Every step of the improver between rooms is sound, and its facets know their rooms") {
+  CompleteRun run(complete_parameters("two-rooms"));
+  REQUIRE(run.run());
+  Playback playback(run.journal);
+  std::size_t steps = 0;
+  for (Step step = 1; step <= run.journal->steps(); ++step) {
+    const Event& e = run.journal->events()[run.journal->operations()[step - 1].event];
+    if (e.stage != Stage::improve) continue;
+    ++steps;
+    const auto snapshot = make_snapshot(playback, step, {}, nullptr);
+    CHECK(snapshot->zero_set.has_rooms());
+    const StateReport report = check_state(*run.journal, *snapshot, run.scene.get(), {});
+    CHECK(report.valid());
+  }
+  CHECK(steps > 10);
+  CHECK(extract_zero_set(replayed(*run.journal)).vertices.size() == 12);
+}
