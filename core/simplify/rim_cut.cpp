@@ -387,7 +387,12 @@ void RimCut::run() {
     const std::vector<Edge> edges = border(kept);
     const std::vector<RimSplit> splits =
         proofs_.wanted_splits({facets_, kept, edges, whole_}, [this](VertexId v) { return is_kept(v); });
-    if (splits.empty()) break;
+    if (splits.empty()) {
+      // What stays outside of Ω however small its parts are does not belong to what is kept.
+      const std::vector<VertexId> stuck = proofs_.stuck();
+      if (stuck.empty()) break;
+      take_away(stuck);
+    }
     for (const RimSplit& s : splits) {
       if (log_.stopped()) return;
       const Vec3 middle = 0.5 * (live_.complex().position(s.edge[0]) + live_.complex().position(s.edge[1]));

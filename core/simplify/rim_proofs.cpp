@@ -2,6 +2,7 @@
 #include "simplify/rim_proofs.h"
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "tolerance/facet_certificate.h"
 
 #include <algorithm>
@@ -15,10 +16,21 @@ constexpr double shortest_edge = 0.02;
 
 } // namespace
 
-void RimProofs::want(std::vector<RimSplit>& splits, const RimSurface& z, RimEdge edge, Reason reason,
+bool RimProofs::want(std::vector<RimSplit>& splits, const RimSurface& z, RimEdge edge, Reason reason,
                      Vec3 witness, double value) const {
-  if (length(edge) >= 2 * shortest_edge * volume_.thresholds().delta && !z.whole.contains(edge))
-    splits.push_back({edge, reason, witness, value});
+  if (length(edge) < 2 * shortest_edge * volume_.thresholds().delta || z.whole.contains(edge)) return false;
+  splits.push_back({edge, reason, witness, value});
+  return true;
+}
+
+std::vector<VertexId> RimProofs::stuck() const {
+  std::vector<VertexId> corners;
+  const auto d = [&](VertexId v) { return volume_.field().distance(live_.complex().position(v)); };
+  for (const RimFacet& f : stuck_)
+    corners.push_back(
+        *std::max_element(f.begin(), f.end(), [&](VertexId a, VertexId b) { return d(a) < d(b); }));
+  sort_unique(corners);
+  return corners;
 }
 
 /// Facets that are kept and not proven to be inside Ω, each by its longest edge.
@@ -41,7 +53,8 @@ void RimProofs::want_inside(const RimSurface& z, std::vector<RimSplit>& splits) 
     const auto all = rim_edges(z.kept[i]);
     const RimEdge longest = *std::max_element(
         all.begin(), all.end(), [&](const RimEdge& x, const RimEdge& y) { return length(x) < length(y); });
-    want(splits, z, longest, Reason::leaves_volume, inside[i].witness, inside[i].closest.distance());
+    if (!want(splits, z, longest, Reason::leaves_volume, inside[i].witness, inside[i].closest.distance()))
+      stuck_.push_back(z.kept[i]);
   }
 }
 
@@ -104,6 +117,7 @@ void RimProofs::want_rim_reached(const RimSurface& z, std::vector<RimSplit>& spl
 std::vector<RimSplit> RimProofs::wanted_splits(const RimSurface& z,
                                                const std::function<bool(VertexId)>& is_kept) {
   std::vector<RimSplit> splits;
+  stuck_.clear();
   want_inside(z, splits);
   want_near_rim(z, splits);
   want_rim_reached(z, splits, is_kept);

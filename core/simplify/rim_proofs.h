@@ -41,13 +41,17 @@ class RimProofs {
   /// once. Proven are: facets that are kept inside Ω, edges of the border within δ of the rim, the open rim
   /// within δ of the border.
   std::vector<RimSplit> wanted_splits(const RimSurface& z, const std::function<bool(VertexId)>& is_kept);
+  /// Of the kept facets that the last call found neither proven nor fit to be split: their corner that is
+  /// farthest from the input; ascending.
+  std::vector<VertexId> stuck() const;
 
  private:
   void want_inside(const RimSurface& z, std::vector<RimSplit>& splits);
   void want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits);
   void want_rim_reached(const RimSurface& z, std::vector<RimSplit>& splits,
                         const std::function<bool(VertexId)>& is_kept) const;
-  void want(std::vector<RimSplit>& splits, const RimSurface& z, RimEdge edge, Reason reason, Vec3 witness,
+  /// False where the edge is too short.
+  bool want(std::vector<RimSplit>& splits, const RimSurface& z, RimEdge edge, Reason reason, Vec3 witness,
             double value) const;
   Segment3 segment(const RimEdge& e) const {
     return {live_.complex().position(e[0]), live_.complex().position(e[1])};
@@ -56,6 +60,7 @@ class RimProofs {
 
   const LiveComplex& live_;
   const ToleranceVolume& volume_;
+  std::vector<RimFacet> stuck_;
   std::set<RimFacet> proven_;  ///< kept ones that are inside Ω
   std::set<RimEdge> near_rim_; ///< border edges within δ of the rim
 };
