@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
+#include "simplify/first_surface.h"
 
 #include <sys/resource.h>
 
@@ -178,6 +179,15 @@ struct Pipeline::Impl {
     }
   }
 
+  /// There is no T: the simplification makes its first Z itself.
+  Status begin_outside_of_t(const CriteriaParameters& criteria) {
+    if (Status can = can_start_from_input(preparation.volume()); !can) return can;
+    simplification =
+        std::make_unique<Simplification>(preparation.volume(), current_samples, criteria,
+                                         parameters->simplification(), *recorder, *control, Complex());
+    return {};
+  }
+
   /// T goes from the refinement, which is not needed any more, to the simplification.
   void begin_simplification(const SimplificationParameters& wanted) {
     simplification =
@@ -209,10 +219,13 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (!m.scene->thickening_note.empty()) m.record_warning(m.scene->thickening_note);
   m.resampling.emplace(*m.gate, criteria.sigma);
   m.recorder.emplace(*m.journal, *m.resampling);
-  m.refinement =
-      std::make_unique<Refinement>(m.preparation.volume(), m.scene->samples, criteria,
-                                   expected_before_the_cut(m.preparation.volume(), m.scene->expected),
-                                   RefinementLimits{}, *m.recorder, *m.control);
+  if (parameters_.start == FirstZ::delaunay)
+    m.refinement =
+        std::make_unique<Refinement>(m.preparation.volume(), m.scene->samples, criteria,
+                                     expected_before_the_cut(m.preparation.volume(), m.scene->expected),
+                                     RefinementLimits{}, *m.recorder, *m.control);
+  else if (Status begun = m.begin_outside_of_t(criteria); !begun)
+    return begun.error();
   m.seconds = watch.seconds();
   return prepared;
 }
