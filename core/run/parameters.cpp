@@ -57,7 +57,6 @@ SimplificationParameters RunParameters::simplification() const {
   s.ring = cost_ring;
   s.effort = effort;
   s.improver = improver;
-  s.start = start;
   s.fill = fill.choice();
   return s;
 }

@@ -219,16 +219,16 @@ constexpr auto fields_of(const RunParameters*) {
       field(&P::start,
             {.name = "start",
              .symbol = "start",
-             .help = "the first Z: delaunay (refined, the paper's way) or input (the input itself, where it "
-                     "is closed and does not meet itself; the improver alone runs on it); default delaunay",
+             .help = "the first Z: delaunay (refined, the paper's way), input (the input itself, where it is "
+                     "closed and does not meet itself) or lattice (from sides on a lattice of 0.95 δ, where "
+                     "every point has one); after both the improver alone runs; default delaunay",
              .words = "where the first Z comes from",
              .choices = parameter_words::start,
              .place = 10,
              .title = "The first Z",
-             .tip =
-                 "Refined in T, the paper's way, or the input itself, where it is closed and does not meet "
-                 "itself: then there is no T, and the improver goes on from there at once. Needs a "
-                 "restart."}),
+             .tip = "Refined in T, the paper's way; the input itself, where it is closed and does not meet "
+                    "itself; or from sides on a lattice. Without refinement there is no T, and the improver "
+                    "goes on from there at once. Needs a restart."}),
       field(&P::drop_thin,
             {.name = "drop_thin",
              .symbol = "thin parts",

@@ -181,10 +181,20 @@ struct Pipeline::Impl {
 
   /// There is no T: the simplification makes its first Z itself.
   Status begin_outside_of_t(const CriteriaParameters& criteria) {
-    if (Status can = can_start_from_input(preparation.volume()); !can) return can;
+    const ToleranceVolume& volume = preparation.volume();
+    const bool lattice = parameters->start == FirstZ::lattice;
+    if (Status can = lattice ? can_start_from_lattice(volume) : can_start_from_input(volume); !can)
+      return can;
+    FirstSurfaceMaker first = [&volume](const RunControl&) -> Result<FirstSurface> {
+      return first_from_input(volume);
+    };
+    if (lattice)
+      first = [&volume, expected = scene->expected, bytes = parameters->most_bytes()](const RunControl& c) {
+        return first_from_lattice(volume, expected, bytes, c);
+      };
     simplification =
-        std::make_unique<Simplification>(preparation.volume(), current_samples, criteria,
-                                         parameters->simplification(), *recorder, *control, Complex());
+        std::make_unique<Simplification>(volume, current_samples, criteria, parameters->simplification(),
+                                         *recorder, *control, Complex(), std::move(first));
     return {};
   }
 

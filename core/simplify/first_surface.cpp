@@ -1,8 +1,10 @@
-// Judges, welds and orients the input.
+// Judges, welds and orients the input; tries lattices until one has the topology.
 #include "simplify/first_surface.h"
 
 #include "base/disjoint_sets.h"
+#include "base/numbers.h"
 #include "base/place.h"
+#include "simplify/lattice_surface.h"
 #include "tolerance/self_intersections.h"
 #include "tolerance/welded_mesh.h"
 
@@ -13,7 +15,8 @@ namespace isoscope {
 namespace {
 
 Error no_start(const std::string& why) {
-  return {ErrorCode::usage, "The input cannot be the first Z: " + why + ".", "Leave --start input out."};
+  return {ErrorCode::usage, "The input cannot be the first Z: " + why + ".",
+          "Leave --start input out, or take --start lattice."};
 }
 
 /// Why a closed manifold is not known to be free of intersections.
@@ -50,6 +53,30 @@ Error manifold_error(const ToleranceVolume& volume) {
   return no_start("it is no closed manifold");
 }
 
+FirstSurface itself(const WeldedMesh& mesh) {
+  FirstSurface first;
+  first.mesh = {mesh.points, mesh.triangles};
+  first.words = "the input itself";
+  return first;
+}
+
+/// Of a closed mesh.
+FirstSurface::Look look_at(const TriangleMesh& mesh) {
+  const std::size_t n = mesh.points.size(), edges = mesh.triangles.size() * 3 / 2;
+  DisjointSets pieces(n);
+  std::size_t components = n;
+  for (const auto& t : mesh.triangles) {
+    if (pieces.unite(t[0], t[1])) --components;
+    if (pieces.unite(t[0], t[2])) --components;
+  }
+  return {static_cast<long>(n) - static_cast<long>(edges) + static_cast<long>(mesh.triangles.size()),
+          components};
+}
+
+/// What a facet of the first Z takes while it is improved.
+constexpr double bytes_of_facet = 500;
+constexpr int finest_share = 4; ///< of the coarsest lattice's edge
+
 } // namespace
 
 Status can_start_from_input(const ToleranceVolume& volume) {
@@ -63,7 +90,7 @@ Status can_start_from_input(const ToleranceVolume& volume) {
   return {};
 }
 
-TriangleMesh surface_of_input(const ToleranceVolume& volume) {
+FirstSurface first_from_input(const ToleranceVolume& volume) {
   const ClosestPointIndex& index = volume.index();
   WeldedMesh mesh = weld(index);
   const std::vector<IndexTriangle> given = mesh.triangles;
@@ -95,7 +122,7 @@ TriangleMesh surface_of_input(const ToleranceVolume& volume) {
       turns[t] = given[t][static_cast<std::size_t>(at + 1) % 3] == v[1] ? 1 : -1;
     }
   }
-  if (firsts.size() == 1) return {mesh.points, mesh.triangles};
+  if (firsts.size() == 1) return itself(mesh);
   // A component in an odd number of others bounds a cavity.
   const std::vector<std::int8_t> all_turns = turns;
   for (const std::uint32_t first : firsts) {
@@ -106,7 +133,42 @@ TriangleMesh surface_of_input(const ToleranceVolume& volume) {
       if (around % 2 != 0) turn(t);
     }
   }
-  return {mesh.points, mesh.triangles};
+  return itself(mesh);
+}
+
+Status can_start_from_lattice(const ToleranceVolume& volume) {
+  if (volume.sides().known() && volume.open_sides() == nullptr) return {};
+  return Error{ErrorCode::usage,
+               "--start lattice asks on which side of the input each point is, and of this one only regions "
+               "have sides.",
+               "Leave --start lattice out."};
+}
+
+Result<FirstSurface> first_from_lattice(const ToleranceVolume& volume, const ExpectedTopology& expected,
+                                        double most_bytes, const RunControl& control) {
+  const auto most_facets = static_cast<std::size_t>(std::min(most_bytes / bytes_of_facet, 4e9));
+  FirstSurface first;
+  for (int share = 1; share <= finest_share; ++share) {
+    auto made = lattice_surface(volume, coarsest_lattice / share, most_facets, control);
+    if (!made && (control.cancelled() || first.looks.empty())) return made.error();
+    if (!made) {
+      first.warning += " " + made.error().message;
+      return first;
+    }
+    first.mesh = std::move(made->mesh);
+    first.words = "from a lattice of h = " + general(made->edge / volume.thresholds().delta, 3) + " δ";
+    const FirstSurface::Look look = first.looks.emplace_back(look_at(first.mesh));
+    if (look.components > 0 &&
+        expected.euler_characteristic.value_or(look.euler_characteristic) == look.euler_characteristic &&
+        expected.components.value_or(look.components) == look.components) {
+      first.warning.clear();
+      return first;
+    }
+    first.warning = "The first Z has χ = " + std::to_string(look.euler_characteristic) + " in " +
+                    std::to_string(look.components) + (look.components == 1 ? " component" : " components") +
+                    ", not what is expected, and the improver changes neither.";
+  }
+  return first;
 }
 
 } // namespace isoscope

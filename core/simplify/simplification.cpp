@@ -37,9 +37,10 @@ static_assert(stage_order.front() == Stage::gamma);
 
 struct Simplification::Impl {
   Impl(const ToleranceVolume& v, std::shared_ptr<const BoundarySamples> s, const CriteriaParameters& c,
-       const SimplificationParameters& p, Recorder& recorder, const RunControl& run_control, Complex complex)
+       const SimplificationParameters& p, Recorder& recorder, const RunControl& run_control, Complex complex,
+       FirstSurfaceMaker maker)
       : samples(std::move(s)), nearest(samples->positions, samples->labels), context{v, &nearest, c},
-        parameters(p), log(recorder, run_control) {
+        parameters(p), first(std::move(maker)), log(recorder, run_control) {
     if (in_t()) live = std::make_unique<LiveComplex>(std::move(complex), c.certified ? nullptr : samples);
     log.on_parameters([this](const CriteriaParameters& wanted) { adopt(wanted); });
   }
@@ -48,6 +49,7 @@ struct Simplification::Impl {
   NearestSample nearest;
   EvaluationContext context;
   SimplificationParameters parameters;
+  FirstSurfaceMaker first; ///< where Z begins outside of T
   StageLog log;
   std::optional<RimCut> rim_cut;     ///< once it has begun
   std::unique_ptr<LiveComplex> live; ///< null once Z has left T, or where it begins outside of it
@@ -58,7 +60,7 @@ struct Simplification::Impl {
   std::size_t next = 0;  ///< into stage_order
   bool rejoined = false; ///< the journal has begun the next stage
 
-  bool in_t() const { return parameters.start == FirstZ::delaunay; }
+  bool in_t() const { return !first; }
 
   bool wanted(Stage stage) const {
     if (!in_t() && stage != Stage::improve) return false;
@@ -131,15 +133,26 @@ struct Simplification::Impl {
     live.reset();
   }
 
-  /// Z from the input, as the first operation.
+  /// Z begins outside of T, by the first operation.
   Status start() {
-    if (Status can = can_start_from_input(context.volume); !can) return can;
-    Delta delta = free_start(surface_of_input(context.volume));
+    auto made = first(log.control());
+    if (!made) return log.stopped() ? Status() : made.error();
+    for (const FirstSurface::Look& look : made->looks) {
+      Event e;
+      e.kind = EventKind::topology_check;
+      e.condition = Condition::topology;
+      e.value = static_cast<double>(look.euler_characteristic);
+      e.limit = std::numeric_limits<double>::infinity();
+      e.count = static_cast<std::uint32_t>(look.components);
+      log.event(e);
+    }
+    if (!made->warning.empty()) log.warn(made->warning);
+    Delta delta = free_start(made->mesh);
     free.apply(delta);
     Event e;
     e.kind = EventKind::start;
     e.count = static_cast<std::uint32_t>(delta.added_vertices.size());
-    e.text = log.journal().add_text("the input itself");
+    e.text = log.journal().add_text(made->words);
     StepFigures figures;
     figures.zero_set_vertices = e.count;
     figures.smallest_height = std::numeric_limits<float>::infinity();
@@ -149,7 +162,7 @@ struct Simplification::Impl {
 
   Status improve() {
     if (!in_t() && free.form != ZeroForm::free)
-      if (Status started = start(); !started) return started;
+      if (Status started = start(); !started || log.stopped()) return started;
     if (live && parameters.improver == ImproverPlace::embedded) {
       // A vertex of Γ that goes to a vertex of Z leaves Z as it is and takes tetrahedra out of its way.
       const auto make_room = [this] { collapse(EdgeKind::mixed, true, most_rounds); };
@@ -287,9 +300,10 @@ struct Simplification::Impl {
 
 Simplification::Simplification(const ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
                                const CriteriaParameters& criteria, const SimplificationParameters& parameters,
-                               Recorder& recorder, const RunControl& control, Complex complex)
+                               Recorder& recorder, const RunControl& control, Complex complex,
+                               FirstSurfaceMaker first)
     : impl_(std::make_unique<Impl>(volume, std::move(samples), criteria, parameters, recorder, control,
-                                   std::move(complex))) {}
+                                   std::move(complex), std::move(first))) {}
 
 Simplification::~Simplification() = default;
 

@@ -6,6 +6,7 @@
 #include "collapse/target_search.h"
 #include "journal/recorder.h"
 #include "mesh/incidence.h"
+#include "simplify/first_surface.h"
 #include "simplify/hole_filling.h"
 #include "tolerance/boundary_sampler.h"
 #include "tolerance/tolerance_volume.h"
@@ -21,12 +22,6 @@ enum class ImproverPlace : std::uint8_t {
   embedded ///< inside T: what keeps the embedding where Ω is no thickening
 };
 
-/// Where the first Z comes from.
-enum class FirstZ : std::uint8_t {
-  delaunay, ///< refinement of T (§2.3)
-  input     ///< a closed input that is free of intersections: d = 0, and the topology is the input's
-};
-
 /// What to do after refinement, and how hard to try.
 struct SimplificationParameters {
   Stage until = Stage::improve;            ///< the last stage
@@ -35,8 +30,7 @@ struct SimplificationParameters {
   CostRing ring = CostRing::one;                       ///< whose planes make the error
   int effort = 2;                                      ///< of the improver, 0 to 3
   ImproverPlace improver = ImproverPlace::free;
-  FirstZ start = FirstZ::delaunay; ///< any other: there is no T, and the improver alone runs
-  HoleChoice fill;                 ///< of open surfaces: what is filled, once the last stage inside T is done
+  HoleChoice fill; ///< of open surfaces: what is filled, once the last stage inside T is done
   friend bool operator==(const SimplificationParameters&, const SimplificationParameters&) = default;
 };
 
@@ -44,10 +38,12 @@ struct SimplificationParameters {
 /// tessellation on the state holds a valid Z.
 class Simplification {
  public:
-  /// `volume` must outlive it; `complex` is T as refinement left it, empty where Z begins outside of T.
+  /// `volume` must outlive it; `complex` is T as refinement left it. With `first`, which makes the first Z,
+  /// there is no T, and the improver alone runs on Z alone.
   Simplification(const ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
                  const CriteriaParameters& criteria, const SimplificationParameters& parameters,
-                 Recorder& recorder, const RunControl& control, Complex complex);
+                 Recorder& recorder, const RunControl& control, Complex complex,
+                 FirstSurfaceMaker first = {});
   ~Simplification();
 
   /// Before the first run(): collapses an edge as a person asked for, in a stage that the journal has begun,
@@ -57,8 +53,7 @@ class Simplification {
   /// Before the first run(): begins with this stage, on T as it was when the stage began.
   void begin_at(Stage stage);
   /// Runs the stages that are left; when told to stop it may be called again and goes on where it was. False
-  /// when it was stopped. Fails with internal where the tessellation is impossible, with usage where Z cannot
-  /// begin as the parameters say.
+  /// when it was stopped. Fails with internal where the tessellation is impossible, else as `first`.
   Result<bool> run();
   const Complex& complex() const;
   const CriteriaParameters& criteria() const;
