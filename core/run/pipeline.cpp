@@ -1,12 +1,11 @@
 // The stages of a run, in order.
 #include "run/pipeline.h"
 
+#include "base/memory.h"
 #include "base/stopwatch.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
 #include "simplify/first_surface.h"
-
-#include <sys/resource.h>
 
 #include <limits>
 #include <utility>
@@ -14,12 +13,6 @@
 namespace isoscope {
 
 namespace {
-
-std::size_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-}
 
 /// Lets the refinement end when σ changed, so that S can be replaced before it goes on.
 class ResamplingGate : public Gate {
