@@ -1,6 +1,8 @@
 // Whole runs in tiles: known answers, few more vertices than without, and the same mesh whichever way they
 // are made.
+#include "input/mesh_io.h"
 #include "input/temporary_folder.h"
+#include "run/voxel_soup.h"
 #include "simplify/first_surface.h"
 #include "support/models.h"
 #include "tiles/tile_work.h"
@@ -13,6 +15,7 @@
 #include <tuple>
 
 using namespace isoscope;
+using namespace isoscope::test;
 
 namespace {
 
@@ -77,6 +80,26 @@ TEST_CASE("Runs in tiles end certified, with the topology of the input and not m
     const double whole = static_cast<double>(whole_vertices(p));
     CHECK(static_cast<double>(run.result.mesh.points.size()) <= 1.2 * whole);
   }
+}
+
+TEST_CASE("Sheets near to each other, with vertices on the planes of tiles, never meet") {
+  // Two slabs of cubes with whole corners, where the planes of tiles are, between them less than a facet is
+  // long in the end.
+  const TriangleSoup slabs = voxel_surface({24, 24, 4}, [](int, int, int z) { return z == 0 || z == 3; });
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "slabs.off";
+  REQUIRE(write_mesh(file, TriangleMesh{slabs.points, slabs.triangles}).ok());
+  RunParameters p = parameters_of(file.string(), 1);
+  p.tolerance = {0.3, false};
+  const TileFolder tiles = cut(folder / "tiles", p, 0.5);
+  CHECK((*tiles.round())->tiles.size() > 8);
+  REQUIRE(make_all_tiles(tiles, RunControl()).ok());
+  const JoinedTiles run = joined(tiles);
+  CHECK(run.result.certificate.failures.empty());
+  CHECK(run.result.certificate.holds());
+  CHECK(run.result.certificate.components == 2);
+  CHECK(run.result.certificate.euler_characteristic == 4);
+  CHECK(run.result.mesh.points.size() <= 40); // two boxes have 16 corners
 }
 
 TEST_CASE("The mesh is the same backwards, by two at once, and after stops in the middle of tiles") {
