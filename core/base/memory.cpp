@@ -1,6 +1,7 @@
 // Asks the system and the limits of control groups, which containers have.
 #include "base/memory.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -53,6 +54,12 @@ std::uint64_t available_memory_bytes() {
                                   : unlimited;
   const std::uint64_t least = std::min(machine, group_limit());
   return least == unlimited ? 0 : least;
+}
+
+std::size_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
 } // namespace isoscope

@@ -7,6 +7,7 @@
 #include "cli/outputs.h"
 #include "cli/progress_line.h"
 #include "cli/summary.h"
+#include "cli/tiles.h"
 #include "cli/verbs.h"
 #include "input/mesh_io.h"
 #include "journal/describe.h"
@@ -118,6 +119,7 @@ const Verb verbs[] = {
     {{"replay", "RUN.isorun", "reads a recording"}, replay},
     {{"diff", "A.isorun B.isorun", "tells what differs between two"}, diff},
     {{"recover", "BROKEN.isorun -o OUT.isorun", "saves what is sound in a damaged one"}, recover},
+    {{"tiles", "cut|step|join|status", "makes a run in tiles, in parts"}, tiles},
 };
 
 void note(const std::string& text) {
@@ -131,9 +133,15 @@ int run(int argc, char** argv) {
   RunOptions options(app);
   Outputs outputs;
   bool quiet = false, compare = false, list_gallery = false;
+  std::string tiles_folder, tile_memory = usual_tile_memory;
   double history_limit = usual_history_mib;
   app.option("-o,--output", outputs.mesh, "the resulting mesh: .off, .obj, .ply or .stl");
   app.option("--report", outputs.report, "the report as JSON; - for standard output");
+  app.option(
+      "--tiles", tiles_folder,
+      "make the run in tiles, which are kept in this folder: begun there, or gone on with; the input has to "
+      "be closed and free of intersections, and normals (condition 3) are not kept");
+  app.option("--tile-memory", tile_memory, tile_memory_help);
   app.flag("--compare", compare,
            "print the stages side by side: operations, vertices, times, rejections by reason");
   app.option("--history-limit", history_limit,
@@ -170,6 +178,13 @@ int run(int argc, char** argv) {
   }
   for (const std::string& input : {parameters->input, parameters->inside})
     if (Status writable = check_outputs(outputs, input); !writable) return fail(writable.error(), 2);
+  if (!tiles_folder.empty()) {
+    if (!outputs.recording.empty() || compare || breakpoints.any_enabled())
+      return fail({ErrorCode::usage, "A run in tiles has no journal to record, to compare or to break at.",
+                   "Leave --record, --compare and --break out."},
+                  2);
+    return run_in_tiles(*parameters, tiles_folder, tile_memory, outputs, quiet);
+  }
   Recording recording;
   if (Status made = recording.create(outputs.recording); !made) return fail(made.error(), 2);
 
@@ -190,6 +205,7 @@ int run(int argc, char** argv) {
   breakpoints.set_expected([&] { return expected_genus(**scene); });
   for (const ParameterWarning& w : (*scene)->warnings) note(w.message);
   if (!(*scene)->thickening_note.empty()) note((*scene)->thickening_note);
+  if (const std::string start = start_note(*parameters, **scene); !start.empty() && !quiet) note(start);
   recording.start(*parameters, **scene, journal);
   const auto result = pipeline.run();
   progress.finish();

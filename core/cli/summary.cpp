@@ -142,6 +142,22 @@ std::vector<std::string> warnings(const RunParameters& parameters, const Scene& 
   return lines;
 }
 
+std::string start_note(const RunParameters& parameters, const Scene& scene) {
+  // Samples cost the refinement what facets cost the improver, about eight of them as much as one.
+  constexpr double few = 1.0 / 8, many = 1.0 / 2;
+  const double ratio = static_cast<double>(scene.input->triangles.size()) /
+                       static_cast<double>(std::max<std::size_t>(scene.samples->size(), 1));
+  if (parameters.start == FirstZ::input && ratio > many)
+    return "The input has many triangles for this tolerance: --start delaunay would be faster.";
+  RunParameters other = parameters;
+  other.start = FirstZ::input;
+  const bool could = parameters.start == FirstZ::delaunay && check(other) && scene.volume->has_surface() &&
+                     scene.input_topology.embedded() && !scene.volume->has_rooms() &&
+                     !scene.volume->has_inner_walls();
+  return could && ratio < few ? "The input can be the first Z itself: --start input would be faster."
+                              : std::string();
+}
+
 std::string summary(const RunParameters& parameters, const Scene& scene, const RunResult& result,
                     const std::vector<StageStatistics>& stages, const std::string& stopped_at) {
   const Certificate& c = result.certificate;

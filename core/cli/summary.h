@@ -20,4 +20,7 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
 std::vector<std::string> warnings(const RunParameters& parameters, const Scene& scene,
                                   const RunResult& result, bool stop_told = false);
 
+/// Whether the run would be faster from another first Z, as far as is known; empty where not.
+std::string start_note(const RunParameters& parameters, const Scene& scene);
+
 } // namespace isoscope

@@ -56,12 +56,13 @@ constexpr RepairLevel between_shakes{2, 14, 1.05};
 
 class Improver {
  public:
-  Improver(const TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
+  Improver(const TriangleMesh& mesh, const ImproverGround& ground, const NearestSample* samples,
            const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
            const RoomInT* room)
       : options_(options), control_(control), observer_(observer), room_(room),
-        input_(volume.field(), volume.thresholds().delta, mesh, control, volume.border_gate()),
-        rules_(make_rules(mesh, volume, samples)),
+        input_(ground.field, ground.delta, mesh, control, ground.gate,
+               ground.box ? InputSurface::Normals::as_given : InputSurface::Normals::like_surface),
+        rules_(make_rules(mesh, ground, samples)),
         surface_(mesh, rules_, room != nullptr ? &room->embedding : nullptr, control) {}
 
   ImproverOutcome run() {
@@ -82,16 +83,17 @@ class Improver {
   TriangleMesh result() const { return surface_.compacted(); }
 
  private:
-  SurfaceRules make_rules(const TriangleMesh& mesh, const ToleranceVolume& volume,
+  SurfaceRules make_rules(const TriangleMesh& mesh, const ImproverGround& ground,
                           const NearestSample* samples) {
     SurfaceRules rules;
     rules.input = &input_;
-    const double delta = volume.thresholds().delta;
+    const double delta = ground.delta;
     if (!mesh.labels.empty() && samples != nullptr) input_.set_rooms(room_samples(mesh, *samples, delta));
     if (options_.preserve_normals && samples != nullptr)
       rules.orientation =
-          OrientationTester{samples, options_.shrink, orientation_reach * delta, &volume.field(), delta};
-    for (const Witness& w : volume.witnesses()) rules.witnesses.push_back(w.point);
+          OrientationTester{samples, options_.shrink, orientation_reach * delta, &ground.field, delta};
+    rules.witnesses = ground.witnesses;
+    rules.box = ground.box;
     return rules;
   }
 
@@ -234,10 +236,22 @@ ImproverOptions improver_options(const CriteriaParameters& criteria, int effort)
   return options;
 }
 
+ImproverGround ground_of(const ToleranceVolume& volume) {
+  ImproverGround ground{volume.field(), volume.thresholds().delta, {}, volume.border_gate()};
+  for (const Witness& w : volume.witnesses()) ground.witnesses.push_back(w.point);
+  return ground;
+}
+
 ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
                         const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
                         const RoomInT* room) {
-  Improver improver(mesh, volume, samples, options, control, observer, room);
+  return improve(mesh, ground_of(volume), samples, options, control, observer, room);
+}
+
+ImproverOutcome improve(TriangleMesh& mesh, const ImproverGround& ground, const NearestSample* samples,
+                        const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+                        const RoomInT* room) {
+  Improver improver(mesh, ground, samples, options, control, observer, room);
   const ImproverOutcome outcome = improver.run();
   mesh = improver.result();
   return outcome;

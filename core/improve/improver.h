@@ -30,6 +30,18 @@ struct ImproverOutcome {
   std::size_t moved = 0, flipped = 0;                   ///< in relaxation sweeps
 };
 
+/// What the improver asks of Ω.
+struct ImproverGround {
+  const ToleranceField& field;
+  double delta = 0;
+  std::vector<Vec3> witnesses;      ///< of every region deeper than δ that lies in the box
+  const BorderGate* gate = nullptr; ///< the open rim of the input; null where Z is closed
+  /// Where Z may change. With it the mesh may be a piece of Z: all facets whose boxes meet this one; the
+  /// field has all of the input within 3 δ of it, turned like Z.
+  std::optional<ChangeBox> box = std::nullopt;
+};
+ImproverGround ground_of(const ToleranceVolume& volume);
+
 /// T around Z, for an improver that stays inside it.
 struct RoomInT {
   Embedding& embedding;
@@ -43,6 +55,9 @@ struct RoomInT {
 /// then normals are not preserved. With `room`, whose
 /// embedding has `mesh` as its Z, every change is one of T too, whose tetrahedra stay positively oriented.
 /// The result depends on the arguments only, not on the number of threads.
+ImproverOutcome improve(TriangleMesh& mesh, const ImproverGround& ground, const NearestSample* samples,
+                        const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
+                        const RoomInT* room = nullptr);
 ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
                         const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
                         const RoomInT* room = nullptr);

@@ -29,7 +29,7 @@ DisjointSets consistent_pieces(const ClosestPointIndex& index) {
 } // namespace
 
 InputSurface::InputSurface(const ToleranceField& field, double delta, const TriangleMesh& surface,
-                           const RunControl& control, const BorderGate* gate)
+                           const RunControl& control, const BorderGate* gate, Normals normals)
     : field_(&field), gate_(gate), delta_(delta), on_surface_(1e-6 * delta), enough_(without_weight * delta),
       normals_(field.size()) {
   const TriangleSoup soup{surface.points, surface.triangles, {}};
@@ -46,6 +46,13 @@ InputSurface::InputSurface(const ToleranceField& field, double delta, const Tria
     return;
   }
   const ClosestPointIndex& index = *field.surface();
+  if (normals == Normals::as_given) {
+    parallel_until(index.size(), 256, control, [&](std::size_t t) {
+      const Triangle3& corners = index.triangle(TriangleId(t));
+      normals_[t] = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    });
+    return;
+  }
   std::vector<double> votes(index.size());
   const bool complete = parallel_until(index.size(), 256, control, [&](std::size_t t) {
     const Triangle3& corners = index.triangle(TriangleId(t));

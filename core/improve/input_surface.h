@@ -7,6 +7,7 @@
 #include "input/triangle_soup.h"
 #include "tolerance/field.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace isoscope {
@@ -23,13 +24,15 @@ class BorderGate;
 /// φ in units of the run, and the input's unit normals on the side of Z's.
 class InputSurface {
  public:
-  /// Normals are oriented by `surface`: pieces of the input whose triangles agree with each other vote with
-  /// the nearest facets of the surface, so that an input in any orientation serves. They stay as they are
-  /// where the surface is empty, and are of no use once the control is cancelled. A field without triangles
-  /// has the normals of the facets of the surface that are nearest to its sites.
+  enum class Normals : std::uint8_t { like_surface, as_given };
+  /// Normals are as the triangles run, or oriented by `surface`: pieces of the input whose triangles agree
+  /// with each other vote with the nearest facets of the surface, so that an input in any orientation serves.
+  /// They stay as they are where the surface is empty, and are of no use once the control is cancelled. A
+  /// field without triangles has the normals of the facets of the surface that are nearest to its sites.
   /// `gate`: the open rim of the input; null where the surface is closed.
   InputSurface(const ToleranceField& field, double delta, const TriangleMesh& surface,
-               const RunControl& control = {}, const BorderGate* gate = nullptr);
+               const RunControl& control = {}, const BorderGate* gate = nullptr,
+               Normals normals = Normals::like_surface);
 
   /// φ at p, starting from a site that is likely close (or an invalid one). Where φ is far below δ, so that
   /// it has no weight in an energy, what that site gives may be returned instead.

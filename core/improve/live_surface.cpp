@@ -71,13 +71,15 @@ void embed(const Embedding& embedding, TetPatch tets, SurfacePatch& patch) {
 LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding,
                          const RunControl& control)
     : embedding_(embedding), gate_(rules.input->gate()), octree_(domain_of(mesh, rules.input->delta())),
-      stamps_(mesh.points.size(), 0), collapse_stamps_(mesh.points.size(), 0) {
+      box_(rules.box), stamps_(mesh.points.size(), 0), collapse_stamps_(mesh.points.size(), 0) {
   complex_.points = mesh.points;
   complex_.facets.resize(mesh.triangles.size());
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) complex_.facets[f].v = mesh.triangles[f];
   for (std::size_t f = 0; f < mesh.labels.size(); ++f) complex_.facets[f].labels = mesh.labels[f];
   complex_.build_stars();
-  if (mesh.labels.empty())
+  if (box_)
+    freeze();
+  else if (mesh.labels.empty())
     complex_.build_border();
   else
     complex_.strata = find_strata(complex_);
@@ -92,6 +94,19 @@ LiveSurface::LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Em
           rules.orientation->failures(complex_.triangle(facet), facet.labels).size());
   });
   for (std::uint32_t f = 0; f < complex_.facets.size(); ++f) octree_.insert(f, box_of(complex_.triangle(f)));
+}
+
+void LiveSurface::freeze() {
+  frozen_.assign(complex_.points.size(), 0);
+  for (const Facet& f : complex_.facets) {
+    if (may_change(f.v)) continue;
+    for (const std::uint32_t v : f.v) frozen_[v] = 1;
+  }
+}
+
+bool LiveSurface::may_change(std::span<const std::uint32_t> vertices) const {
+  return !box_ || std::all_of(vertices.begin(), vertices.end(),
+                              [&](std::uint32_t v) { return box_->holds(complex_.points[v]); });
 }
 
 void LiveSurface::share_rim(const InputSurface& input) {
@@ -112,7 +127,9 @@ void LiveSurface::share_rim(const InputSurface& input) {
 }
 
 SurfacePatch LiveSurface::patch(std::span<const std::uint32_t> free_vertices) const {
-  SurfacePatch patch = take_patch(complex_, free_vertices);
+  std::vector<std::uint32_t> free(free_vertices.begin(), free_vertices.end());
+  std::erase_if(free, [&](std::uint32_t v) { return frozen(v); });
+  SurfacePatch patch = take_patch(complex_, free);
   if (embedding_ != nullptr) embed(*embedding_, embedding_->around(free_vertices), patch);
   return patch;
 }
@@ -146,6 +163,10 @@ Refusal LiveSurface::check(const SurfacePatch& patch) const {
     return {Reason::zero_link_condition, 0, 0, own.points[*where]};
   if (Refusal bare = check_rim(patch); !bare.accepted()) return bare;
   if (patch.in_t) return {}; // facets of T do not meet
+  // Beyond the box there are facets that nobody here knows.
+  for (std::uint32_t v = 0; v < own.points.size(); ++v)
+    if (box_ && own.alive_vertex(v) && own.points[v] != patch.start_points[v] && !box_->holds(own.points[v]))
+      return {Reason::intersection, 0, 0, own.points[v]};
   for (std::uint32_t f = 0; f < own.facets.size(); ++f) {
     if (!own.facets[f].alive() || !patch.changed(f)) continue;
     const IndexedTriangle facet{own.triangle(f), patch.surface_corners(own.facets[f].v)};

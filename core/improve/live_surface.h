@@ -16,9 +16,10 @@ class LiveSurface {
  public:
   /// Copies an oriented 2-manifold without intersections, inside Ω, and measures its facets. Its border keeps
   /// to the input's rim, if it has one. With labels it is one between rooms: sheets that meet along curves,
-  /// which stay what they are; where they end nothing moves. With an embedding, whose Z the mesh is, patches
-  /// hold their part of T, and commits reach it. Once the control is cancelled facets are not measured: then
-  /// only what the mesh was is of use.
+  /// which stay what they are; where they end nothing moves. A piece that the rules give a box has all facets
+  /// whose boxes meet that, and ends outside of it. With an embedding, whose Z the mesh is, patches hold
+  /// their part of T, and commits reach it. Once the control is cancelled facets are not measured: then only
+  /// what the mesh was is of use.
   LiveSurface(const TriangleMesh& mesh, const SurfaceRules& rules, Embedding* embedding = nullptr,
               const RunControl& control = {});
 
@@ -30,8 +31,13 @@ class LiveSurface {
   std::uint32_t collapse_stamp(std::uint32_t v) const { return collapse_stamps_[v]; }
   std::uint32_t commits() const { return commits_; }
   const Embedding* embedding() const { return embedding_; }
+  /// Whether a vertex stays where it is, with all its edges: a facet of it is not wholly in the box of the
+  /// rules.
+  bool frozen(std::uint32_t v) const { return !frozen_.empty() && frozen_[v] != 0; }
+  /// Whether the facets between these vertices may change.
+  bool may_change(std::span<const std::uint32_t> vertices) const;
 
-  /// Takes all facets around the free vertices (ascending).
+  /// Takes all facets around the free vertices (ascending) that are not frozen.
   SurfacePatch patch(std::span<const std::uint32_t> free_vertices) const;
   /// Takes the two facets of a flip with all vertices fixed; nothing where T has no tetrahedron for it.
   std::optional<SurfacePatch> flip_patch(const FlipPlan& plan) const;
@@ -53,12 +59,15 @@ class LiveSurface {
  private:
   /// Gives the samples of the rim to the nearest border edges, and measures these.
   void share_rim(const InputSurface& input);
+  void freeze();
   Refusal check_rim(const SurfacePatch& patch) const;
 
   Embedding* embedding_;
   const BorderGate* gate_; ///< null where the surface is closed
   FacetComplex complex_;
   FacetOctree octree_;
+  std::optional<ChangeBox> box_;
+  std::vector<std::uint8_t> frozen_;                    ///< by vertex; empty: none is
   std::vector<std::uint32_t> stamps_, collapse_stamps_; ///< by vertex
   std::uint32_t commits_ = 0;
   std::size_t vertex_count_ = 0;

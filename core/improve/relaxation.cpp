@@ -77,6 +77,7 @@ Proposal propose_flip(const LiveSurface& surface, const SurfaceRules& rules, std
     };
     if (!plan || !may_lose_facet(plan->a) || !may_lose_facet(plan->b) || complex.has_edge(plan->c, plan->d))
       continue;
+    if (!surface.may_change(std::array{plan->a, plan->b, plan->c, plan->d})) continue;
     std::optional<SurfacePatch> patch = surface.flip_patch(*plan);
     if (!patch) continue;
     p.patch = std::move(*patch);
@@ -94,6 +95,7 @@ RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, BestPla
   RelaxationFigures figures;
   const double delta = rules.input->delta();
   for (std::vector<std::uint32_t>& c : independent_classes(surface.complex())) {
+    std::erase_if(c, [&](std::uint32_t v) { return surface.frozen(v); });
     // Commit numbers start at 1, so that 0 stands for never.
     std::erase_if(c,
                   [&](std::uint32_t v) { return best_places[v] > 0 && best_places[v] >= surface.stamp(v); });

@@ -1,6 +1,7 @@
 // A collapse or a flip with repair as a pure function on a patch: the outcome is committed or forgotten.
 #pragma once
 
+#include "improve/change_box.h"
 #include "improve/facet_orientation.h"
 #include "improve/improver_verdict.h"
 #include "improve/patch_moves.h"
@@ -16,6 +17,7 @@ struct SurfaceRules {
   const InputSurface* input = nullptr;
   std::optional<OrientationTester> orientation; ///< when normals are preserved
   std::vector<Vec3> witnesses;                  ///< points of the regions deeper than δ
+  std::optional<ChangeBox> box;                 ///< where Z may change; absent: everywhere
 
   /// Sampled distances up to here are worth a certificate.
   double sampled_limit() const { return 0.995 * input->delta(); }

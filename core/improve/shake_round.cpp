@@ -42,6 +42,7 @@ std::vector<FlipAttempt> gather(const LiveSurface& surface, std::deque<Edge>& ed
        ++looked) {
     const Edge e = edges.front();
     edges.pop_front();
+    if (surface.frozen(e.first) || surface.frozen(e.second)) continue;
     if (!surface.complex().has_edge(e.first, e.second)) continue;
     if (auto patch = claims.take(surface, e.first, e.second, rings)) {
       attempts.push_back({e, std::move(*patch), {}});

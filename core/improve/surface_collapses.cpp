@@ -97,7 +97,7 @@ void Round::push(std::vector<Edge>& edges) {
   std::vector<Refusal> refusals(edges.size()); // by T
   parallel_until(edges.size(), 4, control_, [&](std::size_t i) {
     const auto [a, b] = edges[i];
-    if (!complex().has_edge(a, b)) return;
+    if (surface_.frozen(a) || surface_.frozen(b) || !complex().has_edge(a, b)) return;
     Kernel kernel;
     if (surface_.embedding() != nullptr) {
       refusals[i] = surface_.embedding()->check_edge(a, b, kernel);

@@ -95,9 +95,10 @@ enum class EventKind : std::uint8_t {
   shake,            ///< edges of Z were flipped against the energy, with repair (an operation)
   split,            ///< an edge of Z was split to cut it along the rim (an operation)
   cut,              ///< facets of Z beyond the rim were dropped (an operation)
-  fill              ///< dropped facets that close a hole became part of Z again (an operation)
+  fill,             ///< dropped facets that close a hole became part of Z again (an operation)
+  start             ///< Z begins outside of T, as a surface that is known already (an operation)
 };
-constexpr int event_kind_count = static_cast<int>(EventKind::fill) + 1;
+constexpr int event_kind_count = static_cast<int>(EventKind::start) + 1;
 
 /// What gives the mark of a kind its colour in lists.
 enum class ColorRole : std::uint8_t { condition, stage, reason, good, warning, accent };
@@ -188,6 +189,10 @@ inline constexpr std::array kind_table{
               MarkerShape::square, 0, "holes are filled with {n} facets, outside of Ω by intent",
               "holes are filled with {n|facet|facets}", Measure::none,
               "Outside of Ω by intent: the hole is closed as it was asked for.", "Figure 16"},
+    KindWords{EventKind::start, "start", "start", "first Z",
+              "Z begins outside of T, as a surface that is known already.", ColorRole::stage,
+              MarkerShape::square, 0, "the first Z has {n} vertices", "Z begins with {n|vertex|vertices}",
+              Measure::none, "A surface inside Ω that separates its sides is known: no T has to find one."},
 };
 
 /// Which criterion asked for it (§2.3).

@@ -178,7 +178,8 @@ void describe_facets(StateSnapshot& s, const Delta& delta) {
   std::vector<FacetKey> before = embedded_facets(delta.removed), after = embedded_facets(delta.added);
   for (const FacetRecord& f : delta.removed_facets) before.push_back(f.v);
   for (const FacetRecord& f : delta.added_facets) after.push_back(f.v);
-  if (delta.form && delta.form->after == ZeroForm::free) return; // the same facets, only told apart from T
+  // At its departure Z has the same facets, only told apart from T.
+  if (delta.form && delta.form->before == ZeroForm::embedded) return;
   for (const FacetKey& f : before) {
     s.removed_facets.push_back({position_before(f[0]), position_before(f[1]), position_before(f[2])});
   }

@@ -31,6 +31,11 @@ StageAt stage_at(const Journal& journal, Step step) {
   return at;
 }
 
+bool begins_outside_of_t(const Journal& journal) {
+  return !journal.operations().empty() &&
+         journal.events()[journal.operations()[0].event].kind == EventKind::start;
+}
+
 Status can_branch(const Journal& journal, Step step) {
   const StageAt at = stage_at(journal, step);
   if (at.stage < Stage::refinement || (at.stage == Stage::refinement && at.open))
@@ -40,6 +45,9 @@ Status can_branch(const Journal& journal, Step step) {
     if (journal.events()[journal.operations()[k].event].kind == EventKind::departure)
       return Error{ErrorCode::usage, "Z has left T: edges of T are not collapsed any more.",
                    "Go to a step before the last stage."};
+  if (begins_outside_of_t(journal))
+    return Error{ErrorCode::usage, "This run has no T: Z began outside of it.",
+                 "Restart with --start delaunay to collapse edges by hand."};
   return {};
 }
 

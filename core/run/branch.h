@@ -29,6 +29,9 @@ struct StageAt {
 };
 StageAt stage_at(const Journal& journal, Step step);
 
+/// Whether Z begins outside of T: then the run has none at any step.
+bool begins_outside_of_t(const Journal& journal);
+
 /// Whether a run can leave there with a collapse: the refinement has ended and Z is still in T. Fails with
 /// usage.
 Status can_branch(const Journal& journal, Step step);

@@ -18,6 +18,9 @@ inline constexpr std::array<Choice, 4> target{{{"optimum"}, {"constraints"}, {"s
 inline constexpr std::array<Choice, 2> cost_ring{
     {{.name = "1", .shown = "1-ring", .told = "1-ring", .script = "one"},
      {.name = "2", .shown = "2-ring", .told = "2-ring", .script = "two"}}};
+inline constexpr std::array<Choice, 3> start{{{.name = "delaunay", .shown = "Delaunay"},
+                                              {.name = "input", .shown = "the input"},
+                                              {.name = "lattice"}}};
 inline constexpr std::array<Choice, 2> improver{
     {{.name = "free", .shown = "Z alone"}, {.name = "embedded", .shown = "inside T"}}};
 inline constexpr std::array<Choice, 4> effort{{{"0"}, {"1"}, {"2"}, {"3"}}};

@@ -8,6 +8,25 @@
 #include <limits>
 
 namespace isoscope {
+namespace {
+
+/// Without T there is nothing but the improver on Z alone.
+Status check_start(const RunParameters& p) {
+  const auto wrong = [&](const std::string& why, const char* remedy) {
+    return Error{ErrorCode::usage, "--start " + std::string(word_of(&RunParameters::start, p)) + " " + why,
+                 remedy};
+  };
+  if (p.improver == ImproverPlace::embedded)
+    return wrong("has no T for --improver embedded to work in.", "Leave one of them out.");
+  if (p.last_stage() != Stage::improve)
+    return wrong("runs the improver alone, but the last stage is " + std::string(name(p.last_stage())) + ".",
+                 "Give --until improve, or leave --start out.");
+  if (p.skipped[static_cast<std::size_t>(Stage::improve)])
+    return wrong("runs the improver alone, which --skip improve leaves out.", "Leave one of them out.");
+  return {};
+}
+
+} // namespace
 
 double RunParameters::most_bytes() const {
   constexpr double mebibyte = 1 << 20, share = 2.0 / 3;
@@ -83,6 +102,7 @@ Status check(const RunParameters& p) {
     return Error{ErrorCode::usage,
                  "--levels and --label are for a grid, --inside and --outside for two surfaces.",
                  "Give one kind of volume."};
+  if (p.start != FirstZ::delaunay) return check_start(p);
   return {};
 }
 

@@ -37,6 +37,7 @@ struct RunParameters {
   TopologyMode topology = TopologyMode::keep;
   /// Whether parts that are thinner than 2δ everywhere are left out of the input instead of refused.
   bool drop_thin = false;
+  FirstZ start = FirstZ::delaunay; ///< where the first Z comes from; others leave T out
   /// How far from the result a point of the input may be, in δ, > 0; absent: as far as it likes, as in the
   /// paper, whose bound is one-sided.
   std::optional<double> cover = 3;
@@ -215,6 +216,19 @@ constexpr auto fields_of(const RunParameters*) {
              .title = "Topology mode",
              .tip = "What is asked of Z where Ω is no thickening of a surface: keep the input's topology, or "
                     "only separate the two sides. Needs a restart. §1.2"}),
+      field(&P::start,
+            {.name = "start",
+             .symbol = "start",
+             .help = "the first Z: delaunay (refined, the paper's way), input (the input itself, where it is "
+                     "closed and does not meet itself) or lattice (from sides on a lattice of 0.95 δ, where "
+                     "every point has one); after both the improver alone runs; default delaunay",
+             .words = "where the first Z comes from",
+             .choices = parameter_words::start,
+             .place = 10,
+             .title = "The first Z",
+             .tip = "Refined in T, the paper's way; the input itself, where it is closed and does not meet "
+                    "itself; or from sides on a lattice. Without refinement there is no T, and the improver "
+                    "goes on from there at once. Needs a restart."}),
       field(&P::drop_thin,
             {.name = "drop_thin",
              .symbol = "thin parts",

@@ -1,11 +1,11 @@
 // The stages of a run, in order.
 #include "run/pipeline.h"
 
+#include "base/memory.h"
 #include "base/stopwatch.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
-
-#include <sys/resource.h>
+#include "simplify/first_surface.h"
 
 #include <limits>
 #include <utility>
@@ -13,12 +13,6 @@
 namespace isoscope {
 
 namespace {
-
-std::size_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-}
 
 /// Lets the refinement end when σ changed, so that S can be replaced before it goes on.
 class ResamplingGate : public Gate {
@@ -178,6 +172,25 @@ struct Pipeline::Impl {
     }
   }
 
+  /// There is no T: the simplification makes its first Z itself.
+  Status begin_outside_of_t(const CriteriaParameters& criteria) {
+    const ToleranceVolume& volume = preparation.volume();
+    const bool lattice = parameters->start == FirstZ::lattice;
+    if (Status can = lattice ? can_start_from_lattice(volume) : can_start_from_input(volume); !can)
+      return can;
+    FirstSurfaceMaker first = [&volume](const RunControl&) -> Result<FirstSurface> {
+      return first_from_input(volume);
+    };
+    if (lattice)
+      first = [&volume, expected = scene->expected, bytes = parameters->most_bytes()](const RunControl& c) {
+        return first_from_lattice(volume, expected, bytes, c);
+      };
+    simplification =
+        std::make_unique<Simplification>(volume, current_samples, criteria, parameters->simplification(),
+                                         *recorder, *control, Complex(), std::move(first));
+    return {};
+  }
+
   /// T goes from the refinement, which is not needed any more, to the simplification.
   void begin_simplification(const SimplificationParameters& wanted) {
     simplification =
@@ -209,10 +222,13 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   if (!m.scene->thickening_note.empty()) m.record_warning(m.scene->thickening_note);
   m.resampling.emplace(*m.gate, criteria.sigma);
   m.recorder.emplace(*m.journal, *m.resampling);
-  m.refinement =
-      std::make_unique<Refinement>(m.preparation.volume(), m.scene->samples, criteria,
-                                   expected_before_the_cut(m.preparation.volume(), m.scene->expected),
-                                   RefinementLimits{}, *m.recorder, *m.control);
+  if (parameters_.start == FirstZ::delaunay)
+    m.refinement =
+        std::make_unique<Refinement>(m.preparation.volume(), m.scene->samples, criteria,
+                                     expected_before_the_cut(m.preparation.volume(), m.scene->expected),
+                                     RefinementLimits{}, *m.recorder, *m.control);
+  else if (Status begun = m.begin_outside_of_t(criteria); !begun)
+    return begun.error();
   m.seconds = watch.seconds();
   return prepared;
 }

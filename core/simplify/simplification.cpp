@@ -8,6 +8,7 @@
 #include "improve/free_improvement.h"
 #include "journal/stage_log.h"
 #include "mesh/strata.h"
+#include "simplify/first_surface.h"
 #include "simplify/free_filling.h"
 #include "simplify/rim_cut.h"
 #include "simplify/tessellation.h"
@@ -36,10 +37,11 @@ static_assert(stage_order.front() == Stage::gamma);
 
 struct Simplification::Impl {
   Impl(const ToleranceVolume& v, std::shared_ptr<const BoundarySamples> s, const CriteriaParameters& c,
-       const SimplificationParameters& p, Recorder& recorder, const RunControl& run_control, Complex complex)
+       const SimplificationParameters& p, Recorder& recorder, const RunControl& run_control, Complex complex,
+       FirstSurfaceMaker maker)
       : samples(std::move(s)), nearest(samples->positions, samples->labels), context{v, &nearest, c},
-        parameters(p), log(recorder, run_control),
-        live(std::make_unique<LiveComplex>(std::move(complex), c.certified ? nullptr : samples)) {
+        parameters(p), first(std::move(maker)), log(recorder, run_control) {
+    if (in_t()) live = std::make_unique<LiveComplex>(std::move(complex), c.certified ? nullptr : samples);
     log.on_parameters([this](const CriteriaParameters& wanted) { adopt(wanted); });
   }
 
@@ -47,9 +49,10 @@ struct Simplification::Impl {
   NearestSample nearest;
   EvaluationContext context;
   SimplificationParameters parameters;
+  FirstSurfaceMaker first; ///< where Z begins outside of T
   StageLog log;
   std::optional<RimCut> rim_cut;     ///< once it has begun
-  std::unique_ptr<LiveComplex> live; ///< null once Z has left T
+  std::unique_ptr<LiveComplex> live; ///< null once Z has left T, or where it begins outside of it
   Complex free;                      ///< the state after that
   bool filled = false;               ///< holes are, as far as they can be
   /// Inside T the improver knows two sides only.
@@ -58,7 +61,10 @@ struct Simplification::Impl {
   std::size_t next = 0;  ///< into stage_order
   bool rejoined = false; ///< the journal has begun the next stage
 
+  bool in_t() const { return !first; }
+
   bool wanted(Stage stage) const {
+    if (!in_t() && stage != Stage::improve) return false;
     if (comes_after(stage, parameters.until) || comes_after(stage, last) ||
         parameters.skipped[static_cast<std::size_t>(stage)])
       return false;
@@ -128,15 +134,45 @@ struct Simplification::Impl {
     live.reset();
   }
 
-  void improve() {
+  /// Z begins outside of T, by the first operation.
+  Status start() {
+    auto made = first(log.control());
+    if (!made) return log.stopped() ? Status() : made.error();
+    for (const FirstSurface::Look& look : made->looks) {
+      Event e;
+      e.kind = EventKind::topology_check;
+      e.condition = Condition::topology;
+      e.value = static_cast<double>(look.euler_characteristic);
+      e.limit = std::numeric_limits<double>::infinity();
+      e.count = static_cast<std::uint32_t>(look.components);
+      log.event(e);
+    }
+    if (!made->warning.empty()) log.warn(made->warning);
+    Delta delta = free_start(made->mesh);
+    free.apply(delta);
+    Event e;
+    e.kind = EventKind::start;
+    e.count = static_cast<std::uint32_t>(delta.added_vertices.size());
+    e.text = log.journal().add_text(made->words);
+    StepFigures figures;
+    figures.zero_set_vertices = e.count;
+    figures.smallest_height = std::numeric_limits<float>::infinity();
+    log.operation(e, std::move(delta), figures);
+    return {};
+  }
+
+  Status improve() {
+    if (!in_t() && free.form != ZeroForm::free)
+      if (Status started = start(); !started || log.stopped()) return started;
     if (live && parameters.improver == ImproverPlace::embedded) {
       // A vertex of Γ that goes to a vertex of Z leaves Z as it is and takes tetrahedra out of its way.
       const auto make_room = [this] { collapse(EdgeKind::mixed, true, most_rounds); };
       improve_embedded_zero_set(*live, context, parameters.effort, make_room, log);
-      return;
+      return {};
     }
     if (live) leave();
     if (!log.stopped()) improve_free_zero_set(free, context, parameters.effort, log);
+    return {};
   }
 
   void refuse_to_fill(std::uint32_t loop, const std::string& why) {
@@ -253,7 +289,7 @@ struct Simplification::Impl {
       all_edges();
       break;
     case Stage::improve:
-      improve();
+      made = improve();
       break;
     default:
       break;
@@ -265,9 +301,10 @@ struct Simplification::Impl {
 
 Simplification::Simplification(const ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
                                const CriteriaParameters& criteria, const SimplificationParameters& parameters,
-                               Recorder& recorder, const RunControl& control, Complex complex)
+                               Recorder& recorder, const RunControl& control, Complex complex,
+                               FirstSurfaceMaker first)
     : impl_(std::make_unique<Impl>(volume, std::move(samples), criteria, parameters, recorder, control,
-                                   std::move(complex))) {}
+                                   std::move(complex), std::move(first))) {}
 
 Simplification::~Simplification() = default;
 

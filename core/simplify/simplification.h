@@ -6,6 +6,7 @@
 #include "collapse/target_search.h"
 #include "journal/recorder.h"
 #include "mesh/incidence.h"
+#include "simplify/first_surface.h"
 #include "simplify/hole_filling.h"
 #include "tolerance/boundary_sampler.h"
 #include "tolerance/tolerance_volume.h"
@@ -37,10 +38,12 @@ struct SimplificationParameters {
 /// tessellation on the state holds a valid Z.
 class Simplification {
  public:
-  /// `volume` must outlive it; `complex` is T as refinement left it.
+  /// `volume` must outlive it; `complex` is T as refinement left it. With `first`, which makes the first Z,
+  /// there is no T, and the improver alone runs on Z alone.
   Simplification(const ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
                  const CriteriaParameters& criteria, const SimplificationParameters& parameters,
-                 Recorder& recorder, const RunControl& control, Complex complex);
+                 Recorder& recorder, const RunControl& control, Complex complex,
+                 FirstSurfaceMaker first = {});
   ~Simplification();
 
   /// Before the first run(): collapses an edge as a person asked for, in a stage that the journal has begun,
@@ -50,7 +53,7 @@ class Simplification {
   /// Before the first run(): begins with this stage, on T as it was when the stage began.
   void begin_at(Stage stage);
   /// Runs the stages that are left; when told to stop it may be called again and goes on where it was. False
-  /// when it was stopped. Fails with internal where the tessellation is impossible.
+  /// when it was stopped. Fails with internal where the tessellation is impossible, else as `first`.
   Result<bool> run();
   const Complex& complex() const;
   const CriteriaParameters& criteria() const;

@@ -241,4 +241,19 @@ Delta departure(const Complex& complex) {
   return delta;
 }
 
+Delta free_start(const TriangleMesh& mesh) {
+  Delta delta;
+  delta.form = {ZeroForm::interpolated, ZeroForm::free};
+  for (const Vec3 p : mesh.points) {
+    Vertex v;
+    v.position = p;
+    v.kind = VertexKind::zero;
+    delta.added_vertices.push_back(v);
+  }
+  std::size_t slot = 0;
+  for (const auto& t : mesh.triangles)
+    delta.added_facets.push_back({FacetId(slot++), {VertexId(t[0]), VertexId(t[1]), VertexId(t[2])}});
+  return delta;
+}
+
 } // namespace isoscope

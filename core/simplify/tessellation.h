@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/status.h"
+#include "input/triangle_soup.h"
 #include "mesh/complex.h"
 
 namespace isoscope {
@@ -17,5 +18,8 @@ Result<Delta> mutual_tessellation(const Complex& complex);
 
 /// The delta by which Z leaves T: its facets become free, all tetrahedra and the vertices off Z go.
 Delta departure(const Complex& complex);
+
+/// The delta by which Z begins outside of T, as a mesh: from nothing.
+Delta free_start(const TriangleMesh& mesh);
 
 } // namespace isoscope

@@ -30,51 +30,6 @@ bool consistently_oriented(const std::vector<EdgeUse>& uses) {
   return true;
 }
 
-/// Orients the triangles consistently where that is possible; false on a one-sided surface.
-bool orient(std::vector<IndexTriangle>& triangles, const std::vector<EdgeUse>& uses) {
-  struct Link {
-    std::uint32_t from, to;
-  };
-  std::vector<Link> links;
-  for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
-    links.push_back({uses[i].triangle, uses[i + 1].triangle});
-    links.push_back({uses[i + 1].triangle, uses[i].triangle});
-  }
-  std::sort(links.begin(), links.end(),
-            [](const Link& a, const Link& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
-  const auto runs_same_way = [&](std::uint32_t s, std::uint32_t t) {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        if (triangles[s][i] == triangles[t][j] && triangles[s][(i + 1) % 3] == triangles[t][(j + 1) % 3])
-          return true;
-    return false;
-  };
-  std::vector<char> seen(triangles.size(), 0);
-  std::vector<std::uint32_t> stack;
-  for (std::uint32_t start = 0; start < triangles.size(); ++start) {
-    if (seen[start]) continue;
-    seen[start] = 1;
-    stack.push_back(start);
-    while (!stack.empty()) {
-      const std::uint32_t s = stack.back();
-      stack.pop_back();
-      auto link = std::lower_bound(links.begin(), links.end(), s,
-                                   [](const Link& l, std::uint32_t t) { return l.from < t; });
-      for (; link != links.end() && link->from == s; ++link) {
-        const bool flipped = runs_same_way(s, link->to);
-        if (seen[link->to]) {
-          if (flipped) return false;
-          continue;
-        }
-        if (flipped) std::swap(triangles[link->to][1], triangles[link->to][2]);
-        seen[link->to] = 1;
-        stack.push_back(link->to);
-      }
-    }
-  }
-  return true;
-}
-
 /// Whether an oriented mesh meets itself, as far as the control lets it be found out.
 bool self_intersects(const WeldedMesh& mesh, const RunControl& control) {
   const auto met = self_intersections(

@@ -40,6 +40,10 @@ std::vector<EdgeUse> border_uses(const std::vector<IndexTriangle>& triangles);
 /// A vertex whose triangles are joined across edges into more than one fan, where no edge has more than two.
 std::optional<std::uint32_t> vertex_of_two_fans(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses);
 
+/// Orients the triangles consistently where that is possible; false on a one-sided surface. No edge may have
+/// more than two of them, as `uses` tells.
+bool orient(std::vector<IndexTriangle>& triangles, const std::vector<EdgeUse>& uses);
+
 /// Whether a triangle has a vertex twice.
 inline bool is_collapsed(const IndexTriangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];

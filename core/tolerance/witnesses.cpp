@@ -2,6 +2,8 @@
 #include "tolerance/witnesses.h"
 
 #include "base/parallel.h"
+#include "tolerance/octree_estimate.h"
+#include "tolerance/piece_witnesses.h"
 #include "tolerance/regions.h"
 #include "tolerance/tolerance_volume.h"
 
@@ -110,6 +112,33 @@ bool climb(const ToleranceField& field, const DeepCells& cells, double delta, Ve
   return cells.joined(p);
 }
 
+/// A point beyond δ where no group of cells is.
+struct Climbed {
+  Vec3 point;
+  double depth = 0;
+};
+
+/// What climbs from both sides of the triangles, at distance δ, come to, where that is no group of cells.
+std::vector<Climbed> climb_from_triangles(const ClosestPointIndex& index, const DeepCells& cells,
+                                          double delta, const RunControl& control) {
+  const std::size_t stride = index.size() / most_triangles + 1, looked = (index.size() + stride - 1) / stride;
+  std::vector<Climbed> found(2 * looked);
+  parallel_until(looked, triangles_per_task, control, [&](std::size_t i) {
+    const Triangle3& t = index.triangle(TriangleId(i * stride));
+    const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
+    if (normal == Vec3{}) return;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double offset = (side == 0 ? 1 : -1) * delta * (1 + offset_margin);
+      Vec3 p = centroid(t) + offset * normal;
+      double depth = index.distance(p);
+      if (depth <= delta * (1 + 0.5 * offset_margin) || climb(index, cells, delta, p, depth)) continue;
+      found[2 * i + side] = {p, depth};
+    }
+  });
+  std::erase_if(found, [](const Climbed& c) { return !(c.depth > 0); });
+  return found;
+}
+
 /// Where sides are not known, a ray through a hole counts one crossing too few: there a point belongs to the
 /// region that it can escape to, and 0 says that it has none.
 int label_of(const ToleranceVolume& volume, Vec3 p) {
@@ -141,32 +170,42 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
     if (const int label = label_of(volume, p); label != 0) witnesses.push_back({p, label, depth});
   }
   if (!volume.sides().known() || !volume.has_surface()) return witnesses;
-  const ClosestPointIndex& index = volume.index();
-
-  const std::size_t stride = index.size() / most_triangles + 1, looked = (index.size() + stride - 1) / stride;
-  std::vector<Witness> found(2 * looked);
-  parallel_until(looked, triangles_per_task, control, [&](std::size_t i) {
-    const Triangle3& t = index.triangle(TriangleId(i * stride));
-    const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
-    if (normal == Vec3{}) return;
-    for (std::size_t side = 0; side < 2; ++side) {
-      const double offset = (side == 0 ? 1 : -1) * delta * (1 + offset_margin);
-      Vec3 p = centroid(t) + offset * normal;
-      double depth = index.distance(p);
-      if (depth <= delta * (1 + 0.5 * offset_margin) || climb(index, cells, delta, p, depth)) continue;
-      found[2 * i + side] = {p, volume.sides().label(p), depth};
-    }
-  });
-  for (const Witness& w : found) {
-    if (!(w.depth > 0)) continue;
+  for (const Climbed& c : climb_from_triangles(volume.index(), cells, delta, control)) {
     if (control.cancelled()) break;
     // Climbs that end in the ball of an earlier witness belong to it.
     const bool known = std::any_of(witnesses.begin(), witnesses.end(), [&](const Witness& o) {
-      return distance(w.point, o.point) < std::max(o.depth, w.depth) - delta;
+      return distance(c.point, o.point) < std::max(o.depth, c.depth) - delta;
     });
-    if (!known) witnesses.push_back(w);
+    if (!known) witnesses.push_back({c.point, volume.sides().label(c.point), c.depth});
   }
   return witnesses;
+}
+
+Result<std::vector<Vec3>> witnesses_of_piece(const ClosestPointIndex& piece, double delta,
+                                             const RunControl& control) {
+  constexpr double boundary = 0.95, reach = 3; // in δ
+  const double side = OctreeEstimate(piece, true).main_side_ratio(boundary * delta) * boundary * delta;
+  auto octree = Regions::build(
+      piece, {.boundary = boundary * delta, .main_side = side, .min_side = side, .margin = reach * delta},
+      control);
+  if (!octree) return octree.error();
+  const DeepCells cells(*octree, delta, control);
+  std::vector<Climbed> found;
+  for (const CellIndex i : cells.deepest(control)) {
+    const Vec3 p = octree->center(octree->cell(i));
+    if (const double depth = piece.distance(p); depth > delta * (1 + offset_margin))
+      found.push_back({p, depth});
+  }
+  for (const Climbed& c : climb_from_triangles(piece, cells, delta, control)) {
+    if (control.cancelled()) break;
+    const bool known = std::any_of(found.begin(), found.end(), [&](const Climbed& o) {
+      return distance(c.point, o.point) < std::max(o.depth, c.depth) - delta;
+    });
+    if (!known) found.push_back(c);
+  }
+  std::vector<Vec3> points;
+  for (const Climbed& c : found) points.push_back(c.point);
+  return points;
 }
 
 } // namespace isoscope

@@ -25,7 +25,7 @@ const Tiers& core_tiers() {
                               {"core/improve"},
                               {"core/simplify"},
                               {"core/run"},
-                              {"core/questions", "core/compare"},
+                              {"core/questions", "core/compare", "core/tiles"},
                               {"core/cli"}};
   return tiers;
 }

@@ -41,6 +41,7 @@ share/icons/hicolor/scalable/apps/isoscope.svg
 share/man/man1/isoscope-run-diff.1.gz
 share/man/man1/isoscope-run-recover.1.gz
 share/man/man1/isoscope-run-replay.1.gz
+share/man/man1/isoscope-run-tiles.1.gz
 share/man/man1/isoscope-run.1.gz
 share/man/man1/isoscope.1.gz
 share/metainfo/org.isoscope.Isoscope.metainfo.xml

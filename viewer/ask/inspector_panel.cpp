@@ -107,7 +107,7 @@ void sample_details(Ui& ui, const Investigation& asked, const StateSnapshot& s, 
   const int label = s.samples->labels[id];
   const double error = classified ? static_cast<double>(s.errors[id]) : 0;
   widgets::heading(ui, is_bad(error) ? icon::close : icon::dot, "Sample " + grouped(id),
-                   !classified     ? "not classified: Z has left T"
+                   !classified     ? "not classified: Z is outside of T"
                    : is_bad(error) ? "bad: f has the wrong sign here (§2.2)"
                                    : "good: f has its sign (§2.2)");
   widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
@@ -234,7 +234,7 @@ void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   if (id >= s.complex.facets.size() || !s.complex.facets[id].alive())
     return widgets::quiet_text(ui, "This facet is not there at this step.", true);
   const auto& v = s.complex.facets[id].v;
-  widgets::heading(ui, icon::cube, "Facet " + grouped(id), "of Z, which has left T");
+  widgets::heading(ui, icon::cube, "Facet " + grouped(id), "of Z, outside of T");
   Triangle3 p;
   for (std::size_t i = 0; i < 3; ++i) {
     p[i] = s.complex.position(v[i]);

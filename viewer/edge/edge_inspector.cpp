@@ -254,7 +254,7 @@ void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
     const std::size_t facets = facets_at(s.zero_set, VertexId(picked.id), VertexId(picked.other));
     if (facets > 0) widgets::value_row(ui, "stratum", facets == 1 ? "on the border of Z" : "in a sheet");
     widgets::quiet_text(
-        ui, "Z has left T: there is no kernel to look into. The journal tells what was tried.", true);
+        ui, "Z is outside of T: there is no kernel to look into. The journal tells what was tried.", true);
   } else {
     widgets::quiet_text(ui, "T has no such edge at this step.", true);
   }

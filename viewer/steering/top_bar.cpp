@@ -133,10 +133,15 @@ bool is_open(const WindowState& m) {
   return m.run.scene && m.run.scene->volume && m.run.scene->volume->open_sides() != nullptr;
 }
 
+/// Without T the improver is alone.
+bool has_stage(const WindowState& m, Stage stage) {
+  return m.run.parameters.start == FirstZ::delaunay || stage == Stage::improve;
+}
+
 ChipState chip_state(const WindowState& m, Stage stage) {
   const RunParameters& p = m.run.parameters;
   const bool asked = !comes_after(stage, p.last_stage()) && (stage != Stage::rim || is_open(m)) &&
-                     !p.skipped.at(static_cast<std::size_t>(stage));
+                     !p.skipped.at(static_cast<std::size_t>(stage)) && has_stage(m, stage);
   ChipState state = asked ? ChipState::next : ChipState::left_out;
   for (const JournalIndex::StageSpan& span : m.index.stages())
     if (span.stage == stage)
@@ -171,8 +176,9 @@ void more_stages(Ui& ui, const std::vector<Stage>& stages, std::size_t i, float 
 /// The stages; those that do not fit stand behind a sign.
 void stage_chips(Ui& ui, float room) {
   std::vector<Stage> stages(stages_in_order.begin(), stages_in_order.end());
-  std::erase_if(stages,
-                [&](Stage s) { return s == Stage::setup || (s == Stage::rim && !is_open(ui.window)); });
+  std::erase_if(stages, [&](Stage s) {
+    return s == Stage::setup || (s == Stage::rim && !is_open(ui.window)) || !has_stage(ui.window, s);
+  });
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float high = ui.px(28), pad = ui.px(7);
   float used = 0;

@@ -56,6 +56,8 @@ std::string Talk::caption() const {
   if (!shown || !window.run.journal)
     return window.running() ? "the model is being prepared" : "no model is open";
   const Event* event = caption_event();
+  const bool in_t = window.run.parameters.start == FirstZ::delaunay;
+  if (event == nullptr && !in_t) return "both boundaries of Ω, before the first Z is there";
   if (event == nullptr) return "a box around the samples, before the first point goes in";
   if (shown->event && event == &*shown->event)
     if (const std::uint32_t n = alike(); n >= fewest_alike)
@@ -67,6 +69,7 @@ std::string Talk::caption() const {
 std::string Talk::caption_why() const {
   if (!window.state() || !window.run.journal) return {};
   const Event* event = caption_event();
+  if (event == nullptr && window.run.parameters.start != FirstZ::delaunay) return "Z begins next, without T.";
   if (event == nullptr) return "Both boundaries of Ω have their samples; T comes next, as a box around them.";
   return std::string(meaning(*event));
 }

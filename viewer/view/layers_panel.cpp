@@ -130,7 +130,7 @@ void layer_row(Ui& ui, const Row& row) {
   ImGui::InvisibleButton("name", {width - slider - ui.px(30), high});
   const std::string_view title = unclassified ? "Samples, not classified" : name->title;
   widgets::tip(ui, title,
-               unclassified ? "Z has left T: f no longer classifies the samples of S. They are drawn grey."
+               unclassified ? "Z is outside of T: no f classifies the samples of S. They are drawn grey."
                             : name->tip);
   ImGui::PushFont(ui.fonts.small);
   const std::string shown = widgets::fitted(title, width - slider - ui.px(54));

@@ -1,0 +1,268 @@
+// JSON for what people read, facet files for the rest.
+#include "tiles/tile_folder.h"
+
+#include "base/pending_file.h"
+#include "run/parameters_json.h"
+#include "run/report.h"
+#include "tiles/tile_schedule.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace isoscope {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A planner that is late finds files gone that others have done with: so often it looks anew.
+constexpr int looks = 3;
+
+std::string name_of(const GridPlace& p) {
+  return std::to_string(p[0]) + "_" + std::to_string(p[1]) + "_" + std::to_string(p[2]);
+}
+
+fs::path manifest_file(const fs::path& folder) {
+  return folder / "tiles.json";
+}
+fs::path round_file(const fs::path& folder, std::uint32_t round) {
+  return folder / "rounds" / (std::to_string(round) + ".json");
+}
+fs::path z_folder(const fs::path& folder, std::uint32_t round) {
+  return folder / "z" / std::to_string(round);
+}
+
+Json box_json(const Box3& b) {
+  return {b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z};
+}
+Box3 box_of(const Json& json) {
+  const auto b = json.get<std::array<double, 6>>();
+  return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+}
+
+Result<Json> read_json(const fs::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  Json json = Json::parse(text.str(), nullptr, false);
+  if (json.is_discarded())
+    return Error{ErrorCode::bad_input, file.string() + " cannot be read.", "Cut the input anew."};
+  return json;
+}
+
+std::string text_of(const TileRound& r) {
+  Json tiles = Json::array();
+  for (const TileWork& w : r.tiles) tiles.push_back({w.tile[0], w.tile[1], w.tile[2], w.facets});
+  const Json json{{"level", r.tiling.level}, {"shift", r.tiling.shift}, {"whole", r.tiling.whole},
+                  {"effort", r.effort},      {"facets", r.facets},      {"tiles", tiles}};
+  return json.dump(1) + "\n";
+}
+
+Result<TileRound> read_round(const fs::path& file, std::uint32_t number) {
+  const auto json = read_json(file);
+  if (!json) return json.error();
+  TileRound r;
+  try {
+    r.number = number;
+    r.tiling = {json->at("level").get<std::int32_t>(), json->at("shift").get<std::int32_t>(),
+                json->at("whole").get<bool>()};
+    r.effort = json->at("effort").get<int>();
+    r.facets = json->at("facets").get<std::uint64_t>();
+    for (const Json& t : json->at("tiles"))
+      r.tiles.push_back(
+          {{t.at(0).get<std::int32_t>(), t.at(1).get<std::int32_t>(), t.at(2).get<std::int32_t>()},
+           t.at(3).get<std::uint64_t>()});
+  } catch (const Json::exception&) {
+    return Error{ErrorCode::bad_input, file.string() + " cannot be read.",
+                 "Delete it: it is then made again."};
+  }
+  return r;
+}
+
+/// The facet files of a folder by name.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder, failed))
+    if (entry.path().extension() == ".facets") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Result<std::vector<Triangle3>> facets_in(const fs::path& folder, const Box3& box) {
+  std::vector<Triangle3> facets;
+  for (const fs::path& file : files_in(folder))
+    if (Status read = read_facets(file, box, facets); !read) return read.error();
+  return facets;
+}
+
+/// Files of about as many facets as a tile of the first round has.
+Status write_by_tile(const fs::path& folder, const TileGrid& grid, const std::vector<Triangle3>& facets) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) return Error{ErrorCode::io, folder.string() + " cannot be made.", ""};
+  std::map<GridPlace, std::vector<Triangle3>> tiles;
+  for (const Triangle3& f : facets) tiles[grid.tile_of({}, grid.brick_of(canonical(f)[0]))].push_back(f);
+  for (auto& [tile, own] : tiles)
+    if (Status written = write_facets(folder / (name_of(tile) + ".facets"), grid, std::move(own)); !written)
+      return written;
+  return {};
+}
+
+Result<std::vector<BrickLoad>> loads_of(const fs::path& z, const fs::path& input) {
+  std::map<GridPlace, BrickLoad> bricks;
+  for (const bool of_z : {true, false})
+    for (const fs::path& file : files_in(of_z ? z : input)) {
+      const auto entries = read_bricks(file);
+      if (!entries) return entries.error();
+      for (const BrickEntry& e : *entries) {
+        BrickLoad& load = bricks[e.brick];
+        load.brick = e.brick;
+        (of_z ? load.facets : load.triangles) += e.count;
+      }
+    }
+  std::vector<BrickLoad> loads;
+  for (const auto& [place, load] : bricks) loads.push_back(load);
+  return loads;
+}
+
+} // namespace
+
+bool TileFolder::exists(const fs::path& folder) {
+  std::error_code failed;
+  return fs::exists(manifest_file(folder), failed);
+}
+
+Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manifest,
+                                      const std::vector<Triangle3>& z, const std::vector<Triangle3>& input) {
+  if (exists(folder))
+    return Error{ErrorCode::usage, folder.string() + " has tiles already.",
+                 "Go on with them, or name another folder."};
+  for (const char* part : {"input", "rounds", "z"}) {
+    std::error_code failed; // what a cut that was killed has left
+    fs::remove_all(folder / part, failed);
+    fs::create_directories(folder / part, failed);
+    if (failed) return Error{ErrorCode::io, (folder / part).string() + " cannot be made.", ""};
+  }
+  const double least = 4 * manifest.delta;
+  manifest.triangles = input.size();
+  manifest.box = {};
+  for (const Triangle3& t : input)
+    for (const Vec3 p : t) manifest.box.add(p);
+  manifest.box = manifest.box.grown(manifest.delta);
+  manifest.brick = fitting_brick(manifest.box, manifest.memory, least, z, input);
+  TileFolder made(folder, manifest);
+  if (Status written = write_by_tile(folder / "input", made.grid(), input); !written) return written.error();
+  if (Status written = write_by_tile(z_folder(folder, 0), made.grid(), z); !written) return written.error();
+  const Json json{
+      {"version", version()},          {"parameters", Json::parse(parameters_json(manifest.parameters))},
+      {"delta", manifest.delta},       {"brick", manifest.brick},
+      {"box", box_json(manifest.box)}, {"triangles", manifest.triangles},
+      {"memory", manifest.memory}};
+  if (Status written = write_text_file(manifest_file(folder), json.dump(1) + "\n"); !written)
+    return written.error();
+  return open(folder);
+}
+
+Result<TileFolder> TileFolder::open(const fs::path& folder) {
+  if (!exists(folder))
+    return Error{ErrorCode::usage, folder.string() + " has no tiles.",
+                 "Cut an input first: isoscope-run tiles cut."};
+  const auto json = read_json(manifest_file(folder));
+  if (!json) return json.error();
+  TileManifest m;
+  try {
+    auto parameters = parse_parameters(json->at("parameters").dump());
+    if (!parameters) return parameters.error();
+    m.parameters = std::move(*parameters);
+    m.delta = json->at("delta").get<double>();
+    m.brick = json->at("brick").get<double>();
+    m.box = box_of(json->at("box"));
+    m.triangles = json->at("triangles").get<std::uint64_t>();
+    m.memory = json->at("memory").get<double>();
+  } catch (const Json::exception&) {
+    return Error{ErrorCode::bad_input, manifest_file(folder).string() + " cannot be read.",
+                 "Cut the input anew."};
+  }
+  return TileFolder(folder, std::move(m));
+}
+
+fs::path TileFolder::output(std::uint32_t round, const GridPlace& tile) const {
+  return z_folder(folder_, round) / (name_of(tile) + ".facets");
+}
+
+Result<std::vector<Triangle3>> TileFolder::z_before(std::uint32_t round, const Box3& box) const {
+  return facets_in(z_folder(folder_, round - 1), box);
+}
+
+Result<std::vector<Triangle3>> TileFolder::input(const Box3& box) const {
+  return facets_in(folder_ / "input", box);
+}
+
+std::vector<std::size_t> TileFolder::pending(const TileRound& round) const {
+  std::vector<std::size_t> left;
+  std::error_code failed;
+  for (std::size_t i = 0; i < round.tiles.size(); ++i)
+    if (!fs::exists(output(round.number, round.tiles[i].tile), failed)) left.push_back(i);
+  return left;
+}
+
+Result<std::vector<TileRound>> TileFolder::begun() const {
+  std::vector<TileRound> rounds;
+  std::error_code failed;
+  for (std::uint32_t n = 1; fs::exists(round_file(folder_, n), failed); ++n) {
+    auto read = read_round(round_file(folder_, n), n);
+    if (!read) return read.error();
+    rounds.push_back(std::move(*read));
+  }
+  return rounds;
+}
+
+Result<std::optional<TileRound>> TileFolder::next(const std::vector<TileRound>& begun) const {
+  const auto done = static_cast<std::uint32_t>(begun.size());
+  const auto loads = loads_of(z_folder(folder_, done), folder_ / "input");
+  if (!loads) return loads.error();
+  TileRound round;
+  round.number = done + 1;
+  for (const BrickLoad& load : *loads) round.facets += load.facets;
+  const auto follows =
+      next_round(grid(), begun, round.facets, manifest_.parameters.effort, manifest_.memory, *loads);
+  if (!follows) return std::optional<TileRound>();
+  round.tiling = follows->tiling;
+  round.effort = follows->effort;
+  std::map<GridPlace, std::uint64_t> tiles;
+  for (const BrickLoad& load : *loads)
+    if (load.facets > 0) tiles[grid().tile_of(round.tiling, load.brick)] += load.facets;
+  for (const auto& [tile, facets] : tiles) round.tiles.push_back({tile, facets});
+  std::stable_sort(round.tiles.begin(), round.tiles.end(),
+                   [](const TileWork& a, const TileWork& b) { return a.facets > b.facets; });
+  std::error_code failed;
+  fs::create_directories(z_folder(folder_, round.number), failed);
+  if (Status written = write_text_file(round_file(folder_, round.number), text_of(round)); !written)
+    return written.error();
+  if (done > 0) fs::remove_all(z_folder(folder_, done - 1), failed);
+  return std::optional(round);
+}
+
+Result<std::optional<TileRound>> TileFolder::round() const {
+  for (int look = 1;; ++look) {
+    auto rounds = begun();
+    if (!rounds) return rounds.error();
+    if (!rounds->empty() && !pending(rounds->back()).empty()) return std::optional(rounds->back());
+    auto planned = next(*rounds);
+    if (planned || look == looks) return planned;
+  }
+}
+
+Result<std::uint32_t> TileFolder::complete_rounds() const {
+  const auto rounds = begun();
+  if (!rounds) return rounds.error();
+  const auto n = static_cast<std::uint32_t>(rounds->size());
+  return n > 0 && !pending(rounds->back()).empty() ? n - 1 : n;
+}
+
+} // namespace isoscope

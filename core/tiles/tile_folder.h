@@ -1,0 +1,85 @@
+// A folder of tiles: what was cut, the rounds, and which tiles are left to do. All state is in files, each of
+// which is there whole or not at all, so that any number of programs may work on it, and be killed.
+//
+//   tiles.json        what was cut, with the parameters
+//   input/x_y_z       the input's triangles, turned outwards
+//   rounds/N.json     the tiling of round N, with its tiles, heaviest first
+//   z/N/x_y_z         the facets of Z that a tile of round N has left; z/0 is the first Z
+#pragma once
+
+#include "base/status.h"
+#include "run/parameters.h"
+#include "tiles/facet_file.h"
+#include "tiles/tile_grid.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isoscope {
+
+/// What tiles.json says.
+struct TileManifest {
+  RunParameters parameters;
+  double delta = 0; ///< absolute
+  double brick = 0; ///< side, a power of two
+  Box3 box;         ///< of the input
+  std::uint64_t triangles = 0;
+  double memory = 0; ///< bytes that the improver may take for a tile
+};
+
+/// One tile of a round.
+struct TileWork {
+  GridPlace tile{};
+  std::uint64_t facets = 0; ///< of Z whose lowest vertex it holds, before the round
+};
+struct TileRound {
+  std::uint32_t number = 0; ///< from 1
+  Tiling tiling;
+  int effort = 1;           ///< of the improver
+  std::uint64_t facets = 0; ///< of Z before it
+  std::vector<TileWork> tiles;
+};
+
+class TileFolder {
+ public:
+  /// Makes the folder from a first Z and the input, both oriented; the box, the bricks and the number of
+  /// triangles follow from them. Fails with usage where the folder has tiles already, with io.
+  static Result<TileFolder> create(const std::filesystem::path& folder, TileManifest manifest,
+                                   const std::vector<Triangle3>& z, const std::vector<Triangle3>& input);
+  /// Fails with usage where there are no tiles, with bad_input where they cannot be read.
+  static Result<TileFolder> open(const std::filesystem::path& folder);
+  /// Whether a folder has tiles.
+  static bool exists(const std::filesystem::path& folder);
+
+  const std::filesystem::path& folder() const { return folder_; }
+  const TileManifest& manifest() const { return manifest_; }
+  TileGrid grid() const { return {manifest_.brick, manifest_.box}; }
+
+  /// The round that is at hand: the last one that was begun, or, where all its tiles are there, the next,
+  /// which is begun by that. Nothing once no round is worthwhile any more. What it gives depends on the files
+  /// only.
+  Result<std::optional<TileRound>> round() const;
+  /// The tiles of a round that are not there yet, by their places in its list.
+  std::vector<std::size_t> pending(const TileRound& round) const;
+  /// Rounds that are complete.
+  Result<std::uint32_t> complete_rounds() const;
+
+  std::filesystem::path output(std::uint32_t round, const GridPlace& tile) const;
+  /// Facets of Z before a round, and triangles of the input, whose bricks' boxes meet a box.
+  Result<std::vector<Triangle3>> z_before(std::uint32_t round, const Box3& box) const;
+  Result<std::vector<Triangle3>> input(const Box3& box) const;
+
+ private:
+  TileFolder(std::filesystem::path folder, TileManifest manifest)
+      : folder_(std::move(folder)), manifest_(std::move(manifest)) {}
+  Result<std::vector<TileRound>> begun() const;
+  Result<std::optional<TileRound>> next(const std::vector<TileRound>& begun) const;
+
+  std::filesystem::path folder_;
+  TileManifest manifest_;
+};
+
+} // namespace isoscope

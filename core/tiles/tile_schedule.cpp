@@ -1,0 +1,80 @@
+// Sums the bricks of each tile; the rest follows from the rounds so far.
+#include "tiles/tile_schedule.h"
+
+#include <algorithm>
+#include <map>
+
+namespace isoscope {
+namespace {
+
+/// Below this share of its facets four rounds are the last of their level; of one that larger tiles follow.
+constexpr double worthwhile = 0.01, worthwhile_below = 0.1;
+/// Of what lies around a tile and is read with it.
+constexpr double surroundings = 1.3;
+
+Tiling tiling_of(const TileGrid& grid, std::int32_t level) {
+  return {level, 0, grid.is_whole(level)};
+}
+
+NextRound begin_level(const TileGrid& grid, std::int32_t level, int effort, double memory,
+                      const std::vector<BrickLoad>& loads) {
+  const bool last = grid.is_whole(level) || heaviest_tile(grid, level + 1, loads) > memory;
+  return {tiling_of(grid, level), last ? effort : std::min(effort, 1)};
+}
+
+} // namespace
+
+double heaviest_tile(const TileGrid& grid, std::int32_t level, const std::vector<BrickLoad>& loads) {
+  Tiling tiling = tiling_of(grid, level);
+  double heaviest = 0;
+  for (tiling.shift = 0; tiling.shift < (tiling.whole ? 1 : shifts); ++tiling.shift) {
+    std::map<GridPlace, double> tiles;
+    for (const BrickLoad& load : loads)
+      tiles[grid.tile_of(tiling, load.brick)] +=
+          surroundings * (bytes_of_tile_facet * static_cast<double>(load.facets) +
+                          bytes_of_tile_triangle * static_cast<double>(load.triangles));
+    for (const auto& [tile, bytes] : tiles) heaviest = std::max(heaviest, bytes);
+  }
+  return heaviest;
+}
+
+double fitting_brick(const Box3& box, double memory, double least, const std::vector<Triangle3>& z,
+                     const std::vector<Triangle3>& input) {
+  double brick = largest_brick(box);
+  for (; brick / 2 >= least; brick /= 2) {
+    const TileGrid grid(brick, box);
+    std::map<GridPlace, BrickLoad> bricks;
+    for (const Triangle3& f : z) ++bricks[grid.brick_of(canonical(f)[0])].facets;
+    for (const Triangle3& t : input) ++bricks[grid.brick_of(canonical(t)[0])].triangles;
+    std::vector<BrickLoad> loads;
+    for (auto& [place, load] : bricks) {
+      load.brick = place;
+      loads.push_back(load);
+    }
+    if (heaviest_tile(grid, 0, loads) <= memory) break;
+  }
+  return brick;
+}
+
+std::optional<NextRound> next_round(const TileGrid& grid, const std::vector<TileRound>& complete,
+                                    std::uint64_t facets, int effort, double memory,
+                                    const std::vector<BrickLoad>& loads) {
+  if (complete.empty()) return begin_level(grid, 0, effort, memory, loads);
+  const TileRound& last = complete.back();
+  if (last.tiling.whole) return std::nullopt;
+  if (last.tiling.shift + 1 < shifts) {
+    NextRound next{last.tiling, last.effort};
+    ++next.tiling.shift;
+    return next;
+  }
+  const auto before = static_cast<double>(complete[complete.size() - shifts].facets);
+  const double gain = before > 0 ? 1 - static_cast<double>(facets) / before : 0;
+  const NextRound again{{last.tiling.level, 0, false}, last.effort};
+  const bool goes_up = heaviest_tile(grid, last.tiling.level + 1, loads) <= memory;
+  if (gain >= (goes_up ? worthwhile_below : worthwhile)) return again;
+  if (goes_up) return begin_level(grid, last.tiling.level + 1, effort, memory, loads);
+  if (last.effort < effort) return NextRound{again.tiling, effort};
+  return std::nullopt;
+}
+
+} // namespace isoscope

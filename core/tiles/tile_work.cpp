@@ -1,0 +1,235 @@
+// From files to a mesh, through the improver, and back to files.
+#include "tiles/tile_work.h"
+
+#include "base/memory.h"
+#include "base/stopwatch.h"
+#include "improve/improver.h"
+#include "run/crumbs.h"
+#include "simplify/first_surface.h"
+#include "tolerance/piece_witnesses.h"
+
+#include <algorithm>
+#include <limits>
+#include <system_error>
+#include <tuple>
+
+namespace isoscope {
+namespace {
+
+/// In δ: repairs look no farther, and what is farther from a tile matters to nothing in it.
+constexpr double input_reach = 3;
+
+Error cancelled_error() {
+  return {ErrorCode::cancelled, "The run was stopped.", "What is done is kept: go on with the same folder."};
+}
+
+auto key(Vec3 p) {
+  return std::tuple(p.x, p.y, p.z);
+}
+bool before(Vec3 a, Vec3 b) {
+  return key(a) < key(b);
+}
+
+/// Points in ascending order, facets in the order of their corners: the same for the same facets.
+TriangleMesh mesh_of(std::vector<Triangle3> facets) {
+  make_canonical(facets);
+  TriangleMesh mesh;
+  for (const Triangle3& f : facets) mesh.points.insert(mesh.points.end(), f.begin(), f.end());
+  std::sort(mesh.points.begin(), mesh.points.end(), before);
+  mesh.points.erase(std::unique(mesh.points.begin(), mesh.points.end()), mesh.points.end());
+  const auto vertex = [&](Vec3 p) {
+    return static_cast<std::uint32_t>(std::lower_bound(mesh.points.begin(), mesh.points.end(), p, before) -
+                                      mesh.points.begin());
+  };
+  for (const Triangle3& f : facets) mesh.triangles.push_back({vertex(f[0]), vertex(f[1]), vertex(f[2])});
+  return mesh;
+}
+
+std::vector<Triangle3> facets_of(const TriangleMesh& mesh) {
+  std::vector<Triangle3> facets;
+  facets.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles)
+    facets.push_back({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
+  return facets;
+}
+
+TriangleSoup soup_of(std::vector<Triangle3> facets) {
+  TriangleMesh mesh = mesh_of(std::move(facets));
+  TriangleSoup soup;
+  soup.points = std::move(mesh.points);
+  soup.triangles = std::move(mesh.triangles);
+  return soup;
+}
+
+bool overlap(const Box3& a, const Triangle3& t) {
+  Box3 box;
+  for (const Vec3 p : t) box.add(p);
+  for (int k = 0; k < 3; ++k)
+    if (a.lo[k] > box.hi[k] || box.lo[k] > a.hi[k]) return false;
+  return true;
+}
+
+/// Nobody watches a tile.
+class Unwatched : public ImproverObserver {
+ public:
+  bool accepted(const SurfaceChange&, const ImproverVerdict&) override { return true; }
+  bool rejected(const ImproverVerdict&) override { return true; }
+};
+
+/// Z and the input around a tile.
+struct Surroundings {
+  TriangleMesh z;     ///< all facets whose boxes meet the tile
+  TriangleSoup input; ///< within reach of the tile
+};
+
+Result<Surroundings> read_surroundings(const TileFolder& folder, const TileRound& round,
+                                       const ChangeBox& bounds) {
+  const Box3 box{bounds.lo, bounds.hi};
+  auto z = folder.z_before(round.number, box);
+  if (!z) return z.error();
+  std::erase_if(*z, [&](const Triangle3& f) { return !overlap(box, f); });
+  const Box3 around = box.grown(input_reach * folder.manifest().delta);
+  auto input = folder.input(around);
+  if (!input) return input.error();
+  std::erase_if(*input, [&](const Triangle3& t) { return !overlap(around, t); });
+  return Surroundings{mesh_of(std::move(*z)), soup_of(std::move(*input))};
+}
+
+Status improve_tile(const TileFolder& folder, const TileRound& round, const ChangeBox& bounds,
+                    Surroundings& at, const RunControl& control) {
+  const RunParameters& p = folder.manifest().parameters;
+  const ClosestPointIndex index(at.input, control);
+  auto witnesses = witnesses_of_piece(index, folder.manifest().delta, control);
+  if (control.cancelled()) return cancelled_error();
+  if (!witnesses) return witnesses.error();
+  std::erase_if(*witnesses, [&](Vec3 w) { return !bounds.holds(w); });
+  const ImproverGround ground{index, folder.manifest().delta, std::move(*witnesses), nullptr, bounds};
+  ImproverOptions options = improver_options(p.criteria(folder.manifest().delta), round.effort);
+  options.preserve_normals = false; // condition 3 asks samples, which tiles have not
+  Unwatched nobody;
+  improve(at.z, ground, nullptr, options, control, nobody);
+  return control.cancelled() ? Status(cancelled_error()) : Status();
+}
+
+} // namespace
+
+Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::filesystem::path& folder,
+                                  double memory, RunControl& control) {
+  if (TileFolder::exists(folder))
+    return Error{ErrorCode::usage, folder.string() + " has tiles already.",
+                 "Go on with them, or name another folder."};
+  RunParameters p = parameters;
+  if (p.start == FirstZ::lattice)
+    return Error{ErrorCode::usage, "Tiles begin with the input itself, not with a lattice.",
+                 "Leave --start out."};
+  p.start = FirstZ::input;
+  p.time_limit = 0; // the control has it, for all parts together
+  Preparation preparation(p, control);
+  const auto scene = preparation.make(nullptr, {}, ThinParts::refuse);
+  if (!scene) return scene.error();
+  if (Status can = can_start_from_input(preparation.volume()); !can) return can.error();
+  const FirstSurface first = first_from_input(preparation.volume());
+  TileManifest manifest;
+  manifest.parameters = p;
+  manifest.delta = (*scene)->delta;
+  manifest.memory = memory;
+  const std::vector<Triangle3> facets = facets_of(first.mesh);
+  return TileFolder::create(folder, std::move(manifest), facets, facets);
+}
+
+bool is_run_of(const TileFolder& folder, const RunParameters& parameters, double memory) {
+  RunParameters was = folder.manifest().parameters, is = parameters;
+  is.start = was.start;
+  is.threads = was.threads;
+  is.time_limit = was.time_limit;
+  is.memory_limit = was.memory_limit;
+  return was == is && folder.manifest().memory == memory;
+}
+
+Status make_tile(const TileFolder& folder, const TileRound& round, std::size_t tile,
+                 const RunControl& control) {
+  const GridPlace& place = round.tiles[tile].tile;
+  const TileGrid grid = folder.grid();
+  const ChangeBox bounds = grid.bounds(round.tiling, place);
+  auto at = read_surroundings(folder, round, bounds);
+  if (!at) return at.error();
+  const bool any = std::any_of(at->z.triangles.begin(), at->z.triangles.end(), [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return bounds.holds(at->z.points[v]); });
+  });
+  if (any)
+    if (Status improved = improve_tile(folder, round, bounds, *at, control); !improved) return improved;
+  std::vector<Triangle3> own = facets_of(at->z);
+  std::erase_if(own, [&](const Triangle3& f) {
+    return grid.tile_of(round.tiling, grid.brick_of(canonical(f)[0])) != place;
+  });
+  return write_facets(folder.output(round.number, place), grid, std::move(own));
+}
+
+Status make_tile_if_missing(const TileFolder& folder, const TileRound& round, std::size_t tile,
+                            const RunControl& control) {
+  std::error_code failed;
+  if (std::filesystem::exists(folder.output(round.number, round.tiles[tile].tile), failed)) return {};
+  return make_tile(folder, round, tile, control);
+}
+
+Status make_all_tiles(const TileFolder& folder, const RunControl& control) {
+  for (;;) {
+    const auto round = folder.round();
+    if (!round) return round.error();
+    if (!*round) return {};
+    const std::vector<std::size_t> pending = folder.pending(**round);
+    const std::size_t done = (*round)->tiles.size() - pending.size();
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+      control.report("tiles, round " + std::to_string((*round)->number),
+                     static_cast<double>(done + i) / static_cast<double>((*round)->tiles.size()));
+      if (control.cancelled()) return cancelled_error();
+      if (Status made = make_tile_if_missing(folder, **round, pending[i], control); !made) return made;
+    }
+  }
+}
+
+Result<JoinedTiles> join_tiles(const TileFolder& folder, RunControl& control) {
+  const Stopwatch watch;
+  const auto round = folder.round();
+  if (!round) return round.error();
+  if (*round)
+    return Error{ErrorCode::usage,
+                 "Round " + std::to_string((*round)->number) + " has " +
+                     std::to_string(folder.pending(**round).size()) + " of " +
+                     std::to_string((*round)->tiles.size()) + " tiles left.",
+                 "Make them first: isoscope-run tiles step."};
+  const auto rounds = folder.complete_rounds();
+  if (!rounds) return rounds.error();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Box3 everywhere{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+  auto z = folder.z_before(*rounds + 1, everywhere);
+  if (!z) return z.error();
+  auto input = folder.input(everywhere);
+  if (!input) return input.error();
+  RunParameters p = folder.manifest().parameters;
+  p.tolerance = {folder.manifest().delta, false};
+  p.drop_small = 0; // those are gone
+  Preparation preparation(p, control);
+  auto soup = soup_of(std::move(*input));
+  soup.name = std::filesystem::path(p.input).stem().string();
+  const auto scene =
+      preparation.make(std::make_shared<const TriangleSoup>(std::move(soup)), {}, ThinParts::accept);
+  if (!scene) return scene.error();
+  JoinedTiles joined;
+  joined.parameters = p;
+  joined.scene = *scene;
+  RunResult& r = joined.result;
+  r.mesh = mesh_of(std::move(*z));
+  r.last_stage = Stage::improve;
+  r.form = ZeroForm::free;
+  r.certificate = certify(r.mesh, preparation.volume(), (*scene)->expected, control,
+                          {p.cover, p.topology == TopologyMode::separate, true});
+  if (control.cancelled()) r.end = control.timed_out() ? RunResult::End::limit : RunResult::End::stopped;
+  r.crumbs = count_small_parts(r.mesh, crumb_size * (*scene)->delta);
+  r.normals = measure_normal_deviation(r.mesh, preparation.volume(), control);
+  r.seconds = watch.seconds();
+  r.peak_memory_bytes = peak_memory_bytes();
+  return joined;
+}
+
+} // namespace isoscope
