@@ -14,8 +14,9 @@ namespace isoscope {
 /// A file that may be damaged or cut short anywhere.
 class PageFile {
  public:
+  enum class Log { taken, ignored };
   /// Fails with bad_input where no file is, and with io when it cannot be read.
-  static Result<PageFile> open(const std::filesystem::path& file);
+  static Result<PageFile> open(const std::filesystem::path& file, Log log = Log::taken);
 
   std::size_t page_size() const { return page_size_; }
   /// Also the last one, which may be cut off.

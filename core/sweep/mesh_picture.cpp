@@ -45,7 +45,7 @@ double shade(Vec3 n) {
   const Vec3 key = normalized({-0.45, 0.65, 0.75}), fill = normalized({0.9, 0.1, 0.3});
   const double side = n.z >= 0 ? 1 : 0.82;
   if (n.z < 0) n = -n;
-  return side * (0.30 + 0.60 * std::max(0.0, dot(n, key)) + 0.14 * std::max(0.0, dot(n, fill)));
+  return side * (0.35 + 0.63 * std::max(0.0, dot(n, key)) + 0.14 * std::max(0.0, dot(n, fill)));
 }
 
 class Canvas {

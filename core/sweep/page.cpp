@@ -64,17 +64,19 @@ std::string reference(const std::string& path) {
   return out;
 }
 
-/// What a person reads of a run that is not certified.
+/// What a person reads of a run that is not certified: lines of the certificate that do not hold, and the
+/// program's last words.
 std::string words_of(const Row& row) {
-  if (!row.message.empty()) return row.message;
-  std::string lost;
-  for (const auto& [line, holds] : row.certificate) {
-    if (holds || line == "holds") continue;
-    std::string plain = line;
-    std::replace(plain.begin(), plain.end(), '_', ' ');
-    lost += (lost.empty() ? "not: " : ", ") + plain;
-  }
-  return lost;
+  std::string words;
+  if (row.outcome != Outcome::certified)
+    for (const auto& [line, holds] : row.certificate) {
+      if (holds || line == "holds") continue;
+      std::string plain = line;
+      std::replace(plain.begin(), plain.end(), '_', ' ');
+      words += (words.empty() ? "Not: " : ", ") + plain;
+    }
+  if (words.empty() || row.message.empty()) return words + row.message;
+  return words + ". " + row.message;
 }
 
 template <class T> Json value(const std::optional<T>& v) {

@@ -28,8 +28,10 @@ void read_report(const fs::path& file, Row& row) {
     row.covers = upper.get<double>() / report.at("parameters").at("tolerance").get<double>();
 }
 
-/// A sentence that does not depend on where the model lies.
-std::string without_folder(std::string message, const std::string& model, const std::string& name) {
+/// The sentence itself, which does not depend on where the model lies.
+std::string plain_words(std::string message, const std::string& model, const std::string& name) {
+  for (const std::string_view before : {"isoscope-run: ", "note: "})
+    if (message.starts_with(before)) message.erase(0, before.size());
   const std::size_t at = message.find(model);
   if (at != std::string::npos) message.replace(at, model.size(), name);
   return message;
@@ -69,7 +71,7 @@ std::optional<Row> run_one(const RunCall& call, const Asked& asked, const Limits
   row.exit = end.exit;
   row.seconds = end.seconds;
   row.memory = end.memory_mb;
-  row.message = without_folder(end.last_words, call.model, asked.model);
+  row.message = plain_words(end.last_words, call.model, asked.model);
   try {
     read_report(call.report, row);
   } catch (const Json::exception&) {

@@ -49,7 +49,7 @@ TEST_CASE("The page has a row a run, counts, and nothing that a name could break
   const std::string text = page(place, plan, rows);
   CHECK(count_of(text, "</script>") == 2);
   CHECK(count_of(text, "http") == 0); // it asks nobody for anything
-  CHECK(text.find("<h1>1 run of 4 certified</h1>") != std::string::npos);
+  CHECK(text.find("<h1>1 of 4 runs certified</h1>") != std::string::npos);
   CHECK(text.find("1 run to go") != std::string::npos);
   CHECK(text.find("not certified 1</button>") != std::string::npos);
   const std::size_t from = text.find("id=\"rows\">") + 10;
@@ -60,7 +60,7 @@ TEST_CASE("The page has a row a run, counts, and nothing that a name could break
   CHECK(data["rows"][1][4] == 12);
   CHECK(data["rows"][1][10] == "2%25/%3C/script%3E%3Cb%3E.off");
   CHECK(data["rows"][1][11] == "data:image/png;base64,cGljdHVyZQ==");
-  CHECK(data["rows"][2][9] == "not: covers");
+  CHECK(data["rows"][2][9] == "Not: covers");
   CHECK(data["outcomes"].size() == outcome_count);
 }
 
