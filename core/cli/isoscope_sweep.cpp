@@ -150,7 +150,7 @@ int run(int argc, char** argv) {
   app.option("--slurm-option", asks.slurm_options,
              "for sbatch, such as --slurm-option=--partition=long; repeatable");
   app.flag("--quiet", asks.quiet, "print nothing but errors");
-  const PassedOptions passed(app, {"INPUT", "--tolerance", "--inside"});
+  const PassedOptions passed(app, {"INPUT", "--tolerance", "--inside", "--levels", "--label"});
   app.version("isoscope-sweep " + std::string(version()));
   for (const Verb& verb : verbs) app.verb(verb.told);
   app.notes(
@@ -169,6 +169,7 @@ int run(int argc, char** argv) {
     if (argc > 1 && verb.told.name == argv[1]) return verb.run(argc - 1, argv + 1);
   if (const auto ended = app.parse(argc, argv)) return *ended;
   if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
+  if (Status there = check_program(asks.program); !there) return fail(there.error());
   const auto plan = plan_of(asks, passed, app);
   if (!plan) return fail(plan.error());
   const Folder folder(asks.folder);

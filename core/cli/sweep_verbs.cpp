@@ -5,8 +5,10 @@
 #include "cli/command_line.h"
 #include "cli/exit_status.h"
 #include "cli/interruptible.h"
-#include "sweep/comparison.h"
+#include "run/report.h"
 #include "sweep/page.h"
+
+#include <unistd.h>
 
 namespace isoscope {
 
@@ -44,6 +46,12 @@ fs::path own_program() {
 
 fs::path run_program() {
   return own_program().parent_path() / "isoscope-run";
+}
+
+Status check_program(const fs::path& program) {
+  if (::access(program.c_str(), X_OK) == 0) return {};
+  return Error{ErrorCode::usage, program.string() + " cannot be started.",
+               "Give an isoscope-run by --program."};
 }
 
 int sweep_status(const Plan& plan, const std::map<std::size_t, Row>& rows) {
@@ -94,6 +102,7 @@ int sweep_step(int argc, char** argv) {
     return fail({ErrorCode::usage, "There is no run " + std::to_string(run) + ".",
                  "The last one is " + std::to_string(plan->runs() - 1) + "."},
                 2);
+  if (Status there = check_program(program); !there) return fail(there.error());
   const auto rows = rows_with_part(folder, *plan, run);
   if (!rows) return fail(rows.error());
   std::vector<std::size_t> wanted;
@@ -140,13 +149,14 @@ int sweep_merge(int argc, char** argv) {
 }
 
 int sweep_compare(int argc, char** argv) {
-  std::string a, b;
+  std::string a, b, page_file;
   CommandLine app{"Tells what is worse in a sweep than in an earlier one: runs that fail, lost lines of the "
                   "certificate, a fifth more vertices, distance or time. Times count by the median of all "
                   "runs, so that another machine is no difference.",
                   "isoscope-sweep compare"};
   app.option("A", a, "the earlier sweep: its folder or its table", true);
   app.option("B", b, "the later one", true);
+  app.option("--page", page_file, "write it as a page too: FILE.html");
   app.exit_status("0 nothing is worse, 1 something is, 2 usage or a file that cannot be read.");
   app.see_also("isoscope-sweep");
   if (const auto ended = app.parse(argc, argv)) return *ended;
@@ -159,6 +169,9 @@ int sweep_compare(int argc, char** argv) {
                      " are in both; the later sweep took " + general(c.speed, 3) + " times as long\n";
   text += told("Worse:", c.worse) + told("Better:", c.better) + told("Also:", c.notes);
   if (Status printed = print(text); !printed) return fail(printed.error(), 2);
+  if (!page_file.empty())
+    if (Status written = write_text_file(page_file, comparison_page(c, a, b)); !written)
+      return fail(written.error(), 2);
   return c.worse.empty() ? 0 : 1;
 }
 

@@ -20,6 +20,8 @@ int sweep_compare(int argc, char** argv);
 /// The program itself and isoscope-run beside it; the other's bare name where it is not.
 std::filesystem::path own_program();
 std::filesystem::path run_program();
+/// Fails with usage where it is no program, before all runs do.
+Status check_program(const std::filesystem::path& program);
 /// What came of all runs, as an exit status: 0 all are certified, 1 some are not, 4 some are missing.
 int sweep_status(const sweep::Plan& plan, const std::map<std::size_t, sweep::Row>& rows);
 /// Merges, writes the page and says what came of it.

@@ -23,13 +23,14 @@ std::string number(double value) {
 
 void compare_results(const Row& before, const Row& now, Comparison& out) {
   const std::string here = name_of(now.asked);
-  if (before.exit != now.exit || before.outcome != now.outcome) {
-    std::string change =
-        here + std::string(name(before.outcome)) + " became " + std::string(name(now.outcome));
-    if (before.outcome == now.outcome)
-      change += " otherwise: exit " + std::to_string(before.exit) + " became " + std::to_string(now.exit);
-    if (!now.message.empty()) change += " (" + now.message + ")";
-    (now.exit == 0 ? out.better : out.worse).push_back(change);
+  const std::string because = now.message.empty() ? "" : " (" + now.message + ")";
+  if (before.outcome != now.outcome) {
+    auto& list = now.outcome < before.outcome ? out.better : out.worse; // best first
+    list.push_back(here + std::string(name(before.outcome)) + " became " + std::string(name(now.outcome)) +
+                   because);
+  } else if (before.exit != now.exit) {
+    out.notes.push_back(here + "exit " + std::to_string(before.exit) + " became " + std::to_string(now.exit) +
+                        because);
   }
   for (const auto& [line, held] : before.certificate) {
     const auto found = now.certificate.find(line);
@@ -81,6 +82,10 @@ Comparison compare(const std::vector<Row>& old_rows, const std::vector<Row>& new
   out.speed = median(ratios);
   for (const auto& [a, b] : pairs) {
     compare_results(*a, *b, out);
+    if (a->vertices.value_or(0) > 0 && b->vertices.value_or(0) > 0) {
+      out.vertices.push_back(static_cast<double>(*b->vertices) / static_cast<double>(*a->vertices));
+      if (a->seconds > 0 && b->seconds > 0) out.seconds.push_back(b->seconds / a->seconds);
+    }
     const double fair = a->seconds * out.speed;
     if (a->exit == b->exit && b->seconds > much * fair && b->seconds - fair > least_seconds)
       out.worse.push_back(name_of(b->asked) + number(fair) + " CPU seconds became " + number(b->seconds) +

@@ -11,6 +11,7 @@ namespace isoscope::sweep {
 struct Comparison {
   std::vector<std::string> worse, better, notes; ///< sentences that begin with model and tolerance
   std::size_t compared = 0;
+  std::vector<double> vertices, seconds; ///< new over old, of runs that have both
   double speed = 1; ///< median of new seconds over old: how this machine compares with the table's
 };
 

@@ -51,6 +51,9 @@ td.model{overflow-wrap:anywhere}td a{color:inherit;text-decoration:none;border-b
 td a:hover{color:var(--accent);border-color:currentColor}
 .outcome{white-space:nowrap}.words{font-size:.85rem;color:var(--quiet);max-width:22rem;overflow-wrap:anywhere}
 .none{color:var(--quiet)}
+h2{font-size:1.05rem;font-weight:600;margin:2rem 0 .5rem}h2 small{font-weight:400;color:var(--quiet);margin-left:.3rem}
+ul{list-style:none;margin:0;padding:0}li{padding:.32rem 0 .32rem 1rem;border-bottom:1px solid var(--line);color:var(--quiet)}
+li b{font-weight:500;color:var(--text)}
 @media (max-width:60rem){td.words,th.words{display:none}}
 @media (prefers-reduced-motion:reduce){td.picture img{transition:none}}
 )css";

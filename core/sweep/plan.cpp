@@ -18,8 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 8> endings{".off", ".obj", ".ply", ".stl",
-                                                  ".xyz", ".pts", ".asc", ".nrrd"};
+constexpr std::array<std::string_view, 7> endings{".off", ".obj", ".ply", ".stl", ".xyz", ".pts", ".asc"};
 constexpr std::string_view bundled = "gallery:";
 
 std::string lowered(std::string text) {
@@ -46,7 +45,7 @@ Status take_folder(const fs::path& folder, std::vector<Model>& models) {
       found.push_back({at->path().lexically_relative(folder).string(), whole_path(at->path())});
   if (found.empty())
     return Error{ErrorCode::bad_input, folder.string() + " holds no models.",
-                 "Models are files that end in .off, .obj, .ply, .stl, .xyz, .pts, .asc or .nrrd."};
+                 "Models are files that end in .off, .obj, .ply, .stl, .xyz, .pts or .asc."};
   std::sort(found.begin(), found.end(), [](const Model& a, const Model& b) { return a.name < b.name; });
   models.insert(models.end(), found.begin(), found.end());
   return {};

@@ -1,8 +1,11 @@
 // The process, then its report.
 #include "sweep/run_row.h"
 
+#include "base/numbers.h"
+
 #include <nlohmann/json.hpp>
 
+#include <cstring>
 #include <fstream>
 
 namespace isoscope::sweep {
@@ -35,6 +38,15 @@ std::string plain_words(std::string message, const std::string& model, const std
   const std::size_t at = message.find(model);
   if (at != std::string::npos) message.replace(at, model.size(), name);
   return message;
+}
+
+/// What ended a process that said nothing itself.
+std::string end_in_words(const ChildEnd& end) {
+  if (end.timed_out) return "Killed after " + fixed(end.seconds, 0) + " CPU seconds.";
+  if (end.exit == 127) return "The program cannot be started.";
+  return end.exit > 128
+             ? "Ended by signal " + std::to_string(end.exit - 128) + ", " + ::strsignal(end.exit - 128) + "."
+             : std::string();
 }
 
 bool is_missing(const std::string& model) {
@@ -72,6 +84,7 @@ std::optional<Row> run_one(const RunCall& call, const Asked& asked, const Limits
   row.seconds = end.seconds;
   row.memory = end.memory_mb;
   row.message = plain_words(end.last_words, call.model, asked.model);
+  if (row.message.empty() || end.timed_out) row.message = end_in_words(end);
   try {
     read_report(call.report, row);
   } catch (const Json::exception&) {

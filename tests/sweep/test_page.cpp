@@ -93,3 +93,16 @@ TEST_CASE("A picture is the same each time and small; nothing gives none") {
   draw_result(folder.file("b.off", "OFF\n"), true, folder / "a.png");
   CHECK_FALSE(std::filesystem::exists(folder / "a.png"));
 }
+
+TEST_CASE("A comparison is a page too") {
+  Comparison c;
+  c.worse = {"<a>.off at 1%: certified became refused (oh: no)"};
+  c.better = {"b.off at 1%: 50 vertices became 40"};
+  c.compared = 7;
+  c.vertices = {0.8, 1, 1, 1.25};
+  const std::string text = comparison_page(c, "old", "new");
+  CHECK(text.find("<h1>1 worse, 1 better</h1>") != std::string::npos);
+  CHECK(text.find("<b>&lt;a&gt;.off at 1%</b>: certified became refused (oh: no)") != std::string::npos);
+  CHECK(text.find("new against old: 7 runs in both") != std::string::npos);
+  CHECK(count_of(text, "<svg") == 1); // no times are known
+}

@@ -80,6 +80,8 @@ TEST_CASE("What is worse is told, whatever the speed of the machine") {
   now.push_back(certified("new", 1, 10));
   const Comparison c = compare(before, now);
   CHECK(c.worse.size() == 6);
+  CHECK(c.vertices.size() == 9);
+  CHECK(c.vertices[2] == doctest::Approx(1.3));
   CHECK(tells(c.worse, "m0 at 1%: 6 CPU seconds became 7.8"));
   CHECK(tells(c.worse, "m1 at 1%: certified became not certified"));
   CHECK(tells(c.worse, "m1 at 1%: the certificate lost \"separates\""));
