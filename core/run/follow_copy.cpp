@@ -13,7 +13,7 @@ class Following {
  public:
   Following(const std::filesystem::path& file, const std::shared_ptr<Journal>& journal, RunControl& control,
             const RecordingAudience& audience)
-      : reader_(file), journal_(journal), control_(control), audience_(audience) {}
+      : file_(file), reader_(file), journal_(journal), control_(control), audience_(audience) {}
 
   Status run() {
     for (bool wanted = true; wanted && !control_.cancelled();) {
@@ -24,7 +24,9 @@ class Following {
       if (reader_.end()) return finish();
       wanted = audience_.wait();
     }
-    return leave(nullptr, true);
+    if (begun_) return leave(nullptr, true);
+    return Error{ErrorCode::cancelled, file_.string() + " has not come far enough to be shown.",
+                 "Open it again once there is more of it."};
   }
 
  private:
@@ -74,6 +76,7 @@ class Following {
     return {};
   }
 
+  std::filesystem::path file_;
   CopyReader reader_;
   std::shared_ptr<Journal> journal_;
   RunControl& control_;
@@ -85,7 +88,7 @@ class Following {
 
 Status follow_copy(const std::filesystem::path& file, const std::shared_ptr<Journal>& journal,
                    RunControl& control, const RecordingAudience& audience) {
-  control.report("the copy, which is awaited", -1);
+  control.report("waiting for the copy", -1);
   return Following(file, journal, control, audience).run();
 }
 

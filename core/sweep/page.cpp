@@ -137,7 +137,7 @@ std::string head(const Plan& plan, const Rows& rows) {
   std::string tolerances, options;
   for (const std::string& t : plan.tolerances) tolerances += (tolerances.empty() ? "" : ", ") + t;
   for (const std::string& o : plan.options) options += (options.empty() ? "" : " ") + o;
-  std::string text = "<h1>" + counted(certified, "run") + " of " + grouped(plan.runs()) +
+  std::string text = "<h1>" + grouped(certified) + " of " + counted(plan.runs(), "run") +
                      " certified</h1>\n<p>" + counted(plan.models.size(), "model") +
                      " at δ = " + escaped_markup(tolerances) + "; " + time_text(seconds) + " of CPU time";
   if (!options.empty()) text += "; each with <code>" + escaped_markup(options) + "</code>";

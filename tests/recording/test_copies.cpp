@@ -245,9 +245,17 @@ TEST_CASE("A session waits for a copy, follows it, and ends with the run") {
   // Nobody wants more of one that goes no further.
   write_bytes(folder / "part.isorun", holed);
   session.follow_copy(folder / "part.isorun");
+  REQUIRE(eventually([&] { return session.snapshot().phase == SessionPhase::following; }));
   session.stop();
   REQUIRE(session.wait_until_settled(60));
+  CHECK(session.snapshot().phase == SessionPhase::finished);
   CHECK(session.snapshot().recording->cut_short);
+  // Nor of one that never came.
+  session.follow_copy(folder / "never.isorun");
+  session.stop();
+  REQUIRE(session.wait_until_settled(60));
+  CHECK(session.snapshot().phase == SessionPhase::failed);
+  CHECK(session.snapshot().error->message.find("has not come") != std::string::npos);
 }
 
 TEST_CASE("Folders of this machine are not elsewhere") {
