@@ -88,12 +88,8 @@ struct CopyReader::Impl {
 
   /// The pages as they are now, behind a reader that goes on where it was. False where they end before that.
   Result<bool> open(PageFile::Log log) {
-    if (Status head = check_head(file); !head) return head.error();
-    auto pages = PageFile::open(file, log);
-    if (!pages) return pages.error();
-    auto database = Database::over(std::move(*pages), file);
+    auto database = recording_over_pages(file, log);
     if (!database) return database.error();
-    if (Status version = check_version(*database, file); !version) return version.error();
     if (reader) return reader->go_on_in(std::move(*database));
     auto opened = RecordingReader::over(std::move(*database), file);
     if (!opened) return opened.error();
@@ -131,7 +127,8 @@ struct CopyReader::Impl {
       if (end || (log == PageFile::Log::ignored && !now[1].there)) break;
       const std::size_t events = journal.events().size();
       const Status read_on = read(log, journal, control);
-      if (!read_on && (read_on.error().code == ErrorCode::usage || read_on.error().code == ErrorCode::unsupported)) {
+      if (!read_on &&
+          (read_on.error().code == ErrorCode::usage || read_on.error().code == ErrorCode::unsupported)) {
         another = read_on.error();
         return *another;
       }

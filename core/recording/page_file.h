@@ -11,6 +11,10 @@
 
 namespace isoscope {
 
+/// Whether a log lies beside a file whose head says that it has none: a copy's, of an earlier state. SQLite
+/// itself would take it for the newer one.
+bool has_stale_log(const std::filesystem::path& file);
+
 /// A file that may be damaged or cut short anywhere.
 class PageFile {
  public:

@@ -403,6 +403,10 @@ RecordingReader::~RecordingReader() = default;
 
 Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const fs::path& file) {
   if (Status head = check_head(file); !head) return head.error();
+  if (has_stale_log(file)) {
+    auto pages = recording_over_pages(file, PageFile::Log::ignored);
+    return pages ? over(std::move(*pages), file) : pages.error();
+  }
   std::optional<Error> first;
   for (const Access access : {Access::grow, Access::read, Access::frozen}) {
     if (access == Access::frozen && fs::exists(file.string() + "-wal")) break;

@@ -188,6 +188,12 @@ TEST_CASE("A log that stays behind does not hide the end") {
   check_same(read, *journal);
   CHECK(reader.end().has_value());
   CHECK_FALSE(*reader.look(read, RunControl())); // there is nothing new
+  // It is opened as any file, too, and the log does no harm to it.
+  const ReadBack back = read_back(here);
+  CHECK_FALSE(back.error.has_value());
+  CHECK(back.end.has_value());
+  check_same(*back.journal, *journal);
+  CHECK(text_of_file(here) == text_of_file(there));
 }
 
 TEST_CASE("A copy that becomes that of another run is told, and nothing is taken back") {

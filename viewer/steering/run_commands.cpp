@@ -201,8 +201,7 @@ void Steering::add_recording_commands(CommandTable& table) {
             "Shows a copy of a recording that grows on another machine, by rsync or on its file system, and "
             "goes on as more of it comes; without a name the recording that is shown.",
         .menu = "File",
-        .run = on(*this, follow_copy),
-        .enabled = [this] { return window.shows_recording(); }}});
+        .run = on(*this, follow_copy)}});
 }
 
 void Steering::add_run_commands(CommandTable& table) {
