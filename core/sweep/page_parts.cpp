@@ -28,7 +28,7 @@ background:var(--hover)}
 .chips input{font:inherit;font-size:.85rem;margin-left:auto;padding:.16rem .7rem;border:1px solid var(--line);
 border-radius:1rem;background:var(--card);color:var(--text);min-width:13rem}
 :focus-visible{outline:2px solid var(--accent);outline-offset:1px}
-.plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(15rem,1fr));gap:1rem;margin:1.6rem 0 .5rem}
+.plots{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:1rem;margin:1.6rem 0 .5rem}
 .plots figure{margin:0;background:var(--card);border:1px solid var(--line);border-radius:8px;padding:.7rem .8rem .4rem}
 .histogram{width:100%;height:auto;display:block}.histogram text{font-size:10px;fill:var(--text)}
 .histogram .title{font-weight:600;font-size:11px}.histogram .quiet{fill:var(--quiet)}.histogram .axis{fill:var(--line)}
