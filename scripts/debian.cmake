@@ -41,7 +41,8 @@ set(CPACK_PACKAGE_DESCRIPTION
 "Isoscope finds a coarse mesh with the right topology inside a tolerance volume,
 and shows how: isotopic approximation after Mandad, Cohen-Steiner and Alliez.
 Every decision is recorded with its reason; a run is played, paused, taken back
-and asked. isoscope is the window, isoscope-run does the same work without one.")
+and asked. isoscope is the window, isoscope-run does the same work without one,
+isoscope-sweep on many models.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};isoscope;programs;/;${CMAKE_BINARY_DIR};isoscope;debian;/")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS

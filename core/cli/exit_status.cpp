@@ -23,7 +23,7 @@ int exit_status(ErrorCode code) {
 }
 
 int fail(const Error& error, int status) {
-  std::fprintf(stderr, "isoscope-run: %s\n", error.line().c_str());
+  std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, error.line().c_str());
   return status;
 }
 

@@ -156,6 +156,7 @@ int run(int argc, char** argv) {
       "0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 stopped by a limit "
       "or by the user; 5 stopped at a breakpoint.");
   app.see_also("isoscope");
+  app.see_also("isoscope-sweep");
   for (const Verb& verb : verbs)
     if (argc > 1 && verb.told.name == argv[1]) return verb.run(argc - 1, argv + 1);
   if (const auto ended = app.parse(argc, argv)) return *ended;

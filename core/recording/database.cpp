@@ -2,7 +2,9 @@
 #include "recording/database.h"
 
 #include "recording/bytes.h"
+#include "recording/page_file.h"
 #include "recording/page_scan.h"
+#include "recording/page_system.h"
 
 #include <sqlite3.h>
 
@@ -208,6 +210,19 @@ Result<Database> Database::open(const std::filesystem::path& file, Access access
   database.connection_.reset(connection);
   if (code != SQLITE_OK) return error_of(connection, database.file_, code);
   sqlite3_busy_timeout(connection, patience_ms);
+  return database;
+}
+
+Result<Database> Database::over(PageFile pages, const std::filesystem::path& file) {
+  Database database;
+  database.file_ = file.string();
+  auto system = PageSystem::add(std::move(pages));
+  sqlite3* connection = nullptr;
+  const int code =
+      sqlite3_open_v2("pages", &connection, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, system->name());
+  database.pages_ = std::move(system);
+  database.connection_.reset(connection);
+  if (code != SQLITE_OK) return error_of(connection, database.file_, code);
   return database;
 }
 

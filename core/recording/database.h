@@ -18,6 +18,8 @@ struct sqlite3_stmt;
 
 namespace isoscope {
 
+class PageFile;
+class PageSystem;
 struct StoredValue;
 
 /// What to do with a damaged recording, as a sentence.
@@ -110,6 +112,9 @@ class Database {
   };
   /// An empty name makes a new file that vanishes with the connection.
   static Result<Database> open(const std::filesystem::path& file, Access access);
+  /// One that is only read, page by page, without any lock; queries must be gone before it. `file` is what
+  /// messages call it.
+  static Result<Database> over(PageFile pages, const std::filesystem::path& file);
 
   Status execute(const char* statements);
   Result<Query> prepare(std::string_view statement);
@@ -121,6 +126,7 @@ class Database {
   struct Close {
     void operator()(sqlite3* connection) const;
   };
+  std::shared_ptr<const PageSystem> pages_; ///< outlives the connection
   std::unique_ptr<sqlite3, Close> connection_;
   std::string file_;
 };

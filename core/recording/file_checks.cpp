@@ -64,4 +64,14 @@ Status check_version(Database& database, const fs::path& file) {
                newer ? "Open it with a newer Isoscope." : "Record the run again."};
 }
 
+Result<Database> recording_over_pages(const fs::path& file, PageFile::Log log) {
+  if (Status head = check_head(file); !head) return head.error();
+  auto pages = PageFile::open(file, log);
+  if (!pages) return pages.error();
+  auto database = Database::over(std::move(*pages), file);
+  if (!database) return database.error();
+  if (Status version = check_version(*database, file); !version) return version.error();
+  return database;
+}
+
 } // namespace isoscope

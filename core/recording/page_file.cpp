@@ -56,7 +56,15 @@ std::string read_at(std::ifstream& in, std::uint64_t at, std::size_t size) {
 
 } // namespace
 
-Result<PageFile> PageFile::open(const fs::path& file) {
+bool has_stale_log(const fs::path& file) {
+  std::error_code failure;
+  if (!fs::exists(file.string() + "-wal", failure)) return false;
+  std::ifstream in(file, std::ios::binary);
+  constexpr std::uint64_t versions = 18; // for writing and for reading: 1 without a log, 2 with one
+  return read_at(in, versions, 2) == "\1\1";
+}
+
+Result<PageFile> PageFile::open(const fs::path& file, Log log) {
   std::error_code failure;
   if (!fs::is_regular_file(file, failure))
     return Error{ErrorCode::bad_input, file.string() + " is no file.", "Check the name."};
@@ -71,7 +79,7 @@ Result<PageFile> PageFile::open(const fs::path& file) {
   if (pages.page_size_ == 1) pages.page_size_ = 65536;
   if (!std::has_single_bit(pages.page_size_) || pages.page_size_ < 512) pages.page_size_ = usual_page;
   pages.pages_ = static_cast<std::size_t>((bytes + pages.page_size_ - 1) / pages.page_size_);
-  pages.read_log(file);
+  if (log == Log::taken && !has_stale_log(file)) pages.read_log(file);
   return pages;
 }
 

@@ -11,11 +11,16 @@
 
 namespace isoscope {
 
+/// Whether a log lies beside a file whose head says that it has none: a copy's, of an earlier state. SQLite
+/// itself would take it for the newer one.
+bool has_stale_log(const std::filesystem::path& file);
+
 /// A file that may be damaged or cut short anywhere.
 class PageFile {
  public:
+  enum class Log { taken, ignored };
   /// Fails with bad_input where no file is, and with io when it cannot be read.
-  static Result<PageFile> open(const std::filesystem::path& file);
+  static Result<PageFile> open(const std::filesystem::path& file, Log log = Log::taken);
 
   std::size_t page_size() const { return page_size_; }
   /// Also the last one, which may be cut off.

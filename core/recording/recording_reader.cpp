@@ -1,6 +1,7 @@
 // Commit by commit: rows, their checksum, and only then the journal.
 #include "recording/recording_reader.h"
 
+#include "recording/commit_batch.h"
 #include "recording/database.h"
 #include "recording/delta_codec.h"
 #include "recording/file_checks.h"
@@ -14,16 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Access = Database::Access;
-
-/// What a commit brings, before its checksum is known to be right.
-struct Batch {
-  std::vector<std::string> sample_sets, texts, deltas;
-  std::vector<Journal::ParameterRecord> criteria;
-  std::vector<RepairDetail> repairs;
-  std::vector<Journal::StageMark> marks;
-  std::vector<Event> events;
-  std::vector<StepFigures> figures; ///< of the operations, as deltas
-};
 
 template <class Enum> bool read_enum(std::int64_t number, int count, Enum& value) {
   if (number < 0 || number >= count) return false;
@@ -41,12 +32,13 @@ struct RecordingReader::Impl {
   std::uint64_t input_digest = 0;
   Query commits, events, operations, sample_sets, criteria, texts, repairs, sweeps, marks;
   DeltaDecoder deltas;
-  Digest checksum;
+  Digest checksum, proven; ///< of what was read, after the last commit
   RecordingCounts read;
   std::int64_t last_commit = 0;
   std::size_t next_criteria = 0; ///< of `waiting`
   std::vector<Journal::ParameterRecord> waiting;
   std::optional<Error> broken; ///< nothing can be read after it
+  bool half_appended = false;  ///< in the middle of a commit, of which the journal has a part
 
   explicit Impl(Database d) : database(std::move(d)) {}
 
@@ -115,7 +107,7 @@ struct RecordingReader::Impl {
     std::size_t count = 0;
     bool sensible = true;
     const Status told = query.each([&] {
-      sensible = take();
+      sensible = count < to - from && take();
       count += sensible;
       return sensible;
     });
@@ -125,7 +117,7 @@ struct RecordingReader::Impl {
     return {};
   }
 
-  bool take_event(Batch& batch) {
+  bool take_event(CommitBatch& batch) {
     Event e;
     if (!read_enum(events.integer(0), event_kind_count, e.kind) ||
         !read_enum(events.integer(1), stage_count, e.stage) ||
@@ -139,7 +131,7 @@ struct RecordingReader::Impl {
     return true;
   }
 
-  bool take_operation(Batch& batch) {
+  bool take_operation(CommitBatch& batch) {
     StepFigures f;
     operations.read(0, f.bad_samples, f.zero_set_vertices, f.tets, f.largest_error, f.smallest_height,
                     f.seconds);
@@ -148,7 +140,7 @@ struct RecordingReader::Impl {
     return true;
   }
 
-  bool take_criteria(Batch& batch) {
+  bool take_criteria(CommitBatch& batch) {
     Journal::ParameterRecord r;
     CriteriaParameters& c = r.criteria;
     criteria.read(0, r.step, c.delta, c.sigma, c.alpha, c.shrink, c.certified, c.condition_1, c.condition_2,
@@ -157,13 +149,13 @@ struct RecordingReader::Impl {
     return true;
   }
 
-  void take_mark(Batch& batch) {
+  void take_mark(CommitBatch& batch) {
     Journal::StageMark mark;
     marks.read(0, mark.event, mark.seconds);
     batch.marks.push_back(mark);
   }
 
-  Status read_repairs(Batch& batch, std::size_t to) {
+  Status read_repairs(CommitBatch& batch, std::size_t to) {
     std::vector<std::size_t> counts;
     if (Status s = rows(repairs, read.repairs, to, "repairs",
                         [&] {
@@ -192,7 +184,7 @@ struct RecordingReader::Impl {
     return {};
   }
 
-  Status read_rows(const RecordingCounts& to, Batch& batch) {
+  Status read_rows(const RecordingCounts& to, CommitBatch& batch) {
     const auto all = [](auto take) {
       return [take] {
         take();
@@ -213,34 +205,12 @@ struct RecordingReader::Impl {
                 [&] { return take_operation(batch); });
   }
 
-  /// The checksum after the batch, in the writer's order.
-  bool add_to_checksum(const Batch& batch) {
-    for (const std::string& bytes : batch.sample_sets) checksum.add(std::string_view(bytes));
-    for (const auto& record : batch.criteria) add_to(checksum, record);
-    for (const std::string& text : batch.texts) checksum.add(std::string_view(text));
-    for (const RepairDetail& detail : batch.repairs) {
-      checksum.add(detail.size());
-      for (const RepairSweep& w : detail) checksum.add(w);
-    }
-    for (const auto& mark : batch.marks) add_to(checksum, mark);
-    std::size_t step = 0;
-    for (const Event& e : batch.events) {
-      checksum.add(e);
-      if (!e.operation) continue;
-      if (step >= batch.deltas.size()) return false;
-      checksum.add(std::string_view(batch.deltas[step]));
-      add_to(checksum, batch.figures[step]);
-      ++step;
-    }
-    return step == batch.deltas.size();
-  }
-
   void add_criteria(Journal& journal) {
     while (next_criteria < waiting.size() && waiting[next_criteria].step <= journal.steps())
       journal.add_parameters(waiting[next_criteria++].criteria);
   }
 
-  Status append(Batch& batch, Journal& journal) {
+  Status append(CommitBatch& batch, Journal& journal) {
     for (const std::string& bytes : batch.sample_sets) {
       auto samples = decode_samples(bytes);
       if (!samples) return damaged(file, "a sample set cannot be read");
@@ -285,16 +255,53 @@ struct RecordingReader::Impl {
                                    &to.sample_sets, &to.criteria,   &to.marks};
     for (int i = 0; i < 7; ++i) *counts[i] = static_cast<std::size_t>(commits.integer(i + 1));
     const std::string expected = commits.text(8);
-    Batch batch;
+    CommitBatch batch;
     const Status read_all = read_rows(to, batch);
     commits.start(last_commit); // lets go of the row: no lock is held between two commits
     if (!read_all) return fail(read_all.error(), journal);
-    if (!add_to_checksum(batch) || digest_text(checksum.value()) != expected)
+    if (!add_to(checksum, batch) || digest_text(checksum.value()) != expected)
       return fail(damaged(file, "what it holds does not match its checksum"), journal);
-    if (Status appended = append(batch, journal); !appended) return fail(appended.error(), journal);
+    if (Status appended = append(batch, journal); !appended) {
+      half_appended = true;
+      return fail(appended.error(), journal);
+    }
     read = to;
+    proven = checksum;
     last_commit = id;
     return true;
+  }
+
+  /// Lets go of the database that it had.
+  Status change_to(Database other) {
+    for (Query* query :
+         {&commits, &events, &operations, &sample_sets, &criteria, &texts, &repairs, &sweeps, &marks})
+      *query = Query();
+    database = std::move(other);
+    return prepare();
+  }
+
+  Result<bool> go_on_in(Database other) {
+    if (half_appended) return *broken;
+    if (Status changed = change_to(std::move(other)); !changed) return changed.error();
+    broken.reset();
+    checksum = proven;
+    const Error another{ErrorCode::usage, file.string() + " holds another run now.",
+                        "Open it again to see that one."};
+    auto input = database.prepare("SELECT digest FROM input");
+    if (!input) return input.error();
+    input->start();
+    const auto has_input = input->next();
+    if (!has_input) return has_input.error();
+    if (!*has_input) return false;
+    if (input->text(0) != digest_text(input_digest)) return another;
+    if (last_commit == 0) return true;
+    commits.start(last_commit - 1);
+    const auto row = commits.next();
+    if (!row) return row.error();
+    if (!*row || commits.integer(0) != last_commit) return false;
+    const bool same = commits.text(8) == digest_text(proven.value());
+    commits.start(last_commit);
+    return same ? Result<bool>(true) : another;
   }
 
   /// Whether a query over a range of ids has the row of this one.
@@ -305,7 +312,7 @@ struct RecordingReader::Impl {
   }
 
   /// Everything that events speak of, behind the last commit.
-  void read_unproven_rest(Journal& journal, Batch& rest) {
+  void read_unproven_rest(Journal& journal, CommitBatch& rest) {
     for (std::size_t i = read.texts; has_row(texts, i); ++i)
       if (i >= journal.texts().size()) journal.add_text(texts.text(0));
     for (std::size_t i = read.sample_sets; has_row(sample_sets, i); ++i) {
@@ -325,7 +332,7 @@ struct RecordingReader::Impl {
 
   void read_unproven(Journal& journal) {
     if (journal.events().size() != read.events) return; // a commit stopped in its middle
-    Batch rest;
+    CommitBatch rest;
     read_unproven_rest(journal, rest);
     std::size_t mark = 0;
     for (std::size_t i = read.events; has_row(events, i); ++i) {
@@ -396,6 +403,10 @@ RecordingReader::~RecordingReader() = default;
 
 Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const fs::path& file) {
   if (Status head = check_head(file); !head) return head.error();
+  if (has_stale_log(file)) {
+    auto pages = recording_over_pages(file, PageFile::Log::ignored);
+    return pages ? over(std::move(*pages), file) : pages.error();
+  }
   std::optional<Error> first;
   for (const Access access : {Access::grow, Access::read, Access::frozen}) {
     if (access == Access::frozen && fs::exists(file.string() + "-wal")) break;
@@ -428,6 +439,10 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::over(Database database
   if (Status ready = impl->read_header(); !ready) return ready.error();
   if (Status ready = impl->prepare(); !ready) return ready.error();
   return std::unique_ptr<RecordingReader>(new RecordingReader(std::move(impl)));
+}
+
+Result<bool> RecordingReader::go_on_in(Database database) {
+  return impl_->go_on_in(std::move(database));
 }
 
 const RecordingHeader& RecordingReader::header() const {

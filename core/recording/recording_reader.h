@@ -23,6 +23,10 @@ class RecordingReader {
   static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
   /// The same for a database that nobody else uses; `file` is what messages call it.
   static Result<std::unique_ptr<RecordingReader>> over(Database database, const std::filesystem::path& file);
+  /// Goes on in another state of the same recording, also after an error, which another state may not have;
+  /// false where that ends before what was read. Fails with usage where it holds another run, and as it must
+  /// where it cannot be read.
+  Result<bool> go_on_in(Database database);
   ~RecordingReader();
 
   const RecordingHeader& header() const;

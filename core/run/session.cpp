@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "recording/recording_writer.h"
+#include "run/follow_copy.h"
 #include "run/recorded_run.h"
 #include "run/show_recording.h"
 
@@ -226,14 +227,26 @@ struct Session::Impl : public Gate {
     }
   }
 
-  void read_recording(const std::filesystem::path& file, const std::shared_ptr<Journal>& journal) {
+  void read_recording(const std::filesystem::path& file, bool copied,
+                      const std::shared_ptr<Journal>& journal) {
     const RecordingAudience audience{
         [this](const std::function<void(SessionSnapshot&)>& edit) { publish(edit); },
         [this] {
           std::unique_lock lock(mutex);
           return !changed.wait_for(lock, follow_interval, [this] { return quit || stop_pending; });
         }};
-    if (Status read = show_recording(file, journal, control, audience); !read) fail(read.error());
+    const auto show = copied ? isoscope::follow_copy : show_recording;
+    if (Status read = show(file, journal, control, audience); !read) fail(read.error());
+  }
+
+  void open(const std::filesystem::path& file, bool copied) {
+    auto journal = begin({}, true);
+    {
+      const std::lock_guard lock(mutex);
+      shown.recording->file = file;
+      shown.recording->copied = copied;
+    }
+    launch([this, file, copied, journal = std::move(journal)] { read_recording(file, copied, journal); });
   }
 
   /// Ends the present run and begins anew; `recorded`: what is shown is read from a file; the generation is
@@ -351,13 +364,11 @@ void Session::start_branch(const BranchPoint& branch, RunParameters parameters, 
 }
 
 void Session::open_recording(const std::filesystem::path& file) {
-  Impl& m = *impl_;
-  auto journal = m.begin({}, true);
-  {
-    const std::lock_guard lock(m.mutex);
-    m.shown.recording->file = file;
-  }
-  m.launch([&m, file, journal = std::move(journal)] { m.read_recording(file, journal); });
+  impl_->open(file, false);
+}
+
+void Session::follow_copy(const std::filesystem::path& file) {
+  impl_->open(file, true);
 }
 
 Status Session::record(const std::filesystem::path& file) {
@@ -456,8 +467,11 @@ SessionSnapshot Session::snapshot() const {
   SessionSnapshot snapshot = impl_->shown;
   if (impl_->writer) {
     const RecordingProgress progress = impl_->writer->progress();
-    snapshot.recording =
-        RecordingState{progress.file, progress.bytes, progress.events, false, false, progress.error};
+    RecordingState& state = snapshot.recording.emplace();
+    state.file = progress.file;
+    state.bytes = progress.bytes;
+    state.events = progress.events;
+    state.error = progress.error;
   }
   return snapshot;
 }

@@ -4,6 +4,7 @@
 
 #include "run/pipeline.h"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -32,6 +33,12 @@ struct RecordingState {
   bool opened = false;        ///< read from the file: nothing computes, parameters cannot be changed
   bool cut_short = false;     ///< read to its end, which is not the run's
   std::optional<Error> error; ///< why it is written or read no further
+
+  // Of a copy that is followed while it grows elsewhere.
+  bool copied = false;
+  std::optional<std::chrono::system_clock::time_point>
+      written;               ///< when it last was; nothing while it is not there
+  std::optional<Error> torn; ///< why no more of it can be read yet
 };
 
 /// A consistent picture of a session; cheap to take at every frame. All pointers are to immutable things,
@@ -93,6 +100,9 @@ class Session {
   /// Shows a recording instead of a run; follows it while another program writes it. Pausing and new
   /// parameters have no effect on it.
   void open_recording(const std::filesystem::path& file);
+  /// The same of a copy that something brings from another machine, or of a file that lies there: nothing is
+  /// locked or written, and a copy that is late, torn or not there yet is waited for.
+  void follow_copy(const std::filesystem::path& file);
   /// Records the present run from its first event on, or once it is prepared; an earlier recording of it is
   /// closed. Fails with io or usage when the file cannot be made, and with usage on a recording.
   Status record(const std::filesystem::path& file);

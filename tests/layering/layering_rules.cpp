@@ -25,7 +25,7 @@ const Tiers& core_tiers() {
                               {"core/improve"},
                               {"core/simplify"},
                               {"core/run"},
-                              {"core/questions", "core/compare", "core/tiles"},
+                              {"core/questions", "core/compare", "core/tiles", "core/sweep"},
                               {"core/cli"}};
   return tiers;
 }
@@ -89,7 +89,7 @@ const std::vector<LibraryRule>& library_rules() {
       {"stb_", {"viewer/platform/", "tests/"}, false},
       {"CLI/", {"core/cli/command_line.cpp", "tests/"}, true},
       {"sqlite3", {"core/recording/", "tests/recording/"}, true},
-      {"zlib", {"core/input/", "core/recording/", "tests/"}, true},
+      {"zlib", {"core/input/", "core/recording/", "core/sweep/", "tests/"}, true},
       {"viewer/", {}, false},
       {"core/", {}, false},
   };

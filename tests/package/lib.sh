@@ -34,6 +34,7 @@ installed_files() {
   sort <<'FILES'
 bin/isoscope
 bin/isoscope-run
+bin/isoscope-sweep
 share/applications/isoscope.desktop
 share/doc/isoscope/commands.md
 share/doc/isoscope/grammar.md
@@ -43,6 +44,11 @@ share/man/man1/isoscope-run-recover.1.gz
 share/man/man1/isoscope-run-replay.1.gz
 share/man/man1/isoscope-run-tiles.1.gz
 share/man/man1/isoscope-run.1.gz
+share/man/man1/isoscope-sweep-compare.1.gz
+share/man/man1/isoscope-sweep-merge.1.gz
+share/man/man1/isoscope-sweep-missing.1.gz
+share/man/man1/isoscope-sweep-step.1.gz
+share/man/man1/isoscope-sweep.1.gz
 share/man/man1/isoscope.1.gz
 share/metainfo/org.isoscope.Isoscope.metainfo.xml
 share/mime/packages/isoscope.xml

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace isoscope {
@@ -92,7 +93,7 @@ Status App::setup(const ProgramOptions& options) {
   const bool first = m.draft.input.empty() && !m.scripted && !m.settings.greeted;
   if (m.draft.input.empty()) m.draft = for_input(m.draft, gallery_input(gallery().front().name));
   if (options.tolerance_given) m.draft.tolerance = options.run.tolerance;
-  m.steering.begin(options.paused);
+  m.steering.begin(options.paused, options.follow);
   if (first) m.overlay = Overlay::welcome;
   if (!options.recording.empty())
     if (Status recorded = m.session.record(options.recording); !recorded) return recorded.error();
@@ -319,6 +320,7 @@ bool App::at_rest() const {
   if (m.clock < m.wait_until) return false;
   if (m.wait_for == AppModel::Wait::answers && !(m.answers_taken() && m.debug.is_current())) return false;
   if (!m.lessons.idle()) return false;
+  if (m.wait_for == AppModel::Wait::comparison && !m.values.expect(m.wait_comparison)) return false;
   if (m.wait_for == AppModel::Wait::settled) // the run too
     return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() &&
            !run_views_->unfinished();
@@ -377,6 +379,9 @@ int App::run() {
     changed =
         changed || state != m.state() || messages != m.messages.size() || (m.grid.working() && !m.scripted);
     if (changed) frames_owed_ = std::max(frames_owed_, 2);
+    // How old a copy is, is told in seconds.
+    const bool ages = m.running() && m.run.recording && m.run.recording->copied;
+    if (ages && std::floor(now) > std::floor(now - seconds)) frames_owed_ = std::max(frames_owed_, 1);
     // A resting mouse still owes a hover and a tooltip.
     if (frames_owed_ == 0 && ImGui::IsMousePosValid() && m.clock - active_at_ < hover_seconds)
       frames_owed_ = 1;

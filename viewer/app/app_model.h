@@ -38,8 +38,9 @@ class AppModel : public WindowState {
 
   WindowTimes times;
   double wait_until = 0; ///< scripts: seconds on the clock until which `wait SECONDS` holds
-  enum class Wait : std::uint8_t { time, answers, settled };
-  Wait wait_for = Wait::time; ///< scripts: what `wait` waits for
+  enum class Wait : std::uint8_t { time, answers, settled, comparison };
+  Wait wait_for = Wait::time;  ///< scripts: what `wait` waits for
+  std::string wait_comparison; ///< "recording.events > 100"
 
   /// Once a frame: takes what the workers have, moves the play head, asks for what is missing. True when
   /// something changed.

@@ -4,6 +4,7 @@
 #include "cli/options.h"
 #include "export/exports.h"
 #include "lesson/lesson.h"
+#include "recording/recording_reader.h"
 #include "run/report.h"
 
 #include <cstdio>
@@ -52,6 +53,10 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   CommandLine app{"Isoscope: watch and debug isotopic approximation within a tolerance volume.", "isoscope"};
   const RunOptions run_options(app);
   app.flag("--paused", o.paused, "hold the run before its first operation");
+  app.flag("--follow", o.follow,
+           "INPUT is a copy of a recording that grows on another machine: show what there is of it, and more "
+           "as it "
+           "comes");
   app.option("--script", o.script, "run the commands of a file, one a line, then quit");
   app.option("--screenshot", o.screenshot, "run to the end, write a picture, quit");
   app.flag("--plain", o.plain, "the screenshot shows the view without panels, at any --size");
@@ -90,6 +95,9 @@ Result<ParsedOptions> parse_options(int argc, char** argv) {
   o.run = *run;
   o.recording = run_options.recording();
   o.tolerance_given = app.given("--tolerance");
+  if (o.follow && !is_recording_name(o.run.input))
+    return bad("--follow is for a recording, RUN.isorun" +
+               (o.run.input.empty() ? std::string(".") : ", not \"" + o.run.input + "\"."));
   o.ui_scale = static_cast<float>(ui_scale);
   o.plain = o.plain || o.alpha;
   if (o.screenshot.empty() && (o.plain || !o.step.empty() || !o.view.empty()))

@@ -17,6 +17,7 @@ struct ProgramOptions {
   RunParameters run;
   bool tolerance_given = false;
   bool paused = false;                       ///< hold the run before its first operation
+  bool follow = false;                       ///< the input is a copy of a recording that grows elsewhere
   std::string script, screenshot, recording; ///< empty: none
   float ui_scale = 0;                        ///< 0: as remembered
   PixelSize size{1280, 800};

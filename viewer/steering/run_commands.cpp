@@ -5,6 +5,7 @@
 #include "input/mesh_io.h"
 #include "mesh/zero_set.h"
 #include "model/words.h"
+#include "recording/recording_reader.h"
 #include "ui/icons.h"
 #include "view/view.h"
 
@@ -123,6 +124,17 @@ Status record(WindowState& m, const Arguments& a) {
   return {};
 }
 
+Status follow_copy(Steering& m, const Arguments& a) {
+  if (a.size() > 1) return wrong_arguments("One copy is followed at a time.");
+  const auto& shown = m.window.run.recording;
+  const std::string file = !a.empty() ? a[0] : m.window.shows_recording() ? shown->file.string() : "";
+  if (!is_recording_name(file))
+    return Error{ErrorCode::usage, "What is followed is a recording, RUN.isorun.",
+                 "Give its name; without one the recording that is shown is followed."};
+  m.follow(file);
+  return {};
+}
+
 } // namespace
 
 void Steering::add_file_commands(CommandTable& table) {
@@ -181,7 +193,15 @@ void Steering::add_recording_commands(CommandTable& table) {
         .keys = {{'R', true, true}},
         .run = on(window, record),
         .enabled = [this] { return window.has_run() && !window.shows_recording(); },
-        .checked = [this] { return window.run.recording && !window.run.recording->opened; }}});
+        .checked = [this] { return window.run.recording && !window.run.recording->opened; }},
+       {.name = "follow-copy",
+        .title = "Follow as a copy",
+        .usage = "[FILE]",
+        .help =
+            "Shows a copy of a recording that grows on another machine, by rsync or on its file system, and "
+            "goes on as more of it comes; without a name the recording that is shown.",
+        .menu = "File",
+        .run = on(*this, follow_copy)}});
 }
 
 void Steering::add_run_commands(CommandTable& table) {

@@ -3,6 +3,7 @@
 
 #include "journal/vocabulary.h"
 #include "model/words.h"
+#include "steering/copy_words.h"
 #include "two_runs/comparison.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -50,7 +51,8 @@ std::string operation_words(const Event& e) {
 }
 
 /// "records torus.isorun 1.2 MB"
-std::string recording_text(const RecordingState& r) {
+std::string recording_text(const RecordingState& r, SessionPhase phase) {
+  if (r.copied) return std::string(icon::record) + " " + copy_text(r, phase);
   const char* verb = r.error ? "stopped " : r.opened ? "reads " : "records ";
   return std::string(icon::record) + " " + verb + r.file.filename().string() + " " + bytes_text(r.bytes);
 }
@@ -104,7 +106,7 @@ std::vector<Part> status_parts(const Ui& ui, const HistoryMemory& h) {
         over ? ui.colors.warning_text : ui.colors.quiet);
   }
   if (m.run.recording)
-    put(recording_text(*m.run.recording),
+    put(recording_text(*m.run.recording, m.run.phase),
         m.run.recording->error || m.run.recording->cut_short ? ui.colors.warning_text : ui.colors.quiet);
   if (m.run.scene && m.run.scene->points) {
     const PointField& points = *m.run.scene->points;

@@ -3,7 +3,7 @@
 
 #include "input/gallery.h"
 #include "model/chosen_input.h"
-#include "recording/recording_reader.h"
+#include "recording/copy_reader.h"
 
 namespace isoscope {
 
@@ -11,6 +11,12 @@ void Steering::open(const std::string& input, bool paused, const std::string& in
   window.draft = for_input(window.draft, input);
   window.draft.inside = inside;
   begin(paused);
+}
+
+void Steering::follow(const std::string& copy) {
+  window.draft = for_input(window.draft, copy);
+  window.draft.inside.clear();
+  begin(false, true);
 }
 
 void Steering::open_between(const std::string& one, const std::string& other) {
@@ -27,14 +33,16 @@ void Steering::take_walls() {
     window.report(walls->error());
 }
 
-void Steering::begin(bool paused) {
+void Steering::begin(bool paused, bool follow) {
   const std::string& input = window.draft.input;
   if (!input.starts_with(gallery_prefix) && window.draft.inside.empty() && !window.scripted)
     window.settings.add_recent(input);
   window.overlay = Overlay::none;
   window.transport.restart();
   debug.breakpoints->forget_hits();
-  if (is_recording_name(input))
+  if (is_recording_name(input) && (follow || lies_elsewhere(input)))
+    window.session.follow_copy(input);
+  else if (is_recording_name(input))
     window.session.open_recording(input);
   else
     window.session.start(window.draft, nullptr, paused);

@@ -35,10 +35,13 @@ class Steering {
   /// points ask for theirs to be found, a recording (.isorun) all its parameters. `inside`: the inner one of
   /// two surfaces between which Ω lies.
   void open(const std::string& input, bool paused = false, const std::string& inside = {});
+  /// Shows a copy of a recording that grows on another machine, and goes on as more of it comes.
+  void follow(const std::string& copy);
   /// Starts a run of what lies between two closed surfaces, once it is known which is the outer one.
   void open_between(const std::string& one, const std::string& other);
-  /// Starts a run with the draft as it is.
-  void begin(bool paused = false);
+  /// Starts a run with the draft as it is; `follow`: where it is a recording, as a copy that grows elsewhere,
+  /// which one on a network's file system is always.
+  void begin(bool paused = false, bool follow = false);
   bool idle() const { return walls_.idle(); }
   /// Begins the end of what is asked, and waits for nothing.
   void abandon() { walls_.abandon(); }

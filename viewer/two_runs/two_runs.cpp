@@ -2,7 +2,7 @@
 #include "two_runs/comparison.h"
 
 #include "model/chosen_input.h"
-#include "recording/recording_reader.h"
+#include "recording/copy_reader.h"
 
 #include <utility>
 
@@ -31,7 +31,9 @@ Status Comparison::run_beside() {
 
 Status Comparison::open_beside(const std::string& input) {
   auto second = std::make_unique<ShownRun>(notify_);
-  if (is_recording_name(input)) {
+  if (is_recording_name(input) && lies_elsewhere(input)) {
+    second->session.follow_copy(input);
+  } else if (is_recording_name(input)) {
     second->session.open_recording(input);
   } else {
     second->session.start(for_input(window.draft, input));
