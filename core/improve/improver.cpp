@@ -4,13 +4,17 @@
 #include "criteria/orientation.h"
 #include "improve/relaxation.h"
 #include "improve/shake_round.h"
+#include "tolerance/nearest_cells.h"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace isoscope {
 namespace {
 
+/// In δ, of the cells in which triangles near to Z are listed.
+constexpr double cell_side = 1;
 constexpr int sweeps_after_round = 2;
 constexpr int most_rounds = 20;
 /// A round that takes fewer than one vertex in this many is the last of its level.
@@ -59,8 +63,9 @@ class Improver {
   Improver(const TriangleMesh& mesh, const ToleranceVolume& volume, const NearestSample* samples,
            const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
            const RoomInT* room)
-      : options_(options), control_(control), observer_(observer), room_(room),
-        input_(volume.field(), volume.thresholds().delta, mesh, control, volume.border_gate()),
+      : options_(options), control_(control), observer_(observer), room_(room), cells_(make_cells(volume)),
+        input_(cells_ ? *cells_ : volume.field(), volume.thresholds().delta, mesh, control,
+               volume.border_gate()),
         rules_(make_rules(volume, samples)),
         surface_(mesh, rules_, room != nullptr ? &room->embedding : nullptr, control) {}
 
@@ -82,13 +87,19 @@ class Improver {
   TriangleMesh result() const { return surface_.compacted(); }
 
  private:
+  /// Tens of millions of queries go to the few places where Z may lie.
+  static std::optional<NearestCells> make_cells(const ToleranceVolume& volume) {
+    if (volume.field().surface() == nullptr) return std::nullopt;
+    return std::optional<NearestCells>(std::in_place, *volume.field().surface(),
+                                       cell_side * volume.thresholds().delta);
+  }
   SurfaceRules make_rules(const ToleranceVolume& volume, const NearestSample* samples) const {
     SurfaceRules rules;
     rules.input = &input_;
     const double delta = volume.thresholds().delta;
     if (options_.preserve_normals && samples != nullptr)
       rules.orientation =
-          OrientationTester{samples, options_.shrink, orientation_reach * delta, &volume.field(), delta};
+          OrientationTester{samples, options_.shrink, orientation_reach * delta, &input_.field(), delta};
     for (const Witness& w : volume.witnesses()) rules.witnesses.push_back(w.point);
     return rules;
   }
@@ -214,6 +225,7 @@ class Improver {
   const RunControl& control_;
   ImproverObserver& observer_;
   const RoomInT* room_;
+  std::optional<NearestCells> cells_;
   InputSurface input_;
   SurfaceRules rules_;
   LiveSurface surface_;
