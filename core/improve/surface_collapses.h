@@ -37,8 +37,10 @@ struct CollapseRoundFigures {
 };
 
 /// Collapses until no edge below the limit can be. Costs and attempts are computed in parallel, in batches of
-/// edges whose neighbourhoods are apart, and committed in the order of the queue; the result does not depend
-/// on the number of threads. Stops early, with a valid surface, when cancelled.
+/// a size that does not depend on the threads, and committed in the order of the queue: without repair of
+/// edges whose neighbourhoods are apart, with repair of any, of which those that come too late are tried
+/// again. The result does not depend on the number of threads. Stops early, with a valid surface, when
+/// cancelled.
 CollapseRoundFigures collapse_round(LiveSurface& surface, const SurfaceRules& rules,
                                     const CollapseRoundOptions& options, FailedEdges& failed,
                                     const RunControl& control, ImproverObserver& observer);
