@@ -50,8 +50,8 @@ class Round {
 
   CollapseRoundFigures run() {
     if (options_.most_attempts > 0) push_all();
-    while (!queue_.empty() && figures_.attempts < options_.most_attempts && !figures_.stopped &&
-           !control_.cancelled()) {
+    while (!queue_.empty() && figures_.attempts < options_.most_attempts &&
+           in_vain_ < options_.most_in_vain && !figures_.stopped && !control_.cancelled()) {
       gather();
       const bool complete =
           parallel_until(attempts_.size(), 1, control_, [&](std::size_t i) { evaluate(attempts_[i]); });
@@ -94,6 +94,7 @@ class Round {
   std::vector<Edge> stale_; ///< edges whose cost has to be computed before the next batch
   PatchClaims claims_;
   CollapseRoundFigures figures_;
+  std::size_t in_vain_ = 0; ///< tries that failed since the last collapse
 };
 
 void Round::push_all() {
@@ -198,6 +199,7 @@ void Round::refuse(const ImproverVerdict& verdict, std::uint32_t time) {
 
 void Round::settle(const Attempt& attempt, std::uint32_t batch_time) {
   ++figures_.attempts;
+  ++in_vain_;
   const Entry& e = attempt.entry;
   // Where nothing near has changed since, or it fails, the verdict holds; but not on an edge that is gone.
   if (!complex().has_edge(e.a, e.b)) return;
@@ -219,6 +221,7 @@ void Round::settle(const Attempt& attempt, std::uint32_t batch_time) {
   verdict.value = attempt.patch.largest_distance(verdict.limit);
   const SurfaceChange change = surface_.commit(attempt.patch, verdict.kind);
   ++figures_.collapses;
+  in_vain_ = 0;
   failed_.erase(e.a, e.b);
   for (const std::uint32_t v : complex().neighbors(e.a))
     stale_.emplace_back(std::min(v, e.a), std::max(v, e.a));
