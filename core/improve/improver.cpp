@@ -7,14 +7,21 @@
 #include "tolerance/nearest_cells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
 namespace isoscope {
 namespace {
 
-/// In δ, of the cells in which triangles near to Z are listed.
-constexpr double cell_side = 1;
+/// The cells in which triangles near to Z are listed: about as wide as δ, or half as wide as the triangles,
+/// so that there are few where a few triangles are all there is.
+double cell_side(const ClosestPointIndex& input, double delta) {
+  const double wide =
+      std::sqrt(2 * input.area() / static_cast<double>(std::max<std::size_t>(input.size(), 1)));
+  return std::max(delta, 0.5 * wide);
+}
+
 constexpr int sweeps_after_round = 2;
 constexpr int most_rounds = 20;
 /// A round that takes fewer than one vertex in this many is the last of its level.
@@ -96,9 +103,10 @@ class Improver {
  private:
   /// Tens of millions of queries go to the few places where Z may lie.
   static std::optional<NearestCells> make_cells(const ToleranceVolume& volume) {
-    if (volume.field().surface() == nullptr) return std::nullopt;
-    return std::optional<NearestCells>(std::in_place, *volume.field().surface(),
-                                       cell_side * volume.thresholds().delta);
+    const ClosestPointIndex* surface = volume.field().surface();
+    if (surface == nullptr) return std::nullopt;
+    return std::optional<NearestCells>(std::in_place, *surface,
+                                       cell_side(*surface, volume.thresholds().delta));
   }
   SurfaceRules make_rules(const ToleranceVolume& volume, const NearestSample* samples) const {
     SurfaceRules rules;

@@ -91,11 +91,12 @@ const NearestCells::Cell* NearestCells::find(Vec3 p, Vec3& step) const {
     std::uint64_t key = level, block = level, corner = 0;
     Place place{level, {}, 0.5 * side_ / parts, 0};
     for (int a = 0; a < 3; ++a) {
-      const auto i = static_cast<std::uint64_t>(at[a] * parts);
+      const auto cell = static_cast<std::int32_t>(at[a] * parts);
+      const auto i = static_cast<std::uint64_t>(cell);
       key = key << 20 | i;
       block = block << 20 | i >> 1;
       corner = corner << 1 | (i & 1);
-      place.center[a] = lo_[a] + (static_cast<double>(i) + 0.5) * (side_ / parts);
+      place.center[a] = lo_[a] + (cell + 0.5) * (side_ / parts);
     }
     place.key = key;
     std::atomic<Cell*>& bucket = buckets_[(scrambled(block) << 3 | corner) % bucket_count];
