@@ -30,6 +30,10 @@ bool is_close(const Refusal& refusal) {
   return refusal.reason != Reason::stays_above || refusal.value <= (1 + little) * refusal.limit;
 }
 
+/// Attempts with repair that are made side by side, wherever they are: most of them fail, so that few of
+/// those that would do come too late.
+constexpr std::size_t repair_batch = 8;
+
 /// An entry under evaluation.
 struct Attempt {
   Entry entry;
@@ -46,14 +50,15 @@ class Round {
 
   CollapseRoundFigures run() {
     if (options_.most_attempts > 0) push_all();
-    while (!queue_.empty() && figures_.attempts < options_.most_attempts && !figures_.stopped &&
-           !control_.cancelled()) {
+    while (!queue_.empty() && figures_.attempts < options_.most_attempts &&
+           in_vain_ < options_.most_in_vain && !figures_.stopped && !control_.cancelled()) {
       gather();
       const bool complete =
           parallel_until(attempts_.size(), 1, control_, [&](std::size_t i) { evaluate(attempts_[i]); });
       if (!complete) break;
+      const std::uint32_t batch_time = surface_.commits();
       for (const Attempt& attempt : attempts_)
-        if (!figures_.stopped) settle(attempt);
+        if (!figures_.stopped) settle(attempt, batch_time);
       push(stale_);
     }
     return figures_;
@@ -69,9 +74,14 @@ class Round {
   }
   bool failed_before(std::uint32_t a, std::uint32_t b) const;
   ImproverVerdict verdict_on(std::uint32_t a, std::uint32_t b) const;
-  void refuse(const ImproverVerdict& verdict);
+  /// `time`: the commits that the verdict knows of.
+  void refuse(const ImproverVerdict& verdict, std::uint32_t time);
+  bool with_repair() const { return options_.repair.sweeps > 0; }
+  std::optional<SurfacePatch> take(const Entry& e);
+  /// Puts an attempt that came too late back into the queue.
+  void try_again(const Entry& e);
   void evaluate(Attempt& attempt) const;
-  void settle(const Attempt& attempt);
+  void settle(const Attempt& attempt, std::uint32_t batch_time);
 
   LiveSurface& surface_;
   const SurfaceRules& rules_;
@@ -84,6 +94,7 @@ class Round {
   std::vector<Edge> stale_; ///< edges whose cost has to be computed before the next batch
   PatchClaims claims_;
   CollapseRoundFigures figures_;
+  std::size_t in_vain_ = 0; ///< tries that failed since the last collapse
 };
 
 void Round::push_all() {
@@ -113,7 +124,7 @@ void Round::push(std::vector<Edge>& edges) {
     if (!refusals[i].accepted() && !failed_before(a, b)) {
       ImproverVerdict verdict = verdict_on(a, b);
       static_cast<Refusal&>(verdict) = refusals[i];
-      refuse(verdict);
+      refuse(verdict, surface_.commits());
     }
   }
   edges.clear();
@@ -131,7 +142,8 @@ bool Round::failed_before(std::uint32_t a, std::uint32_t b) const {
 void Round::gather() {
   attempts_.clear();
   claims_.begin_batch();
-  const std::size_t size = std::clamp<std::size_t>(surface_.vertex_count() / 32, 1, most_batch);
+  const std::size_t size =
+      with_repair() ? repair_batch : std::clamp<std::size_t>(surface_.vertex_count() / 32, 1, most_batch);
   std::vector<Entry> aside;
   for (std::size_t looked = 0; looked < most_looked_at && !queue_.empty(); ++looked) {
     if (attempts_.size() + stale_.size() >= size) break;
@@ -144,13 +156,25 @@ void Round::gather() {
       continue;
     }
     if (failed_before(e.a, e.b)) continue;
-    if (auto patch = claims_.take(surface_, e.a, e.b, options_.rings)) {
+    if (auto patch = take(e)) {
       attempts_.push_back({e, std::move(*patch), {}});
     } else {
       aside.push_back(e);
     }
   }
   for (const Entry& e : aside) queue_.push(e);
+}
+
+std::optional<SurfacePatch> Round::take(const Entry& e) {
+  if (!with_repair()) return claims_.take(surface_, e.a, e.b, options_.rings);
+  return surface_.patch(vertices_around(complex(), {e.a, e.b}, options_.rings));
+}
+
+void Round::try_again(const Entry& e) {
+  if (is_current(e))
+    queue_.push(e);
+  else
+    stale_.emplace_back(e.a, e.b);
 }
 
 void Round::evaluate(Attempt& attempt) const {
@@ -162,20 +186,24 @@ void Round::evaluate(Attempt& attempt) const {
 
 ImproverVerdict Round::verdict_on(std::uint32_t a, std::uint32_t b) const {
   ImproverVerdict verdict;
-  verdict.kind = options_.repair.sweeps > 0 ? EventKind::repair : EventKind::collapse;
+  verdict.kind = with_repair() ? EventKind::repair : EventKind::collapse;
   verdict.a = a;
   verdict.b = b;
   return verdict;
 }
 
-void Round::refuse(const ImproverVerdict& verdict) {
-  failed_.add(verdict.a, verdict.b, {surface_.commits(), is_close(verdict)});
+void Round::refuse(const ImproverVerdict& verdict, std::uint32_t time) {
+  failed_.add(verdict.a, verdict.b, {time, is_close(verdict)});
   figures_.stopped = !observer_.rejected(verdict) || figures_.stopped;
 }
 
-void Round::settle(const Attempt& attempt) {
+void Round::settle(const Attempt& attempt, std::uint32_t batch_time) {
   ++figures_.attempts;
+  ++in_vain_;
   const Entry& e = attempt.entry;
+  // Where nothing near has changed since, or it fails, the verdict holds; but not on an edge that is gone.
+  if (!complex().has_edge(e.a, e.b)) return;
+  if (attempt.verdict.accepted() && !surface_.up_to_date(attempt.patch)) return try_again(e);
   ImproverVerdict verdict = verdict_on(e.a, e.b);
   verdict.target = e.target;
   verdict.cost = e.cost;
@@ -186,13 +214,14 @@ void Round::settle(const Attempt& attempt) {
       attempt.verdict.accepted() ? surface_.check(attempt.patch) : Refusal(attempt.verdict);
   if (!verdict.accepted()) {
     if (attempt.verdict.facet) verdict.facet = attempt.patch.surface_corners(*attempt.verdict.facet);
-    refuse(verdict);
+    refuse(verdict, attempt.verdict.accepted() ? surface_.commits() : batch_time);
     return;
   }
   verdict.limit = rules_.input->delta();
   verdict.value = attempt.patch.largest_distance(verdict.limit);
   const SurfaceChange change = surface_.commit(attempt.patch, verdict.kind);
   ++figures_.collapses;
+  in_vain_ = 0;
   failed_.erase(e.a, e.b);
   for (const std::uint32_t v : complex().neighbors(e.a))
     stale_.emplace_back(std::min(v, e.a), std::max(v, e.a));

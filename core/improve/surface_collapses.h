@@ -22,6 +22,7 @@ class ImproverObserver {
 struct CollapseRoundOptions {
   double cost_limit = 0; ///< edges are tried up to this cost, absolute
   std::size_t most_attempts = std::numeric_limits<std::size_t>::max(); ///< after these no batch is begun
+  std::size_t most_in_vain = std::numeric_limits<std::size_t>::max(); ///< the same of tries in a row that fail
   int rings = 0;             ///< free vertices: this many edges from the edge's ends
   RepairOptions repair;      ///< repair.sweeps 0: without repair
   PlacementEffort placement; ///< of the targets
@@ -37,8 +38,10 @@ struct CollapseRoundFigures {
 };
 
 /// Collapses until no edge below the limit can be. Costs and attempts are computed in parallel, in batches of
-/// edges whose neighbourhoods are apart, and committed in the order of the queue; the result does not depend
-/// on the number of threads. Stops early, with a valid surface, when cancelled.
+/// a size that does not depend on the threads, and committed in the order of the queue: without repair of
+/// edges whose neighbourhoods are apart, with repair of any, of which those that come too late are tried
+/// again. The result does not depend on the number of threads. Stops early, with a valid surface, when
+/// cancelled.
 CollapseRoundFigures collapse_round(LiveSurface& surface, const SurfaceRules& rules,
                                     const CollapseRoundOptions& options, FailedEdges& failed,
                                     const RunControl& control, ImproverObserver& observer);

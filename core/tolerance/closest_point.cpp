@@ -91,7 +91,9 @@ std::shared_ptr<const ClosestPointIndex> build_index(const TriangleSoup& soup, c
   return std::make_shared<const ClosestPointIndex>(soup, control);
 }
 
-ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared_enough) const {
+template <class Replaces>
+ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared_enough,
+                                       const Replaces& replaces) const {
   const double plane_slack =
       plane_rounding * (largest_coordinate_ + std::abs(p.x) + std::abs(p.y) + std::abs(p.z));
   return search_boxes(
@@ -102,10 +104,22 @@ ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared
           if (height > 0 && height * height > found.squared_distance) continue;
           const Vec3 c = closest_point_on_triangle(p, triangles_[slot]);
           const double d2 = squared_length(c - p);
-          if (d2 < found.squared_distance || (d2 == found.squared_distance && !found.triangle.valid()))
-            found = {c, d2, TriangleId(boxes_.ids[slot])};
+          if (replaces(d2, slot, found)) found = {c, d2, TriangleId(boxes_.ids[slot])};
         }
       });
+}
+
+ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared_enough) const {
+  return search(p, best, squared_enough, [](double d2, std::uint32_t, const ClosestPoint& found) {
+    return d2 < found.squared_distance || (d2 == found.squared_distance && !found.triangle.valid());
+  });
+}
+
+ClosestPoint ClosestPointIndex::nearest_from(Vec3 p, const ClosestPoint& found_before) const {
+  return search(p, found_before, 0, [&](double d2, std::uint32_t slot, const ClosestPoint& found) {
+    if (d2 != found.squared_distance) return d2 < found.squared_distance;
+    return !found.triangle.valid() || id_at(slot) < found.triangle;
+  });
 }
 
 ClosestPoint ClosestPointIndex::closest_within(Vec3 p, double radius) const {
@@ -229,6 +243,21 @@ std::vector<double> ClosestPointIndex::crossings(Vec3 a, Vec3 b) const {
         });
   std::sort(parameters.begin(), parameters.end());
   return parameters;
+}
+
+std::vector<std::uint32_t> ClosestPointIndex::slots_within(const Box3& box, double reach) const {
+  std::vector<std::uint32_t> found;
+  visit(
+      [&](const Box3& other) {
+        double squared = 0;
+        for (int a = 0; a < 3; ++a) {
+          const double gap = std::max({0.0, other.lo[a] - box.hi[a], box.lo[a] - other.hi[a]});
+          squared += gap * gap;
+        }
+        return squared <= reach * reach;
+      },
+      [&](std::uint32_t slot) { found.push_back(slot); });
+  return found;
 }
 
 std::vector<TriangleId> ClosestPointIndex::triangles_in(const Box3& box) const {

@@ -68,7 +68,17 @@ class ClosestPointIndex final : public ToleranceField {
   /// Ids of the triangles whose bounding boxes meet `box`, ascending.
   std::vector<TriangleId> triangles_in(const Box3& box) const;
 
+  /// The same from anything found before, of several triangles at the same distance that with the smallest
+  /// id: the answer depends on p alone.
+  ClosestPoint nearest_from(Vec3 p, const ClosestPoint& found_before) const;
+
   const Triangle3& triangle(TriangleId id) const { return triangles_[slots_[id.index()]]; }
+  /// Slots are the triangles' places in memory, where neighbours are near to each other.
+  std::uint32_t slot_of(TriangleId id) const { return slots_[id.index()]; }
+  TriangleId id_at(std::uint32_t slot) const { return TriangleId(boxes_.ids[slot]); }
+  const Triangle3& triangle_at(std::uint32_t slot) const { return triangles_[slot]; }
+  /// Slots of all triangles within `reach` of a box, and some others.
+  std::vector<std::uint32_t> slots_within(const Box3& box, double reach) const;
   FieldKind kind() const override { return FieldKind::triangles; }
   std::size_t size() const override { return triangles_.size(); }
   const Box3& bounds() const override { return boxes_.bounds; }
@@ -86,6 +96,9 @@ class ClosestPointIndex final : public ToleranceField {
 
  private:
   void fill(const TriangleSoup& soup, const RunControl* control);
+  /// `replaces(squared distance, slot, best)`: whether a triangle takes the place of the best so far.
+  template <class Replaces>
+  ClosestPoint search(Vec3 p, ClosestPoint best, double squared_enough, const Replaces& replaces) const;
   ClosestPoint search(Vec3 p, ClosestPoint best, double squared_enough = 0) const;
   template <class MeetsBox, class AtSlot> void visit(const MeetsBox& meets_box, const AtSlot& at_slot) const;
 

@@ -8,10 +8,22 @@
 namespace isoscope {
 namespace {
 
+/// What one site gives at the corners of a piece, squared; corners are asked when they are needed.
+struct CornerDistances {
+  static constexpr double unknown = -1;
+  TriangleId site;
+  std::array<double, 3> squared{unknown, unknown, unknown};
+
+  double at(const ToleranceField& field, const Triangle3& corners, std::size_t k) {
+    if (squared[k] == unknown) squared[k] = field.at_site(corners[k], site).squared_distance;
+    return squared[k];
+  }
+};
+
 /// A piece of the facet, with the site that gives φ at its parent's centroid as a guess.
 struct Piece {
   Triangle3 corners;
-  TriangleId guess;
+  CornerDistances guess;
   int depth;
 };
 
@@ -32,7 +44,8 @@ class PieceStack {
 
 constexpr std::size_t pieces_between_questions = 256;
 
-void push_halves(const Piece& piece, TriangleId guess, PieceStack& stack) {
+/// Both halves get the same guess, and what that gives at their corners as far as it is known.
+void push_halves(const Piece& piece, const CornerDistances& guess, PieceStack& stack) {
   const Triangle3& t = piece.corners;
   std::size_t longest = 0;
   double l2 = -1;
@@ -44,9 +57,31 @@ void push_halves(const Piece& piece, TriangleId guess, PieceStack& stack) {
   const Vec3 middle = 0.5 * (t[longest] + t[next]);
   Piece first{t, guess, piece.depth + 1}, second = first;
   first.corners[longest] = middle;
+  first.guess.squared[longest] = CornerDistances::unknown;
   second.corners[next] = middle;
+  second.guess.squared[next] = CornerDistances::unknown;
   stack.push(first);
   stack.push(second);
+}
+
+/// Whether what sites of a field give is convex, so that a triangle's corners tell of all of it.
+bool has_convex_sites(const ToleranceField& field) {
+  return field.kind() == FieldKind::triangles || field.kind() == FieldKind::points;
+}
+
+/// The largest of what a site gives at the corners and so anywhere on the piece, where that is at most
+/// `limit`; else more than that.
+double convex_bound(const ToleranceField& field, const Triangle3& corners, CornerDistances& distances,
+                    double limit) {
+  double largest = 0;
+  // Known ones first: they cost nothing.
+  for (const bool known : {true, false})
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((distances.squared[k] != CornerDistances::unknown) != known) continue;
+      largest = std::max(largest, std::sqrt(distances.at(field, corners, k)));
+      if (largest > limit) return largest;
+    }
+  return largest;
 }
 
 } // namespace
@@ -72,11 +107,12 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
   for (const Vec3 p : facet) box.add(p);
   const double rounding = rounding_bound(field.bounds(), box, bound_roundings);
   // Whoever brings a guess asks for speed: then a bound from the guess is good enough, if looser.
-  const bool trust_guess = search.guess.valid();
+  const bool trust_guess = search.guess.valid() && has_convex_sites(field);
+  const double limit = accept - rounding;
   PieceStack stack;
-  stack.push({facet, search.guess, 0});
+  stack.push({facet, {search.guess}, 0});
   while (!stack.empty()) {
-    const Piece piece = stack.pop();
+    Piece piece = stack.pop();
     ++verdict.pieces;
     const bool stopped =
         search.stop != nullptr && verdict.pieces % pieces_between_questions == 0 && (*search.stop)();
@@ -86,16 +122,18 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
       verdict.witness = centroid(piece.corners);
       return verdict;
     }
+    const Triangle3& t = piece.corners;
     if (trust_guess) {
-      const double bound = field.convex_bound(piece.corners, piece.guess) + rounding;
-      if (bound <= accept) {
-        verdict.max_distance = std::max(verdict.max_distance, bound);
+      const double bound = convex_bound(field, t, piece.guess, limit);
+      if (bound <= limit) {
+        verdict.max_distance = std::max(verdict.max_distance, bound + rounding);
         continue;
       }
     }
-    const Triangle3& t = piece.corners;
     const Vec3 center = centroid(t);
-    const ClosestPoint closest = field.closest_near(center, piece.guess);
+    const ClosestPoint closest = field.closest_near(center, piece.guess.site);
+    CornerDistances nearest{closest.triangle};
+    if (closest.triangle == piece.guess.site) nearest = piece.guess;
     const double d = closest.distance();
     double radius2 = 0;
     for (const Vec3 p : t) radius2 = std::max(radius2, squared_length(p - center));
@@ -104,7 +142,7 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
         const PieceVerdict judged = (*search.judge)(t, center, closest, std::sqrt(radius2));
         if (judged == PieceVerdict::passes) continue;
         if (judged == PieceVerdict::divide) {
-          push_halves(piece, closest.triangle, stack);
+          push_halves(piece, nearest, stack);
           continue;
         }
       }
@@ -120,12 +158,13 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
     }
     double bound = d + std::sqrt(radius2) + rounding;
     // The convexity bound is the tighter one in flat places; it costs three distances to one triangle.
-    bound = std::min(bound, field.convex_bound(t, closest.triangle) + rounding);
+    if (has_convex_sites(field))
+      bound = std::min(bound, convex_bound(field, t, nearest, std::min(limit, bound)) + rounding);
     if (bound <= accept) {
       verdict.max_distance = std::max(verdict.max_distance, bound);
       continue;
     }
-    push_halves(piece, closest.triangle, stack);
+    push_halves(piece, nearest, stack);
   }
   if (verdict.kind != Kind::outside) verdict.kind = Kind::inside;
   return verdict;

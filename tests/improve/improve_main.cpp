@@ -29,7 +29,7 @@ class Printer : public ImproverObserver {
  public:
   explicit Printer(std::size_t vertices) : vertices_(vertices) {}
   bool accepted(const SurfaceChange& change, const ImproverVerdict& verdict) override {
-    if (change.kind != last_ || change.kind == EventKind::relaxation) print();
+    if (change.kind != last_) print();
     last_ = change.kind;
     vertices_ -= change.killed_vertices.size();
     ++accepted_;
@@ -39,19 +39,17 @@ class Printer : public ImproverObserver {
     return true;
   }
   bool rejected(const ImproverVerdict& verdict) override {
-    ++rejected_[static_cast<int>(verdict.reason)];
+    ++rejected_[verdict.reason];
     sweeps_ += verdict.sweeps.size();
     return true;
   }
   void print() {
-    static const char* kinds[] = {"collapse", "relaxation", "repair"};
     std::printf(
         "%8.2f s %8.2f cpu  %-10s vertices %6zu accepted %5zu moved %6zu flipped %5zu sweeps %5zu rejected",
-        seconds() - start_, processor_seconds() - processor_start_, kinds[static_cast<int>(last_)], vertices_,
-        accepted_, moved_, flipped_, sweeps_);
-    static const char* reasons[] = {"",        "distance",     "certificate", "folded", "orientation",
-                                    "witness", "intersection", "connectivity"};
-    for (const auto& [reason, count] : rejected_) std::printf(" %s %zu", reasons[reason], count);
+        seconds() - start_, processor_seconds() - processor_start_, std::string(name(last_)).c_str(),
+        vertices_, accepted_, moved_, flipped_, sweeps_);
+    for (const auto& [reason, count] : rejected_)
+      std::printf(" %s %zu", std::string(name(reason)).c_str(), count);
     std::printf("\n");
     std::fflush(stdout);
     accepted_ = moved_ = flipped_ = sweeps_ = 0;
@@ -62,7 +60,7 @@ class Printer : public ImproverObserver {
   double start_ = seconds(), processor_start_ = processor_seconds();
   EventKind last_ = EventKind::collapse;
   std::size_t vertices_, accepted_ = 0, moved_ = 0, flipped_ = 0, sweeps_ = 0;
-  std::map<int, std::size_t> rejected_;
+  std::map<Reason, std::size_t> rejected_;
 };
 
 /// Failed tests of condition 3 and the share of the area whose normal is more than 60 and 90 degrees off.
