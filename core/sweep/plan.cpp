@@ -16,8 +16,6 @@ namespace isoscope::sweep {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 constexpr std::array<std::string_view, 7> endings{".off", ".obj", ".ply", ".stl", ".xyz", ".pts", ".asc"};
 constexpr std::string_view bundled = "gallery:";
 
@@ -72,17 +70,18 @@ Status take_list(const fs::path& list, std::vector<Model>& models) {
   return {};
 }
 
-Plan plan_of(const Json& json) {
+Plan plan_of(const nlohmann::ordered_json& json) {
   Plan plan;
-  for (const Json& m : json.at("models")) plan.models.push_back({m.at("name"), m.at("path")});
+  for (const nlohmann::ordered_json& m : json.at("models"))
+    plan.models.push_back({m.at("name"), m.at("path")});
   plan.tolerances = json.at("tolerances").get<std::vector<std::string>>();
   plan.options = json.at("options").get<std::vector<std::string>>();
   plan.limits = {json.at("cpu_limit"), json.at("memory_cap")};
   return plan;
 }
 
-Json json_of(const Plan& plan) {
-  Json models = Json::array();
+nlohmann::ordered_json json_of(const Plan& plan) {
+  nlohmann::ordered_json models = nlohmann::ordered_json::array();
   for (const Model& m : plan.models) models.push_back({{"name", m.name}, {"path", m.path}});
   return {{"isoscope-sweep", 1},
           {"tolerances", plan.tolerances},
@@ -143,8 +142,8 @@ Result<Plan> read_plan(const Folder& folder) {
   std::ifstream in(folder.plan());
   if (!in) return none;
   try {
-    return plan_of(Json::parse(in));
-  } catch (const Json::exception&) {
+    return plan_of(nlohmann::ordered_json::parse(in));
+  } catch (const nlohmann::ordered_json::exception&) {
     return none;
   }
 }
@@ -167,7 +166,7 @@ Status write_plan(const Folder& folder, const Plan& plan) {
   }
   PendingFile out;
   if (Status opened = out.open(folder.plan()); !opened) return opened;
-  out.append(json_of(plan).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  out.append(json_of(plan).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   return out.commit();
 }
 

@@ -13,20 +13,19 @@ namespace isoscope::sweep {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 void read_report(const fs::path& file, Row& row) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return;
-  const Json report = Json::parse(in);
+  const nlohmann::json report = nlohmann::json::parse(in);
   row.input_triangles = report.at("input").at("faces").get<std::size_t>();
-  const Json& certificate = report.at("certificate");
+  const nlohmann::json& certificate = report.at("certificate");
   for (const auto& [line, holds] : certificate.items())
     if (holds.is_boolean()) row.certificate[line] = holds.get<bool>();
   row.vertices = report.at("output").at("vertices").get<std::size_t>();
   row.components = report.at("output").at("components").get<std::size_t>();
   row.euler_characteristic = report.at("output").at("euler_characteristic").get<long>();
-  const Json& upper = certificate.at("input_distance").at("upper");
+  const nlohmann::json& upper = certificate.at("input_distance").at("upper");
   if (upper.is_number())
     row.covers = upper.get<double>() / report.at("parameters").at("tolerance").get<double>();
 }
@@ -87,7 +86,7 @@ std::optional<Row> run_one(const RunCall& call, const Asked& asked, const Limits
   if (row.message.empty() || end.timed_out) row.message = end_in_words(end);
   try {
     read_report(call.report, row);
-  } catch (const Json::exception&) {
+  } catch (const nlohmann::json::exception&) {
     if (row.message.empty()) row.message = "The report cannot be read.";
   }
   fs::remove(call.report, ignored);

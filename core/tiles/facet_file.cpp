@@ -30,10 +30,6 @@ struct StoredEntry {
 };
 static_assert(sizeof(StoredEntry) == 72 && sizeof(Head) == 32 && sizeof(Triangle3) == 72);
 
-auto key(Vec3 p) {
-  return std::tuple(p.x, p.y, p.z);
-}
-
 std::uint64_t digest_of(const std::vector<StoredEntry>& entries) {
   Digest d;
   for (const StoredEntry& e : entries) {
@@ -79,18 +75,20 @@ Result<std::vector<BrickEntry>> read_entries(std::ifstream& in, const std::files
 
 } // namespace
 
+bool before(Vec3 a, Vec3 b) {
+  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
 Triangle3 canonical(const Triangle3& facet) {
   Triangle3 turned = facet;
-  std::rotate(turned.begin(),
-              std::min_element(turned.begin(), turned.end(), [](Vec3 a, Vec3 b) { return key(a) < key(b); }),
-              turned.end());
+  std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end(), before), turned.end());
   return turned;
 }
 
 void make_canonical(std::vector<Triangle3>& facets) {
   for (Triangle3& f : facets) f = canonical(f);
   std::sort(facets.begin(), facets.end(), [](const Triangle3& a, const Triangle3& b) {
-    return std::tuple(key(a[0]), key(a[1]), key(a[2])) < std::tuple(key(b[0]), key(b[1]), key(b[2]));
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), before);
   });
 }
 

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <limits>
 #include <system_error>
-#include <tuple>
 
 namespace isoscope {
 namespace {
@@ -21,13 +20,6 @@ constexpr double input_reach = 3;
 
 Error cancelled_error() {
   return {ErrorCode::cancelled, "The run was stopped.", "What is done is kept: go on with the same folder."};
-}
-
-auto key(Vec3 p) {
-  return std::tuple(p.x, p.y, p.z);
-}
-bool before(Vec3 a, Vec3 b) {
-  return key(a) < key(b);
 }
 
 /// Points in ascending order, facets in the order of their corners: the same for the same facets.

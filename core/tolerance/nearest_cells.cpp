@@ -16,7 +16,7 @@ constexpr std::size_t most_listed = 48;
 constexpr unsigned most_levels = 3;
 /// Around the input's box, in sides; points farther out are looked up in the index.
 constexpr double apron = 8;
-constexpr double most_cells = 1 << 17; ///< along an axis: three levels fit into the bits of a key
+constexpr double most_along_axis = 1 << 17; ///< along an axis: three levels fit into the bits of a key
 /// Triangles next to the nearest that others are compared to, to leave these out.
 constexpr std::size_t rival_count = 6;
 /// Of the lengths that a float bound is made of: more than its few roundings.
@@ -62,7 +62,7 @@ struct NearestCells::Place {
 NearestCells::NearestCells(const ClosestPointIndex& index, double side, std::size_t byte_limit)
     : index_(&index), lo_(index.bounds().lo), side_(side), byte_limit_(byte_limit), buckets_(bucket_count) {
   if (index.empty()) return;
-  side_ = std::max(side, index.bounds().longest_edge() / (most_cells - 2 * apron - 1));
+  side_ = std::max(side, index.bounds().longest_edge() / (most_along_axis - 2 * apron - 1));
   inverse_side_ = 1 / side_;
   double largest = 0;
   for (int a = 0; a < 3; ++a) {

@@ -3,6 +3,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/segment.h"
+#include "tolerance/rim.h"
 #include "tolerance/sample_grid.h"
 
 #include <algorithm>
@@ -14,11 +15,8 @@
 namespace isoscope {
 namespace {
 
-/// The longest piece, in units of δ'.
-constexpr double longest_piece = 0.25;
-/// Borders face each other where the cosine of their conormals is below this, or where they are this near to
-/// each other, in units of δ': at creases.
-constexpr double facing = -0.5, touching = 0.05;
+/// Borders meet at creases too: where they are this near to each other, in units of δ'.
+constexpr double touching = 0.05;
 /// The share of the votes at a seam that tells how it runs.
 constexpr double clear_majority = 0.75;
 
@@ -87,7 +85,7 @@ Seams find_seams(const std::vector<Piece>& pieces, double boundary) {
       const Piece& q = pieces[i];
       const double d = distance_to(q.ends, middle);
       if (q.patch == p.patch || d > least || (d == least && nearest != nullptr)) continue;
-      if (dot(p.conormal, q.conormal) < facing || d <= touching * boundary) least = d, nearest = &q;
+      if (dot(p.conormal, q.conormal) < facing_conormals || d <= touching * boundary) least = d, nearest = &q;
     }
     if (nearest == nullptr) continue;
     const double along = p.length() * dot(p.direction, nearest->direction);
@@ -129,7 +127,7 @@ void turn_along_seams(const ClosestPointIndex& index, const WeldedMesh& mesh,
                       const std::vector<EdgeUse>& uses, double boundary, std::vector<std::int8_t>& turns) {
   DisjointSets patches = find_patches(uses, turns);
   const Seams seams =
-      find_seams(cut_borders(index, mesh, turns, patches, longest_piece * boundary), boundary);
+      find_seams(cut_borders(index, mesh, turns, patches, longest_border_piece * boundary), boundary);
   std::vector<std::tuple<double, std::uint32_t, std::uint32_t, bool>> order;
   for (const auto& [ends, seam] : seams)
     if (seam.clear())

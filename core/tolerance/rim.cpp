@@ -15,13 +15,10 @@
 namespace isoscope {
 namespace {
 
-/// The longest piece, in units of δ'.
-constexpr double longest_piece = 0.25;
 /// A border is open where the distance before it is that share of δ' at least.
 constexpr double open_distance = 0.98;
-/// Borders face each other where the cosine of their conormals is below this: what they leave between them is
-/// a slit that Ω closes, and no corner. Where that of their normals is, a sheet lies folded on the other.
-constexpr double facing = -0.5;
+/// Where the cosine of normals is below this, a sheet lies folded on the other.
+constexpr double facing = facing_conormals;
 /// The cosine from which on a normal counts as that of a wall across the way.
 constexpr double across = 0.7;
 /// How far beside a sheet the wall that it ends on is looked for, and how near to it that is, in units of
@@ -93,7 +90,7 @@ void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> want
     if (wanted[e.triangle] == 0) continue;
     const auto& [from, to] = segments[i];
     const auto n = static_cast<std::uint32_t>(
-        std::max(1.0, std::ceil(distance(from, to) / (longest_piece * boundary_))));
+        std::max(1.0, std::ceil(distance(from, to) / (longest_border_piece * boundary_))));
     for (std::uint32_t k = 0; k < n; ++k) {
       const Vec3 a = from + (static_cast<double>(k) / n) * (to - from);
       const Vec3 b = k + 1 == n ? to : from + (static_cast<double>(k + 1) / n) * (to - from);

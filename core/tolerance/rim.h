@@ -13,6 +13,12 @@
 
 namespace isoscope {
 
+/// The longest piece of a border, in units of δ'.
+constexpr double longest_border_piece = 0.25;
+/// Borders face each other where the cosine of their conormals is below this: what they leave between them is
+/// a slit that Ω closes, and no corner.
+constexpr double facing_conormals = -0.5;
+
 /// A straight part of the border, short against δ.
 struct RimPiece {
   Vec3 a, b;     ///< as its triangle runs

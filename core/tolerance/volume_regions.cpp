@@ -17,7 +17,7 @@ constexpr std::size_t pocket_budget = 20000;
 constexpr std::size_t thin_region_budget = 200000;
 constexpr std::size_t most_refined_cells = 6'000'000;
 /// Places between opposite walls of a component from which a region that the main cells miss is climbed to.
-constexpr std::size_t most_climbs = 64;
+constexpr std::size_t most_probes = 64;
 /// Places that are looked at where they are deep enough as they are: each may cost a flood of small cells.
 constexpr std::size_t most_looks = 16;
 /// Steps down to Ω', and how near to it, in units of δ', counts as there.
@@ -232,7 +232,7 @@ void ToleranceVolume::find_thin_regions(const RunControl& control) {
     }
     std::stable_sort(probes.begin(), probes.end(),
                      [](const auto& a, const auto& b) { return a.distance > b.distance; });
-    probes.resize(std::min(probes.size(), most_climbs));
+    probes.resize(std::min(probes.size(), most_probes));
     for (std::size_t i = 0; i < std::min(probes.size(), most_looks) && !control.cancelled(); ++i)
       if (probes[i].distance > thresholds_.reject) look(probes[i]);
     if (found.empty()) {

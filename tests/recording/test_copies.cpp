@@ -6,6 +6,7 @@
 #include "recording/recorded.h"
 #include "run/recorded_run.h"
 #include "run/session.h"
+#include "support/eventually.h"
 
 #include <doctest/doctest.h>
 
@@ -105,15 +106,6 @@ class Transport {
   fs::path from_, to_;
   std::mt19937 random_;
 };
-
-/// Waits for what another thread brings about.
-template <class Condition> bool eventually(Condition condition) {
-  for (int i = 0; i < 3000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "recording/recorded.h"
 #include "run/recorded_run.h"
 #include "run/session.h"
+#include "support/eventually.h"
 
 #include <doctest/doctest.h>
 
@@ -11,19 +12,6 @@
 
 using namespace isoscope;
 using namespace isoscope::test;
-
-namespace {
-
-/// Waits for what another thread brings about.
-template <class Condition> bool eventually(Condition condition) {
-  for (int i = 0; i < 3000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
-
-} // namespace
 
 TEST_CASE("A reader appends what a writer adds") {
   const TemporaryFolder folder;

@@ -12,7 +12,7 @@ using namespace isoscope;
 
 namespace {
 
-const TileGrid grid(1, {{0, 0, 0}, {8, 8, 8}});
+const TileGrid unit_bricks(1, {{0, 0, 0}, {8, 8, 8}});
 constexpr double inf = Box3::inf;
 const Box3 everywhere{{-inf, -inf, -inf}, {inf, inf, inf}};
 
@@ -38,8 +38,8 @@ TEST_CASE("The same facets make the same bytes in any order, and come back") {
   std::vector<Triangle3> facets = some_facets(), turned = facets;
   std::reverse(turned.begin(), turned.end());
   for (Triangle3& f : turned) std::rotate(f.begin(), f.begin() + 1, f.end());
-  REQUIRE(write_facets(folder / "a.facets", grid, facets).ok());
-  REQUIRE(write_facets(folder / "b.facets", grid, turned).ok());
+  REQUIRE(write_facets(folder / "a.facets", unit_bricks, facets).ok());
+  REQUIRE(write_facets(folder / "b.facets", unit_bricks, turned).ok());
   CHECK(bytes_of(folder / "a.facets") == bytes_of(folder / "b.facets"));
   std::vector<Triangle3> back;
   REQUIRE(read_facets(folder / "a.facets", everywhere, back).ok());
@@ -53,7 +53,7 @@ TEST_CASE("The same facets make the same bytes in any order, and come back") {
 
 TEST_CASE("A box gets the bricks whose facets come near it, however long they are") {
   const TemporaryFolder folder;
-  REQUIRE(write_facets(folder / "a.facets", grid, some_facets()).ok());
+  REQUIRE(write_facets(folder / "a.facets", unit_bricks, some_facets()).ok());
   std::vector<Triangle3> some;
   REQUIRE(read_facets(folder / "a.facets", {{2.5, 0, 0}, {3.5, 1, 1}}, some).ok());
   CHECK(some.size() == 2);
@@ -64,7 +64,7 @@ TEST_CASE("A box gets the bricks whose facets come near it, however long they ar
 
 TEST_CASE("A file that is cut short or changed is refused") {
   const TemporaryFolder folder;
-  REQUIRE(write_facets(folder / "a.facets", grid, some_facets()).ok());
+  REQUIRE(write_facets(folder / "a.facets", unit_bricks, some_facets()).ok());
   const std::string whole = bytes_of(folder / "a.facets");
   std::string changed = whole;
   changed[40] = static_cast<char>(changed[40] ^ 1);
