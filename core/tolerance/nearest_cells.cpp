@@ -19,6 +19,8 @@ constexpr double apron = 8;
 constexpr double most_along_axis = 1 << 17; ///< along an axis: three levels fit into the bits of a key
 /// Triangles next to the nearest that others are compared to, to leave these out.
 constexpr std::size_t rival_count = 6;
+/// Sizes of cells within which floats, and some 1e6 times less or more, are far from their ends.
+constexpr double least_side = 1e-20, largest_side = 1e20;
 /// Of the lengths that a float bound is made of: more than its few roundings.
 constexpr double float_margin = 1e-6;
 
@@ -63,6 +65,7 @@ NearestCells::NearestCells(const ClosestPointIndex& index, double side, std::siz
     : index_(&index), lo_(index.bounds().lo), side_(side), byte_limit_(byte_limit), buckets_(bucket_count) {
   if (index.empty()) return;
   side_ = std::max(side, index.bounds().longest_edge() / (most_along_axis - 2 * apron - 1));
+  if (!(side_ >= least_side && side_ <= largest_side)) return; // no cell holds any point
   inverse_side_ = 1 / side_;
   double largest = 0;
   for (int a = 0; a < 3; ++a) {

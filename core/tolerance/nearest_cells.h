@@ -70,7 +70,7 @@ class NearestCells final : public ToleranceField {
 
   const ClosestPointIndex* index_;
   Vec3 lo_;
-  double side_, inverse_side_, rounding_;
+  double side_, inverse_side_ = 0, rounding_ = 0;
   Vec3 cells_; ///< by axis: how many
   std::size_t byte_limit_;
   mutable std::atomic<std::size_t> bytes_{0};

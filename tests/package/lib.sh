@@ -42,6 +42,10 @@ share/icons/hicolor/scalable/apps/isoscope.svg
 share/man/man1/isoscope-run-diff.1.gz
 share/man/man1/isoscope-run-recover.1.gz
 share/man/man1/isoscope-run-replay.1.gz
+share/man/man1/isoscope-run-tiles-cut.1.gz
+share/man/man1/isoscope-run-tiles-join.1.gz
+share/man/man1/isoscope-run-tiles-status.1.gz
+share/man/man1/isoscope-run-tiles-step.1.gz
 share/man/man1/isoscope-run-tiles.1.gz
 share/man/man1/isoscope-run.1.gz
 share/man/man1/isoscope-sweep-compare.1.gz
