@@ -29,8 +29,8 @@ constexpr double open_component_share = 0.5;
 /// The share of the sides of a component's triangles that must have a neighbour for its border to mean
 /// something: in a soup of triangles every edge is one.
 constexpr double sheet_share = 0.3;
-constexpr double shortest_fin = 2;    ///< in units of δ'
-constexpr double longest_break = 0.5; ///< of one, in the same
+constexpr double shortest_fin = 2;   ///< in units of δ'
+constexpr double shortest_run = 0.5; ///< of one without a break, in the same: what is here and there is none
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -127,8 +127,9 @@ Error open_component_error(const ToleranceVolume& volume, std::uint32_t componen
       border ? *border : centroid(volume.index().triangle(triangles_of(volume, component).front())));
 }
 
-/// Where the rim of a sheet ends on another part of it for that long, without a longer break than `gap`.
-std::optional<Vec3> end_on_wall(const OpenSides& sides, double enough, double gap) {
+/// Where the rims of a component's sheets end on other parts of it for that long, in runs of `least` or more.
+std::optional<Vec3> end_on_wall(const ToleranceVolume& volume, const OpenSides& sides, double enough,
+                                double least) {
   std::vector<const RimPiece*> ending;
   for (const RimPiece& piece : sides.rim().pieces())
     if (piece.meets_wall && sides.is_open(piece.triangle)) ending.push_back(&piece);
@@ -140,14 +141,17 @@ std::optional<Vec3> end_on_wall(const OpenSides& sides, double enough, double ga
            std::tie(y.first.x, y.first.y, y.first.z, y.second);
   });
   DisjointSets runs(ending.size());
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    for (std::size_t j = i + 1; j < ends.size() && ends[j].first.x - ends[i].first.x <= gap; ++j)
-      if (distance(ends[i].first, ends[j].first) <= gap) runs.unite(ends[i].second, ends[j].second);
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    if (ends[i].first == ends[i - 1].first) runs.unite(ends[i].second, ends[i - 1].second);
   std::vector<double> length(ending.size(), 0);
   for (std::uint32_t i = 0; i < ending.size(); ++i)
     length[runs.find(i)] += distance(ending[i]->a, ending[i]->b);
-  for (std::uint32_t i = 0; i < ending.size(); ++i)
-    if (length[runs.find(i)] >= enough) return 0.5 * (ending[i]->a + ending[i]->b);
+  std::vector<double> in_component(volume.volume_component_count(), 0);
+  for (std::uint32_t i = 0; i < ending.size(); ++i) {
+    if (runs.find(i) != i || length[i] < least) continue;
+    double& sum = in_component[volume.volume_component(ending[i]->triangle)];
+    if ((sum += length[i]) >= enough) return 0.5 * (ending[i]->a + ending[i]->b);
+  }
   return std::nullopt;
 }
 
@@ -165,7 +169,7 @@ std::optional<Vec3> place_of_fin(const ToleranceVolume& volume, const OpenSides&
     const Vec3 a = mesh.points[uses[i].low], b = mesh.points[uses[i].high];
     if (end - i > 2 && long_enough(TriangleId(uses[i].triangle), a, b)) return 0.5 * (a + b);
   }
-  return end_on_wall(sides, enough, longest_break * volume.thresholds().boundary);
+  return end_on_wall(volume, sides, enough, shortest_run * volume.thresholds().boundary);
 }
 
 /// A component among the open ones whose triangles, if it has more than one, are no sheet.
