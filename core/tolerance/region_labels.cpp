@@ -30,7 +30,7 @@ constexpr double open_component_share = 0.5;
 /// something: in a soup of triangles every edge is one.
 constexpr double sheet_share = 0.3;
 constexpr double shortest_fin = 2;   ///< in units of δ'
-constexpr double shortest_run = 0.5; ///< of one without a break, in the same: what is here and there is none
+constexpr double shortest_run = 1; ///< of one without a break, in the same: what is here and there is none
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
