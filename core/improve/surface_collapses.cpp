@@ -56,9 +56,12 @@ class Round {
       const bool complete =
           parallel_until(attempts_.size(), 1, control_, [&](std::size_t i) { evaluate(attempts_[i]); });
       if (!complete) break;
-      const std::uint32_t batch_time = surface_.commits();
+      // Failures first: they are told of the surface that they were judged on, before others change it.
+      if (with_repair())
+        std::stable_partition(attempts_.begin(), attempts_.end(),
+                              [](const Attempt& attempt) { return !attempt.verdict.accepted(); });
       for (const Attempt& attempt : attempts_)
-        if (!figures_.stopped) settle(attempt, batch_time);
+        if (!figures_.stopped) settle(attempt);
       push(stale_);
     }
     return figures_;
@@ -74,14 +77,13 @@ class Round {
   }
   bool failed_before(std::uint32_t a, std::uint32_t b) const;
   ImproverVerdict verdict_on(std::uint32_t a, std::uint32_t b) const;
-  /// `time`: the commits that the verdict knows of.
-  void refuse(const ImproverVerdict& verdict, std::uint32_t time);
+  void refuse(const ImproverVerdict& verdict);
   bool with_repair() const { return options_.repair.sweeps > 0; }
   std::optional<SurfacePatch> take(const Entry& e);
   /// Puts an attempt that came too late back into the queue.
   void try_again(const Entry& e);
   void evaluate(Attempt& attempt) const;
-  void settle(const Attempt& attempt, std::uint32_t batch_time);
+  void settle(const Attempt& attempt);
 
   LiveSurface& surface_;
   const SurfaceRules& rules_;
@@ -124,7 +126,7 @@ void Round::push(std::vector<Edge>& edges) {
     if (!refusals[i].accepted() && !failed_before(a, b)) {
       ImproverVerdict verdict = verdict_on(a, b);
       static_cast<Refusal&>(verdict) = refusals[i];
-      refuse(verdict, surface_.commits());
+      refuse(verdict);
     }
   }
   edges.clear();
@@ -194,18 +196,19 @@ ImproverVerdict Round::verdict_on(std::uint32_t a, std::uint32_t b) const {
   return verdict;
 }
 
-void Round::refuse(const ImproverVerdict& verdict, std::uint32_t time) {
-  failed_.add(verdict.a, verdict.b, {time, is_close(verdict)});
+void Round::refuse(const ImproverVerdict& verdict) {
+  failed_.add(verdict.a, verdict.b, {surface_.commits(), is_close(verdict)});
   figures_.stopped = !observer_.rejected(verdict) || figures_.stopped;
 }
 
-void Round::settle(const Attempt& attempt, std::uint32_t batch_time) {
+void Round::settle(const Attempt& attempt) {
   ++figures_.attempts;
   ++in_vain_;
   const Entry& e = attempt.entry;
-  // Where nothing near has changed since, or it fails, the verdict holds; but not on an edge that is gone.
-  if (!complex().has_edge(e.a, e.b)) return;
-  if (attempt.verdict.accepted() && !surface_.up_to_date(attempt.patch)) return try_again(e);
+  if (attempt.verdict.accepted()) {
+    if (!complex().has_edge(e.a, e.b)) return;
+    if (!surface_.up_to_date(attempt.patch)) return try_again(e);
+  }
   ImproverVerdict verdict = verdict_on(e.a, e.b);
   verdict.target = e.target;
   verdict.cost = e.cost;
@@ -216,7 +219,7 @@ void Round::settle(const Attempt& attempt, std::uint32_t batch_time) {
       attempt.verdict.accepted() ? surface_.check(attempt.patch) : Refusal(attempt.verdict);
   if (!verdict.accepted()) {
     if (attempt.verdict.facet) verdict.facet = attempt.patch.surface_corners(*attempt.verdict.facet);
-    refuse(verdict, attempt.verdict.accepted() ? surface_.commits() : batch_time);
+    refuse(verdict);
     return;
   }
   verdict.limit = rules_.input->delta();
