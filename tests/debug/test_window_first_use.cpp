@@ -79,7 +79,7 @@ stage improve
 next-event rejection && sweeps > 0 && reason == stays_above
 expect event.reason == stays-above and event.value > event.limit
 expect repair.sweeps >= 1 and repair.excess > 0
-expect refused.distance > 0.9
+expect refused.distance > 0.5
 step-into
 expect depth == 2 and gate.number == 1
 expect refused.distance > 0
@@ -88,7 +88,7 @@ expect gate.number == 2
 step-out
 stage improve
 next-event rejection && !(sweeps > 0) && reason == stays_above
-expect refused.distance > 0.9
+expect refused.distance > 0.5
 quit
 )",
                    "gallery:bracket --size 1440x900") == 0);
