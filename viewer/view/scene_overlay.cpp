@@ -216,8 +216,9 @@ void hover_tip(const Ui& ui) {
 
 void invitation(Ui& ui, ImVec2 low, ImVec2 size) {
   const WindowState& m = ui.window;
+  const bool sampled = m.state() && m.state()->samples; // before it failed: that is to be seen
   const bool nothing =
-      m.run.phase == SessionPhase::idle || (m.run.phase == SessionPhase::failed && !m.run.scene);
+      m.run.phase == SessionPhase::idle || (m.run.phase == SessionPhase::failed && !m.run.scene && !sampled);
   if (!nothing || size.x < ui.px(300)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 middle{low.x + size.x / 2, low.y + size.y / 2};
