@@ -259,9 +259,9 @@ int run_in_tiles(const RunParameters& parameters, const std::string& folder, con
 int tiles(int argc, char** argv) {
   for (const Part& part : parts)
     if (argc > 1 && part.told.name == argv[1]) return part.run(argc - 1, argv + 1);
-  CommandLine app{
-      "A run in tiles, in parts: for inputs that are larger than a machine, and for many machines.",
-      "isoscope-run tiles"};
+  CommandLine app{"A run in tiles, in parts: the improving in bounded memory, in any number of programs and "
+                  "on many machines.",
+                  "isoscope-run tiles"};
   for (const Part& part : parts) app.verb(part.told);
   if (const auto ended = app.parse(argc, argv)) return *ended;
   return fail({ErrorCode::usage, "Which part?", "cut, step, join or status; --help tells more."}, 2);
