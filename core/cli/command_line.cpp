@@ -106,6 +106,12 @@ void CommandLine::version(const std::string& text) {
   app_->set_version_flag("--version", text);
 }
 
+std::optional<int> run_verb(std::span<const Verb> verbs, int argc, char** argv) {
+  for (const Verb& verb : verbs)
+    if (argc > 1 && verb.told.name == argv[1]) return verb.run(argc - 1, argv + 1);
+  return std::nullopt;
+}
+
 void CommandLine::verb(const ManualVerb& verb) {
   app_->told.verbs.push_back(verb);
 }

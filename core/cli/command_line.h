@@ -8,12 +8,21 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace isoscope {
 
 struct FieldOption;
+
+/// A verb with what does it, for which argv[0] is the verb. It gives the exit status.
+struct Verb {
+  ManualVerb told;
+  int (*run)(int argc, char** argv);
+};
+/// Does the verb that a command line begins with, where it is one of these.
+std::optional<int> run_verb(std::span<const Verb> verbs, int argc, char** argv);
 
 class CommandLine {
  public:

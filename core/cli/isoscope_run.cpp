@@ -111,10 +111,6 @@ class BatchGate : public Gate {
 };
 
 /// A verb as help tells it, and what it runs.
-struct Verb {
-  ManualVerb told;
-  int (*run)(int argc, char** argv);
-};
 const Verb verbs[] = {
     {{"replay", "RUN.isorun", "reads a recording"}, replay},
     {{"diff", "A.isorun B.isorun", "tells what differs between two"}, diff},
@@ -157,8 +153,7 @@ int run(int argc, char** argv) {
       "or by the user; 5 stopped at a breakpoint.");
   app.see_also("isoscope");
   app.see_also("isoscope-sweep");
-  for (const Verb& verb : verbs)
-    if (argc > 1 && verb.told.name == argv[1]) return verb.run(argc - 1, argv + 1);
+  if (const auto status = run_verb(verbs, argc, argv)) return *status;
   if (const auto ended = app.parse(argc, argv)) return *ended;
   if (list_gallery) return answer(gallery_table());
   BreakpointSet breakpoints;

@@ -20,10 +20,6 @@ namespace {
 using namespace isoscope;
 using namespace isoscope::sweep;
 
-struct Verb {
-  ManualVerb told;
-  int (*run)(int argc, char** argv);
-};
 const Verb verbs[] = {
     {{"step", "FOLDER --run K", "does one run, or every so many"}, sweep_step},
     {{"missing", "FOLDER", "prints the numbers of runs without a row"}, sweep_missing},
@@ -165,8 +161,7 @@ int run(int argc, char** argv) {
       "0 all runs are certified, or they were submitted; 1 some are not; 2 usage; 3 no models or no "
       "sweep; 4 interrupted.");
   app.see_also("isoscope-run");
-  for (const Verb& verb : verbs)
-    if (argc > 1 && verb.told.name == argv[1]) return verb.run(argc - 1, argv + 1);
+  if (const auto status = run_verb(verbs, argc, argv)) return *status;
   if (const auto ended = app.parse(argc, argv)) return *ended;
   if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
   if (Status there = check_program(asks.program); !there) return fail(there.error());

@@ -211,11 +211,7 @@ int status(int argc, char** argv) {
   return printed ? 0 : fail(printed.error(), 1);
 }
 
-struct Part {
-  ManualVerb told;
-  int (*run)(int argc, char** argv);
-};
-const Part parts[] = {
+const Verb parts[] = {
     {{"cut", "MODEL FOLDER --tolerance P", "cuts an input into tiles"}, cut},
     {{"step", "FOLDER [--tile K]", "improves tiles"}, step},
     {{"join", "FOLDER -o OUT", "joins them, proves the mesh and writes it"}, join},
@@ -257,12 +253,11 @@ int run_in_tiles(const RunParameters& parameters, const std::string& folder, con
 }
 
 int tiles(int argc, char** argv) {
-  for (const Part& part : parts)
-    if (argc > 1 && part.told.name == argv[1]) return part.run(argc - 1, argv + 1);
+  if (const auto status = run_verb(parts, argc, argv)) return *status;
   CommandLine app{"A run in tiles, in parts: the improving in bounded memory, in any number of programs and "
                   "on many machines.",
                   "isoscope-run tiles"};
-  for (const Part& part : parts) app.verb(part.told);
+  for (const Verb& part : parts) app.verb(part.told);
   if (const auto ended = app.parse(argc, argv)) return *ended;
   return fail({ErrorCode::usage, "Which part?", "cut, step, join or status; --help tells more."}, 2);
 }

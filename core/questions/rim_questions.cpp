@@ -2,13 +2,13 @@
 #include "questions/rim_questions.h"
 
 #include "base/disjoint_sets.h"
+#include "base/point_order.h"
 #include "mesh/zero_curves.h"
 #include "tolerance/open_sides.h"
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <tuple>
 
 namespace isoscope {
 namespace {
@@ -32,17 +32,13 @@ std::uint32_t number_of(const std::vector<Vec3>& points, Vec3 p) {
   return static_cast<std::uint32_t>(std::find(points.begin(), points.end(), p) - points.begin());
 }
 
-/// Ends of pieces in a row, so that those that share one are found.
-bool less(Vec3 a, Vec3 b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
-
 std::vector<BridgedStretch> bridged_stretches(const Rim& rim) {
   std::vector<const RimPiece*> pieces;
   for (const RimPiece& p : rim.pieces())
     if (!p.open) pieces.push_back(&p);
   DisjointSets sets(pieces.size());
-  std::map<Vec3, std::uint32_t, decltype(&less)> first(&less);
+  // Ends of pieces: those that share one are found.
+  std::map<Vec3, std::uint32_t, decltype(&lies_before)> first(&lies_before);
   for (std::uint32_t i = 0; i < pieces.size(); ++i)
     for (const Vec3 end : {pieces[i]->a, pieces[i]->b}) {
       const auto [at, fresh] = first.emplace(end, i);

@@ -2,13 +2,13 @@
 #include "tiles/facet_file.h"
 
 #include "base/pending_file.h"
+#include "base/point_order.h"
 #include "journal/digest.h"
 
 #include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <map>
-#include <tuple>
 
 namespace isoscope {
 namespace {
@@ -75,20 +75,16 @@ Result<std::vector<BrickEntry>> read_entries(std::ifstream& in, const std::files
 
 } // namespace
 
-bool before(Vec3 a, Vec3 b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
-
 Triangle3 canonical(const Triangle3& facet) {
   Triangle3 turned = facet;
-  std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end(), before), turned.end());
+  std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end(), lies_before), turned.end());
   return turned;
 }
 
 void make_canonical(std::vector<Triangle3>& facets) {
   for (Triangle3& f : facets) f = canonical(f);
   std::sort(facets.begin(), facets.end(), [](const Triangle3& a, const Triangle3& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), before);
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), lies_before);
   });
 }
 

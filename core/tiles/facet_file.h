@@ -19,8 +19,6 @@ struct BrickEntry {
   Box3 box;                ///< of all of them
 };
 
-/// The order of vertices: by x, then y, then z.
-bool before(Vec3 a, Vec3 b);
 /// A facet with its lowest vertex first, the way round it had.
 Triangle3 canonical(const Triangle3& facet);
 /// Puts facets in canonical form and in the order of their corners.

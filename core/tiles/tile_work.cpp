@@ -2,6 +2,7 @@
 #include "tiles/tile_work.h"
 
 #include "base/memory.h"
+#include "base/point_order.h"
 #include "base/stopwatch.h"
 #include "improve/improver.h"
 #include "run/crumbs.h"
@@ -27,11 +28,11 @@ TriangleMesh mesh_of(std::vector<Triangle3> facets) {
   make_canonical(facets);
   TriangleMesh mesh;
   for (const Triangle3& f : facets) mesh.points.insert(mesh.points.end(), f.begin(), f.end());
-  std::sort(mesh.points.begin(), mesh.points.end(), before);
+  std::sort(mesh.points.begin(), mesh.points.end(), lies_before);
   mesh.points.erase(std::unique(mesh.points.begin(), mesh.points.end()), mesh.points.end());
   const auto vertex = [&](Vec3 p) {
-    return static_cast<std::uint32_t>(std::lower_bound(mesh.points.begin(), mesh.points.end(), p, before) -
-                                      mesh.points.begin());
+    return static_cast<std::uint32_t>(
+        std::lower_bound(mesh.points.begin(), mesh.points.end(), p, lies_before) - mesh.points.begin());
   };
   for (const Triangle3& f : facets) mesh.triangles.push_back({vertex(f[0]), vertex(f[1]), vertex(f[2])});
   return mesh;

@@ -1,6 +1,7 @@
 // What the current operation touched, and what is selected.
 #include "scene/layers.h"
 
+#include "base/point_order.h"
 #include "scene/first_box.h"
 #include "scene/pick_geometry.h"
 
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <tuple>
 #include <vector>
 
 namespace isoscope {
@@ -29,15 +29,14 @@ class TetEdges {
   }
   void add(std::span<const Corners> tets, Color8 tint, float width, bool dashed, LineBuilder& lines) const {
     const auto hidden = [&](Vec3 q) { return std::find(hidden_.begin(), hidden_.end(), q) != hidden_.end(); };
-    const auto less = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
     std::vector<std::array<Vec3, 2>> edges;
     for (const Corners& p : tets)
       for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = i + 1; j < 4; ++j)
           if (!hidden(p[i]) && !hidden(p[j]))
-            edges.push_back(less(p[i], p[j]) ? std::array{p[i], p[j]} : std::array{p[j], p[i]});
+            edges.push_back(lies_before(p[i], p[j]) ? std::array{p[i], p[j]} : std::array{p[j], p[i]});
     std::sort(edges.begin(), edges.end(), [&](const auto& a, const auto& b) {
-      return less(a[0], b[0]) || (!less(b[0], a[0]) && less(a[1], b[1]));
+      return lies_before(a[0], b[0]) || (!lies_before(b[0], a[0]) && lies_before(a[1], b[1]));
     });
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& e : edges) lines.segment(space_.local(e[0]), space_.local(e[1]), tint, width, dashed);
@@ -54,15 +53,14 @@ class TetEdges {
 /// The edges of facets of Z, a shared one once.
 void add_facet_edges(std::span<const Triangle3> facets, const SceneSpace& space, Color8 tint, float width,
                      bool dashed, LineBuilder& lines) {
-  const auto less = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
   std::vector<std::array<Vec3, 2>> edges;
   for (const Triangle3& t : facets)
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = t[i], b = t[(i + 1) % 3];
-      edges.push_back(less(a, b) ? std::array{a, b} : std::array{b, a});
+      edges.push_back(lies_before(a, b) ? std::array{a, b} : std::array{b, a});
     }
   std::sort(edges.begin(), edges.end(), [&](const auto& a, const auto& b) {
-    return less(a[0], b[0]) || (!less(b[0], a[0]) && less(a[1], b[1]));
+    return lies_before(a[0], b[0]) || (!lies_before(b[0], a[0]) && lies_before(a[1], b[1]));
   });
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   for (const auto& e : edges) lines.segment(space.local(e[0]), space.local(e[1]), tint, width, dashed);

@@ -1,23 +1,20 @@
 // Facets of Z against the clip and the current operation.
 #include "scene/zero_facets.h"
 
+#include "base/point_order.h"
+
 #include <algorithm>
-#include <tuple>
 
 namespace isoscope {
 namespace {
 
-bool less(Vec3 a, Vec3 b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
-
 Triangle3 sorted(Triangle3 t) {
-  std::sort(t.begin(), t.end(), less);
+  std::sort(t.begin(), t.end(), lies_before);
   return t;
 }
 
 bool less_triangle(const Triangle3& a, const Triangle3& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), lies_before);
 }
 
 } // namespace
