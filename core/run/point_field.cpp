@@ -7,6 +7,7 @@
 #include "base/place.h"
 #include "base/scramble.h"
 #include "tolerance/closest_point.h"
+#include "tolerance/region_labels.h"
 #include "tolerance/witnessed_distance.h"
 
 #include <algorithm>
@@ -100,12 +101,6 @@ Error nothing_inside(const DeltaStudy& study, double delta, bool opened) {
   return {ErrorCode::open_surface, what + why,
           "Ω encloses something for δ from " + general(study.least, 3) + " to " + general(study.most, 3) +
               ": choose --tolerance auto, or a length between them."};
-}
-
-/// The label of the region that ways up from p, which is outside of Ω', lead to; 0 where that is not told.
-int label_above(const ToleranceVolume& volume, Vec3 p) {
-  const RegionId region = volume.escape(p, volume.field().closest(p)).region;
-  return region.valid() ? volume.regions()[region.index()].label : 0;
 }
 
 /// Whether Ω' is open where the study saw an inside open: balls outside of Ω' around the nodes of a lattice

@@ -16,7 +16,6 @@
 namespace isoscope {
 namespace {
 
-constexpr double certified_boundary_ratio = 0.95;
 /// How fine triangles that do not close are studied, relative to the longest edge.
 constexpr double study_resolution = 0.003;
 
@@ -64,7 +63,8 @@ Status check_memory(const SampleEstimate& estimate, double sigma, double delta, 
 }
 
 ToleranceVolume::Options Preparation::volume_options(double delta) const {
-  return {delta, parameters_.containment == Containment::certified ? certified_boundary_ratio : 1.0,
+  return {delta,
+          parameters_.containment == Containment::certified ? ToleranceVolume::Options().boundary_ratio : 1.0,
           parameters_.most_bytes()};
 }
 

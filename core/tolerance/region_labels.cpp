@@ -29,7 +29,7 @@ constexpr double open_component_share = 0.5;
 /// The share of the sides of a component's triangles that must have a neighbour for its border to mean
 /// something: in a soup of triangles every edge is one.
 constexpr double sheet_share = 0.3;
-constexpr double shortest_fin = 2;   ///< in units of δ'
+constexpr double shortest_fin = 2; ///< in units of δ'
 constexpr double shortest_run = 1; ///< of one without a break, in the same: what is here and there is none
 
 /// The regions on the sides of each component of Ω'.
@@ -294,6 +294,11 @@ ThicknessProbe deepest_around(const ToleranceField& field, const ThicknessProbe&
     if (d > best.distance) best.middle = p, best.distance = d;
   }
   return best;
+}
+
+int label_above(const ToleranceVolume& volume, Vec3 p) {
+  const RegionId region = volume.escape(p, volume.field().closest(p)).region;
+  return region.valid() ? volume.regions()[region.index()].label : 0;
 }
 
 ThicknessProbe climb(const ToleranceField& field, ThicknessProbe from, double enough) {

@@ -40,6 +40,9 @@ DepthLabels label_by_depth(const ToleranceVolume& volume, const RunControl& cont
 DepthLabels spread_labels(const ToleranceVolume& volume, std::vector<int> of_regions,
                           const RunControl& control);
 
+/// The label of the region that ways up from p, which is outside of Ω', lead to; 0 where that is not told.
+int label_above(const ToleranceVolume& volume, Vec3 p);
+
 /// A point midway between a wall of the input and the next one along the normal.
 struct ThicknessProbe {
   Vec3 middle;

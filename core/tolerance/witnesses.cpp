@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "tolerance/octree_estimate.h"
 #include "tolerance/piece_witnesses.h"
+#include "tolerance/region_labels.h"
 #include "tolerance/regions.h"
 #include "tolerance/tolerance_volume.h"
 
@@ -142,9 +143,15 @@ std::vector<Climbed> climb_from_triangles(const ClosestPointIndex& index, const 
 /// Where sides are not known, a ray through a hole counts one crossing too few: there a point belongs to the
 /// region that it can escape to, and 0 says that it has none.
 int label_of(const ToleranceVolume& volume, Vec3 p) {
-  const RegionId region = volume.escape(p, volume.field().closest(p)).region;
-  if (region.valid()) return volume.regions()[region.index()].label;
+  if (const int label = label_above(volume, p); label != 0) return label;
   return volume.sides().known() ? volume.sides().label(p) : 0;
+}
+
+/// Climbs that end in the ball of an earlier point, of any type that knows its depth, belong to it.
+template <class Points> bool is_known(const Climbed& c, const Points& earlier, double delta) {
+  return std::any_of(earlier.begin(), earlier.end(), [&](const auto& o) {
+    return distance(c.point, o.point) < std::max(o.depth, c.depth) - delta;
+  });
 }
 
 } // namespace
@@ -172,18 +179,16 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
   if (!volume.sides().known() || !volume.has_surface()) return witnesses;
   for (const Climbed& c : climb_from_triangles(volume.index(), cells, delta, control)) {
     if (control.cancelled()) break;
-    // Climbs that end in the ball of an earlier witness belong to it.
-    const bool known = std::any_of(witnesses.begin(), witnesses.end(), [&](const Witness& o) {
-      return distance(c.point, o.point) < std::max(o.depth, c.depth) - delta;
-    });
-    if (!known) witnesses.push_back({c.point, volume.sides().label(c.point), c.depth});
+    if (!is_known(c, witnesses, delta))
+      witnesses.push_back({c.point, volume.sides().label(c.point), c.depth});
   }
   return witnesses;
 }
 
 Result<std::vector<Vec3>> witnesses_of_piece(const ClosestPointIndex& piece, double delta,
                                              const RunControl& control) {
-  constexpr double boundary = 0.95, reach = 3; // in δ
+  constexpr double reach = 3; // in δ
+  const double boundary = ToleranceVolume::Options().boundary_ratio;
   const double side = OctreeEstimate(piece, true).main_side_ratio(boundary * delta) * boundary * delta;
   auto octree = Regions::build(
       piece, {.boundary = boundary * delta, .main_side = side, .min_side = side, .margin = reach * delta},
@@ -198,10 +203,7 @@ Result<std::vector<Vec3>> witnesses_of_piece(const ClosestPointIndex& piece, dou
   }
   for (const Climbed& c : climb_from_triangles(piece, cells, delta, control)) {
     if (control.cancelled()) break;
-    const bool known = std::any_of(found.begin(), found.end(), [&](const Climbed& o) {
-      return distance(c.point, o.point) < std::max(o.depth, c.depth) - delta;
-    });
-    if (!known) found.push_back(c);
+    if (!is_known(c, found, delta)) found.push_back(c);
   }
   std::vector<Vec3> points;
   for (const Climbed& c : found) points.push_back(c.point);
