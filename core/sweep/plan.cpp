@@ -1,6 +1,7 @@
 // Lists, folders, and the plan as JSON.
 #include "sweep/plan.h"
 
+#include "base/folded.h"
 #include "base/pending_file.h"
 
 #include <nlohmann/json.hpp>
@@ -20,8 +21,7 @@ constexpr std::array<std::string_view, 7> endings{".off", ".obj", ".ply", ".stl"
 constexpr std::string_view bundled = "gallery:";
 
 std::string lowered(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (char& c : text) c = folded(c);
   return text;
 }
 
