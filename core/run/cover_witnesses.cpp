@@ -21,6 +21,8 @@ constexpr double least_limit = 2;
 constexpr double slack = 0.25;
 /// Pieces of a triangle that are judged are no larger than this, in δ.
 constexpr double finest_piece = 0.15;
+/// Points of the way are not asked for nearer to each other than this, in δ.
+constexpr double finest_step = 1.0 / 16;
 
 /// A piece of the input far from all samples of a side.
 struct BarePiece {
@@ -102,7 +104,12 @@ class Choice {
       on_path_[n] = true;
       way.push_back(n);
     }
-    for (auto n = way.rbegin(); n != way.rend(); ++n) out.path.push_back(witness(*n));
+    for (auto n = way.rbegin(); n != way.rend(); ++n) {
+      const std::uint32_t before = nodes_[*n].parent;
+      if (before != ThinSkeleton::none && nodes_[*n].straight)
+        add_between(nodes_[before].middle, nodes_[*n].middle, out.path);
+      out.path.push_back(witness(*n));
+    }
   }
 
  private:
@@ -116,6 +123,17 @@ class Choice {
   Witness witness(std::uint32_t n) const {
     const Vec3 p = nodes_[n].middle;
     return {p, label_, volume_.field().distance(p), true};
+  }
+
+  /// Points between two of the way, so near to each other that a ball over two of them stays on their side:
+  /// then no vertex of the other side parts them.
+  void add_between(Vec3 a, Vec3 b, std::vector<Witness>& path) const {
+    const Vec3 middle = 0.5 * (a + b);
+    const double depth = volume_.field().distance(middle), apart = distance(a, b);
+    if (apart <= 2 * depth || apart <= finest_step * volume_.thresholds().delta) return;
+    add_between(a, middle, path);
+    path.push_back({middle, label_, depth, true});
+    add_between(middle, b, path);
   }
 };
 

@@ -19,7 +19,7 @@ constexpr double longest_link = 0.95;
 /// A ball this large, in units of δ', reaches the region itself.
 constexpr double root_radius = 0.98;
 /// A link through a wall counts as so many times its length: thin curved shells have no others.
-constexpr double price_of_walls = 8;
+constexpr double price_of_walls = 200;
 /// What is thin is looked at up to so many cells.
 constexpr std::size_t most_nodes = 400000;
 constexpr std::size_t node_grain = 16;
@@ -140,6 +140,7 @@ void ThinSkeleton::find_ways(const RunControl& control) {
       if (longer >= other.way) return;
       other.way = longer;
       other.parent = n;
+      other.straight = inside;
       open.emplace(longer, found->second);
     });
   }

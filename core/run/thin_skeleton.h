@@ -30,6 +30,7 @@ class ThinSkeleton {
     double way =
         Box3::inf; ///< to the nearest root along the forest, absolute; infinite where none is reached
     std::uint32_t parent = none;
+    bool straight = false; ///< whether nothing of the input lies between its middle and that of its parent
   };
 
   /// Grows from the places `from`, points of the input, over walls of the side `label` (-1 in the inside of

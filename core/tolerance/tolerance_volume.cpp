@@ -67,6 +67,11 @@ void ToleranceVolume::hold(std::span<const Witness> held, std::vector<Witness> p
   cover_path_ = std::move(path);
 }
 
+std::size_t ToleranceVolume::held() const {
+  return static_cast<std::size_t>(
+      std::count_if(witnesses_.begin(), witnesses_.end(), [](const Witness& w) { return w.cover; }));
+}
+
 void ToleranceVolume::settle_open_sides(std::shared_ptr<const OpenSides> sides) {
   open_sides_ = std::move(sides);
   if (open_sides_) keep_border_to(open_segments(open_sides_->rim()));
