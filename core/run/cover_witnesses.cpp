@@ -21,8 +21,9 @@ constexpr double least_limit = 2;
 constexpr double slack = 0.25;
 /// Pieces of a triangle that are judged are no larger than this, in δ.
 constexpr double finest_piece = 0.15;
-/// Points of the way are not asked for nearer to each other than this, in δ.
-constexpr double finest_step = 1.0 / 16;
+/// Points of the way are not asked for nearer to each other than this, in δ, nor farther apart than that, in
+/// δ', where the input lies between them.
+constexpr double finest_step = 1.0 / 16, longest_step = 0.95;
 
 /// A piece of the input far from all samples of a side.
 struct BarePiece {
@@ -106,8 +107,8 @@ class Choice {
     }
     for (auto n = way.rbegin(); n != way.rend(); ++n) {
       const std::uint32_t before = nodes_[*n].parent;
-      if (before != ThinSkeleton::none && nodes_[*n].straight)
-        add_between(nodes_[before].middle, nodes_[*n].middle, out.path);
+      if (before != ThinSkeleton::none)
+        add_between(nodes_[before].middle, nodes_[*n].middle, nodes_[*n].straight, out.path);
       out.path.push_back(witness(*n));
     }
   }
@@ -126,14 +127,18 @@ class Choice {
   }
 
   /// Points between two of the way, so near to each other that a ball over two of them stays on their side:
-  /// then no vertex of the other side parts them.
-  void add_between(Vec3 a, Vec3 b, std::vector<Witness>& path) const {
+  /// then no vertex of the other side parts them. Where the input lies between them, as in thin shells that
+  /// are curved, so near that it holds no sample.
+  void add_between(Vec3 a, Vec3 b, bool straight, std::vector<Witness>& path) const {
+    const ToleranceThresholds& limits = volume_.thresholds();
     const Vec3 middle = 0.5 * (a + b);
     const double depth = volume_.field().distance(middle), apart = distance(a, b);
-    if (apart <= 2 * depth || apart <= finest_step * volume_.thresholds().delta) return;
-    add_between(a, middle, path);
+    const double enough =
+        straight ? std::max(2 * depth, finest_step * limits.delta) : longest_step * limits.boundary;
+    if (apart <= enough) return;
+    add_between(a, middle, straight, path);
     path.push_back({middle, label_, depth, true});
-    add_between(middle, b, path);
+    add_between(middle, b, straight, path);
   }
 };
 

@@ -11,11 +11,14 @@
 namespace isoscope {
 namespace {
 
-/// Side of the lattice's cells in units of δ'. Neighbouring middles are then near enough for a Delaunay edge:
-/// a ball over an edge of length δ' holds no sample, which are δ' away from the input.
+/// Side of the lattice's cells in units of δ'. Neighbouring middles are then mostly near enough for a
+/// Delaunay edge: a ball over an edge of length δ' holds no sample, which are δ' away from the input.
 constexpr double cell_side = 0.35;
-/// Middles farther apart than this, in units of δ', are not joined.
-constexpr double longest_link = 0.95;
+/// Middles farther apart than this, in units of δ', are not joined: at the foot of a fin the ball grows at
+/// once.
+constexpr double longest_straight_link = 2.2;
+/// The same where the input lies between them, if their middle is no farther outside than `slip`.
+constexpr double longest_link = 1.8, slip = 0.25;
 /// A ball this large, in units of δ', reaches the region itself.
 constexpr double root_radius = 0.98;
 /// A link through a wall counts as so many times its length: thin curved shells have no others.
@@ -114,6 +117,13 @@ void ThinSkeleton::grow(std::span<const Vec3> from, const RunControl& control) {
   }
 }
 
+/// Whether the middle between two points lies far on the other side.
+bool ThinSkeleton::strays(Vec3 a, Vec3 b) const {
+  const Vec3 middle = 0.5 * (a + b);
+  return volume_.index().distance(middle) > slip * volume_.thresholds().boundary &&
+         volume_.sides().label(middle) != label_;
+}
+
 /// Dijkstra's shortest ways; of equal ones that to the smaller node comes first.
 void ThinSkeleton::find_ways(const RunControl& control) {
   using Entry = std::pair<double, std::uint32_t>;
@@ -123,7 +133,7 @@ void ThinSkeleton::find_ways(const RunControl& control) {
     nodes_[n].way = 0;
     open.emplace(0.0, n);
   }
-  const double reach = longest_link * volume_.thresholds().boundary;
+  const double boundary = volume_.thresholds().boundary;
   SparsePoll poll(control, 64);
   while (!open.empty() && !poll.cancelled()) {
     const auto [way, n] = open.top();
@@ -134,8 +144,10 @@ void ThinSkeleton::find_ways(const RunControl& control) {
       if (found == cells_.end()) return;
       Node& other = nodes_[found->second];
       const double link = distance(nodes_[n].middle, other.middle);
-      if (!other.usable || other.root || link > reach || way + link >= other.way) return;
+      if (!other.usable || other.root || link > longest_straight_link * boundary || way + link >= other.way)
+        return;
       const bool inside = volume_.index().crossings(nodes_[n].middle, other.middle).empty();
+      if (!inside && (link > longest_link * boundary || strays(nodes_[n].middle, other.middle))) return;
       const double longer = way + (inside ? link : price_of_walls * link);
       if (longer >= other.way) return;
       other.way = longer;

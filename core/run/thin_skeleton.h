@@ -57,6 +57,7 @@ class ThinSkeleton {
   Cell cell_at(Vec3 p) const;
   Node make_node(const Cell& cell) const;
   void grow(std::span<const Vec3> from, const RunControl& control);
+  bool strays(Vec3 a, Vec3 b) const;
   void find_ways(const RunControl& control);
 };
 
