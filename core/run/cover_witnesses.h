@@ -17,8 +17,9 @@ struct CoverWitnesses {
   std::vector<Witness> path; ///< from what has a region to those: they are on their side at that end
 };
 
-/// None where sides are not known, and where `limit` (absolute) is below 2δ: there Ω alone decides. What is
-/// thin and has no way to a region of its side is left.
+/// None of open surfaces and rooms, nor of soups where rays do not agree on a side, and where `limit`
+/// (absolute) is below 2δ: there Ω alone decides. What is thin and has no way to a region of its side is
+/// left.
 CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const BoundarySamples& samples,
                                     double limit, const RunControl& control);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace isoscope {
 namespace {
@@ -25,10 +26,16 @@ std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index) {
 
 /// A wall that is met from a point.
 struct Sight {
-  int side = +1; ///< of the place midway to it; outside where there is none
+  int side = +1; ///< of the place midway to it; outside where there is none, 0 where it is not sure
   double way = std::numeric_limits<double>::infinity();
   Vec3 wall;
 };
+
+int sure_side(const InputSides& sides, Vec3 p) {
+  if (sides.known()) return sides.label(p);
+  const std::optional<bool> inside = sides.unanimous_parity(p);
+  return !inside ? 0 : (*inside ? -1 : +1);
+}
 
 /// What one comes to from p, a point of the input, along a direction.
 Sight sight(const ToleranceVolume& volume, Vec3 p, Vec3 direction) {
@@ -38,7 +45,7 @@ Sight sight(const ToleranceVolume& volume, Vec3 p, Vec3 direction) {
   const std::vector<double> hits = index.crossings(start, end);
   if (hits.empty()) return {};
   const Vec3 way = hits.front() * (end - start);
-  return {volume.sides().label(start + 0.5 * way), length(way), start + way};
+  return {sure_side(volume.sides(), start + 0.5 * way), length(way), start + way};
 }
 
 } // namespace
@@ -61,7 +68,7 @@ bool InputWalls::near_another_part(TriangleId own, const Triangle3& piece) const
 
 WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {
   const Sight front = sight(volume_, p, normal), back = sight(volume_, p, -normal);
-  if (front.side == back.side) return {Wall::inner, +1};
+  if (front.side == back.side || front.side == 0 || back.side == 0) return {Wall::inner, +1};
   const int outward = front.side > 0 ? +1 : -1;
   const Sight& outside = outward > 0 ? front : back;
   if (part_.empty() || outside.way > gap_) return {Wall::outer, outward};

@@ -11,7 +11,7 @@ namespace isoscope {
 /// What is on both sides of a piece of the input.
 enum class Wall : std::uint8_t {
   outer,        ///< the inside on one of them, outside on the other: a mesh has to be near
-  inner,        ///< the same on both, as where closed parts overlap or touch
+  inner,        ///< the same on both, as where closed parts overlap or touch, or sides are not sure
   of_closed_gap ///< another part stands within 2δ' in front of it, and Ω closes the gap
 };
 
@@ -21,7 +21,8 @@ struct WallVerdict {
       +1; ///< of walls that are not inner: +1 where the normal that was given points outside, else -1
 };
 
-/// Judges the walls of one input, whose sides are known. Const and thread-safe; the volume must outlive it.
+/// Judges the walls of one input; of soups where many rays agree. Const and thread-safe; the volume must
+/// outlive it.
 class InputWalls {
  public:
   explicit InputWalls(const ToleranceVolume& volume);
