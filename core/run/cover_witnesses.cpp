@@ -167,7 +167,7 @@ CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const Boundar
                                     double limit, const RunControl& control) {
   CoverWitnesses out;
   const double delta = volume.thresholds().delta;
-  if (!volume.has_surface() || volume.has_rooms() || volume.open_sides() != nullptr) return out;
+  if (!volume.has_surface() || volume.has_rooms()) return out;
   if (!(limit >= least_limit * delta)) return out;
   const double reach = limit - slack * delta;
   const NearestSample nearest(samples.positions, samples.labels);

@@ -31,21 +31,25 @@ struct Sight {
   Vec3 wall;
 };
 
-int sure_side(const InputSides& sides, Vec3 p) {
-  if (sides.known()) return sides.label(p);
-  const std::optional<bool> inside = sides.unanimous_parity(p);
+int sure_side(const ToleranceVolume& volume, Vec3 p) {
+  if (const OpenSides* open = volume.open_sides()) return open->side(p, volume.field().closest(p));
+  if (volume.sides().known()) return volume.sides().label(p);
+  const std::optional<bool> inside = volume.sides().unanimous_parity(p);
   return !inside ? 0 : (*inside ? -1 : +1);
 }
 
-/// What one comes to from p, a point of the input, along a direction.
+/// What one comes to from p, a point of the input, along a direction; farther away than gaps that Ω closes
+/// nothing is looked for.
 Sight sight(const ToleranceVolume& volume, Vec3 p, Vec3 direction) {
   const ClosestPointIndex& index = volume.index();
-  const double reach = 2 * (distance(index.bounds().lo, index.bounds().hi) + volume.thresholds().delta);
-  const Vec3 start = p + (1e-9 * reach) * direction, end = p + reach * direction;
+  const double boundary = volume.thresholds().boundary, reach = 4 * boundary;
+  const Vec3 start = p + (1e-9 * index.bounds().longest_edge()) * direction, end = p + reach * direction;
   const std::vector<double> hits = index.crossings(start, end);
-  if (hits.empty()) return {};
-  const Vec3 way = hits.front() * (end - start);
-  return {sure_side(volume.sides(), start + 0.5 * way), length(way), start + way};
+  const Vec3 way = (hits.empty() ? 1.0 : hits.front()) * (end - start);
+  // Beside an open surface its own side is asked for.
+  const double asked_at = std::min(length(way), volume.open_sides() != nullptr ? boundary : reach) / 2;
+  return {sure_side(volume, start + asked_at * direction),
+          hits.empty() ? std::numeric_limits<double>::infinity() : length(way), start + way};
 }
 
 } // namespace
