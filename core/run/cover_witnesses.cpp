@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "criteria/nearest_sample.h"
 #include "run/thin_skeleton.h"
+#include "tolerance/sample_grid.h"
 
 #include <algorithm>
 #include <optional>
@@ -89,16 +90,23 @@ void keep_outer(std::vector<BarePiece>& bare, const ToleranceVolume& volume, con
 class Choice {
  public:
   Choice(const ToleranceVolume& volume, const ThinSkeleton& skeleton, int label, double limit)
-      : volume_(volume), nodes_(skeleton.nodes()), label_(label), limit_(limit), on_path_(nodes_.size()) {}
+      : volume_(volume), nodes_(skeleton.nodes()), label_(label), limit_(limit), on_path_(nodes_.size()),
+        grid_(volume.index().bounds().lo, limit) {}
 
   void cover(Vec3 piece, std::uint32_t node, CoverWitnesses& out) {
     if (nodes_[node].way == Box3::inf) return;
     const auto near = [&](Vec3 p) { return distance(p, piece) <= limit_; };
-    if (std::any_of(held_.begin(), held_.end(), near)) return;
+    Box3 around;
+    around.add(piece);
+    std::vector<std::uint32_t> candidates;
+    grid_.gather(around.grown(limit_), candidates);
+    if (std::any_of(candidates.begin(), candidates.end(), [&](std::uint32_t i) { return near(held_[i]); }))
+      return;
     std::uint32_t best = node;
     for (std::uint32_t n = node; n != ThinSkeleton::none && near(nodes_[n].middle); n = nodes_[n].parent)
       if (!nodes_[n].root) best = n;
     held_.push_back(nodes_[best].middle);
+    grid_.add(held_.back());
     out.held.push_back(witness(best));
     std::vector<std::uint32_t> way;
     for (std::uint32_t n = best; n != ThinSkeleton::none && !on_path_[n]; n = nodes_[n].parent) {
@@ -120,6 +128,7 @@ class Choice {
   double limit_;
   std::vector<bool> on_path_;
   std::vector<Vec3> held_;
+  SampleGrid grid_; ///< of them
 
   Witness witness(std::uint32_t n) const {
     const Vec3 p = nodes_[n].middle;
@@ -158,7 +167,11 @@ void hold_side(const ToleranceVolume& volume, const InputWalls& walls, int label
   }
   std::sort(order.begin(), order.end());
   Choice choice(volume, skeleton, label, limit);
-  for (const auto& [way, i] : order) choice.cover(bare[i].middle, node[i], out);
+  SparsePoll poll(control, 64);
+  for (const auto& [way, i] : order) {
+    if (poll.cancelled()) return;
+    choice.cover(bare[i].middle, node[i], out);
+  }
 }
 
 } // namespace
