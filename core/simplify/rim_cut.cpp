@@ -17,6 +17,11 @@ namespace {
 /// Halvings towards the wall on an edge.
 constexpr int wall_steps = 50;
 constexpr int most_cut_rounds = 60;
+/// Strips of the input between two rims are looked for on edges at steps of this, in units of δ, and at so
+/// many at most.
+constexpr double strip_step = 0.25;
+constexpr int most_strip_steps = 100;
+constexpr int most_strip_rounds = 8;
 /// A vertex this near to where an edge crosses the wall is on it, in units of δ.
 constexpr double at_wall = 0.01;
 /// The longest way along which patches of one loop are joined, in units of δ.
@@ -161,6 +166,42 @@ void RimCut::cut_edges(const std::vector<Edge>& edges) {
     else
       split({edges[i], Reason::wall_over_rim, at[i], 0}, at[i], Place::wall);
   }
+}
+
+/// The middle of the longest stretch between two points beyond that is kept; one of the points where there is
+/// none.
+Vec3 RimCut::strip_between(Vec3 a, Vec3 b) const {
+  const double step = strip_step * volume_.thresholds().delta;
+  const int steps = std::min(most_strip_steps, static_cast<int>(std::ceil(distance(a, b) / step)));
+  int best = 0, best_end = 0, run = 0;
+  for (int k = 1; k < steps; ++k) {
+    run = keeps(a + (static_cast<double>(k) / steps) * (b - a)) ? run + 1 : 0;
+    if (run > best) best = run, best_end = k;
+  }
+  return best == 0 ? a : a + ((best_end - 0.5 * (best - 1)) / steps) * (b - a);
+}
+
+/// Splits edges between places beyond where they cross a strip of the input with a rim on both sides. False
+/// when none does.
+bool RimCut::find_strips() {
+  std::vector<Edge> edges;
+  for (const Facet& f : facets_)
+    for (const Edge& e : rim_edges(f)) {
+      const Place pa = places_[e[0].index()], pb = places_[e[1].index()];
+      if (pa == Place::kept || pb == Place::kept || (pa == Place::wall && pb == Place::wall)) continue;
+      if (!whole_.contains(e) && looked_at_.insert(e).second) edges.push_back(e);
+    }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Vec3> at(edges.size());
+  parallel_for(edges.size(), 8, [&](std::size_t i) {
+    const auto [a, b] = segment(edges[i]);
+    at[i] = strip_between(a, b);
+  });
+  bool found = false;
+  for (std::size_t i = 0; i < edges.size() && !log_.stopped(); ++i)
+    if (at[i] != segment(edges[i])[0])
+      found |= split({edges[i], Reason::wall_over_rim, at[i], 0}, at[i], Place::kept);
+  return found;
 }
 
 /// Whether some place of the rim has no border within δ but that of the patch.
@@ -379,6 +420,11 @@ void RimCut::run() {
     collect_facets();
     cut_edges(crossing_edges());
     collect_facets();
+    for (int i = 0; i < most_strip_rounds && find_strips(); ++i) {
+      collect_facets();
+      cut_edges(crossing_edges());
+      collect_facets();
+    }
     settle_spare_patches();
     join_patches();
     cut_pinches();

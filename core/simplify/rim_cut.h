@@ -17,11 +17,11 @@ namespace isoscope {
 
 /// Splits edges of Z in T where the nearest place of the input changes from off the open rim to on it, and
 /// drops what lies beyond. What is kept is the part of Z between vertices that are kept: a surface with
-/// border. Where the wall dips into the sheet or comes back, holes and crumbs appear beside those that the
-/// loops of the rim make: what no part of the rim needs is closed or dropped, the others are joined to what
-/// their loop has made. Edges are split further until every facet kept is proven inside Ω,
-/// every edge of the border within δ of the rim and every place of the rim within δ of the border, as far as
-/// edges are not too short for that.
+/// border. Edges with both ends beyond are looked along for strips between two rims. Where the wall dips into
+/// the sheet or comes back, holes and crumbs appear beside those that the loops of the rim make: what no part
+/// of the rim needs is closed or dropped, the others are joined to what their loop has made. Edges are split
+/// further until every facet kept is proven inside Ω, every edge of the border within δ of the rim and every
+/// place of the rim within δ of the border, as far as edges are not too short for that.
 class RimCut {
  public:
   RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log);
@@ -41,6 +41,7 @@ class RimCut {
   std::vector<Place> places_; ///< by vertex; of those of Z
   std::vector<Facet> facets_; ///< of the whole Z, sorted corners, ascending
   std::set<Edge> whole_;      ///< edges that cross the wall at their kept end, or cannot be split
+  std::set<Edge> looked_at_;  ///< edges that were looked at for strips
 
   bool is_kept(VertexId v) const {
     return places_[v.index()] == Place::kept || places_[v.index()] == Place::wall;
@@ -67,6 +68,8 @@ class RimCut {
   void cut_pinches();
   void cut_edges(const std::vector<Edge>& edges);
   std::vector<Edge> crossing_edges() const;
+  Vec3 strip_between(Vec3 a, Vec3 b) const;
+  bool find_strips();
   /// False where a tetrahedron would turn over at any place that was tried.
   bool split(const RimSplit& split, Vec3 at, Place place);
   void drop();
