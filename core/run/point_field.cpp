@@ -359,15 +359,15 @@ Result<double> proposed_tolerance(const DeltaStudy& study) {
                "Are these points of a closed surface? Give --tolerance to see what Ω is at one."};
 }
 
-PointDistances measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
-                              const RunControl& control) {
-  PointDistances distances;
-  if (mesh.triangles.empty()) return distances;
+std::optional<PointDistances> measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
+                                             const RunControl& control) {
+  if (mesh.triangles.empty()) return {};
   const ClosestPointIndex index({mesh.points, mesh.triangles, {}});
   const std::vector<Vec3>& all = points.points->points;
   std::vector<double> of_all(all.size());
   if (!parallel_until(all.size(), 256, control, [&](std::size_t i) { of_all[i] = index.distance(all[i]); }))
-    return distances;
+    return {};
+  PointDistances distances;
   const std::vector<bool> kept = points.kept();
   std::vector<double> of_kept;
   double most = -1;

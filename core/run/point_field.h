@@ -89,8 +89,9 @@ struct PointDistances {
   std::size_t far = 0; ///< kept ones farther than the limit
   Vec3 farthest;       ///< the kept one with the largest distance
 };
-/// `limit`: how far a point may be; beyond it it is counted. Of no use once the control is cancelled.
-PointDistances measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
-                              const RunControl& control);
+/// `limit`: how far a point may be; beyond it it is counted. Nothing where there is no mesh, and once the
+/// control is cancelled.
+std::optional<PointDistances> measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
+                                             const RunControl& control);
 
 } // namespace isoscope
