@@ -125,7 +125,7 @@ TEST_CASE("hundreds of specks are told together, and are gone before Ω is built
     const Vec3 at = corner + Vec3{0.5 * (i % 6), 0.5 * (i / 6), 0};
     for (int j = 0; j < 7; ++j) points.push_back(at + noise(random, 1e-3));
   }
-  const auto run = run_of(std::move(points), {.value = 0.15, .percent = false});
+  const auto run = run_of(std::move(points), {.value = 0.2, .percent = false});
   run->parameters.robust.neighbors = 7;
   check_closed_sphere(*run);
   REQUIRE(run->scene->points->dropped.size() == 1);
