@@ -32,6 +32,18 @@ isoscope_need("SQLite ${SQLite3_VERSION}" "${SQLite3_FOUND}" "${SQLite3_LIBRARIE
 find_package(ZLIB QUIET)
 isoscope_need("zlib ${ZLIB_VERSION_STRING}" "${ZLIB_FOUND}" "${ZLIB_LIBRARIES}" zlib1g-dev)
 
+if(ISOSCOPE_OPENVDB) # whose own module asks for more than its reader needs
+  find_path(OPENVDB_HEADERS openvdb/openvdb.h)
+  find_library(OPENVDB_LIBRARY openvdb)
+  isoscope_need("OpenVDB" "${OPENVDB_LIBRARY}" "${OPENVDB_LIBRARY}" libopenvdb-dev)
+  find_library(OPENVDB_HALF NAMES Imath Imath-3_1 Half) # halves, which its headers read by a table of this library
+  set(OPENVDB_LIBRARIES ${OPENVDB_LIBRARY} TBB::tbb)
+  if(OPENVDB_HALF)
+    list(APPEND OPENVDB_LIBRARIES ${OPENVDB_HALF})
+  endif()
+  isoscope_need("OpenVDB's headers" "${OPENVDB_HEADERS}" "${OPENVDB_HEADERS}" libopenvdb-dev)
+endif()
+
 if(ISOSCOPE_TESTS)
   find_package(doctest QUIET)
   isoscope_need("doctest ${doctest_VERSION}" "${doctest_FOUND}" "${doctest_DIR}" doctest-dev)

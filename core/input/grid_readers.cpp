@@ -10,7 +10,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::string_view raw_magic = "isoscope-grid", nrrd_magic = "NRRD";
+constexpr std::string_view raw_magic = "isoscope-grid", nrrd_magic = "NRRD", vdb_magic{" BDV\0\0\0\0", 8};
 
 /// Refuses what no field can be made of, whatever the format.
 void check(const FileScanner& in, const ScalarGrid& grid) {
@@ -33,7 +33,7 @@ void check(const FileScanner& in, const ScalarGrid& grid) {
 } // namespace
 
 bool is_grid(std::string_view head) {
-  return head.starts_with(raw_magic) || head.starts_with(nrrd_magic);
+  return head.starts_with(raw_magic) || head.starts_with(nrrd_magic) || head.starts_with(vdb_magic);
 }
 
 bool is_grid_file(const std::filesystem::path& file) {
@@ -52,7 +52,9 @@ Result<ScalarGrid> read_grid(const std::filesystem::path& file, const RunControl
     if (!is_grid(head))
       in.fail("is in no format of grids that we know",
               "Give a NRRD file, or raw data with a header: README.md tells how.");
-    ScalarGrid grid = head.starts_with(nrrd_magic) ? read_nrrd(in) : read_raw_grid(in);
+    ScalarGrid grid = head.starts_with(nrrd_magic)  ? read_nrrd(in)
+                      : head.starts_with(vdb_magic) ? read_vdb(in)
+                                                    : read_raw_grid(in);
     check(in, grid);
     return grid;
   });

@@ -1,4 +1,4 @@
-// Reads grids of numbers: NRRD, and raw data under a short header of our own.
+// Reads grids of numbers: NRRD, raw data under a short header of our own, and OpenVDB where it was built in.
 #pragma once
 
 #include "base/run_control.h"
@@ -17,12 +17,14 @@ bool is_grid(std::string_view head);
 bool is_grid_file(const std::filesystem::path& file);
 
 /// Reads a grid, by content. Fails with bad_input (file, place, remedy) on anything that is no whole grid of
-/// finite numbers, with unsupported on kinds of NRRD that are not read, with cancelled once the control says
-/// so.
+/// finite numbers, with unsupported on kinds of NRRD and OpenVDB that are not read, with cancelled once the
+/// control says so.
 Result<ScalarGrid> read_grid(const std::filesystem::path& file, const RunControl& control);
 
 // One reader a format; each throws MeshFileFailure.
 ScalarGrid read_nrrd(FileScanner& in);
 ScalarGrid read_raw_grid(FileScanner& in);
+/// Fails with unsupported where the program was built without OpenVDB (ISOSCOPE_OPENVDB).
+ScalarGrid read_vdb(FileScanner& in);
 
 } // namespace isoscope

@@ -21,6 +21,11 @@ namespace {
 
 /// A part of Ω' with so many of the sites is no blob of noise.
 constexpr double largest_blob = 0.05;
+/// So few balls enclose nothing deep. Seen from a place there, where φ is beyond 1.3 δ, each hides less than
+/// asin(1/1.3) = 50.3° around its centre; seven need 51.03° to hide all around.
+constexpr std::size_t largest_speck = 7;
+/// Blobs that are told each for itself.
+constexpr std::size_t told_blobs = 8;
 /// Samples of triangles by δ², and at most: δ is five times the distance between neighbours, and Ω has holes
 /// up to three. δ where none is known yet, relative to the longest edge.
 constexpr double samples_by_square = 24, reference_delta = 0.02;
@@ -70,6 +75,19 @@ MadePointField without_sites(const MadePointField& from, const Drops& drops, dou
   }
   made.index = std::make_shared<const WeightedPointIndex>(sites, index.area() - dropped_area, control);
   return made;
+}
+
+/// All but the largest ones as one entry; `blobs` are of parts, largest first.
+void fold_small(std::vector<DroppedPoints>& blobs) {
+  if (blobs.size() <= told_blobs + 1) return;
+  DroppedPoints rest = blobs[told_blobs];
+  for (std::size_t i = told_blobs + 1; i < blobs.size(); ++i) {
+    rest.points += blobs[i].points;
+    rest.parts += blobs[i].parts;
+    rest.size = std::max(rest.size, blobs[i].size);
+  }
+  blobs.resize(told_blobs);
+  blobs.push_back(rest);
 }
 
 std::string percent(double part, double whole) {
@@ -196,12 +214,17 @@ std::vector<std::string> PointField::notes(double delta, double longest_edge) co
   for (const DroppedPoints& d : dropped) {
     const std::string which =
         counted(d.points, "point") + " (" + percent(static_cast<double>(d.points), n) + ")";
-    notes.push_back(d.why == DroppedPoints::Why::outliers
-                        ? which +
-                              (d.points == 1 ? " is an outlier and left out" : " are outliers and left out") +
-                              ": φ at them exceeds δ; one is at " + place(d.place, place_digits) + "."
-                        : which + " around " + place(d.place, place_digits) + " of size " +
-                              general(d.size, 3) + " enclose nothing and are left out.");
+    if (d.why == DroppedPoints::Why::outliers)
+      notes.push_back(which + (d.points == 1 ? " is an outlier and left out" : " are outliers and left out") +
+                      ": φ at them exceeds δ; one is at " + place(d.place, place_digits) + ".");
+    else if (d.parts > 1)
+      notes.push_back(which + " in " + grouped(d.parts) + " parts" +
+                      (d.size > 0 ? " of size " + general(d.size, 3) + " or less" : std::string()) +
+                      " enclose nothing and are left out; one is at " + place(d.place, place_digits) + ".");
+    else
+      notes.push_back(
+          which + " around " + place(d.place, place_digits) + " of size " + general(d.size, 3) +
+          (d.points == 1 ? " encloses nothing and is left out." : " enclose nothing and are left out."));
   }
   return notes;
 }
@@ -246,6 +269,39 @@ MadePointField without_outliers(const MadePointField& from, double delta, const 
   return made;
 }
 
+MadePointField without_specks(const MadePointField& from, double boundary, const RunControl& control) {
+  const VolumeComponents components = from.index->components(boundary, control);
+  if (control.cancelled()) return from;
+  std::vector<std::size_t> sites(components.count);
+  std::vector<Box3> boxes(components.count);
+  const std::size_t n = from.index->size();
+  for (std::uint32_t s = 0; s < n; ++s) {
+    const std::uint32_t c = components.of_triangle[s];
+    if (c == VolumeComponents::none || ++sites[c] > largest_speck) continue;
+    boxes[c].add(from.index->site(TriangleId(s)).center);
+  }
+  const auto is_speck = [&](std::uint32_t c) {
+    return sites[c] <= largest_speck && static_cast<double>(sites[c]) < largest_blob * static_cast<double>(n);
+  };
+  DroppedPoints dropped{DroppedPoints::Why::blob, 0, {}, 0, 0};
+  for (std::uint32_t c = 0; c < components.count; ++c) {
+    if (!is_speck(c)) continue;
+    dropped.size = std::max(dropped.size, boxes[c].longest_edge());
+    ++dropped.parts;
+  }
+  if (dropped.parts == 0 || dropped.parts == components.count) return from;
+  const auto drops = [&](std::uint32_t s) {
+    const std::uint32_t c = components.of_triangle[s];
+    return c != VolumeComponents::none && is_speck(c);
+  };
+  for (std::uint32_t s = 0; s < n; ++s)
+    if (drops(s) && dropped.points++ == 0) dropped.place = from.index->site(TriangleId(s)).center;
+  const double area = from.index->area() * static_cast<double>(dropped.points) / static_cast<double>(n);
+  MadePointField made = without_sites(from, drops, area, control);
+  made.points->dropped.push_back(dropped);
+  return made;
+}
+
 Result<MadePointField> without_blobs(const MadePointField& from, const ToleranceVolume& volume,
                                      const RunControl& control) {
   const auto regions = volume.regions();
@@ -264,7 +320,7 @@ Result<MadePointField> without_blobs(const MadePointField& from, const Tolerance
     const std::uint32_t c = volume.volume_component(TriangleId(s));
     if (c == VolumeComponents::none || (has[c][0] && has[c][1])) continue;
     const Vec3 at = from.index->site(TriangleId(s)).center;
-    if (blobs[c].points++ == 0) blobs[c] = {DroppedPoints::Why::blob, 1, at, 0};
+    if (blobs[c].points++ == 0) blobs[c] = {DroppedPoints::Why::blob, 1, at, 0, 1};
     boxes[c].add(at);
   }
   std::vector<DroppedPoints> dropped;
@@ -285,6 +341,7 @@ Result<MadePointField> without_blobs(const MadePointField& from, const Tolerance
   if (dropped.empty()) return from;
   std::stable_sort(dropped.begin(), dropped.end(),
                    [](const auto& a, const auto& b) { return a.points > b.points; });
+  fold_small(dropped);
   const auto drops = [&](std::uint32_t s) {
     const std::uint32_t c = volume.volume_component(TriangleId(s));
     return c != VolumeComponents::none && blobs[c].points > 0;
@@ -302,15 +359,15 @@ Result<double> proposed_tolerance(const DeltaStudy& study) {
                "Are these points of a closed surface? Give --tolerance to see what Ω is at one."};
 }
 
-PointDistances measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
-                              const RunControl& control) {
-  PointDistances distances;
-  if (mesh.triangles.empty()) return distances;
+std::optional<PointDistances> measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
+                                             const RunControl& control) {
+  if (mesh.triangles.empty()) return {};
   const ClosestPointIndex index({mesh.points, mesh.triangles, {}});
   const std::vector<Vec3>& all = points.points->points;
   std::vector<double> of_all(all.size());
   if (!parallel_until(all.size(), 256, control, [&](std::size_t i) { of_all[i] = index.distance(all[i]); }))
-    return distances;
+    return {};
+  PointDistances distances;
   const std::vector<bool> kept = points.kept();
   std::vector<double> of_kept;
   double most = -1;

@@ -25,8 +25,9 @@ struct DroppedPoints {
   };
   Why why = Why::outliers;
   std::size_t points = 0;
-  Vec3 place;      ///< of one of them
-  double size = 0; ///< longest edge of their box
+  Vec3 place;            ///< of one of them
+  double size = 0;       ///< longest edge of their box, or of that of the largest part
+  std::size_t parts = 1; ///< small blobs are told together
 };
 
 /// What a run knows of points. Immutable once the scene is published.
@@ -66,6 +67,10 @@ MadePointField make_point_field(const std::shared_ptr<const TriangleSoup>& input
 /// Without the sites that give no point with φ < δ.
 MadePointField without_outliers(const MadePointField& from, double delta, const RunControl& control);
 
+/// Without the parts of {φ <= boundary} that are of a few balls, too few to enclose anything deep: told apart
+/// before Ω is built, as there may be hundreds around noisy points.
+MadePointField without_specks(const MadePointField& from, double boundary, const RunControl& control);
+
 /// Without the parts of Ω' that have regions of one side only and less than a twentieth of the sites; the
 /// same index where there are none. Fails with open_surface where a part is larger, naming the place, and
 /// where nothing is inside.
@@ -84,8 +89,9 @@ struct PointDistances {
   std::size_t far = 0; ///< kept ones farther than the limit
   Vec3 farthest;       ///< the kept one with the largest distance
 };
-/// `limit`: how far a point may be; beyond it it is counted. Of no use once the control is cancelled.
-PointDistances measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
-                              const RunControl& control);
+/// `limit`: how far a point may be; beyond it it is counted. Nothing where there is no mesh, and once the
+/// control is cancelled.
+std::optional<PointDistances> measure_points(const PointField& points, const TriangleMesh& mesh, double limit,
+                                             const RunControl& control);
 
 } // namespace isoscope

@@ -123,6 +123,8 @@ Result<double> Preparation::find_delta(Scene& made, const std::shared_ptr<const 
 Status Preparation::settle_points(Scene& made) {
   if (!points_.points) return {};
   points_ = without_outliers(points_, made.delta, control_);
+  const double boundary = volume_options(made.delta).boundary_ratio * made.delta;
+  if (!control_.cancelled()) points_ = without_specks(points_, boundary, control_);
   if (control_.cancelled()) return cancelled_error(control_);
   use_points(made);
   return {};

@@ -143,7 +143,8 @@ Json points_json(const Scene& scene, const RunResult& result) {
          {"points", d.points},
          {"share", static_cast<double>(d.points) / static_cast<double>(field.points->points.size())},
          {"place", point_json(d.place)},
-         {"size", d.size}});
+         {"size", d.size},
+         {"parts", d.parts}});
   Json json{{"count", field.points->points.size()},
             {"drawn_from_triangles", field.drawn},
             {"neighbors", field.neighbors},

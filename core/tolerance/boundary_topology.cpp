@@ -14,8 +14,9 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t counted_block = 32768;
-/// Cells whose pieces are counted at most: some 100 bytes each.
-constexpr std::size_t most_careful_cells = 6'000'000;
+/// Cells whose pieces are counted at most: some 100 bytes each. Noise leaves pockets in Ω that finer cells
+/// break into pieces as well, so that of points fewer are worth it.
+constexpr std::size_t most_careful_cells = 6'000'000, most_careful_cells_of_points = 1'000'000;
 
 /// A lattice point: on which side it lies, and of what.
 struct Corner {
@@ -144,7 +145,9 @@ class Counter {
 
   Status run(const RunControl& control) {
     const Regions& octree = volume_.octree();
-    if (careful_ && (!Pieces::fits(level_) || lattice_cells() > most_careful_cells))
+    const std::size_t most =
+        volume_.field().kind() == FieldKind::points ? most_careful_cells_of_points : most_careful_cells;
+    if (careful_ && (!Pieces::fits(level_) || lattice_cells() > most))
       return Error{ErrorCode::unsupported, "The boundaries of Ω are too large to count their pieces.", ""};
     std::vector<LatticeCell> block;
     for (std::size_t i = 0; i < octree.main_size(); ++i) {

@@ -1,21 +1,18 @@
-// Merge trees of φ over the leaves of an octree.
+// What the merge trees of φ say of a tolerance.
 #include "tolerance/delta_study.h"
 
-#include "tolerance/cell_links.h"
 #include "tolerance/field_octree.h"
+#include "tolerance/level_histories.h"
 #include "tolerance/region_labels.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace isoscope {
 namespace {
 
-/// What lasts over less than this factor of δ is an effect of the cells.
-constexpr double least_factor = 1.06;
 /// A region lasts that is cut off at less than this part of its depth.
 constexpr double lasting_factor = 1.5;
 /// Insides open at about the same δ, where the points are too few; necks of the model close later.
@@ -26,84 +23,6 @@ constexpr double above_separation = 1.15, search_factor = 1.5;
 constexpr double neck_below = 0.97, neck_above = 1.05;
 constexpr std::size_t curve_steps = 64;
 constexpr std::size_t most_regions = 200;
-
-/// A component of {φ > δ} or of {φ < δ}, from the δ at which it appears to that at which it joins an older
-/// one.
-struct Pair {
-  double birth, death;
-  std::uint32_t at, saddle; ///< leaves
-};
-
-/// Components of the leaves that were added, in the order of their levels. `Before(a, b)`: a level that comes
-/// before b.
-template <class Before> class MergeTree {
- public:
-  /// The value of leaf `octree.leaves()`, which is what lies around the octree, is infinite.
-  explicit MergeTree(const FieldOctree& octree) : octree_(octree), parent_(octree.leaves() + 1, not_yet) {}
-
-  double value(std::uint32_t leaf) const {
-    return leaf < octree_.leaves() ? octree_.value(leaf) : std::numeric_limits<double>::infinity();
-  }
-  bool has(std::uint32_t leaf) const { return parent_[leaf] != not_yet; }
-  void add(std::uint32_t leaf) { parent_[leaf] = leaf; }
-  /// Joins `leaf`, which was just added, with one that has been added before; the younger of their
-  /// components ends.
-  void join(std::uint32_t leaf, std::uint32_t other, std::vector<Pair>& ended) {
-    const std::uint32_t saddle = Before()(value(other), value(leaf)) ? leaf : other;
-    const std::uint32_t a = find(leaf), b = find(other);
-    if (a == b) return;
-    const double of_a = value(a), of_b = value(b), level = value(saddle);
-    const bool a_first = of_a != of_b ? Before()(of_a, of_b) : a < b;
-    const std::uint32_t young = a_first ? b : a;
-    parent_[young] = a_first ? a : b;
-    const double birth = a_first ? of_b : of_a;
-    if (std::max(birth, level) >= least_factor * std::min(birth, level))
-      ended.push_back({birth, level, young, saddle});
-  }
-
- private:
-  static constexpr std::uint32_t not_yet = 0xffffffffu;
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  const FieldOctree& octree_;
-  std::vector<std::uint32_t> parent_; ///< roots are where components were born
-};
-
-/// What ended of the components of {φ > δ} as δ shrinks, and of {φ < δ} as it grows.
-struct Histories {
-  std::vector<Pair> regions, components;
-};
-
-Histories find_histories(const FieldOctree& octree, const RunControl& control) {
-  const auto outside = static_cast<std::uint32_t>(octree.leaves());
-  std::vector<std::uint32_t> order(outside);
-  std::iota(order.begin(), order.end(), 0u);
-  sort_by_level(order, [&](std::uint32_t leaf) { return octree.value(leaf); });
-  Histories found;
-  SparsePoll poll(control);
-  {
-    MergeTree<std::greater<>> regions(octree);
-    regions.add(outside);
-    for (std::size_t i = order.size(); i-- > 0 && !poll.cancelled();) {
-      const std::uint32_t leaf = order[i];
-      regions.add(leaf);
-      const bool at_border = octree.for_each_neighbor(leaf, [&](std::uint32_t other) {
-        if (regions.has(other)) regions.join(leaf, other, found.regions);
-      });
-      if (at_border) regions.join(leaf, outside, found.regions);
-    }
-  }
-  MergeTree<std::less<>> components(octree);
-  for (std::size_t i = 0; i < order.size() && !poll.cancelled(); ++i) {
-    components.add(order[i]);
-    octree.for_each_neighbor(order[i], [&](std::uint32_t other) {
-      if (components.has(other)) components.join(order[i], other, found.components);
-    });
-  }
-  return found;
-}
 
 /// Those that one surface may enclose: they open at about the same δ as the one that lasts longest.
 std::vector<LastingRegion> find_insides(const std::vector<LastingRegion>& regions) {
@@ -120,7 +39,7 @@ std::vector<LastingRegion> find_insides(const std::vector<LastingRegion>& region
   return insides;
 }
 
-std::vector<DeltaStudy::Step> make_curve(const Histories& histories, double from, double to) {
+std::vector<DeltaStudy::Step> make_curve(const LevelHistories& histories, double from, double to) {
   std::vector<DeltaStudy::Step> curve(curve_steps);
   for (std::size_t i = 0; i < curve_steps; ++i) {
     DeltaStudy::Step& step = curve[i];
@@ -128,12 +47,12 @@ std::vector<DeltaStudy::Step> make_curve(const Histories& histories, double from
     step.delta = from * std::pow(to / from, t);
     step.regions = 1;
     step.components = 1; // the first of all ends nowhere
-    for (const Pair& p : histories.regions) {
+    for (const LevelPair& p : histories.regions) {
       if (!(p.death < step.delta && step.delta < p.birth)) continue;
       ++step.regions;
       if (p.birth > deep_enough * step.delta) ++step.deep;
     }
-    for (const Pair& p : histories.components)
+    for (const LevelPair& p : histories.components)
       if (p.birth <= step.delta && step.delta < p.death) ++step.components;
   }
   return curve;
@@ -141,15 +60,15 @@ std::vector<DeltaStudy::Step> make_curve(const Histories& histories, double from
 
 /// Whether a neck of a deep region is as wide as Ω' leaves open and Ω may close: what is joined there is left
 /// to chance.
-bool has_neck(const Histories& histories, double delta) {
+bool has_neck(const LevelHistories& histories, double delta) {
   const double narrowest = neck_below * ToleranceVolume::Options().boundary_ratio * delta;
-  return std::any_of(histories.regions.begin(), histories.regions.end(), [&](const Pair& p) {
+  return std::any_of(histories.regions.begin(), histories.regions.end(), [&](const LevelPair& p) {
     return p.death > narrowest && p.death < neck_above * delta && p.birth > deep_enough * delta;
   });
 }
 
 /// The least δ above the margin with as few components as there are at any δ a little larger, and no neck.
-double propose(const DeltaStudy& study, const Histories& histories, double separation) {
+double propose(const DeltaStudy& study, const LevelHistories& histories, double separation) {
   const double from = above_separation * separation, to = std::min(study.most, search_factor * from);
   if (from >= study.most) return study.most > study.least ? std::sqrt(study.least * study.most) : 0;
   double best = from;
@@ -185,9 +104,9 @@ DeltaStudy study_delta(const ToleranceField& field, double finest, const RunCont
   control.report("tolerances", -1);
   const FieldOctree octree(field, finest, control);
   if (control.cancelled() || octree.empty()) return study;
-  Histories histories = find_histories(octree, control);
+  const LevelHistories histories = find_histories(octree, control);
   if (control.cancelled()) return study;
-  for (const Pair& p : histories.regions)
+  for (const LevelPair& p : histories.regions)
     if (p.birth > lasting_factor * p.death && p.death > 0)
       study.regions.push_back({p.death, p.birth, octree.center(p.saddle), octree.center(p.at)});
   std::stable_sort(study.regions.begin(), study.regions.end(),

@@ -84,8 +84,12 @@ Vec3 FieldOctree::center(const Cell& c) const {
   return origin_ + Vec3{(p[0] + 0.5) * s, (p[1] + 0.5) * s, (p[2] + 0.5) * s};
 }
 
-std::uint32_t FieldOctree::neighbor(const Cell& c, unsigned face) const {
+std::uint32_t FieldOctree::neighbor(std::uint32_t cell, unsigned face) const {
+  const Cell& c = cells_[cell];
   const unsigned levels = c.level();
+  // Half of them have the same parent.
+  const std::uint32_t bit = 1u << face / 2, child = static_cast<std::uint32_t>(c.path & 7u);
+  if (levels > 0 && ((child & bit) != 0) != (face % 2 != 0)) return cell - child + (child ^ bit);
   auto p = c.position();
   std::uint32_t& coordinate = p[face / 2];
   if (coordinate == (face % 2 ? (1u << levels) - 1 : 0u)) return none;

@@ -27,9 +27,8 @@ class FieldOctree {
   /// whether it lies at the border of the octree, which is outside of everything.
   template <class Visit> bool for_each_neighbor(std::uint32_t leaf, const Visit& visit) const {
     bool at_border = false;
-    const Cell& c = cells_[leaves_[leaf]];
     for (unsigned face = 0; face < 6; ++face) {
-      const std::uint32_t other = neighbor(c, face);
+      const std::uint32_t other = neighbor(leaves_[leaf], face);
       if (other == none)
         at_border = true;
       else
@@ -58,7 +57,7 @@ class FieldOctree {
   Vec3 center(const Cell& c) const;
   /// The cell of the same or a coarser level across a face; none at the border. Face 2a + s is the side s of
   /// axis a.
-  std::uint32_t neighbor(const Cell& c, unsigned face) const;
+  std::uint32_t neighbor(std::uint32_t cell, unsigned face) const;
   template <class Visit> void visit_at_face(std::uint32_t cell, unsigned face, const Visit& visit) const {
     const Cell& c = cells_[cell];
     if (c.is_leaf()) return visit(c.next & ~leaf_bit);

@@ -137,6 +137,24 @@ TEST_CASE("between the levels of grids") {
   check_run(segmented, 2, 300);
 }
 
+TEST_CASE("in sampled mode the samples alone hold Z between walls and levels") {
+  const auto check = [](RunParameters parameters, std::shared_ptr<const TriangleSoup> soup) {
+    parameters.containment = Containment::sampled;
+    parameters.sigma = 0.3;
+    parameters.until = Stage::refinement;
+    CompleteRun run(std::move(parameters));
+    run.soup = std::move(soup);
+    if (!run.run()) FAIL(run.error->line());
+    CHECK(run.scene->thresholds.boundary == run.scene->delta);
+    CHECK(run.result->certificate.euler_characteristic == 2);
+    CHECK(run.result->certificate.components == 1);
+    CHECK(run.result->certificate.intersection_free);
+    CHECK(run.result->certificate.separates);
+  };
+  check({}, walls(make_sphere(2), scaled(make_sphere(2), 0.6)));
+  check(with_levels(0.6, 1), grid_of(24, 1.3, radius));
+}
+
 TEST_CASE("runs between walls and levels replay") {
   for (const char* name : {"nested-tori", "density"}) {
     CAPTURE(name);

@@ -117,6 +117,40 @@ TEST_CASE("a blob of 4 % of the points is dropped with its share and place, a la
   CHECK(refused->error->message.find("12 %") != std::string::npos);
 }
 
+TEST_CASE("hundreds of specks are told together, and are gone before Ω is built") {
+  Random random(11);
+  std::vector<Vec3> points = sphere_points(random, 4000, 1, 0.01);
+  const Vec3 corner{1.5, 1.5, 1.5};
+  for (int i = 0; i < 30; ++i) { // each is the whole neighbourhood of its points
+    const Vec3 at = corner + Vec3{0.5 * (i % 6), 0.5 * (i / 6), 0};
+    for (int j = 0; j < 7; ++j) points.push_back(at + noise(random, 1e-3));
+  }
+  const auto run = run_of(std::move(points), {.value = 0.2, .percent = false});
+  run->parameters.robust.neighbors = 7;
+  check_closed_sphere(*run);
+  REQUIRE(run->scene->points->dropped.size() == 1);
+  const DroppedPoints& specks = run->scene->points->dropped[0];
+  CHECK(specks.why == DroppedPoints::Why::blob);
+  CHECK(specks.parts == 30);
+  CHECK(specks.points == 210);
+  CHECK(specks.size < 0.02);
+  CHECK(specks.place.x > 1.4);
+  CHECK(warned(*run->scene, "in 30 parts"));
+}
+
+TEST_CASE("in sampled mode the samples alone hold Z to the points") {
+  Random random(12);
+  const auto run = run_of(sphere_points(random, 1500, 1, 0.01));
+  run->parameters.containment = Containment::sampled;
+  run->parameters.sigma = 0.3;
+  if (!run->run()) FAIL(run->error->line());
+  CHECK(run->scene->thresholds.boundary == run->scene->delta);
+  CHECK(run->result->certificate.euler_characteristic == 2);
+  CHECK(run->result->certificate.components == 1);
+  CHECK(run->result->certificate.intersection_free);
+  CHECK(run->result->certificate.separates);
+}
+
 TEST_CASE("points on what is too thin to have an inside are told") {
   Random random(12);
   std::vector<Vec3> points = sphere_points(random, 4000, 1, 0.005);

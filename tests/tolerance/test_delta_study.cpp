@@ -1,11 +1,18 @@
 // Tolerances that suit: known intervals of spheres, with holes, nested, and of what encloses nothing.
 #include "tolerance/delta_study.h"
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "support/clouds.h"
+#include "tolerance/field_octree.h"
+#include "tolerance/level_histories.h"
 #include "tolerance/witnessed_distance.h"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
 
 using namespace isoscope;
 using namespace isoscope::testing;
@@ -97,4 +104,51 @@ TEST_CASE("a study is the same on any number of threads, and can be stopped") {
   RunControl control;
   control.cancel();
   CHECK_FALSE(study_delta(index, found.finest(), control).found());
+}
+
+TEST_CASE("levels at which components come and join are those of all leaves, one after the other") {
+  Random random(6);
+  std::vector<Vec3> points = sphere_points(random, 300, 1, 0.03);
+  for (int i = 0; i < 20; ++i)
+    points.push_back({4 * random.unit() - 2, 4 * random.unit() - 2, random.unit()});
+  const WitnessedDistance found = witness_distance(points, 4, RunControl());
+  const WeightedPointIndex index(found.sites, found.area);
+  const FieldOctree octree(index, found.finest(), RunControl());
+  const LevelHistories histories = find_histories(octree, RunControl());
+  REQUIRE(histories.components.size() > 10);
+
+  const auto check = [&](const std::vector<LevelPair>& ended, bool above) {
+    double least = 1e300, most = 0;
+    for (std::uint32_t leaf = 0; leaf < octree.leaves(); ++leaf)
+      least = std::min(least, octree.value(leaf)), most = std::max(most, octree.value(leaf));
+    for (int step = 1; step < 12; ++step) {
+      const double level = least * std::pow(most / least, step / 12.0) * (1 + 1e-6);
+      // Components of the leaves beyond the level, outside of the octree as the last one.
+      const auto n = static_cast<std::uint32_t>(octree.leaves());
+      const auto has = [&](std::uint32_t leaf) { return (octree.value(leaf) > level) == above; };
+      DisjointSets sets(n + 1);
+      for (std::uint32_t leaf = 0; leaf < n; ++leaf) {
+        if (!has(leaf)) continue;
+        const bool at_border = octree.for_each_neighbor(leaf, [&](std::uint32_t other) {
+          if (has(other)) sets.unite(leaf, other);
+        });
+        if (at_border && above) sets.unite(leaf, n);
+      }
+      // Of those the ones that are known to last: with a leaf a good deal beyond the level.
+      const double beyond = above ? 1.1 * level : level / 1.1;
+      std::set<std::uint32_t> lasting;
+      if (above) lasting.insert(sets.find(n));
+      for (std::uint32_t leaf = 0; leaf < n; ++leaf)
+        if (above ? octree.value(leaf) > beyond : octree.value(leaf) < beyond)
+          lasting.insert(sets.find(leaf));
+      std::size_t told = 1;
+      for (const LevelPair& p : ended)
+        if (above ? p.birth > beyond && p.death <= level * 1.001
+                  : p.birth < beyond && p.death >= level / 1.001)
+          ++told;
+      CHECK(told == lasting.size());
+    }
+  };
+  check(histories.regions, true);
+  check(histories.components, false);
 }

@@ -95,12 +95,16 @@ void points_summary(Ui& ui) {
                          : grouped(field.neighbors) + (field.automatic ? ", automatic" : ""));
   for (std::size_t i = 0; i < field.dropped.size(); ++i) {
     const DroppedPoints& d = field.dropped[i];
+    const bool outliers = d.why == DroppedPoints::Why::outliers;
     ImGui::PushID(static_cast<int>(i));
     if (widgets::link_row(ui, "dropped",
-                          d.why == DroppedPoints::Why::outliers ? "outliers dropped" : "blob dropped",
+                          outliers      ? "outliers dropped"
+                          : d.parts > 1 ? grouped(d.parts) + " blobs dropped"
+                                        : "blob dropped",
                           grouped(d.points) + ", " + percent(d.points, all),
-                          d.why == DroppedPoints::Why::outliers
-                              ? "Points far from all others: φ at them exceeds δ. Click goes to one."
+                          outliers ? "Points far from all others: φ at them exceeds δ. Click goes to one."
+                          : d.parts > 1
+                              ? "Small parts of Ω of their own that enclose nothing. Click goes to one."
                               : "A part of Ω of their own that encloses nothing. Click goes there."))
       ui.commands.post("look-at-place", {"dropped", std::to_string(i)});
     ImGui::PopID();
