@@ -34,13 +34,9 @@ DistanceGrid lattice(const ToleranceField& field, const GridWish& wish, double v
   grid.reach = static_cast<float>(reach / wish.delta);
   // A place whose middle is a half diagonal out of reach still has its brick.
   grid.clamp = static_cast<float>((reach + 2 * half_diagonal * side) / wish.delta);
-  // Beyond the reach all round: the outermost samples are outside of Ω.
-  Box3 wanted = field.bounds().grown(reach);
-  if (!wish.within.empty())
-    for (int a = 0; a < 3; ++a) {
-      wanted.lo[a] = std::clamp(wish.within.lo[a], wanted.lo[a], wanted.hi[a]);
-      wanted.hi[a] = std::clamp(wish.within.hi[a], wanted.lo[a], wanted.hi[a]);
-    }
+  // Beyond the reach all round: the outermost samples are outside of Ω. A part is taken as it is: cut off
+  // there, its lattice would lie along flat walls, where a segment may run through an edge.
+  const Box3 wanted = wish.within.empty() ? field.bounds().grown(reach) : wish.within;
   grid.box.lo = wanted.lo;
   for (int a = 0; a < 3; ++a) {
     const auto axis = static_cast<std::size_t>(a);
