@@ -201,10 +201,6 @@ wait settled
 expect omega.near.voxels > 10 and omega.near.megabytes < 64
 screenshot )" + picture("near") +
                        R"(
-section
-section-selection
-frame-all
-scene
 frame-all
 wait settled
 expect omega.near.voxels == none

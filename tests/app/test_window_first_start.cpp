@@ -60,7 +60,7 @@ TEST_CASE("what was closed stays closed from start to start" * doctest::test_sui
   const std::string model = "gallery:sphere --tolerance 12%";
   const auto click = [](const char* place) {
     return std::string("xdotool mousemove ") + place +
-           "; sleep 0.5; xdotool mousedown 1; sleep 0.5; xdotool mouseup 1; sleep 0.5\n";
+           "; sleep 1; xdotool mousedown 1; sleep 1; xdotool mouseup 1; sleep 2\n";
   };
   start(settings, model, click(view_mark));
   CHECK(says(settings, "\"coach_closed\": 1"));
