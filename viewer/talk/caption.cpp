@@ -70,8 +70,7 @@ std::string Talk::caption_why() const {
   if (!window.state() || !window.run.journal) return {};
   const Event* event = caption_event();
   if (event == nullptr && window.run.parameters.start != FirstZ::delaunay) return "Z begins next, without T.";
-  if (event == nullptr)
-    return "Each is to end on its side of Z, which makes it good; T comes next, as a box around them.";
+  if (event == nullptr) return "Both boundaries of Ω have their samples; T comes next, as a box around them.";
   return std::string(meaning(*event));
 }
 
