@@ -11,7 +11,6 @@
 in vec2 uv;
 uniform float level;
 uniform sampler2D scene_depth;
-uniform float voxel;           // scene units
 uniform float delta;
 uniform vec4 outer_tint, inner_tint; // a: opacity
 uniform vec3 haze;             // optical depth of a way of δ at g = level, 0, -level
@@ -28,7 +27,7 @@ vec3 q_at(float t) { return q_origin + t * q_direction; }
 
 // The direction in which g grows; 0 where it does not.
 vec3 rise(vec3 q) {
-  float e = 0.9 * voxel / place_side;
+  float e = 0.9 / 7.0; // of a voxel
   vec3 a = vec3(1, -1, -1), b = vec3(-1, -1, 1), c = vec3(-1, 1, -1), d = vec3(1, 1, 1);
   vec3 sum = a * value_at(q + a * e) + b * value_at(q + b * e) + c * value_at(q + c * e) + d * value_at(q + d * e);
   return sum / max(length(sum), 1e-12);
@@ -85,7 +84,12 @@ void cap(float t) {
   add(face.rgb, clamp(face.a * (0.35 + 0.65 * clamp(0.6 + strength, 0.0, 1.0)), 0.0, 1.0), t);
 }
 
+// What the last stretch ended with, where the next one goes on from there; what was crossed between two lattices shows.
+float g_last;
+bool goes_on = false;
+
 void march(float from, float to, bool cap_from, bool cap_to, float jitter) {
+  if (from >= to) return;
   // Neither finer than what the picture shows nor coarser than what Ω takes: it is at least twice `level` thick. A moving
   // frame sees also by the change of sides that it was crossed.
 #ifdef MOVING
@@ -94,10 +98,10 @@ void march(float from, float to, bool cap_from, bool cap_to, float jitter) {
   float least = 0.35, most = 0.9;
 #endif
   float pixel = ray_pixels / max(pixels_per_unit(origin + from * direction), 1e-20);
-  float fine = min(max(max(0.45 * voxel, least * delta), 0.4 * pixel) * coarseness, most * level * delta);
-  float beyond = 4e-3 * place_side; // the rim of a place
+  float fine = min(max(max(0.45 / 7.0 * side_of_place(), least * delta), 0.4 * pixel) * coarseness, most * level * delta);
+  float beyond = 4e-3 * side_of_place(); // the rim of a place
   if (cap_from && from < to) cap(from);
-  float before = from, g_before = value_at(q_at(from)), t = min(from + fine * jitter * float(!cap_from), to);
+  float before = from, g_before = goes_on ? g_last : value_at(q_at(from)), t = min(from + fine * jitter * float(!cap_from), to);
   for (int hit = 0; hit < 8; ++hit) {
     float g = g_before, value = 0.0;
     bool end = from >= to;
@@ -145,8 +149,41 @@ void march(float from, float to, bool cap_from, bool cap_to, float jitter) {
     g_before = value + (g > g_before ? 1e-4 : -1e-4);
     if (colour.a > 0.98) return;
   }
+  g_last = g_before;
+  goes_on = true;
   if (cap_to && from < to && colour.a < 0.98) cap(to);
 }
+
+// The ray in the lattice that is chosen.
+void take_lattice() {
+  q_origin = in_places(origin);
+  q_direction = direction / side_of_place();
+  q_direction = mix(q_direction, vec3(1e-12), lessThan(abs(q_direction), vec3(1e-12)));
+  inverse_q = 1.0 / q_direction;
+}
+
+#ifdef DETAIL
+// Before the part in finer voxels, in it, and behind it.
+void march_all(float from, float to, bool cap_from, bool cap_to, float jitter) {
+  vec3 to_lo = (detail_box_lo + detail_rim() - origin) / direction, to_hi = (detail_box_hi - detail_rim() - origin) / direction;
+  vec3 t_in = min(to_lo, to_hi), t_out = max(to_lo, to_hi);
+  float near = clamp(max(t_in.x, max(t_in.y, t_in.z)), from, to), far = clamp(min(t_out.x, min(t_out.y, t_out.z)), from, to);
+  if (near >= far) near = far = to;
+  goes_on = false;
+  for (int part = 0; part < 3; ++part) {
+    in_detail = part == 1;
+    take_lattice();
+    float start = part == 0 ? from : part == 1 ? near : far, stop = part == 0 ? near : part == 1 ? far : to;
+    march(start, stop, cap_from && start <= from, cap_to && stop >= to, jitter);
+    if (colour.a > 0.98) return;
+  }
+}
+#else
+void march_all(float from, float to, bool cap_from, bool cap_to, float jitter) {
+  goes_on = false;
+  march(from, to, cap_from, cap_to, jitter);
+}
+#endif
 
 void main() {
   colour = vec4(0.0);
@@ -156,10 +193,7 @@ void main() {
   vec3 near_p = near_h.xyz / near_h.w, far_p = far_h.xyz / far_h.w;
   origin = near_p;
   direction = normalize(far_p - near_p);
-  q_origin = in_places(origin);
-  q_direction = direction / place_side;
-  q_direction = mix(q_direction, vec3(1e-12), lessThan(abs(q_direction), vec3(1e-12)));
-  inverse_q = 1.0 / q_direction;
+  take_lattice();
   vec3 to_lo = (box_lo - origin) / direction, to_hi = (box_hi - origin) / direction;
   vec3 t_in = min(to_lo, to_hi), t_out = max(to_lo, to_hi);
   float from = max(max(t_in.x, max(t_in.y, t_in.z)), 0.0), to = min(t_out.x, min(t_out.y, t_out.z));
@@ -192,7 +226,7 @@ void main() {
     float stop = flipped ? (part == 0 && !whole ? min(to, a) : to) : min(to, b);
     bool cap_start = flipped ? part == 1 && b > from : a > from;
     bool cap_stop = flipped ? part == 0 && !whole && a < to : b < to;
-    march(start, stop, cap_start, cap_stop, jitter);
+    march_all(start, stop, cap_start, cap_stop, jitter);
     if (colour.a > 0.98) break;
   }
 }

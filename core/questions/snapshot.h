@@ -46,8 +46,11 @@ struct StateSnapshot {
   std::vector<float> heights;      ///< of tetrahedra that carry Z, absolute; infinite for others
   CriteriaParameters criteria;     ///< what it was judged by
   bool orientation_judged = false; ///< by condition 3 too
-  std::size_t bad_samples = 0;     ///< ε >= 1
-  std::size_t beyond_margin = 0;   ///< ε > 1 − α
+  /// Whether there is an f that tells good samples from bad ones: not before T is there, nor once Z has left
+  /// it.
+  bool classifies() const { return complex.form != ZeroForm::free && !complex.tets.empty(); }
+  std::size_t bad_samples = 0;   ///< ε >= 1
+  std::size_t beyond_margin = 0; ///< ε > 1 − α
   std::size_t violating_2 = 0, violating_3 = 0;
   float largest_error = 0;
   SampleId worst_sample;

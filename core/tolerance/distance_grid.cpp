@@ -25,7 +25,8 @@ double reach_of(const GridWish& wish, double voxel) {
 /// The lattice for a size of voxels, without bricks.
 DistanceGrid lattice(const ToleranceField& field, const GridWish& wish, double voxel) {
   DistanceGrid grid;
-  const double least_side = field.bounds().longest_edge() / (DistanceGrid::cells * (most_places - 2));
+  const Box3& whole = wish.within.empty() ? field.bounds() : wish.within;
+  const double least_side = whole.longest_edge() / (DistanceGrid::cells * (most_places - 2));
   grid.voxel = std::max(voxel, least_side);
   const double reach = reach_of(wish, grid.voxel), side = DistanceGrid::cells * grid.voxel;
   grid.delta = wish.delta;
@@ -33,8 +34,9 @@ DistanceGrid lattice(const ToleranceField& field, const GridWish& wish, double v
   grid.reach = static_cast<float>(reach / wish.delta);
   // A place whose middle is a half diagonal out of reach still has its brick.
   grid.clamp = static_cast<float>((reach + 2 * half_diagonal * side) / wish.delta);
-  // Beyond the reach all round: the outermost samples are outside of Ω.
-  const Box3 wanted = field.bounds().grown(reach);
+  // Beyond the reach all round: the outermost samples are outside of Ω. A part is taken as it is: cut off
+  // there, its lattice would lie along flat walls, where a segment may run through an edge.
+  const Box3 wanted = wish.within.empty() ? field.bounds().grown(reach) : wish.within;
   grid.box.lo = wanted.lo;
   for (int a = 0; a < 3; ++a) {
     const auto axis = static_cast<std::size_t>(a);
@@ -179,19 +181,23 @@ Result<DistanceGrid> make_distance_grid(const ToleranceField& field, const GridW
   if (!(wish.delta > 0) || !(wish.voxel > 0) || field.empty())
     return Error{ErrorCode::usage, "A distance grid needs an input, a tolerance and a size.", ""};
   const Error cancelled{ErrorCode::cancelled, "Stopped while computing distances.", ""};
-  constexpr std::size_t bytes_a_brick = DistanceGrid::brick_size * sizeof(std::int16_t);
+  const auto brick_bytes = [&](std::size_t of_a_sample) {
+    return DistanceGrid::brick_size * (of_a_sample + wish.side_bytes);
+  };
   DistanceGrid grid = lattice(field, wish, wish.voxel);
   while (true) {
     const std::size_t index_bytes = place_count(grid) * sizeof(std::uint32_t);
     const std::size_t room = wish.most_bytes > index_bytes ? wish.most_bytes - index_bytes : 0,
-                      most = std::min(room / bytes_a_brick, DistanceGrid::most_bricks);
+                      most = std::min(room / brick_bytes(1), DistanceGrid::most_bricks);
     grid.at = places_near(grid, field, reach_of(wish, grid.voxel), most, control);
     if (control.cancelled()) return cancelled;
+    grid.sample_bytes = grid.at.size() * brick_bytes(2) <= room ? 2 : 1;
     if (grid.at.size() <= most) break;
     // Bricks go with the area that voxels divide, a little more slowly the larger they are.
     const double over = std::sqrt(static_cast<double>(grid.at.size()) / static_cast<double>(most + 1));
     grid = lattice(field, wish, grid.voxel * std::clamp(1.03 * over, 1.05, 2.0));
   }
+  grid.side_bytes = wish.side_bytes;
   grid.coarsened = grid.voxel > wish.coarsest * (1 + 1e-9);
   grid.index.assign(place_count(grid), DistanceGrid::outer);
   for (std::size_t i = 0; i < grid.at.size(); ++i)

@@ -23,7 +23,7 @@ struct DistanceGrid {
   static constexpr std::int16_t most = 32767;
   static constexpr std::int32_t outer = -1, inner = -2; ///< places without brick, by side
   /// More than the texture of them has room for.
-  static constexpr std::size_t most_bricks = 261000;
+  static constexpr std::size_t most_bricks = 530'000;
 
   Box3 box;                           ///< of all places
   double delta = 0;                   ///< scene units
@@ -38,6 +38,10 @@ struct DistanceGrid {
   std::vector<std::int16_t> values;
   bool has_sides = false; ///< whether signs and empty places tell sides; until then all is outer
   bool coarsened = false; ///< memory allowed no voxels as small as were asked for
+  /// What a sample takes in a texture. Where it is one, φ is rounded to reach/127 there, as finer steps would
+  /// have taken larger voxels.
+  std::size_t sample_bytes = 2;
+  std::size_t side_bytes = 0; ///< that its side takes besides, where it has a texture of its own
 
   bool empty() const { return at.empty(); }
   std::size_t bricks() const { return at.size(); }
@@ -63,7 +67,7 @@ struct DistanceGrid {
   double value(Vec3 p) const;
   /// What it takes as a texture.
   std::size_t texture_bytes() const {
-    return values.size() * sizeof(std::int16_t) + index.size() * sizeof(std::uint32_t);
+    return values.size() * (sample_bytes + side_bytes) + index.size() * sizeof(std::uint32_t);
   }
 };
 
@@ -74,11 +78,13 @@ struct GridWish {
   double voxel = 0;                                          ///< side of a cell, scene units
   double coarsest = std::numeric_limits<double>::infinity(); ///< voxels that are no fault
   std::size_t most_bytes = std::size_t{256} << 20;           ///< of textures
+  std::size_t side_bytes = 0;                                ///< of a sample, beside its value
+  Box3 within; ///< the part of Ω that is wanted; an empty one: all of it
 };
 
 /// Exact at every sample, up to clamp δ / 32767. There are samples at the corners of every cell in which φ is
 /// somewhere at most level δ, and as far around as gradients there look. Voxels are larger than asked for
-/// where memory demands it.
+/// where memory demands it, but first samples take one byte instead of two.
 Result<DistanceGrid> make_distance_grid(const ToleranceField& field, const GridWish& wish,
                                         const RunControl& control);
 

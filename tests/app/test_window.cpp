@@ -162,6 +162,18 @@ TEST_CASE("a failed expectation ends the script with status 1") {
   CHECK(run_window("unknown", "frobnicate\n") == 2);
 }
 
+TEST_CASE("a script does not wait for ever for what never comes") {
+  const std::string said = (results / "impatient.out").string();
+  CHECK(run_window("impatient", "wait settled\nwait until bad_samples == 17 within 0.5\nquit\n",
+                   "gallery:sphere --tolerance 12% 2>" + said) == 1);
+  std::ifstream in(said);
+  const std::string words{std::istreambuf_iterator<char>(in), {}};
+  CHECK(words.find("Line 3 (wait): \"bad_samples == 17\" did not hold within 0.5 s: bad_samples is 0") !=
+        std::string::npos);
+  CHECK(run_window("patient", "wait until bad_samples == 0 within 100\nquit\n") == 0);
+  CHECK(run_window("no-time", "wait until bad_samples == 0 within spring\nquit\n") == 1);
+}
+
 TEST_CASE("a scripted mouse turns, picks and zooms") {
   CHECK(run_window("mouse", R"(
 wait settled
@@ -176,6 +188,25 @@ key Esc
 expect selection == none
 quit
 )") == 0);
+}
+
+TEST_CASE("Ω is drawn in finer voxels where the camera is near, and only there") {
+  CHECK(run_window("near",
+                   R"(
+wait settled
+expect omega.voxels > 4 and omega.voxels < 8 and omega.coarse == off and omega.near.voxels == none
+look z
+wheel 620 290 20
+wait settled
+expect omega.near.voxels > 10 and omega.near.megabytes < 64
+screenshot )" + picture("near") +
+                       R"(
+frame-all
+wait settled
+expect omega.near.voxels == none
+quit
+)",
+                   "gallery:sphere --tolerance 0.6% --sigma 0.95 --paused") == 0);
 }
 
 TEST_CASE("pictures look as they should") {

@@ -186,7 +186,7 @@ class Uploaded {
   std::array<int, 3> size() const { return atlas_.size(); }
   double sample(std::array<int, 3> at) const {
     constexpr int n = DistanceGrid::samples;
-    const auto found = bricks_.find(static_cast<std::uint32_t>(at[0] / n | at[1] / n << 2 | at[2] / n << 10));
+    const auto found = bricks_.find(static_cast<std::uint32_t>(at[0] / n | at[1] / n << 8 | at[2] / n << 16));
     if (found == bricks_.end()) return std::numeric_limits<double>::quiet_NaN();
     const std::size_t brick = found->second;
     if (brick >= grid_.bricks())
@@ -216,7 +216,7 @@ double read_as_shaders_do(const DistanceGrid& grid, const Uploaded& texture,
     part[k] = std::clamp(q - cell, 0.0f, 1.0f);
   }
   const std::uint32_t entry = entries[grid.place(place)];
-  const std::array<std::uint32_t, 3> brick{entry & 3u, entry >> 2 & 255u, entry >> 10 & 255u};
+  const std::array<std::uint32_t, 3> brick{entry & 255u, entry >> 8 & 255u, entry >> 16 & 255u};
   std::array<int, 3> low{};
   std::array<double, 3> weight{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -329,7 +329,7 @@ TEST_CASE("bricks have room in a texture and each a place of its own") {
   std::vector<std::uint32_t> places;
   for (std::size_t b = 0; b < atlas.count(); ++b) {
     places.push_back(atlas.packed(b));
-    if (atlas.at(b)[0] >= 4 || places.back() >> brick_bits != 0) FAIL_CHECK("beyond the bits");
+    if (atlas.at(b)[0] > 255 || places.back() >> brick_bits != 0) FAIL_CHECK("beyond the bits");
   }
   std::sort(places.begin(), places.end());
   CHECK(std::adjacent_find(places.begin(), places.end()) == places.end());

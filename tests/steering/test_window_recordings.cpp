@@ -10,6 +10,7 @@
 #include <iterator>
 #include <string>
 
+using isoscope::test::exit_of;
 using isoscope::test::run_window;
 
 namespace {
@@ -59,6 +60,41 @@ TEST_CASE("a run recorded from the window opens in another one and is stepped th
                        "\nwait settled\nexpect recording == opened\nrestart\nwait settled\n"
                        "expect recording == none\nexpect certified == on\nquit\n",
                    "gallery:torus --paused") == 0);
+}
+
+TEST_CASE("a recording of a run that began with the input itself is stepped through and asked") {
+  const std::string file = (results / "input.isorun").string();
+  fs::create_directories(results);
+  fs::remove(file);
+  REQUIRE(exit_of(std::string(ISOSCOPE_RUN_PROGRAM) +
+                  " gallery:bracket --start input --effort 0 --quiet --record " + file) == 0);
+  CHECK(run_window("input", R"(
+wait settled
+expect recording == opened and phase == finished and certified == on and form == free and start == input
+first
+wait answers
+# There is no T: nothing is judged, which is not 0.
+expect state_step == 0 and bad_samples == nan and largest_error == nan and zero_vertices == 0
+expect tets == 0
+step
+wait answers
+expect state_step == 1 and form == free and zero_vertices > 100
+next-event rejection
+wait answers
+expect event.kind == rejection and event.value > event.limit and selection == edge
+history
+wait answers
+expect history.rows > 0
+check
+wait answers
+end
+wait settled
+expect state_step == steps and certified == on
+certificate
+next-slide
+quit
+)",
+                   file) == 0);
 }
 
 TEST_CASE("a file that is no recording is told") {

@@ -130,14 +130,14 @@ expect step >= 2 and step <= 4 and moment.told > 0
 play
 expect moment.told > 0
 seek 0
-expect moment.told == 0 and caption == "a box around the samples, before the first point goes in"
+expect moment.told == 0 and caption == "samples on both boundaries of Ω, before there is a T"
 expect caption.why == "Both boundaries of Ω have their samples; T comes next, as a box around them."
 step
 expect caption == "set-up: T begins as a box around the samples"
 expect caption.why == "f is positive at all corners: there is no Z yet, and all samples inside are wrong."
 seek 0
 key PageDown
-expect moment.told == 1 and state_step == 0 and caption != "a box around the samples, before the first point goes in"
+expect moment.told == 1 and state_step == 0 and caption != "samples on both boundaries of Ω, before there is a T"
 seek 12
 expect moment.told == 0
 key PageUp

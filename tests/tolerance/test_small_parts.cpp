@@ -76,6 +76,59 @@ TEST_CASE("a grid that memory does not allow is as fine as it may be and says so
   CHECK(again->values == grid->values);
 }
 
+TEST_CASE("samples take one byte before voxels grow") {
+  TriangleSoup soup;
+  testing::add_torus(soup, {0, 0, 0}, 1, 0.3, 24);
+  const ClosestPointIndex index(soup);
+  GridWish wish;
+  wish.delta = 0.04;
+  wish.voxel = wish.coarsest = 0.02;
+  const auto whole = make_distance_grid(index, wish, RunControl());
+  REQUIRE(whole.ok());
+  CHECK(whole->sample_bytes == 2);
+  wish.most_bytes = 3 * whole->texture_bytes() / 4;
+  const auto tight = make_distance_grid(index, wish, RunControl());
+  REQUIRE(tight.ok());
+  CHECK(tight->sample_bytes == 1);
+  CHECK(tight->voxel == whole->voxel);
+  CHECK_FALSE(tight->coarsened);
+  CHECK(tight->values == whole->values);
+  CHECK(tight->texture_bytes() <= wish.most_bytes);
+  // A side of its own is a byte more.
+  wish.side_bytes = 1;
+  const auto sided = make_distance_grid(index, wish, RunControl());
+  REQUIRE(sided.ok());
+  CHECK(sided->coarsened);
+  CHECK(sided->texture_bytes() <= wish.most_bytes);
+}
+
+TEST_CASE("a grid of a part holds that part alone, as exactly") {
+  TriangleSoup soup;
+  testing::add_torus(soup, {0, 0, 0}, 1, 0.3, 24);
+  const ClosestPointIndex index(soup);
+  GridWish wish;
+  wish.delta = 0.04;
+  wish.voxel = 0.005;
+  wish.within = Box3{{0.9, -0.1, 0.2}, {1.1, 0.1, 0.4}};
+  const auto part = make_distance_grid(index, wish, RunControl());
+  REQUIRE(part.ok());
+  CHECK(part->box.longest_edge() < 0.2 + 7 * 0.005 + 1e-9);
+  std::size_t inside = 0;
+  for (double x = 0.905; x < 1.1; x += 0.01)
+    for (double y = -0.095; y < 0.1; y += 0.01)
+      for (double z = 0.205; z < 0.4; z += 0.01) {
+        const double d = index.distance({x, y, z});
+        if (d > wish.delta || d < 2 * wish.voxel) continue; // no kink within a cell
+        ++inside;
+        CHECK(std::abs(part->value({x, y, z}) * wish.delta - d) < 0.2 * wish.voxel);
+      }
+  CHECK(inside > 1000);
+  wish.within = Box3{{5, 5, 5}, {6, 6, 6}};
+  const auto nothing = make_distance_grid(index, wish, RunControl());
+  REQUIRE(nothing.ok());
+  CHECK(nothing->empty());
+}
+
 TEST_CASE("parameters that cannot satisfy condition 2 or section 3 are warned about") {
   CHECK(check_parameters(0.1, 0.2, 1, true).empty());
   CHECK(check_parameters(0.2, 0.2, 1, true).empty());

@@ -328,17 +328,33 @@ bool App::at_rest() const {
   return m.running() || (m.answers_taken() && !run_views_->unfinished());
 }
 
+void App::fail_script(const Error& error) {
+  std::fprintf(stderr, "isoscope: %s\n", error.line().c_str());
+  exit_status_ = 1;
+}
+
 bool App::advance_script() {
-  if (!script_ || !at_rest()) return true;
+  if (!script_) return true;
+  if (model_->wait_for == AppModel::Wait::comparison && glfwGetTime() - waits_since_ > model_->wait_patience)
+    if (const Status holds = model_->values.expect(model_->wait_comparison); !holds) {
+      std::array<char, 32> within{};
+      std::snprintf(within.data(), within.size(), " within %g s: ", model_->wait_patience);
+      fail_script({ErrorCode::cancelled,
+                   script_->place() + "\"" + model_->wait_comparison + "\" did not hold" + within.data() +
+                       holds.error().message,
+                   "wait until ... within SECONDS gives it longer"});
+      return false;
+    }
+  if (!at_rest()) return true;
   model_->wait_until = 0;
   model_->wait_for = AppModel::Wait::time;
   if (script_->done()) return false;
   // What only asks leaves nothing to show.
   if (!script_->next_is("expect")) frames_since_command_ = 0;
   const Status status = script_->next(model_->commands);
+  waits_since_ = glfwGetTime();
   if (status) return true;
-  std::fprintf(stderr, "isoscope: %s\n", status.error().line().c_str());
-  exit_status_ = 1;
+  fail_script(status.error());
   return false;
 }
 

@@ -39,6 +39,8 @@ class App {
   /// Advances the script when the command before is done and shown; false when the program is to end.
   bool advance_script();
   bool at_rest() const;
+  /// The script ends because of that.
+  void fail_script(const Error& error);
   bool needs_frame(bool changed) const;
 
   std::unique_ptr<Window> window_;
@@ -54,6 +56,7 @@ class App {
   std::optional<ScriptRunner> script_;
   std::filesystem::path settings_path_;
   double last_time_ = 0;
+  double waits_since_ = 0; ///< real time at which the script's last command ran
   double hands_until_ = 0; ///< real time until which a script lets a person act
   double active_at_ = 0;   ///< when the last input arrived
   int frames_since_command_ = 0;

@@ -41,6 +41,9 @@ class AppModel : public WindowState {
   enum class Wait : std::uint8_t { time, answers, settled, comparison };
   Wait wait_for = Wait::time;  ///< scripts: what `wait` waits for
   std::string wait_comparison; ///< "recording.events > 100"
+  /// Scripts: seconds of real time within which it is to hold.
+  static constexpr double usual_patience = 600;
+  double wait_patience = usual_patience;
 
   /// Once a frame: takes what the workers have, moves the play head, asks for what is missing. True when
   /// something changed.

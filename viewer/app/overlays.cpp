@@ -68,9 +68,9 @@ void card(Ui& ui, const GalleryEntry& entry, std::uint32_t texture, ImVec2 size)
   widgets::draw_text(list, ui.fonts.mono, {end.x - pad - extent, at.y + picture + ui.px(11)},
                      to_u32(ui.colors.quiet), delta);
   const ImVec4 clip{at.x + pad, at.y + picture, end.x - pad + 1, end.y - ui.px(4)};
+  const std::string lines = widgets::broken_lines(ui.fonts.small, entry.lesson, size.x - 2 * pad);
   list.AddText(ui.fonts.small, ui.fonts.small->FontSize, {at.x + pad, at.y + picture + ui.px(34)},
-               to_u32(ui.colors.quiet), entry.lesson.data(), entry.lesson.data() + entry.lesson.size(),
-               size.x - 2 * pad, &clip);
+               to_u32(ui.colors.quiet), lines.c_str(), nullptr, 0, &clip);
 }
 
 void drop_zone(Ui& ui, ImVec2 size) {
@@ -170,9 +170,7 @@ void Overlays::help(Ui& ui) {
       ImGui::PopStyleColor();
       ImGui::PopFont();
       ImGui::TableNextColumn();
-      ImGui::PushTextWrapPos(0);
-      ImGui::TextUnformatted(text.data(), text.data() + text.size());
-      ImGui::PopTextWrapPos();
+      widgets::wrapped_text(text);
       return true;
     };
     const auto keys_of = [](const Command& command) {
@@ -280,9 +278,7 @@ void Overlays::about(Ui& ui) {
           "A visualizer and debugger for Isotopic Approximation within a Tolerance Volume, after Mandad, "
           "Cohen-Steiner and Alliez, SIGGRAPH 2015.");
   const auto paragraph = [&](const char* text) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
+    widgets::wrapped_text(text);
     ImGui::Dummy({0, ui.px(4)});
   };
   paragraph("Free software under the GNU General Public License, version 3 or later.");

@@ -33,13 +33,19 @@ Result<std::vector<ScriptLine>> read_script(const CommandTable& table, const std
   return lines;
 }
 
+std::string ScriptRunner::place() const {
+  if (at_ == 0) return {};
+  const ScriptLine& line = lines_[at_ - 1];
+  return "Line " + std::to_string(line.number) + " (" + line.call.name + "): ";
+}
+
 Status ScriptRunner::next(const CommandTable& table) {
   if (done()) return {};
   const ScriptLine& line = lines_[at_++];
   Status status = table.run(line.call);
   if (status) return status;
   Error error = status.error();
-  error.message = "Line " + std::to_string(line.number) + " (" + line.call.name + "): " + error.message;
+  error.message = place() + error.message;
   return error;
 }
 

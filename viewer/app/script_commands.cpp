@@ -47,12 +47,21 @@ Status wait_for(AppModel& m, const Arguments& a) {
     return {};
   }
   if (a[0] == "until") {
+    std::size_t end = a.size();
+    double patience = AppModel::usual_patience;
+    if (end > 2 && a[end - 2] == "within") {
+      const auto seconds = number_argument(a, end - 1, 0, 1e9);
+      if (!seconds) return wrong_arguments("\"" + a[end - 1] + "\" is no time.");
+      patience = *seconds;
+      end -= 2;
+    }
     std::string comparison;
-    for (std::size_t i = 1; i < a.size(); ++i) comparison += (i > 1 ? " " : "") + a[i];
+    for (std::size_t i = 1; i < end; ++i) comparison += (i > 1 ? " " : "") + a[i];
     if (const Status holds = m.values.expect(comparison); !holds && holds.error().code == ErrorCode::usage)
       return holds;
     m.wait_for = AppModel::Wait::comparison;
     m.wait_comparison = comparison;
+    m.wait_patience = patience;
     return {};
   }
   const auto seconds = number_argument(a, 0, 0, 1e9);
@@ -155,10 +164,10 @@ void add_script_commands(AppModel& m) {
               .for_scripts = true},
              {.name = "wait",
               .title = "Wait",
-              .usage = "[settled | answers | SECONDS | until NAME OP VALUE]",
+              .usage = "[settled | answers | SECONDS | until NAME OP VALUE [within SECONDS]]",
               .help = "Waits until the run is at rest and shown, until what was asked is answered, for a "
-                      "time, or until "
-                      "a comparison holds.",
+                      "time, or until a comparison holds; where it does not within 600 seconds of real "
+                      "time, or those told, the script fails as one whose expectation does.",
               .run = on(m, wait_for),
               .for_scripts = true},
              {.name = "click",

@@ -84,8 +84,8 @@ void way_card(Ui& ui, const Way& way, std::uint32_t texture, ImVec2 size) {
   if (hovered) list.AddRect(at, end, to_u32(ui.colors.accent), ui.px(8), 0, ui.px(1.5f));
   widgets::draw_text(list, ui.fonts.title, {at.x + pad, at.y + picture + ui.px(12)}, to_u32(ui.colors.text),
                      way.title);
-  list.AddText(ui.fonts.ui, ui.fonts.ui->FontSize, {at.x + pad, at.y + picture + ui.px(46)},
-               to_u32(ui.colors.quiet), way.text, nullptr, size.x - 2 * pad);
+  widgets::draw_text(list, ui.fonts.ui, {at.x + pad, at.y + picture + ui.px(46)}, to_u32(ui.colors.quiet),
+                     widgets::broken_lines(ui.fonts.ui, way.text, size.x - 2 * pad));
 }
 
 } // namespace

@@ -101,13 +101,14 @@ void before_the_operation(Ui& ui, const StateSnapshot& s, std::uint32_t id, int 
 }
 
 void sample_details(Ui& ui, const Investigation& asked, const StateSnapshot& s, std::uint32_t id) {
-  const bool classified = s.complex.form != ZeroForm::free;
+  const bool classified = s.classifies();
   if (!s.samples || id >= s.samples->size() || (classified && id >= s.errors.size()))
     return widgets::quiet_text(ui, "This sample is not in the set of this step.", true);
   const int label = s.samples->labels[id];
   const double error = classified ? static_cast<double>(s.errors[id]) : 0;
   widgets::heading(ui, is_bad(error) ? icon::close : icon::dot, "Sample " + grouped(id),
-                   !classified     ? "not classified: Z is outside of T"
+                   !classified     ? s.complex.form == ZeroForm::free ? "not classified: Z is outside of T"
+                                                                      : "not classified: T is not there yet"
                    : is_bad(error) ? "bad: f has the wrong sign here (§2.2)"
                                    : "good: f has its sign (§2.2)");
   widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
@@ -278,17 +279,18 @@ void run_summary(Ui& ui, const StateSnapshot& s) {
     widgets::value_row(ui, "samples", grouped(samples));
     if (s.samples && !s.samples->over_rim.empty())
       widgets::value_row(ui, "boundary samples B", grouped(s.samples->over_rim.size()));
-    // Without samples nothing is judged, which is not "none is bad".
-    widgets::value_row(ui, "bad samples", samples ? grouped(s.bad_samples) : "–",
-                       !samples        ? ui.colors.quiet
+    // Without samples or before T is there nothing is judged, which is not "none is bad".
+    const bool judged = samples > 0 && s.classifies();
+    widgets::value_row(ui, "bad samples", judged ? grouped(s.bad_samples) : "–",
+                       !judged         ? ui.colors.quiet
                        : s.bad_samples ? ui.colors.bad_text
                                        : ui.colors.good_text);
   }
   const auto largest = static_cast<double>(s.largest_error);
-  if (interpolated)
+  if (interpolated && s.classifies())
     widgets::limit_bar(ui, "largest ε", largest, s.criteria.error_limit(),
                        largest <= s.criteria.error_limit(), "", true);
-  if (interpolated && s.worst_sample.valid() &&
+  if (interpolated && s.classifies() && s.worst_sample.valid() &&
       widgets::link_row(ui, "worst", "worst sample", grouped(s.worst_sample.value),
                         "Selects the sample with the largest ε."))
     pick(ui, "sample", s.worst_sample.value);

@@ -18,7 +18,7 @@ void title(const Ui& ui, const char* text) {
 }
 
 void violations(Ui& ui, const Investigation& asked, const StateSnapshot& s) {
-  if (s.complex.form != ZeroForm::interpolated) return;
+  if (s.complex.form != ZeroForm::interpolated || !s.classifies()) return;
   title(ui, "Violating now");
   const std::size_t flat = flat_tets(s, s.criteria.height_limit()).size();
   if (!s.orientation_judged)

@@ -49,8 +49,8 @@ bool answer_row(const Ui& ui, std::size_t number, const LessonQuestion::Answer& 
   const widgets::Font font(ui.fonts.reading);
   const float pad = ui.px(10), mark = ui.px(30);
   const float width = ImGui::GetContentRegionAvail().x;
-  const float high =
-      ImGui::CalcTextSize(answer.text.c_str(), nullptr, false, width - mark - 2 * pad).y + 2 * ui.px(8);
+  const std::string lines = widgets::broken_lines(ui.fonts.reading, answer.text, width - mark - 2 * pad);
+  const float high = widgets::height_of(ui.fonts.reading, lines) + 2 * ui.px(8);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(number));
   const bool pressed = ImGui::InvisibleButton("answer", {width, high}) && open;
@@ -72,8 +72,8 @@ bool answer_row(const Ui& ui, std::size_t number, const LessonQuestion::Answer& 
   else
     widgets::glyph(ui, {at.x + pad + ui.px(5), at.y + ui.px(19)}, 5, edge,
                    answer.right ? MarkerShape::disc : MarkerShape::cross);
-  list.AddText(ui.fonts.reading, ui.fonts.reading->FontSize, {at.x + mark, at.y + ui.px(8)},
-               to_u32(ui.colors.text, strength), answer.text.c_str(), nullptr, width - mark - 2 * pad);
+  widgets::draw_text(list, ui.fonts.reading, {at.x + mark, at.y + ui.px(8)}, to_u32(ui.colors.text, strength),
+                     lines);
   return pressed;
 }
 
@@ -227,10 +227,9 @@ void lesson(Ui& ui, const LessonRunner& runner) {
 }
 
 float lesson_caption_height(const Ui& ui, const LessonRunner& runner, float width) {
-  const std::string text = caption_text(runner);
-  const ImFont* font = ui.fonts.small;
-  const float high =
-      font->CalcTextSizeA(font->FontSize, 1e9f, width - 2 * ui.px(caption_margin), text.c_str()).y;
+  const std::string lines =
+      widgets::broken_lines(ui.fonts.small, caption_text(runner), width - 2 * ui.px(caption_margin));
+  const float high = widgets::height_of(ui.fonts.small, lines);
   return std::max(ui.px(96), std::round(ui.px(caption_top) + high + ui.px(10)));
 }
 
@@ -246,9 +245,8 @@ void lesson_caption(Ui& ui, const LessonRunner& runner) {
   widgets::draw_text(list, ui.fonts.small,
                      {low.x + size.x - pad - widgets::width_of(ui.fonts.small, place), low.y + ui.px(10)},
                      to_u32(ui.colors.quiet), place);
-  const std::string text = caption_text(runner);
-  list.AddText(ui.fonts.small, ui.fonts.small->FontSize, {low.x + pad, low.y + ui.px(caption_top)},
-               to_u32(ui.colors.text), text.c_str(), nullptr, size.x - 2 * pad);
+  widgets::draw_text(list, ui.fonts.small, {low.x + pad, low.y + ui.px(caption_top)}, to_u32(ui.colors.text),
+                     widgets::broken_lines(ui.fonts.small, caption_text(runner), size.x - 2 * pad));
 }
 
 void lesson_list(Ui& ui, std::span<const std::uint32_t> textures) {

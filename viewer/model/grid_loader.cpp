@@ -1,4 +1,4 @@
-// What the worker does: distances, then sides; a quick sketch before what takes long.
+// What the workers do: distances, then sides; a quick sketch before what takes long.
 #include "model/grid_loader.h"
 
 #include "tolerance/grid_sides.h"
@@ -15,6 +15,11 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{256} << 20;
 /// What voxels smaller than a quarter of the thickness of Ω may take.
 constexpr std::size_t fine_bytes = std::size_t{64} << 20;
+/// What a finer part may take.
+constexpr std::size_t detail_bytes = std::size_t{64} << 20, least_detail_bytes = std::size_t{4} << 20;
+/// Of a detail: so many voxels across Ω are never too few, and as many times smaller than the grid's are
+/// worth it.
+constexpr double always_enough = 8, worth_it = 1.5;
 /// A grid of more bytes than that is sketched first, by one of that size.
 constexpr std::size_t sketch_bytes = std::size_t{6} << 20;
 
@@ -29,6 +34,8 @@ GridWish wish_for(const Scene& scene, double voxel, std::size_t bytes) {
   wish.voxel = voxel;
   wish.coarsest = 0.5 * scene.delta; // four across Ω
   wish.most_bytes = bytes;
+  // The robust distance is nowhere 0 between the sides, so that these are drawn from a texture of their own.
+  wish.side_bytes = scene.points ? 1 : 0;
   return wish;
 }
 
@@ -61,21 +68,39 @@ std::shared_ptr<const DistanceGrid> make_grid(const Scene& scene, const GridWish
 
 } // namespace
 
-struct GridLoader::Sketch {
-  std::mutex mutex;
+struct GridLoader::Parts {
+  /// A part of Ω, and how finely it is wanted.
+  struct Detail {
+    std::shared_ptr<const Scene> scene;
+    Box3 box;
+    double voxel = 0;
+    std::size_t most_bytes = 0;
+  };
+  std::mutex mutex; ///< of the sketch
   std::shared_ptr<const Scene> scene;
-  std::shared_ptr<const DistanceGrid> grid;
+  std::shared_ptr<const DistanceGrid> sketch;
+  std::optional<Detail> near; ///< what is wanted
+  Worker<Detail, DistanceGrid> detail;
+
+  explicit Parts(const std::function<void()>& notify)
+      : detail(
+            [](const Detail& wanted, RunControl& control) {
+              GridWish wish = wish_for(*wanted.scene, wanted.voxel, wanted.most_bytes);
+              wish.within = wanted.box;
+              return make_grid(*wanted.scene, wish, control);
+            },
+            notify) {}
 };
 
-GridLoader::GridLoader(std::function<void()> notify) : sketch_(std::make_shared<Sketch>()) {
-  auto work = [sketch = sketch_, notify](const std::shared_ptr<const Scene>& scene, RunControl& control) {
+GridLoader::GridLoader(std::function<void()> notify) : parts_(std::make_shared<Parts>(notify)) {
+  auto work = [parts = parts_, notify](const std::shared_ptr<const Scene>& scene, RunControl& control) {
     const auto begun = std::chrono::steady_clock::now();
     const double voxel = voxel_for(*scene);
     if (bytes_for(*scene, voxel) > static_cast<double>(sketch_bytes)) {
       const auto rough = make_grid(*scene, wish_for(*scene, voxel, sketch_bytes), control);
-      const std::lock_guard lock(sketch->mutex);
-      sketch->scene = scene;
-      sketch->grid = rough;
+      const std::lock_guard lock(parts->mutex);
+      parts->scene = scene;
+      parts->sketch = rough;
       if (notify) notify();
     }
     Made made;
@@ -89,6 +114,8 @@ GridLoader::GridLoader(std::function<void()> notify) : sketch_(std::make_shared<
 void GridLoader::want(const std::shared_ptr<const Scene>& scene) {
   if (scene == scene_) return;
   scene_ = scene;
+  parts_->near.reset();
+  parts_->detail.stop();
   if (scene && scene->field)
     worker_->ask(scene);
   else
@@ -98,8 +125,50 @@ void GridLoader::want(const std::shared_ptr<const Scene>& scene) {
 std::shared_ptr<const DistanceGrid> GridLoader::grid() const {
   const auto answered = worker_->answered();
   if (answered && answered->question == scene_ && answered->answer) return answered->answer->grid;
-  const std::lock_guard lock(sketch_->mutex);
-  return sketch_->scene == scene_ ? sketch_->grid : nullptr;
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->scene == scene_ ? parts_->sketch : nullptr;
+}
+
+void GridLoader::look_near(const std::optional<GridFocus>& focus) {
+  std::optional<Parts::Detail>& near = parts_->near;
+  const auto whole = working() ? nullptr : grid();
+  const auto far = [&] {
+    if (near) parts_->detail.stop();
+    near.reset();
+  };
+  // Where nothing but what lies beside it tells a point's side, a part does not know its own.
+  const bool possible = focus && whole && !whole->empty() && scene_->volume &&
+                        SidedInput{*scene_->field, scene_->volume->sides(), scene_->delta, {}}.tells_sides();
+  if (!possible) return far();
+  const double enough = 2 * whole->delta / always_enough, wanted = std::max(focus->voxel, 0.5 * enough);
+  const std::size_t taken = whole->texture_bytes(), room = most_bytes > taken ? most_bytes - taken : 0;
+  if (whole->voxel <= 1.05 * enough || whole->voxel < worth_it * wanted || room < least_detail_bytes)
+    return far();
+  if (near) {
+    // Small moves need no other part.
+    const Vec3 to_lo = focus->middle - near->box.lo, to_hi = near->box.hi - focus->middle;
+    const bool inside = std::min({to_lo.x, to_lo.y, to_lo.z, to_hi.x, to_hi.y, to_hi.z}) >= focus->radius;
+    if (inside && near->voxel <= 1.5 * wanted && near->voxel >= 0.3 * wanted) return;
+  }
+  const double reach = 1.4 * focus->radius;
+  Box3 box;
+  box.add(focus->middle);
+  near = Parts::Detail{scene_, box.grown(reach), wanted, std::min(room, detail_bytes)};
+  parts_->detail.ask(*near);
+}
+
+std::shared_ptr<const DistanceGrid> GridLoader::detail() const {
+  if (!parts_->near) return nullptr;
+  const auto answered = parts_->detail.answered();
+  if (!answered || !answered->answer || answered->question.scene != scene_) return nullptr;
+  const auto coarse = grid();
+  return coarse && !answered->answer->empty() && answered->answer->voxel * 1.2 < coarse->voxel
+             ? answered->answer
+             : nullptr;
+}
+
+bool GridLoader::refining() const {
+  return !parts_->detail.idle();
 }
 
 double GridLoader::seconds() const {
@@ -107,12 +176,17 @@ double GridLoader::seconds() const {
   return answered && answered->question == scene_ && answered->answer ? answered->answer->seconds : 0;
 }
 
-std::string coarseness_in_words(const DistanceGrid& grid) {
+std::string coarseness_in_words(const DistanceGrid& grid, const DistanceGrid* detail) {
   if (!grid.coarsened) return "";
-  std::array<char, 80> text{};
+  std::array<char, 120> text{};
   std::snprintf(text.data(), text.size(), "Ω is drawn coarser than wanted: %.2g voxels across it, not 4",
                 2 * grid.delta / grid.voxel);
-  return text.data();
+  std::string words = text.data();
+  if (detail != nullptr) {
+    std::snprintf(text.data(), text.size(), "; %.2g near the camera", 2 * detail->delta / detail->voxel);
+    words += text.data();
+  }
+  return words;
 }
 
 } // namespace isoscope

@@ -55,7 +55,7 @@ bool ShownRun::take_result() {
 }
 
 bool ShownRun::is_current() const {
-  if (!playhead.idle() || !index.complete() || grid.working()) return false;
+  if (!playhead.idle() || !index.complete() || grid.working() || grid.refining()) return false;
   if (!run.journal) return true;
   return result_ && asked_ && result_->request == *asked_ && asked_->step == transport.step() &&
          (!transport.moving() || transport.step() >= live_step());

@@ -10,8 +10,8 @@
 
 namespace isoscope {
 
-/// Bricks stand above each other, in at most four columns, then behind each other: so narrow that the samples
-/// of one lie close together in memory, and no multiple of a power of two apart.
+/// Bricks stand above each other, in as few columns as there may be, then behind each other: so narrow that
+/// the samples of one lie close together in memory, and no multiple of a power of two apart.
 class BrickAtlas {
  public:
   /// Room for the bricks of a grid, and after them for two of one value each: what places without a brick
@@ -27,10 +27,10 @@ class BrickAtlas {
     return {static_cast<int>(brick / rows % columns_), static_cast<int>(brick % rows),
             static_cast<int>(brick / (rows * columns_))};
   }
-  /// The same as shaders/bricks.glsl takes it apart: 2, 8 and 8 bits.
+  /// The same as shaders/bricks.glsl takes it apart: 8 bits each.
   std::uint32_t packed(std::size_t brick) const {
     const std::array<int, 3> c = at(brick);
-    return static_cast<std::uint32_t>(c[0] | c[1] << 2 | c[2] << 10);
+    return static_cast<std::uint32_t>(c[0] | c[1] << 8 | c[2] << 16);
   }
   /// Of the texture, in samples.
   std::array<int, 3> size() const {
@@ -42,7 +42,7 @@ class BrickAtlas {
   std::size_t run(std::size_t brick) const { return std::min(rows - brick % rows, count() - brick); }
 
  private:
-  static constexpr std::size_t rows = 255, layers = 256, most_columns = 4;
+  static constexpr std::size_t rows = 255, layers = 256, most_columns = 255;
   static_assert(DistanceGrid::most_bricks + 2 <= rows * layers * most_columns);
   std::size_t bricks_, columns_;
 };

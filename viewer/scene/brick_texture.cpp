@@ -54,9 +54,20 @@ void BrickTexture::set(std::shared_ptr<const DistanceGrid> grid, bool meets_zero
   const BrickAtlas atlas(grid_->bricks());
   const std::array<int, 3> size = atlas.size(), one{1, 1, 1};
   atlas_size_ = {size[0], size[1], size[2]};
-  bricks_.allocate_volume(size, gl::Format::r16s, true);
-  upload<std::int16_t>(bricks_, *grid_, atlas,
-                       [&](std::int16_t v) { return signed_ ? v : static_cast<std::int16_t>(std::abs(v)); });
+  largest_ = grid_->sample_bytes == 1 ? grid_->reach : grid_->clamp;
+  if (grid_->sample_bytes == 1) {
+    bricks_.allocate_volume(size, gl::Format::r8s, true);
+    const float steps = 127 * grid_->clamp / (grid_->reach * DistanceGrid::most);
+    upload<std::int8_t>(bricks_, *grid_, atlas, [&](std::int16_t v) {
+      const float step = std::clamp(std::round(steps * static_cast<float>(v)), -127.0f, 127.0f);
+      return static_cast<std::int8_t>(signed_ ? step : std::abs(step));
+    });
+  } else {
+    bricks_.allocate_volume(size, gl::Format::r16s, true);
+    upload<std::int16_t>(bricks_, *grid_, atlas, [&](std::int16_t v) {
+      return signed_ ? v : static_cast<std::int16_t>(std::abs(v));
+    });
+  }
   sides_.allocate_volume(signed_ ? one : size, gl::Format::r8s, true);
   if (signed_)
     sides_.fill_volume({0, 0, 0}, one, std::array<std::int8_t, 1>{127});
@@ -65,25 +76,29 @@ void BrickTexture::set(std::shared_ptr<const DistanceGrid> grid, bool meets_zero
                         [](std::int16_t v) { return static_cast<std::int8_t>(v < 0 ? -127 : 127); });
 }
 
-void BrickTexture::set_uniforms(gl::Program& program, const SceneSpace& space, float level) {
-  if (entries_level_ != level) {
-    entries_level_ = level;
-    places_.allocate_volume(grid_->places, gl::Format::r32u, false);
-    places_.fill_volume({0, 0, 0}, grid_->places, place_entries(*grid_, least_, level));
-  }
-  bricks_.bind(0);
-  sides_.bind(1);
-  places_.bind(2);
-  program.set("bricks", 0);
-  program.set("brick_sides", 1);
-  program.set("places", 2);
-  program.set("is_signed", signed_ ? 1 : 0);
-  program.set("largest_value", grid_->clamp);
-  program.set("box_lo", space.local(grid_->box.lo));
-  program.set("box_hi", space.local(grid_->box.hi));
-  program.set("place_side", static_cast<float>(DistanceGrid::cells * grid_->voxel));
-  program.set("place_count", glm::vec3(grid_->places[0], grid_->places[1], grid_->places[2]));
-  program.set("atlas_unit", 1.0f / atlas_size_);
+void BrickTexture::prepare(float level) {
+  if (entries_level_ == level) return;
+  entries_level_ = level;
+  places_.allocate_volume(grid_->places, gl::Format::r32u, false);
+  places_.fill_volume({0, 0, 0}, grid_->places, place_entries(*grid_, least_, level));
+}
+
+void BrickTexture::set_uniforms(gl::Program& program, const SceneSpace& space, int first_unit,
+                                const std::string& prefix) {
+  const auto set = [&](const char* name, const auto& value) { program.set((prefix + name).c_str(), value); };
+  bricks_.bind(first_unit);
+  sides_.bind(first_unit + 1);
+  places_.bind(first_unit + 2);
+  set("bricks", first_unit);
+  set("brick_sides", first_unit + 1);
+  set("places", first_unit + 2);
+  set("is_signed", signed_ ? 1 : 0);
+  set("largest_value", largest_);
+  set("box_lo", space.local(grid_->box.lo));
+  set("box_hi", space.local(grid_->box.hi));
+  set("place_side", static_cast<float>(DistanceGrid::cells * grid_->voxel));
+  set("place_count", glm::vec3(grid_->places[0], grid_->places[1], grid_->places[2]));
+  set("atlas_unit", 1.0f / atlas_size_);
 }
 
 } // namespace isoscope

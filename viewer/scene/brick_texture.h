@@ -7,6 +7,7 @@
 #include "tolerance/distance_grid.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace isoscope {
@@ -21,8 +22,13 @@ class BrickTexture {
   /// Whether values have the sign of their side.
   bool is_signed() const { return signed_; }
   const DistanceGrid& grid() const { return *grid_; }
-  /// Binds textures to the units 0 to 2 and sets what shaders/bricks.glsl asks for.
-  void set_uniforms(gl::Program& program, const SceneSpace& space, float level);
+  /// Whether this grid is the one that was uploaded.
+  bool has(const std::shared_ptr<const DistanceGrid>& grid) const { return grid_ == grid; }
+  /// Makes what rays may cross for a level; before textures are bound, as it binds its own.
+  void prepare(float level);
+  /// Binds textures to three units and sets what shaders/bricks.glsl asks for, under names that begin so.
+  void set_uniforms(gl::Program& program, const SceneSpace& space, int first_unit = 0,
+                    const std::string& prefix = "");
 
  private:
   std::shared_ptr<const DistanceGrid> grid_;
@@ -30,6 +36,7 @@ class BrickTexture {
   gl::Texture bricks_, sides_, places_;
   float entries_level_ = -1; ///< what `places_` is made for
   bool signed_ = true;
+  float largest_ = 1;       ///< φ/δ of what `bricks_` has as 1
   glm::vec3 atlas_size_{1}; ///< of `bricks_`, in samples
 };
 

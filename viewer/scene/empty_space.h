@@ -13,7 +13,7 @@ std::vector<float> least_in_bricks(const DistanceGrid& grid);
 
 /// What the shaders read of a place: where its brick is (BrickAtlas::packed), and above that how many places
 /// around it, itself included, a ray may cross in any direction; 0 where it may meet Ω.
-constexpr unsigned brick_bits = 18;
+constexpr unsigned brick_bits = 24;
 /// A place that a ray may meet Ω in.
 constexpr bool is_full(std::uint32_t entry) {
   return entry >> brick_bits == 0;

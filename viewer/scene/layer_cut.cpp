@@ -35,7 +35,7 @@ void CutLayer::update(const std::shared_ptr<const StateSnapshot>& kept_state, do
     for (const SectionGeometry::Segment& s : geometry.zero_set)
       lines.segment(local(s.a), local(s.b), color8(c.section_zero), 2.4f);
   std::vector<Marker> samples;
-  const bool classified = state.complex.form != ZeroForm::free;
+  const bool classified = state.classifies();
   if (view.samples.shown())
     for (const SectionGeometry::Sample& s : geometry.samples) {
       if (!(s.bad ? view.bad_samples : view.good_samples).shown()) continue;

@@ -48,7 +48,7 @@ void SamplesLayer::update(const StateSnapshot& state, const ViewSettings& view, 
     return;
   }
   if (state.samples != samples_ || space != space_) upload_positions(state.samples, space);
-  classified_ = state.complex.form != ZeroForm::free;
+  classified_ = state.classifies();
   std::vector<std::uint32_t> good, bad, over_rim;
   const bool whole_cells = clip.active() && !clip.cuts();
   const SampleScope scope(state, view);

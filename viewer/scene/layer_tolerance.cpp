@@ -5,9 +5,19 @@
 
 namespace isoscope {
 
-void ToleranceLayer::set_common(gl::Program& program, const ViewFrame& frame) {
+namespace {
+
+/// Units of the textures of the whole, of the depth of what is opaque, of the detail.
+constexpr int depth_unit = 3, detail_unit = 4;
+
+} // namespace
+
+void ToleranceLayer::set_common(gl::Program& program, const ViewFrame& frame, bool with_detail) {
   program.use();
-  textures_.set_uniforms(program, frame.space, frame.view.level);
+  textures_.prepare(frame.view.level);
+  if (with_detail) detail_.prepare(frame.view.level);
+  textures_.set_uniforms(program, frame.space);
+  if (with_detail) detail_.set_uniforms(program, frame.space, detail_unit, "detail_");
   program.set("level", frame.view.level);
   program.set("delta", static_cast<float>(textures_.grid().delta));
   const auto opacity = [](const LayerSettings& layer) { return layer.shown() ? layer.opacity : 0.0f; };
@@ -22,15 +32,15 @@ void ToleranceLayer::march(Programs& programs, const ViewFrame& frame, const gl:
   const ViewSettings& view = frame.view;
   const glm::vec3 haze =
       view.outer.shown() ? glm::vec3(view.haze_outer, view.haze_middle, view.haze_inner) : glm::vec3(0);
-  auto& pair = moving                         ? programs.volume_moving
-               : haze.x + haze.y + haze.z > 0 ? programs.volume_haze
-                                              : programs.volume;
+  const bool with_detail = !moving && has_detail(), with_haze = haze.x + haze.y + haze.z > 0;
+  auto& pair = moving        ? programs.volume_moving
+               : with_haze   ? (with_detail ? programs.volume_haze_detail : programs.volume_haze)
+               : with_detail ? programs.volume_detail
+                             : programs.volume;
   gl::Program& program = pair[textures_.is_signed() ? 0 : 1];
-  set_common(program, frame);
-  scene_depth.bind(3);
-  program.set("scene_depth", 3);
-  const auto voxel = static_cast<float>(textures_.grid().voxel);
-  program.set("voxel", voxel);
+  set_common(program, frame, with_detail);
+  scene_depth.bind(depth_unit);
+  program.set("scene_depth", depth_unit);
   program.set("haze", haze);
   program.set("jitter_phase", frame.phase);
   program.set("ray_pixels", static_cast<float>(1 / quality.volume_scale));
@@ -40,7 +50,7 @@ void ToleranceLayer::march(Programs& programs, const ViewFrame& frame, const gl:
 }
 
 void ToleranceLayer::prepare_section(gl::Program& program, const ViewFrame& frame) {
-  set_common(program, frame);
+  set_common(program, frame, has_detail());
 }
 
 } // namespace isoscope

@@ -15,9 +15,18 @@ class ToleranceLayer {
  public:
   /// Uploads the grid. `meets_zero`: φ is 0 between the sides.
   void set(std::shared_ptr<const DistanceGrid> grid, bool meets_zero) {
+    detail_.clear();
     textures_.set(std::move(grid), meets_zero);
   }
-  void clear() { textures_.clear(); }
+  /// Uploads a part of Ω in finer voxels; null: there is none.
+  void set_detail(std::shared_ptr<const DistanceGrid> detail) {
+    if (!detail_.has(detail)) detail_.set(std::move(detail), textures_.is_signed());
+  }
+  void clear() {
+    textures_.clear();
+    detail_.clear();
+  }
+  bool has_detail() const { return detail_.present(); }
   bool present() const { return textures_.present(); }
   /// Whether a frame with these settings shows anything of Ω.
   bool shown(const ViewSettings& view) const {
@@ -31,8 +40,8 @@ class ToleranceLayer {
   void prepare_section(gl::Program& program, const ViewFrame& frame);
 
  private:
-  void set_common(gl::Program& program, const ViewFrame& frame);
-  BrickTexture textures_;
+  void set_common(gl::Program& program, const ViewFrame& frame, bool with_detail);
+  BrickTexture textures_, detail_;
 };
 
 } // namespace isoscope

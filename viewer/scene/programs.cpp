@@ -21,10 +21,16 @@ Result<Programs> Programs::build(const gl::ShaderSource& source) {
       {programs.volume[1], "volume_sided", "fullscreen.vert", "volume_sided.frag"},
       {programs.volume_haze[0], "volume_haze", "fullscreen.vert", "volume_haze.frag"},
       {programs.volume_haze[1], "volume_haze_sided", "fullscreen.vert", "volume_haze_sided.frag"},
+      {programs.volume_detail[0], "volume_detail", "fullscreen.vert", "volume_detail.frag"},
+      {programs.volume_detail[1], "volume_detail_sided", "fullscreen.vert", "volume_detail_sided.frag"},
+      {programs.volume_haze_detail[0], "volume_haze_detail", "fullscreen.vert", "volume_haze_detail.frag"},
+      {programs.volume_haze_detail[1], "volume_haze_detail_sided", "fullscreen.vert",
+       "volume_haze_detail_sided.frag"},
       {programs.volume_moving[0], "volume_moving", "fullscreen.vert", "volume_moving.frag"},
       {programs.volume_moving[1], "volume_moving_sided", "fullscreen.vert", "volume_moving_sided.frag"},
       {programs.composite, "composite", "fullscreen.vert", "composite.frag"},
       {programs.section, "section", "fullscreen.vert", "section.frag"},
+      {programs.section_detail, "section_detail", "fullscreen.vert", "section_detail.frag"},
       {programs.copy, "copy", "fullscreen.vert", "copy.frag"},
   };
   for (const auto& entry : entries) {

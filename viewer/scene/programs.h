@@ -12,8 +12,10 @@ namespace isoscope {
 struct Programs {
   gl::Program background, mesh_opaque, mesh_translucent, mesh_flat, line, marker, sample, point, composite,
       section, copy;
-  /// Ω: resting without and with a haze, and moving; of each the one whose values are signed, and the other.
-  std::array<gl::Program, 2> volume, volume_haze, volume_moving;
+  /// Ω: resting without and with a haze, with a part in finer voxels, and moving; of each the one whose
+  /// values are signed, and the other.
+  std::array<gl::Program, 2> volume, volume_haze, volume_moving, volume_detail, volume_haze_detail;
+  gl::Program section_detail;
 
   /// Compiles them all; fails with device and the driver's log.
   static Result<Programs> build(const gl::ShaderSource& source);

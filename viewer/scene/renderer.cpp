@@ -284,6 +284,10 @@ void Renderer::set_grid(std::shared_ptr<const DistanceGrid> grid) {
   impl_->upload_grid();
 }
 
+void Renderer::set_detail(std::shared_ptr<const DistanceGrid> detail) {
+  if (impl_->layers.tolerance.present()) impl_->layers.tolerance.set_detail(std::move(detail));
+}
+
 void Renderer::set_state(std::shared_ptr<const StateSnapshot> state) {
   if (impl_->shown.state == state) return;
   impl_->layers.forget_state();

@@ -58,6 +58,8 @@ class Renderer {
   /// What to show; cheap when unchanged. Any may be null.
   void set_scene(std::shared_ptr<const Scene> scene);
   void set_grid(std::shared_ptr<const DistanceGrid> grid);
+  /// A part of Ω in finer voxels; goes with the grid.
+  void set_detail(std::shared_ptr<const DistanceGrid> detail);
   void set_state(std::shared_ptr<const StateSnapshot> state);
   void set_xray(std::shared_ptr<const EdgeXray> xray);
   void set_study(std::shared_ptr<const TargetStudy> study);

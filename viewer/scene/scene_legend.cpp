@@ -20,7 +20,7 @@ std::vector<LegendEntry> scene_legend(const StateSnapshot& state, const ViewSett
   put(view.outer.shown(), Sign::surface, c.outer, "outer boundary of Ω");
   put(view.inner.shown(), Sign::surface, c.inner, "inner boundary of Ω");
   const bool samples = view.samples.shown() && state.samples != nullptr;
-  const bool classified = state.complex.form != ZeroForm::free;
+  const bool classified = state.classifies();
   put(samples && view.bad_samples.shown() && state.bad_samples > 0, Sign::cross, c.bad, "bad sample");
   put(samples && view.good_samples.shown(), Sign::disc, classified ? c.good : c.tetrahedron,
       classified ? "good sample, outside" : "sample");

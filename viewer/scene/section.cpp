@@ -113,7 +113,7 @@ void SectionLayer::update(const LayerInputs& inputs, const ViewFrame& frame) {
           state->samples ? state->samples->sigma * frame.pixels_per_unit / frame.pixel_scale : 30;
       const float size =
           std::clamp(std::min(1.5f * frame.view.sample_size, static_cast<float>(spacing)), 3.0f, 30.0f);
-      const bool classified = state->complex.form != ZeroForm::free;
+      const bool classified = state->classifies();
       for (const auto& s : geometry.samples) {
         if (!(s.bad ? frame.view.bad_samples : frame.view.good_samples).shown()) continue;
         const MarkerShape shape =
@@ -203,14 +203,15 @@ void SectionLayer::draw(Programs& programs, const ViewFrame& frame, ToleranceLay
                         float background_opacity) {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
-  programs.section.use();
   const bool volume = tolerance.shown(frame.view);
-  if (volume) tolerance.prepare_section(programs.section, frame);
-  programs.section.set("with_volume", volume ? 1 : 0);
-  programs.section.set("top", frame.colors.ground_top);
-  programs.section.set("bottom", frame.colors.ground_bottom);
-  programs.section.set("rows", frame.rows);
-  programs.section.set("opacity", background_opacity);
+  gl::Program& ground = volume && tolerance.has_detail() ? programs.section_detail : programs.section;
+  ground.use();
+  if (volume) tolerance.prepare_section(ground, frame);
+  ground.set("with_volume", volume ? 1 : 0);
+  ground.set("top", frame.colors.ground_top);
+  ground.set("bottom", frame.colors.ground_bottom);
+  ground.set("rows", frame.rows);
+  ground.set("opacity", background_opacity);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -237,7 +237,7 @@ void Drawing::samples() {
   // Neighbours touch at most.
   const double spacing = state_.samples ? state_.samples->sigma * scale_ : 2;
   const double size = std::clamp(std::min(0.3 * static_cast<double>(view.sample_size), spacing), 0.25, 4.0);
-  const std::string good = hex(state_.complex.form != ZeroForm::free ? colors_.good : colors_.tetrahedron);
+  const std::string good = hex(state_.classifies() ? colors_.good : colors_.tetrahedron);
   const std::string thin = number(std::max(0.2 * size, 0.1));
   const struct {
     const char* name;

@@ -95,19 +95,24 @@ void violation_counts(const Ui& ui) {
   const auto state = m.state();
   const auto& next = m.would_violate;
   const float each = std::floor(ImGui::GetContentRegionAvail().x / 3);
+  // Before T is there and once f is no more that of the refinement nothing is judged, which is not 0.
+  const bool judged = state && state->classifies() && state->complex.form == ZeroForm::interpolated;
+  const auto now = [&](std::size_t StateSnapshot::*member) {
+    return judged ? std::optional((*state).*member) : std::nullopt;
+  };
   const auto then = [&](std::size_t ViolationPreview::*member) {
-    return next && state ? std::optional((*next).*member) : std::nullopt;
+    return next && judged ? std::optional((*next).*member) : std::nullopt;
   };
   violation_count(ui, "beyond 1 − α",
                   "Samples with ε above 1 − α at this step, and with these parameters. §2.3",
-                  state ? state->beyond_margin : 0, then(&ViolationPreview::beyond_margin), each);
+                  now(&StateSnapshot::beyond_margin), then(&ViolationPreview::beyond_margin), each);
   ImGui::SameLine(0, 0);
   violation_count(ui, "too flat", "Tetrahedra that carry Z and are less than 2σ/α high. §2.3, Figure 5",
-                  state ? state->violating_2 : 0, then(&ViolationPreview::too_flat), each);
+                  now(&StateSnapshot::violating_2), then(&ViolationPreview::too_flat), each);
   ImGui::SameLine(0, 0);
   violation_count(ui, "misoriented",
                   "Tetrahedra whose shrunk copy misclassifies its nearest samples. §2.3, Figure 4",
-                  state && state->orientation_judged ? std::optional(state->violating_3) : std::nullopt,
+                  judged && state->orientation_judged ? std::optional(state->violating_3) : std::nullopt,
                   then(&ViolationPreview::misoriented), each);
 }
 

@@ -352,9 +352,7 @@ void warnings(const Ui& ui) {
   for (const ParameterWarning& warning : ui.window.run.scene->warnings) {
     const widgets::Font font(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.warning_text));
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted((std::string(icon::warning) + "  " + warning.message).c_str());
-    ImGui::PopTextWrapPos();
+    widgets::wrapped_text(std::string(icon::warning) + "  " + warning.message);
     ImGui::PopStyleColor();
   }
 }

@@ -74,14 +74,21 @@ void add_run_values(NamedValues& t, const WindowState& m) {
   t.add("events", "events so far", [&m] { return m.run.journal ? m.run.journal->events().size() : 0; });
   t.add("phase", "what the run is doing", [&m] { return phase_word(m.run.phase); });
   t.add("transport", "what the play head is doing", [&m] { return transport_word(m.transport.mode()); });
-  of_state("bad_samples", "samples with ε ≥ 1", &StateSnapshot::bad_samples);
-  of_state("beyond_margin", "samples with ε > 1 − α", &StateSnapshot::beyond_margin);
+  // Nothing is judged before T is there, which is not 0.
+  const auto judged = [&](const char* name, const char* help, auto member) {
+    of_state(name, help, [member](const StateSnapshot& s) {
+      return s.complex.tets.empty() && s.complex.form != ZeroForm::free ? std::nullopt
+                                                                        : std::optional(s.*member);
+    });
+  };
+  judged("bad_samples", "samples with ε ≥ 1, nan before T is there", &StateSnapshot::bad_samples);
+  judged("beyond_margin", "samples with ε > 1 − α", &StateSnapshot::beyond_margin);
   of_state("violating_2", "tetrahedra that violate condition 2", &StateSnapshot::violating_2);
   of_state("violating_3", "tetrahedra that violate condition 3, nan where that is not judged yet",
            [](const StateSnapshot& s) {
              return s.orientation_judged ? std::optional(s.violating_3) : std::nullopt;
            });
-  of_state("largest_error", "the largest ε", &StateSnapshot::largest_error);
+  judged("largest_error", "the largest ε", &StateSnapshot::largest_error);
   of_state("samples", "samples in S",
            [](const StateSnapshot& s) { return s.samples ? s.samples->size() : 0; });
   of_state("tets", "tetrahedra of T", [](const StateSnapshot& s) { return s.complex.alive_tets(); });

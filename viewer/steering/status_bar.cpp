@@ -94,7 +94,7 @@ std::vector<Part> status_parts(const Ui& ui, const HistoryMemory& h) {
     put(operation_words(*state->event), ui.colors.text);
   }
   put(phase_text(m), failed ? ui.colors.warning_text : ui.colors.quiet);
-  if (state && state->samples && state->complex.form == ZeroForm::interpolated)
+  if (state && state->samples && state->classifies() && state->complex.form == ZeroForm::interpolated)
     put(grouped(state->bad_samples) + " bad of " + grouped(state->samples->size()) + " samples",
         state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
   if (state) put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
@@ -116,7 +116,7 @@ std::vector<Part> status_parts(const Ui& ui, const HistoryMemory& h) {
         ui.colors.quiet);
   }
   if (const auto grid = m.grid.grid(); grid && !m.grid.working())
-    put(coarseness_in_words(*grid), ui.colors.warning_text);
+    put(coarseness_in_words(*grid, m.grid.detail().get()), ui.colors.warning_text);
   return parts;
 }
 
@@ -179,11 +179,15 @@ void messages(Ui& ui, ImVec2 low, float width) {
     ImGui::TextColored(to_vec(color), "%s", message.error ? icon::error : icon::info);
     ImGui::SameLine(0, ui.px(10));
     ImGui::BeginGroup();
-    ImGui::PushTextWrapPos(width - ui.px(52));
+    const float room = width - ui.px(52) - ImGui::GetCursorPosX();
     const std::string again = message.times > 1 ? "  (" + grouped(message.times) + " times)" : "";
-    ImGui::TextUnformatted((message.text + again).c_str());
-    if (!message.remedy.empty()) widgets::quiet_text(ui, message.remedy);
-    ImGui::PopTextWrapPos();
+    widgets::wrapped_text(message.text + again, room);
+    if (!message.remedy.empty()) {
+      const widgets::Font small(ui.fonts.small);
+      ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.quiet));
+      widgets::wrapped_text(message.remedy, room);
+      ImGui::PopStyleColor();
+    }
     ImGui::EndGroup();
     ImGui::SetCursorPos({width - ui.px(38), ui.px(4)});
     const bool closed = widgets::icon_button(ui, "close", icon::close);

@@ -58,7 +58,7 @@ std::string Talk::caption() const {
   const Event* event = caption_event();
   const bool in_t = window.run.parameters.start == FirstZ::delaunay;
   if (event == nullptr && !in_t) return "both boundaries of Ω, before the first Z is there";
-  if (event == nullptr) return "a box around the samples, before the first point goes in";
+  if (event == nullptr) return "samples on both boundaries of Ω, before there is a T";
   if (shown->event && event == &*shown->event)
     if (const std::uint32_t n = alike(); n >= fewest_alike)
       if (std::string all = summed_up(*event, n, *shown); !all.empty()) return all;
@@ -77,7 +77,7 @@ std::string Talk::caption_why() const {
 std::string Talk::caption_figure() const {
   if (!window.state() || !window.run.journal) return {};
   const Event* event = caption_event();
-  return std::string(event == nullptr ? figure_of(Stage::refinement) : figure_of(*event));
+  return std::string(event == nullptr ? figure_of(Stage::setup) : figure_of(*event));
 }
 
 } // namespace isoscope

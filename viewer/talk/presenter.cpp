@@ -34,17 +34,11 @@ void progress_line(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, ImVec2 
                      to_u32(ui.colors.text));
 }
 
-float height_of(const ImFont* font, const std::string& text, float wrap) {
-  if (text.empty()) return 0;
-  return font->CalcTextSizeA(font->FontSize, 1e9f, wrap, text.data(), text.data() + text.size()).y;
-}
-
 constexpr float above_units = 15, below_units = 9; ///< room around the sentences
 
 } // namespace
 
-PresenterBar::PresenterBar(const Ui& ui, const Talk& talk, float width)
-    : talk_(talk), what_(talk.caption()), why_(talk.caption_why()) {
+PresenterBar::PresenterBar(const Ui& ui, const Talk& talk, float width) : talk_(talk) {
   const WindowState& m = ui.window;
   place_ = grouped(m.transport.step()) + " / " + grouped(m.live_step());
   if (m.playing()) {
@@ -53,8 +47,10 @@ PresenterBar::PresenterBar(const Ui& ui, const Talk& talk, float width)
   }
   text_x_ = ui.px(36);
   place_x_ = width - ui.px(48) - widgets::width_of(ui.fonts.small, place_);
-  what_high_ = height_of(ui.fonts.ui, what_, wrap());
-  why_high_ = height_of(ui.fonts.small, why_, wrap());
+  what_ = widgets::broken_lines(ui.fonts.ui, talk.caption(), place_x_ - text_x_);
+  why_ = widgets::broken_lines(ui.fonts.small, talk.caption_why(), place_x_ - text_x_);
+  what_high_ = widgets::height_of(ui.fonts.ui, what_);
+  why_high_ = widgets::height_of(ui.fonts.small, why_);
 }
 
 // Room for two lines and the reason: the view keeps its size from step to step, but for the longest texts.
@@ -88,12 +84,9 @@ void PresenterBar::draw(const Ui& ui) const {
                         : stage_color(ui.theme, event->stage);
   widgets::glyph(ui, {low.x + ui.px(20), line}, 6, color,
                  rejected ? words(event->reason).shape : MarkerShape::disc);
-  const auto text = [&](ImFont* font, float y, Rgb shade, const std::string& words) {
-    list.AddText(font, font->FontSize, {low.x + text_x_, y}, to_u32(shade), words.data(),
-                 words.data() + words.size(), wrap());
-  };
-  text(ui.fonts.ui, top, ui.colors.text, what_);
-  text(ui.fonts.small, top + what_high_, ui.colors.quiet, why_);
+  widgets::draw_text(list, ui.fonts.ui, {low.x + text_x_, top}, to_u32(ui.colors.text), what_);
+  widgets::draw_text(list, ui.fonts.small, {low.x + text_x_, top + what_high_}, to_u32(ui.colors.quiet),
+                     why_);
 }
 
 void slide_title(const Ui& ui, const Bookmarks& bookmarks, ImVec2 low, float width) {

@@ -76,9 +76,8 @@ class PresenterBar {
   void draw(const Ui& ui) const;
 
  private:
-  float wrap() const { return place_x_ - text_x_; }
   const Talk& talk_;
-  std::string what_, why_, place_;
+  std::string what_, why_, place_; ///< as lines
   float text_x_ = 0, place_x_ = 0, what_high_ = 0, why_high_ = 0;
 };
 /// Stage and figure over the view, and what the marks in it mean; returns where it ends below.

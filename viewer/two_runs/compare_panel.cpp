@@ -78,15 +78,19 @@ void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) 
   linked(ui, "one camera", m.linked_cameras, "link-cameras");
   linked(ui, "play heads together", m.linked_steps, "link-steps");
   ImGui::Dummy({0, ui.px(2)});
-  const float third = (ImGui::GetContentRegionAvail().x - 2 * ui.px(6)) / 3;
+  const char* views = m.beside() ? "Hide" : "Two views";
+  const float room = ImGui::GetContentRegionAvail().x, third = (room - 2 * ui.px(6)) / 3;
+  const float widest = std::max(widgets::text_size("Change").x, widgets::text_size(views).x);
+  const bool beside =
+      third >= widest + ui.px(12); // else they stand below each other, so that words are whole
   const auto button = [&](const char* label, const char* command) {
-    if (widgets::plain_button(ui, label, true, third)) ui.commands.post(command);
+    if (widgets::plain_button(ui, label, true, beside ? third : room)) ui.commands.post(command);
     widgets::command_tip(ui, command);
   };
   button("Change", "other-run");
-  ImGui::SameLine(0, ui.px(6));
-  button(m.beside() ? "Hide" : "Two views", "side-by-side");
-  ImGui::SameLine(0, ui.px(6));
+  if (beside) ImGui::SameLine(0, ui.px(6));
+  button(views, "side-by-side");
+  if (beside) ImGui::SameLine(0, ui.px(6));
   button("Close", "close-other");
 }
 
@@ -176,9 +180,7 @@ void side(Ui& ui, const Comparison& m, const std::string& text, bool b) {
   const float badge = run_badge(ui, at, b, b == m.active_is_b());
   ImGui::SetCursorScreenPos({at.x + badge + ui.px(8), at.y});
   ImGui::PushFont(ui.fonts.small);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  widgets::wrapped_text(text);
   ImGui::PopFont();
   const float below = std::max(ImGui::GetCursorScreenPos().y, at.y + ui.px(22));
   ImGui::SetCursorScreenPos({at.x, below});
@@ -193,7 +195,13 @@ void difference(Ui& ui, const Comparison& m, const RunComparison& found) {
   }
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, button = ui.px(96);
-  widgets::bold_text(ui, found.decision ? "First differing decision" : "First differing number");
+  {
+    const widgets::Font bold(ui.fonts.bold);
+    ImGui::TextUnformatted(
+        widgets::fitted(found.decision ? "First differing decision" : "First differing number",
+                        width - button - ui.px(10))
+            .c_str());
+  }
   ImGui::SetCursorScreenPos({at.x + width - button, at.y - ui.px(2)});
   if (widgets::primary_button(ui, "Go there   D", true, button)) ui.commands.post("first-difference");
   widgets::command_tip(ui, "first-difference");
@@ -203,9 +211,7 @@ void difference(Ui& ui, const Comparison& m, const RunComparison& found) {
     place += "; judged by other numbers from event " + grouped(found.measure->event) + " on";
   ImGui::PushFont(ui.fonts.small);
   ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.quiet));
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - button - ui.px(10));
-  ImGui::TextUnformatted(place.c_str());
-  ImGui::PopTextWrapPos();
+  widgets::wrapped_text(place, width - button - ui.px(10));
   ImGui::PopStyleColor();
   ImGui::PopFont();
   side(ui, m, describe(*d, *m.run(false)->run.journal, d->in_a), false);

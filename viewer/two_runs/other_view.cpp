@@ -34,6 +34,7 @@ void OtherView::draw(Ui& ui, Comparison& comparison) {
   const auto grid = run->grid.grid();
   renderer_->set_scene(run->run.scene);
   renderer_->set_grid(grid);
+  renderer_->set_detail(run->grid.detail());
   renderer_->set_state(state);
 
   const ViewArea area{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail()};
@@ -58,6 +59,7 @@ void OtherView::draw(Ui& ui, Comparison& comparison) {
   key.view = view;
   key.state = state.get();
   key.grid = grid.get();
+  key.detail = run->grid.detail().get();
   key.scene = run->run.scene.get();
   key.selection = comparison.picked;
   if (section)

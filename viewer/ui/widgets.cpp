@@ -3,6 +3,7 @@
 
 #include "model/words.h"
 #include "ui/icons.h"
+#include "ui/word_wrap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,37 +78,24 @@ std::string fitted(std::string_view s, float width) {
   return cut + "…";
 }
 
-namespace {
-
-/// Where the line ends that s begins with, broken at a blank: its first word at least.
-std::size_t line_end(std::string_view s, float width) {
-  std::size_t end = std::min(s.find(' '), s.size());
-  while (end < s.size()) {
-    const std::size_t next = std::min(s.find(' ', end + 1), s.size());
-    if (text_size(s.substr(0, next)).x > width) break;
-    end = next;
-  }
-  return end;
+void wrapped_text(std::string_view s, float width) {
+  text(isoscope::broken_lines(s, width > 0 ? width : ImGui::GetContentRegionAvail().x,
+                              [](std::string_view part) { return text_size(part).x; }));
 }
 
-} // namespace
+std::string broken_lines(const ImFont* font, std::string_view s, float width) {
+  return isoscope::broken_lines(s, width, [font](std::string_view part) { return width_of(font, part); });
+}
 
-void wrapped_text(std::string_view s) {
-  const float width = ImGui::GetContentRegionAvail().x;
-  std::string lines;
-  while (!s.empty()) {
-    const std::size_t end = line_end(s, width);
-    if (!lines.empty()) lines += '\n';
-    lines += s.substr(0, end);
-    s.remove_prefix(std::min(end + 1, s.size()));
-  }
-  text(lines);
+float height_of(const ImFont* font, const std::string& lines) {
+  if (lines.empty()) return 0;
+  return font->CalcTextSizeA(font->FontSize, 1e9f, 0, lines.data(), lines.data() + lines.size()).y;
 }
 
 std::string fitted(std::string_view s, float width, int lines) {
   std::string broken;
   for (; lines > 1 && text_size(s).x > width; --lines) {
-    const std::size_t end = line_end(s, width);
+    const std::size_t end = line_end(s, width, [](std::string_view part) { return text_size(part).x; });
     broken += fitted(s.substr(0, end), width) + '\n';
     s.remove_prefix(std::min(end + 1, s.size()));
   }
@@ -179,18 +167,17 @@ void tip(const Ui& ui, std::string_view title, std::string_view body) {
   if (hover_seconds() < delay) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ui.px(320));
+  const float width = ui.px(310);
   if (!title.empty()) {
     const Font font(ui.fonts.bold);
-    text(title);
+    wrapped_text(title, width);
   }
   if (!body.empty()) {
     const Font drawn_in(ui.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.text, 0.85f));
-    text(body);
+    wrapped_text(body, width);
     ImGui::PopStyleColor();
   }
-  ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }

@@ -118,8 +118,11 @@ void room_swatch(const Ui& ui, ImVec2 low, ImVec2 high, int label);
 /// A mark of the view in a panel; the radius in units of the interface.
 void glyph(const Ui& ui, ImVec2 middle, float radius, Rgb color, MarkerShape shape);
 void quiet_text(const Ui& ui, std::string_view text, bool wrapped = false);
-/// In the present font over the width that is left, broken at blanks alone: never within "1.000".
-void wrapped_text(std::string_view text);
+/// In the present font over the width that is left, or over that many pixels, as ui/word_wrap.h breaks it.
+void wrapped_text(std::string_view text, float width = 0);
+/// The text with its line feeds, for what is drawn by other means.
+std::string broken_lines(const ImFont* font, std::string_view text, float width);
+float height_of(const ImFont* font, const std::string& lines);
 /// Text cut with an ellipsis to a width.
 std::string fitted(std::string_view text, float width);
 /// The same over at most so many lines, broken at blanks.

@@ -123,15 +123,18 @@ void layer_row(Ui& ui, const Row& row) {
       layer.visible ? icon::eye : icon::eye_off);
   widgets::tip(ui, layer.visible ? "Hide" : "Show", "Ctrl-click shows this layer alone.");
   const auto state = ui.window.state();
-  const bool unclassified = row.layer == "good" && state != nullptr && state->complex.form == ZeroForm::free;
+  const bool unclassified = row.layer == "good" && state != nullptr && !state->classifies();
   draw_swatch(ui, row.swatch, unclassified ? ui.colors.quiet : ui.colors.*(row.color),
               {at.x + ui.px(36), at.y + high / 2}, strength);
   ImGui::SetCursorScreenPos({at.x + ui.px(26), at.y});
   ImGui::InvisibleButton("name", {width - slider - ui.px(30), high});
   const std::string_view title = unclassified ? "Samples, not classified" : name->title;
-  widgets::tip(ui, title,
-               unclassified ? "Z is outside of T: no f classifies the samples of S. They are drawn grey."
-                            : name->tip);
+  widgets::tip(
+      ui, title,
+      unclassified
+          ? "There is no f that classifies the samples of S: T is not there yet, or Z has left it. They "
+            "are drawn grey."
+          : name->tip);
   ImGui::PushFont(ui.fonts.small);
   const std::string shown = widgets::fitted(title, width - slider - ui.px(54));
   ImGui::PopFont();

@@ -20,7 +20,8 @@ namespace {
 
 void pill(const Ui& ui, ImVec2 low, ImVec2 high) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(low, high, to_u32(ui.colors.panel, 0.86f), ui.px(6));
+  // Nothing shows through: in a split view the rim of its halves would run through words.
+  list.AddRectFilled(low, high, to_u32(ui.colors.panel), ui.px(6));
   list.AddRect(low, high, to_u32(ui.colors.line, 0.9f), ui.px(6));
 }
 
@@ -46,10 +47,10 @@ std::string pick_line(const WindowState& m, const Pick& pick) {
                 ? ""
                 : "   " + side_text(state->complex.tets[pick.id].side, m.has_rooms()) + " side");
   case Pick::Kind::sample:
-    if (pick.id < state->errors.size())
+    if (state->classifies() && pick.id < state->errors.size())
       return "sample " + grouped(pick.id) +
              "   ε = " + short_number(static_cast<double>(state->errors[pick.id]));
-    if (state->complex.form == ZeroForm::free) return "sample " + grouped(pick.id) + "   not classified";
+    if (!state->classifies()) return "sample " + grouped(pick.id) + "   not classified";
     break;
   case Pick::Kind::none:
     break;
@@ -146,7 +147,7 @@ void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, fl
                         : stage_color(ui.theme, event->stage);
   widgets::glyph(ui, {at.x + ui.px(13), at.y + ui.px(13)}, 4.5f, color,
                  rejected ? words(event->reason).shape : MarkerShape::disc);
-  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - ui.fonts.small->FontSize) / 2},
+  widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - text_size.y) / 2},
                      to_u32(ui.colors.text), text);
 }
 
@@ -158,7 +159,9 @@ float caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
   const Event* event = chosen ? &m.run.journal->events()[*chosen] : state->event ? &*state->event : nullptr;
   std::string text = event ? describe(*m.run.journal, *event)
-                           : "The triangulation of the loose bounding box, before the first Steiner point.";
+                     : m.run.parameters.start == FirstZ::delaunay
+                         ? "Samples on both boundaries of Ω, before T is there."
+                         : "Both boundaries of Ω, before the first Z is there.";
   const double enlarged = move_scale(*state, pixels_per_unit(m.camera, static_cast<double>(size.y)) /
                                                  static_cast<double>(ui.scale));
   if (enlarged > 1 && m.view.highlight.shown())

@@ -20,6 +20,16 @@ Box3 roomy(const Box3& box) {
   return box.empty() ? box : box.grown(0.12 * box.longest_edge());
 }
 
+/// Tells what the view shows, where it shows a part of the model alone: `high` scene units from rim to rim.
+void look_near(WindowState& m, Vec3 middle, double high, ImVec2 size) {
+  constexpr double part = 0.5, pixels_a_voxel = 2;
+  const double wide = high * std::max(1.0, static_cast<double>(size.x / size.y));
+  if (!m.run.scene || high <= 0 || wide > part * m.run.scene->longest_edge)
+    m.grid.look_near(std::nullopt);
+  else
+    m.grid.look_near(GridFocus{middle, 0.5 * wide, pixels_a_voxel * high / static_cast<double>(size.y)});
+}
+
 ImVec2 local(ImVec2 mouse, ImVec2 low) {
   return {mouse.x - low.x, mouse.y - low.y};
 }
@@ -30,6 +40,7 @@ void SceneView::draw(Ui& ui) {
   WindowState& m = ui.window;
   renderer_->set_scene(m.run.scene);
   renderer_->set_grid(m.grid.grid());
+  renderer_->set_detail(m.grid.detail());
   renderer_->set_state(m.state());
   xray_ = probe_.xray();
   renderer_->set_xray(xray_);
@@ -76,6 +87,7 @@ void SceneView::render(Ui& ui, Area area, bool section) {
   key.view = view;
   key.state = m.state().get();
   key.grid = m.grid.grid().get();
+  key.detail = m.grid.detail().get();
   key.scene = m.run.scene.get();
   key.xray = xray_.get();
   key.study = study_.get();
@@ -104,11 +116,12 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   ui.window.scene_area = {area.low.x, area.low.y, area.size.x, area.size.y};
   scene_mouse(ui, area);
   render(ui, area, false);
-  const WindowState& m = ui.window;
+  WindowState& m = ui.window;
+  const double high = overlay::height_at_target(m.camera);
+  if (!ImGui::IsAnyMouseDown()) look_near(m, m.camera.pose().target, high, area.size);
   clip_handle_.draw(ui, area);
   overlay::axes(ui, m.camera, area.low, area.size);
-  overlay::scale_bar(ui, m.run.scene ? m.run.scene->delta : 0, area.low, area.size,
-                     overlay::height_at_target(m.camera));
+  overlay::scale_bar(ui, m.run.scene ? m.run.scene->delta : 0, area.low, area.size, high);
 }
 
 void SceneView::draw_section(Ui& ui, Area area) {
@@ -119,6 +132,12 @@ void SceneView::draw_section(Ui& ui, Area area) {
   place_untouched_section(ui.window, area.size.x / area.size.y);
   section_mouse(ui, area);
   render(ui, area, true);
+  if (!scene_shown_ && !ImGui::IsAnyMouseDown()) {
+    const ClipSettings& clip = ui.window.view.clip;
+    const PlaneAxes axes = plane_axes(clip.flipped ? -clip.normal : clip.normal);
+    const auto& at = ui.window.section;
+    look_near(ui.window, clip.point + at.u * axes.u + at.v * axes.v, at.height, area.size);
+  }
   overlay::section_caption(ui, area.low, area.size);
   const auto& scene = ui.window.run.scene;
   overlay::scale_bar(ui, scene ? scene->delta : 0, area.low, area.size, ui.window.section.height);

@@ -65,6 +65,12 @@ void add_view_values(NamedValues& t, WindowState& m) {
   grid("megabytes", "texture memory that Ω takes, MiB",
        [](const DistanceGrid& g) { return static_cast<double>(g.texture_bytes()) / (1 << 20); });
   grid("coarse", "Ω is drawn coarser than wanted", [](const DistanceGrid& g) { return g.coarsened; });
+  const auto detail = t.readings("omega.near.", [&m] { return m.grid.detail(); });
+  detail("voxels", "voxels across Ω near the camera, where they are finer there",
+         [](const DistanceGrid& g) { return 2 * g.delta / g.voxel; });
+  detail("megabytes", "texture memory that they take, MiB",
+         [](const DistanceGrid& g) { return static_cast<double>(g.texture_bytes()) / (1 << 20); });
+  grid("bits", "of a sample in the texture of Ω", [](const DistanceGrid& g) { return 8 * g.sample_bytes; });
   t.add("omega.seconds", "how long the grid of Ω took", [&m] { return m.grid.seconds(); });
   t.bind(
       "stills",

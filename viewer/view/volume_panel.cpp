@@ -107,7 +107,7 @@ void volume_look(Ui& ui) {
     ImGui::Dummy({0, ui.px(3)});
   }
   if (const auto grid = ui.window.grid.grid(); grid && grid->coarsened)
-    widgets::quiet_text(ui, coarseness_in_words(*grid) + ".", true);
+    widgets::quiet_text(ui, coarseness_in_words(*grid, ui.window.grid.detail().get()) + ".", true);
   ImGui::Unindent(indent);
   ImGui::PopID();
 }

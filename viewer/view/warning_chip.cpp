@@ -21,23 +21,20 @@ std::string chip_words(const WindowState& m, const std::vector<std::string>& tex
 /// The sentences, each with its sign, in a box as high as they are.
 void full_text(const Ui& ui, const std::vector<std::string>& texts, ImVec2 at, float width) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImFont& font = *ui.fonts.small;
   const float pad = ui.px(12), indent = ui.px(20), gap = ui.px(6), room = width - 2 * pad - indent;
-  std::vector<float> heights;
+  std::vector<std::string> broken;
   float high = 2 * pad - gap;
   for (const std::string& text : texts) {
-    heights.push_back(
-        font.CalcTextSizeA(font.FontSize, room, room, text.data(), text.data() + text.size()).y);
-    high += heights.back() + gap;
+    broken.push_back(widgets::broken_lines(ui.fonts.small, text, room));
+    high += widgets::height_of(ui.fonts.small, broken.back()) + gap;
   }
   list.AddRectFilled(at, {at.x + width, at.y + high}, to_u32(ui.colors.panel, 0.97f), ui.px(6));
   list.AddRect(at, {at.x + width, at.y + high}, to_u32(ui.colors.warning, 0.7f), ui.px(6));
   float y = at.y + pad;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
+  for (const std::string& lines : broken) {
     widgets::draw_text(list, ui.fonts.small, {at.x + pad, y}, to_u32(ui.colors.warning_text), icon::warning);
-    list.AddText(&font, font.FontSize, {at.x + pad + indent, y}, to_u32(ui.colors.text), texts[i].data(),
-                 texts[i].data() + texts[i].size(), room);
-    y += heights[i] + gap;
+    widgets::draw_text(list, ui.fonts.small, {at.x + pad + indent, y}, to_u32(ui.colors.text), lines);
+    y += widgets::height_of(ui.fonts.small, lines) + gap;
   }
 }
 

@@ -1,0 +1,5 @@
+#version 410 core
+// Ω with its haze and a part in finer voxels, where φ is 0 between the sides.
+#define DETAIL
+#define HAZE
+#include "volume.glsl"
