@@ -115,10 +115,13 @@ std::vector<CollapseStage::Candidate> CollapseStage::next_batch(CollapseQueue& q
     }
     for (const auto& t : candidate.star.tets) taken.push_back(t.id);
     std::sort(taken.begin(), taken.end());
-    if (targets_) candidate.samples = targets_->near(candidate.star);
     batch.push_back(std::move(candidate));
   }
   for (const QueuedEdge& e : deferred) queue.push(e);
+  parallel_for(batch.size(), 1, [&](std::size_t i) {
+    live_.add_samples(batch[i].star);
+    if (targets_) batch[i].samples = targets_->near(batch[i].star);
+  });
   return batch;
 }
 

@@ -31,9 +31,8 @@ std::vector<Vec3> SampleTargets::near(const EdgeStar& star) const {
   const Cell lo = cell_of(box.lo), hi = cell_of(box.hi);
   for (std::int32_t x = lo[0]; x <= hi[0]; ++x) {
     for (std::int32_t y = lo[1]; y <= hi[1]; ++y) {
-      for (std::int32_t z = lo[2]; z <= hi[2]; ++z) {
-        const auto at = cells_.find({x, y, z});
-        if (at == cells_.end()) continue;
+      for (auto at = cells_.lower_bound({x, y, lo[2]}); at != cells_.end() && at->first <= Cell{x, y, hi[2]};
+           ++at) {
         for (const std::uint32_t s : at->second) {
           if (samples_.labels[s] == label) found.push_back(s);
         }
