@@ -17,7 +17,7 @@ int longest_axis(Vec3 extent) {
 double squared_distance(const Box3& box, Vec3 p) {
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
-    const double d = std::max({box.lo[i] - p[i], 0.0, p[i] - box.hi[i]});
+    const double d = std::max(std::max(box.lo[i] - p[i], p[i] - box.hi[i]), 0.0);
     sum += d * d;
   }
   return sum;
