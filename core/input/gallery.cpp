@@ -9,7 +9,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<GalleryEntry, 17> entries{{
+constexpr std::array<GalleryEntry, 18> entries{{
     {"bracket", "Angle bracket",
      "Long thin triangles, sharp edges and drilled holes do not matter: only the volume around them does, "
      "and refinement "
@@ -38,6 +38,10 @@ constexpr std::array<GalleryEntry, 17> entries{{
      1.0, 0},
     {"blob", "Bumpy blob",
      "Curvature varies, and so does the density of the insertions: bumps ask for more than hollows.", 2.5, 2},
+    {"top", "Spinning top",
+     "Disc and stem are thinner than 2δ: of their inside Ω leaves nothing, so the refinement goes into them "
+     "and points are held there, or Z would end where the body does.",
+     3.0, 2},
     {"soup", "Torn torus",
      "Gaps, overlaps, flipped and double triangles vanish inside the tolerance volume: only where it closes "
      "matters.",
@@ -144,6 +148,8 @@ Result<TriangleSoup> make_gallery_model(std::string_view name) {
     model = make_rings();
   else if (name == "blob")
     model = make_blob();
+  else if (name == "top")
+    model = make_spinning_top(48);
   else if (name == "soup")
     model = make_defective(make_torus(1, 0.4, 64, 32), 0.008);
   else if (name == "noisy-sphere")

@@ -246,6 +246,43 @@ TriangleSoup make_hemisphere(int rings) {
   return model;
 }
 
+TriangleSoup make_spinning_top(int around) {
+  struct Ring {
+    double radius, height;
+  };
+  constexpr std::array<Ring, 13> rings{{{0.02, -1.1},
+                                        {0.06, -1.0},
+                                        {0.3, -0.55},
+                                        {0.41, -0.25},
+                                        {0.45, -0.015},
+                                        {1.1, -0.015},
+                                        {1.1, 0.015},
+                                        {0.45, 0.015},
+                                        {0.4, 0.2},
+                                        {0.28, 0.36},
+                                        {0.04, 0.45},
+                                        {0.03, 0.5},
+                                        {0.03, 1.1}}};
+  constexpr auto count = static_cast<int>(rings.size());
+  TriangleSoup model;
+  for (const Ring& ring : rings)
+    for (int k = 0; k < around; ++k) {
+      const CirclePoint at = circle_point(k, around);
+      model.points.push_back({ring.radius * at.cosine, ring.radius * at.sine, ring.height});
+    }
+  const auto point = [&](int i, int k) { return static_cast<Index>(i * around + k % around); };
+  for (int i = 0; i + 1 < count; ++i)
+    for (int k = 0; k < around; ++k) {
+      model.triangles.push_back({point(i, k), point(i, k + 1), point(i + 1, k + 1)});
+      model.triangles.push_back({point(i, k), point(i + 1, k + 1), point(i + 1, k)});
+    }
+  for (int k = 1; k + 1 < around; ++k) {
+    model.triangles.push_back({point(0, 0), point(0, k + 1), point(0, k)});
+    model.triangles.push_back({point(count - 1, 0), point(count - 1, k), point(count - 1, k + 1)});
+  }
+  return model;
+}
+
 TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, std::size_t outliers,
                        const std::function<bool(Vec3)>& missing) {
   std::uint64_t state = 0;

@@ -44,6 +44,9 @@ TriangleSoup make_scan(const TriangleSoup& model, std::size_t n, double noise, s
 /// The upper half of the unit sphere, its border in the plane z = 0, as so many rings of triangles.
 TriangleSoup make_hemisphere(int rings);
 
+/// A body of revolution about the z axis with a disc and a stem that are thin, of so many segments around.
+TriangleSoup make_spinning_top(int around);
+
 /// A knobby ball as a scanner with so many rays along a side of its square sees it from one place, with holes
 /// behind the knobs.
 TriangleSoup make_range_scan(int rays);
