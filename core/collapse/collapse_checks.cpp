@@ -4,7 +4,6 @@
 #include "collapse/star_location.h"
 #include "criteria/orientation.h"
 #include "mesh/predicates.h"
-#include "mesh/sample_sets.h"
 #include "mesh/strata.h"
 #include "mesh/zero_set.h"
 #include "tolerance/border_gate.h"
@@ -123,30 +122,6 @@ std::vector<LabelledTriangle> zero_facets_before(const EdgeStar& star) {
     append_zero_triangles(star.positions(t), star.values(t), star.labels(t), star.ids(t), triangles);
   }
   return triangles;
-}
-
-TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const CriteriaParameters& criteria) {
-  const double limit = criteria.error_limit();
-  for (const EdgeStar::StarSample& s : star.samples) {
-    const StarLocation after = locate_after(star, target, s.position);
-    if (after.tet == nullptr) continue; // on the star's boundary: its tetrahedron does not change
-    const double error = sample_error_at(star, after, s.position, s.label);
-    const bool good = star.form == ZeroForm::embedded ? !is_bad(error) : error <= limit;
-    if (good) continue;
-    const StarLocation before = locate_before(star, s.position);
-    // What was violated before, as refinement may leave it, must not get worse.
-    double margin = criteria.alpha;
-    if (before.tet != nullptr) {
-      const double error_before = sample_error_at(star, before, s.position, s.label);
-      if (error <= error_before) continue;
-      margin = std::min(margin, 1 - error_before);
-    }
-    TargetVerdict verdict =
-        Refusal{Reason::misclassified, error, star.form == ZeroForm::embedded ? 1.0 : limit, s.position};
-    verdict.invalid = invalid_region(star, *after.tet, s, star.vertices[0].value, margin);
-    return verdict;
-  }
-  return {};
 }
 
 TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {

@@ -32,9 +32,6 @@ std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target)
 /// The same before the collapse.
 std::vector<LabelledTriangle> zero_facets_before(const EdgeStar& star);
 
-/// Sampled mode: samples of the star keep their class: ε <= 1 − α where it held (§2.4.1), the tetrahedron of
-/// their own label once Z is embedded (§2.4.2).
-TargetVerdict check_classification(const EdgeStar& star, Vec3 target, const CriteriaParameters& criteria);
 /// Certified mode: every changed facet of Z proven inside Ω (core/README.md, N4).
 TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
 /// Border edges of Z that the collapse changes are proven within δ of the rim, and what those before covered

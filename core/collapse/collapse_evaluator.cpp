@@ -3,6 +3,7 @@
 
 #include "base/stopwatch.h"
 #include "collapse/collapse_margins.h"
+#include "collapse/star_classes.h"
 #include "criteria/collapse_cost.h"
 #include "criteria/kernel.h"
 #include "criteria/link.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 
 namespace isoscope {
@@ -80,6 +82,7 @@ class Judge {
   const EvaluationContext& context_;
   CollapseAttempt& attempt_;
   bool all_;
+  mutable std::optional<StarClasses> classes_; ///< made as they are first asked
 
   std::optional<TargetVerdict> ask(CollapseCheck check, Vec3 target) const {
     switch (check) {
@@ -87,7 +90,8 @@ class Judge {
       return check_border(star_, target, context_.volume);
     case CollapseCheck::classification:
       if (context_.criteria.certified) return std::nullopt;
-      return check_classification(star_, target, context_.criteria);
+      if (!classes_) classes_.emplace(star_);
+      return classes_->check(target, context_.criteria);
     case CollapseCheck::containment:
       if (!context_.criteria.certified) return std::nullopt;
       return check_containment(star_, target, context_.volume);
@@ -191,7 +195,8 @@ CollapseAttempt evaluate_collapse(const EdgeStar& star, const CollapseSettings& 
   options.record = full;
   const Judge judge(star, context, attempt, full);
   const Stopwatch watch(full);
-  TargetSearchResult found = search(star, settings, *attempt.kernel, cost, judge, options, samples);
+  TargetSearchResult found =
+      search(star, settings, *attempt.kernel, cost, std::cref(judge), options, samples);
   attempt.tried = found.tried;
   attempt.candidates = std::move(found.candidates);
   attempt.cells = std::move(found.cells);

@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "mesh/cost_star.h"
 #include "mesh/strata.h"
 
 #include <algorithm>
@@ -64,7 +65,8 @@ bool CollapseStage::may_be_eligible(VertexId a, VertexId b) const {
 
 double CollapseStage::priority(VertexId a, VertexId b) const {
   const auto [stays, goes] = oriented_edge(live_.complex(), live_.incidence(), a, b);
-  return collapse_priority(live_.star(stays, goes, ring_), settings_);
+  return collapse_priority(gather_cost_star(live_.complex(), live_.incidence(), stays, goes, ring_),
+                           settings_);
 }
 
 std::vector<QueuedEdge> CollapseStage::eligible_edges() const {
@@ -99,26 +101,31 @@ std::vector<CollapseStage::Candidate> CollapseStage::next_batch(CollapseQueue& q
     if (!live_.alive(e.a) || !live_.alive(e.b) || !live_.adjacent(e.a, e.b)) continue;
     const std::uint32_t last = changed(e.a, e.b);
     if (failures_.failed_since(e.a, e.b, last)) continue;
-    const auto [stays, goes] = oriented_edge(live_.complex(), live_.incidence(), e.a, e.b);
-    Candidate candidate{e, live_.star(stays, goes, ring_), {}, {}, false};
     if (e.time < last) {
-      const double error = collapse_priority(candidate.star, settings_);
+      const double error = priority(e.a, e.b);
       if (!std::isinf(error)) queue.push(ordered(e.a, e.b, error, live_.clock()));
       continue;
     }
-    const bool overlaps =
-        std::any_of(candidate.star.tets.begin(), candidate.star.tets.end(),
-                    [&](const auto& t) { return std::binary_search(taken.begin(), taken.end(), t.id); });
-    if (overlaps) {
+    const auto is_taken = [&](VertexId v) {
+      const auto at = live_.incidence().tets_of(v);
+      return std::any_of(at.begin(), at.end(),
+                         [&](TetId t) { return std::binary_search(taken.begin(), taken.end(), t); });
+    };
+    if (is_taken(e.a) || is_taken(e.b)) {
       deferred.push_back(e);
       continue;
     }
+    const auto [stays, goes] = oriented_edge(live_.complex(), live_.incidence(), e.a, e.b);
+    Candidate candidate{e, live_.star(stays, goes, ring_), {}, {}, false};
     for (const auto& t : candidate.star.tets) taken.push_back(t.id);
     std::sort(taken.begin(), taken.end());
-    if (targets_) candidate.samples = targets_->near(candidate.star);
     batch.push_back(std::move(candidate));
   }
   for (const QueuedEdge& e : deferred) queue.push(e);
+  parallel_for(batch.size(), 1, [&](std::size_t i) {
+    live_.add_samples(batch[i].star);
+    if (targets_) batch[i].samples = targets_->near(batch[i].star);
+  });
   return batch;
 }
 

@@ -20,17 +20,19 @@ LiveComplex::LiveComplex(Complex complex, std::shared_ptr<const BoundarySamples>
 }
 
 EdgeStar LiveComplex::star(VertexId a, VertexId b, CostRing ring) const {
-  EdgeStar star = gather_edge_star(complex_, incidence_, a, b, ring);
-  if (!sets_) return star;
-  for (const EdgeStar::StarTet& t : star.tets) {
-    sets_->for_each(t.id, [&](SampleId s) {
-      star.samples.push_back({s, samples_->positions[s.index()], samples_->labels[s.index()]});
-    });
-  }
-  // The first one that goes wrong is named: which one that is must not hang on the history of the lists.
-  std::sort(star.samples.begin(), star.samples.end(),
-            [](const auto& x, const auto& y) { return x.id < y.id; });
-  return star;
+  return gather_edge_star(complex_, incidence_, a, b, ring);
+}
+
+void LiveComplex::add_samples(EdgeStar& star) const {
+  if (!sets_) return;
+  std::vector<TetId> tets;
+  tets.reserve(star.tets.size());
+  for (const EdgeStar::StarTet& t : star.tets) tets.push_back(t.id);
+  // In the order of their ids: the first one that goes wrong is named.
+  const std::vector<SampleId> samples = sets_->gather(tets);
+  star.samples.reserve(samples.size());
+  for (const SampleId s : samples)
+    star.samples.push_back({s, samples_->positions[s.index()], samples_->labels[s.index()]});
 }
 
 std::vector<VertexId> LiveComplex::neighbors(VertexId v) const {

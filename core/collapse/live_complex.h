@@ -29,7 +29,10 @@ class LiveComplex {
   std::uint32_t clock() const { return clock_; }
   std::uint32_t changed(VertexId v) const { return changed_[v.index()]; }
 
+  /// The star of an edge, without samples.
   EdgeStar star(VertexId a, VertexId b, CostRing ring) const;
+  /// Fills in the samples of a star of the present T where they are followed. They take longer than the star.
+  void add_samples(EdgeStar& star) const;
   /// Vertices joined to v by an edge, ascending.
   std::vector<VertexId> neighbors(VertexId v) const;
   /// The delta of collapsing the edge ab to `target`; a stays.

@@ -15,12 +15,12 @@ constexpr double cell_size = 4; ///< in σ
 SampleTargets::SampleTargets(const BoundarySamples& samples)
     : samples_(samples), size_(cell_size * samples.sigma) {
   for (std::size_t i = 0; i < samples.size(); ++i)
-    cells_[cell_of(samples.positions[i])].push_back(static_cast<std::uint32_t>(i));
+    cells_[cell_of(samples.labels[i], samples.positions[i])].push_back(static_cast<std::uint32_t>(i));
 }
 
-SampleTargets::Cell SampleTargets::cell_of(Vec3 p) const {
+SampleTargets::Cell SampleTargets::cell_of(int label, Vec3 p) const {
   const auto along = [this](double x) { return static_cast<std::int32_t>(std::floor(x / size_)); };
-  return {along(p.x), along(p.y), along(p.z)};
+  return {label, along(p.x), along(p.y), along(p.z)};
 }
 
 std::vector<Vec3> SampleTargets::near(const EdgeStar& star) const {
@@ -28,14 +28,18 @@ std::vector<Vec3> SampleTargets::near(const EdgeStar& star) const {
   for (const auto& v : star.vertices) box.add(v.position);
   const int label = star.vertices[0].label();
   std::vector<std::uint32_t> found;
-  const Cell lo = cell_of(box.lo), hi = cell_of(box.hi);
-  for (std::int32_t x = lo[0]; x <= hi[0]; ++x) {
-    for (std::int32_t y = lo[1]; y <= hi[1]; ++y) {
-      for (std::int32_t z = lo[2]; z <= hi[2]; ++z) {
-        const auto at = cells_.find({x, y, z});
-        if (at == cells_.end()) continue;
+  const auto in_box = [&](Vec3 p) {
+    return p.x >= box.lo.x && p.x <= box.hi.x && p.y >= box.lo.y && p.y <= box.hi.y && p.z >= box.lo.z &&
+           p.z <= box.hi.z;
+  };
+  const Cell lo = cell_of(label, box.lo), hi = cell_of(label, box.hi);
+  for (std::int32_t x = lo[1]; x <= hi[1]; ++x) {
+    for (std::int32_t y = lo[2]; y <= hi[2]; ++y) {
+      const Cell last{label, x, y, hi[3]};
+      for (auto at = cells_.lower_bound({label, x, y, lo[3]}); at != cells_.end() && at->first <= last;
+           ++at) {
         for (const std::uint32_t s : at->second) {
-          if (samples_.labels[s] == label) found.push_back(s);
+          if (in_box(samples_.positions[s])) found.push_back(s);
         }
       }
     }

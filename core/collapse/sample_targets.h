@@ -14,17 +14,16 @@ namespace isoscope {
 /// How many samples are judged as targets of one collapse, those of least error.
 constexpr int most_sample_targets = 24;
 
-/// The samples by cell of a grid; refers to them.
+/// The samples of each label by cell of a grid; refers to them.
 class SampleTargets {
  public:
   explicit SampleTargets(const BoundarySamples& samples);
-  /// Positions of the samples with the label of the edge's ends, in the cells that the star's box meets, in
-  /// the order of their ids.
+  /// Positions of the samples with the label of the edge's ends in the star's box, in the order of their ids.
   std::vector<Vec3> near(const EdgeStar& star) const;
 
  private:
-  using Cell = std::array<std::int32_t, 3>;
-  Cell cell_of(Vec3 p) const;
+  using Cell = std::array<std::int32_t, 4>; ///< a label and three places
+  Cell cell_of(int label, Vec3 p) const;
 
   const BoundarySamples& samples_;
   double size_; ///< of a cell

@@ -99,7 +99,9 @@ TargetSearchResult search_candidates(const EdgeStar&, const Kernel& kernel, cons
   }
   TargetTrial trial(kernel, cost, judge, options.record);
   std::vector<Candidate> candidates;
-  for (const Vec3 x : points) candidates.push_back({cost(x), x});
+  for (const Vec3 x : points) {
+    if (kernel.contains(x)) candidates.push_back({cost(x), x});
+  }
   judge_in_order(trial, std::move(candidates), found_by, options.kernel_samples);
   return trial.take();
 }

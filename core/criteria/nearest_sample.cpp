@@ -3,6 +3,8 @@
 
 #include "base/parallel.h"
 
+#include <utility>
+
 namespace isoscope {
 namespace {
 
@@ -14,13 +16,16 @@ int longest_axis(Vec3 extent) {
   return extent.z > extent[a] ? 2 : a;
 }
 
-double squared_distance(const Box3& box, Vec3 p) {
-  double sum = 0;
+/// Squared distances of p to two boxes.
+std::pair<double, double> squared_distances(const Box3& a, const Box3& b, Vec3 p) {
+  double to_a = 0, to_b = 0;
   for (int i = 0; i < 3; ++i) {
-    const double d = std::max({box.lo[i] - p[i], 0.0, p[i] - box.hi[i]});
-    sum += d * d;
+    const double x = std::max(std::max(a.lo[i] - p[i], p[i] - a.hi[i]), 0.0),
+                 y = std::max(std::max(b.lo[i] - p[i], p[i] - b.hi[i]), 0.0);
+    to_a += x * x;
+    to_b += y * y;
   }
-  return sum;
+  return {to_a, to_b};
 }
 
 } // namespace
@@ -84,8 +89,7 @@ void NearestSample::search(const Tree& tree, const Range& range, Vec3 p, Best& b
     return;
   }
   Range near = range.left(), far = range.right();
-  double to_near = squared_distance(tree.boxes[near.node], p),
-         to_far = squared_distance(tree.boxes[far.node], p);
+  auto [to_near, to_far] = squared_distances(tree.boxes[near.node], tree.boxes[far.node], p);
   if (to_far < to_near) {
     std::swap(near, far);
     std::swap(to_near, to_far);

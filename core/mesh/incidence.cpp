@@ -2,6 +2,7 @@
 #include "mesh/incidence.h"
 
 #include "base/sort_unique.h"
+#include "mesh/cost_star.h"
 #include "mesh/junction.h"
 #include "mesh/predicates.h"
 #include "mesh/strata.h"
@@ -79,14 +80,8 @@ void follow_border(const Complex& complex, const Incidence& incidence, VertexId 
   }
 }
 
-void gather_interpolated_facets(const Complex& complex, const Incidence& incidence,
-                                const std::vector<VertexId>& around, std::vector<Triangle3>& out) {
-  std::vector<TetId> tets;
-  for (const VertexId v : around) {
-    const auto at = incidence.tets_of(v);
-    tets.insert(tets.end(), at.begin(), at.end());
-  }
-  sort_unique(tets);
+void gather_interpolated_facets(const Complex& complex, const std::vector<TetId>& tets,
+                                std::vector<Triangle3>& out) {
   std::vector<LabelledTriangle> triangles;
   for (const TetId t : tets) {
     const TetLabels labels = complex.labels(t);
@@ -100,6 +95,45 @@ void gather_interpolated_facets(const Complex& complex, const Incidence& inciden
     append_zero_triangles(complex.positions(t), complex.values(t), labels, complex.tet(t).v, triangles);
     for (const LabelledTriangle& triangle : triangles) out.push_back(triangle.corners);
   }
+}
+
+/// The tetrahedra at some vertices, ascending.
+std::vector<TetId> tets_at(const Incidence& incidence, std::span<const VertexId> vertices) {
+  std::size_t count = 0;
+  for (const VertexId v : vertices) count += incidence.tets_of(v).size();
+  std::vector<TetId> tets;
+  tets.reserve(count);
+  for (const VertexId v : vertices) {
+    const auto at = incidence.tets_of(v);
+    tets.insert(tets.end(), at.begin(), at.end());
+  }
+  sort_unique(tets);
+  return tets;
+}
+
+void add_vertex(const Complex& complex, VertexId v, EdgeStar& star) {
+  const Vertex& vertex = complex.vertices[v.index()];
+  star.vertices.push_back({v, vertex.position, vertex.value, vertex.kind, vertex.room});
+}
+
+void add_tet(const Complex& complex, TetId t, VertexId a, VertexId b, std::array<std::uint16_t, 4> numbers,
+             EdgeStar& star) {
+  const Tet& tet = complex.tet(t);
+  star.tets.push_back({t, numbers, tet.side, has(tet, a), has(tet, b), tet.dropped});
+}
+
+/// Facets and borders in the error. `others`: the vertices of the star besides the ends.
+void gather_cost(const Complex& complex, const Incidence& incidence, const std::vector<VertexId>& others,
+                 CostRing ring, EdgeStar& star) {
+  std::vector<VertexId> around{star.a(), star.b()};
+  if (ring == CostRing::two) around.insert(around.end(), others.begin(), others.end());
+  if (complex.form != ZeroForm::embedded) {
+    gather_interpolated_facets(complex, tets_at(incidence, around), star.cost_facets);
+    return;
+  }
+  gather_embedded_facets(complex, incidence, around, star.cost_facets);
+  if (std::any_of(star.tets.begin(), star.tets.end(), [](const auto& t) { return t.dropped != 0; }))
+    gather_borders(complex, incidence, around, star.cost_borders);
 }
 
 } // namespace
@@ -140,12 +174,7 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
                           CostRing ring) {
   EdgeStar star;
   star.form = complex.form;
-  std::vector<TetId> tets;
-  for (const VertexId end : {a, b}) {
-    const auto at = incidence.tets_of(end);
-    tets.insert(tets.end(), at.begin(), at.end());
-  }
-  sort_unique(tets);
+  const std::vector<TetId> tets = tets_at(incidence, std::array{a, b});
   std::vector<VertexId> others;
   others.reserve(4 * tets.size());
   for (const TetId t : tets) {
@@ -156,13 +185,9 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
   sort_unique(others);
 
   star.vertices.reserve(others.size() + 2);
-  const auto add_vertex = [&](VertexId v) {
-    const Vertex& vertex = complex.vertices[v.index()];
-    star.vertices.push_back({v, vertex.position, vertex.value, vertex.kind, vertex.room});
-  };
-  add_vertex(a);
-  add_vertex(b);
-  for (const VertexId v : others) add_vertex(v);
+  add_vertex(complex, a, star);
+  add_vertex(complex, b, star);
+  for (const VertexId v : others) add_vertex(complex, v, star);
   const auto number = [&](VertexId v) -> std::uint16_t {
     if (v == a) return 0;
     if (v == b) return 1;
@@ -170,29 +195,48 @@ EdgeStar gather_edge_star(const Complex& complex, const Incidence& incidence, Ve
   };
   star.tets.reserve(tets.size());
   for (const TetId t : tets) {
-    const Tet& tet = complex.tet(t);
-    EdgeStar::StarTet& s = star.tets.emplace_back();
-    s.id = t;
-    for (std::size_t k = 0; k < 4; ++k) s.v[k] = number(tet.v[k]);
-    s.side = tet.side;
-    s.at_a = has(tet, a);
-    s.at_b = has(tet, b);
-    s.dropped = tet.dropped;
+    const auto& v = complex.tet(t).v;
+    add_tet(complex, t, a, b, {number(v[0]), number(v[1]), number(v[2]), number(v[3])}, star);
   }
+  gather_cost(complex, incidence, others, ring, star);
+  const bool may_end =
+      std::any_of(star.tets.begin(), star.tets.end(), [](const auto& t) { return t.dropped != 0; });
+  if (complex.form == ZeroForm::embedded && may_end && strata_of(star).border) {
+    follow_border(complex, incidence, a, b, star.border_beyond);
+    follow_border(complex, incidence, b, a, star.border_beyond);
+  }
+  return star;
+}
 
-  std::vector<VertexId> around{a, b};
-  if (ring == CostRing::two) around.insert(around.end(), others.begin(), others.end());
-  if (complex.form == ZeroForm::embedded) {
-    gather_embedded_facets(complex, incidence, around, star.cost_facets);
-    const bool may_end =
-        std::any_of(tets.begin(), tets.end(), [&](TetId t) { return complex.tet(t).dropped != 0; });
-    if (may_end) gather_borders(complex, incidence, around, star.cost_borders);
-    if (may_end && strata_of(star).border) {
-      follow_border(complex, incidence, a, b, star.border_beyond);
-      follow_border(complex, incidence, b, a, star.border_beyond);
+EdgeStar gather_cost_star(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
+                          CostRing ring) {
+  const std::vector<TetId> tets = tets_at(incidence, std::array{a, b});
+  // Where Z is no closed surface between two sides its strata ask for the facets of the star.
+  if (ring != CostRing::one || !std::all_of(tets.begin(), tets.end(), [&](TetId t) {
+        const Tet& tet = complex.tet(t);
+        return tet.dropped == 0 && tet.side >= -1 && tet.side <= 1;
+      }))
+    return gather_edge_star(complex, incidence, a, b, ring);
+  EdgeStar star;
+  star.form = complex.form;
+  star.vertices.reserve(2 + 3 * tets.size());
+  add_vertex(complex, a, star);
+  add_vertex(complex, b, star);
+  star.tets.reserve(tets.size());
+  for (const TetId t : tets) {
+    std::array<std::uint16_t, 4> numbers{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const VertexId v = complex.tet(t).v[k];
+      numbers[k] = v == a ? 0 : v == b ? 1 : static_cast<std::uint16_t>(star.vertices.size());
+      if (numbers[k] > 1) add_vertex(complex, v, star);
     }
+    add_tet(complex, t, a, b, numbers, star);
+  }
+  if (star.kind() == EdgeKind::other) return star;
+  if (star.form == ZeroForm::embedded) {
+    gather_embedded_facets(complex, incidence, {a, b}, star.cost_facets);
   } else {
-    gather_interpolated_facets(complex, incidence, around, star.cost_facets);
+    gather_interpolated_facets(complex, tets, star.cost_facets);
   }
   return star;
 }

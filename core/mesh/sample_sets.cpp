@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "mesh/label_functions.h"
 #include "mesh/predicates.h"
+#include "mesh/tet_planes.h"
 
 #include <algorithm>
 #include <bit>
@@ -21,21 +22,6 @@ constexpr std::uint32_t no_candidate = 0xffffffffu;
 /// cost more.
 constexpr std::size_t most_candidates = 256;
 
-/// Four planes of a tetrahedron, positive inside, relative to a common origin.
-struct Planes {
-  std::array<double, 4> nx, ny, nz, c;
-
-  std::array<std::uint32_t, 4> across; ///< the candidate behind each plane, no_candidate when there is none
-
-  /// Smallest of the four values at x, which is relative to the origin, and its plane.
-  std::pair<double, std::size_t> lowest(Vec3 x) const {
-    std::array<double, 4> h;
-    for (std::size_t i = 0; i < 4; ++i) h[i] = nx[i] * x.x + ny[i] * x.y + nz[i] * x.z + c[i];
-    const std::size_t a = h[1] < h[0] ? 1 : 0, b = h[3] < h[2] ? 3 : 2, low = h[b] < h[a] ? b : a;
-    return {h[low], low};
-  }
-};
-
 /// The tetrahedra among which samples are distributed, with filters whose error is below `margin` inside
 /// `box`.
 class Candidates {
@@ -48,12 +34,9 @@ class Candidates {
       for (const Vec3 p : corners_.back()) box_.add(p);
     }
     origin_ = box_.center();
-    const Vec3 e = box_.extent();
-    // At most 60 roundings of products bounded by the box's volume; see filtered_det in predicates.cpp for
-    // the pattern.
-    margin_ = 2e-14 * e.x * e.y * e.z + 1e-280;
+    margin_ = plane_margin(box_);
     planes_.reserve(tets.size());
-    for (const auto& p : corners_) planes_.push_back(planes_of(p));
+    for (const auto& p : corners_) planes_.emplace_back(p, origin_);
     link(complex, tets);
   }
 
@@ -68,7 +51,7 @@ class Candidates {
       const auto [low, plane] = planes_[i].lowest(local);
       if (low > margin_) return i;
       if (low >= -margin_) break;
-      i = planes_[i].across[plane];
+      i = across_[i][plane];
     }
     for (std::uint32_t k = 0, i = guess; k < n; ++k, i = i + 1 == n ? 0 : i + 1) {
       if (filtered) {
@@ -83,7 +66,9 @@ class Candidates {
 
  private:
   std::vector<std::array<Vec3, 4>> corners_;
-  std::vector<Planes> planes_;
+  std::vector<TetPlanes> planes_;
+  /// The candidate behind each plane, no_candidate where there is none.
+  std::vector<std::array<std::uint32_t, 4>> across_;
   Box3 box_;
   Vec3 origin_;
   double margin_ = 0;
@@ -97,26 +82,14 @@ class Candidates {
     std::vector<std::pair<TetId, std::uint32_t>> number;
     for (const TetRecord& t : tets) number.push_back({t.id, static_cast<std::uint32_t>(number.size())});
     std::sort(number.begin(), number.end());
+    across_.resize(tets.size());
     for (std::size_t i = 0; i < tets.size(); ++i) {
       for (std::size_t k = 0; k < 4; ++k) {
         const TetId n = complex.tet(tets[i].id).neighbor[k];
         const auto at = std::lower_bound(number.begin(), number.end(), std::pair{n, std::uint32_t{0}});
-        planes_[i].across[k] = at != number.end() && at->first == n ? at->second : no_candidate;
+        across_[i][k] = at != number.end() && at->first == n ? at->second : no_candidate;
       }
     }
-  }
-
-  Planes planes_of(const std::array<Vec3, 4>& p) const {
-    Planes planes{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& f = outward_facets[i];
-      const Vec3 a = p[f[0]], n = cross(p[f[2]] - a, p[f[1]] - a);
-      planes.nx[i] = n.x;
-      planes.ny[i] = n.y;
-      planes.nz[i] = n.z;
-      planes.c[i] = -dot(n, a - origin_);
-    }
-    return planes;
   }
 };
 
@@ -237,6 +210,13 @@ void SampleSets::assign_all(const Complex& complex) {
     });
   }
   for (std::size_t s = tet_of_.size(); s-- > 0;) push_front(s, tet_of_[s]);
+}
+
+std::vector<SampleId> SampleSets::gather(std::span<const TetId> tets) const {
+  std::vector<std::uint32_t> ids;
+  for (const TetId t : tets) for_each(t, [&](SampleId s) { ids.push_back(s.value); });
+  sort_ids(ids);
+  return {ids.begin(), ids.end()};
 }
 
 std::size_t SampleSets::redistribute(const Complex& complex, std::span<const TetRecord> from,

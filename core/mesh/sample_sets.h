@@ -56,6 +56,8 @@ class SampleSets {
     if (t.index() >= head_.size()) return;
     for (std::uint32_t s = head_[t.index()]; s != SampleId::none; s = next_[s]) visit(SampleId(s));
   }
+  /// The samples of several tetrahedra, ascending.
+  std::vector<SampleId> gather(std::span<const TetId> tets) const;
   std::size_t size() const { return tet_of_.size(); }
   std::size_t memory_bytes() const;
 

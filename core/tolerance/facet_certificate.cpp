@@ -4,6 +4,7 @@
 #include "tolerance/rounding.h"
 
 #include <array>
+#include <vector>
 
 namespace isoscope {
 namespace {
@@ -30,16 +31,22 @@ struct Piece {
 /// Bisections beyond this cannot make a piece of doubles smaller.
 constexpr int max_depth = 120;
 
-/// Pieces that wait: depth first, so at most one for each level besides the two newest.
+/// Pieces that wait: depth first, so at most one for each level besides the two newest. Most facets are
+/// decided by few levels.
 class PieceStack {
  public:
-  bool empty() const { return size_ == 0; }
-  void push(const Piece& piece) { pieces_[size_++] = piece; }
-  Piece pop() { return pieces_[--size_]; }
+  PieceStack() { pieces_.reserve(usual_levels); }
+  bool empty() const { return pieces_.empty(); }
+  void push(const Piece& piece) { pieces_.push_back(piece); }
+  Piece pop() {
+    const Piece last = pieces_.back();
+    pieces_.pop_back();
+    return last;
+  }
 
  private:
-  std::array<Piece, max_depth + 2> pieces_;
-  std::size_t size_ = 0;
+  static constexpr std::size_t usual_levels = 16;
+  std::vector<Piece> pieces_;
 };
 
 constexpr std::size_t pieces_between_questions = 256;

@@ -5,6 +5,7 @@
 #include "tolerance/box_search.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 namespace isoscope {
@@ -89,26 +90,25 @@ const NearestCells::Cell* NearestCells::find(Vec3 p, Vec3& step) const {
   const Vec3 at = inverse_side_ * (p - lo_);
   for (int a = 0; a < 3; ++a)
     if (!(at[a] >= 0 && at[a] < cells_[a])) return nullptr;
-  double parts = 1;
-  for (unsigned level = 0; level < most_levels; ++level, parts *= 2) {
+  double parts = 1, side = side_;
+  for (unsigned level = 0; level < most_levels; ++level, parts *= 2, side *= 0.5) {
     std::uint64_t key = level, block = level, corner = 0;
-    Place place{level, {}, 0.5 * side_ / parts, 0};
+    Vec3 center;
     for (int a = 0; a < 3; ++a) {
       const auto cell = static_cast<std::int32_t>(at[a] * parts);
       const auto i = static_cast<std::uint64_t>(cell);
       key = key << 20 | i;
       block = block << 20 | i >> 1;
       corner = corner << 1 | (i & 1);
-      place.center[a] = lo_[a] + (cell + 0.5) * (side_ / parts);
+      center[a] = lo_[a] + (cell + 0.5) * side;
     }
-    place.key = key;
     std::atomic<Cell*>& bucket = buckets_[(scrambled(block) << 3 | corner) % bucket_count];
     const Cell* cell = bucket.load(std::memory_order_acquire);
     while (cell != nullptr && cell->key != key) cell = cell->next;
-    if (cell == nullptr) cell = made(place, bucket);
+    if (cell == nullptr) cell = made({level, center, 0.5 * side, key}, bucket);
     if (cell == nullptr || cell->kind == Cell::Kind::crowded) return nullptr;
     if (cell->kind == Cell::Kind::divided) continue;
-    step = p - place.center;
+    step = p - center;
     return cell;
   }
   return nullptr;
@@ -193,10 +193,10 @@ std::vector<NearestCells::Group> NearestCells::triangles_of(Vec3 center, double 
   return groups;
 }
 
-ClosestPoint NearestCells::from_cell(Vec3 p, TriangleId guess) const {
+ClosestPoint NearestCells::from_cell(Vec3 p, const ClosestPoint& found) const {
   Vec3 step;
   const Cell* cell = index_->empty() ? nullptr : find(p, step);
-  if (cell == nullptr) return index_->nearest_from(p, guess.valid() ? at_site(p, guess) : ClosestPoint{});
+  if (cell == nullptr) return index_->nearest_from(p, found);
   const auto x = static_cast<float>(step.x), y = static_cast<float>(step.y), z = static_cast<float>(step.z);
   const Group* const groups = cell->groups();
   const std::uint32_t count = cell->group_count;
@@ -207,18 +207,24 @@ ClosestPoint NearestCells::from_cell(Vec3 p, TriangleId guess) const {
     bounds[g] = groups[g].distance + x * groups[g].x + y * groups[g].y + z * groups[g].z;
     least = bounds[g] < least ? bounds[g] : least;
   }
-  ClosestPoint best;
+  ClosestPoint best = found;
+  // What is known already is not asked again.
+  const std::uint32_t known =
+      found.triangle.valid() ? index_->slot_of(found.triangle) : std::numeric_limits<std::uint32_t>::max();
   // The triangle with the least bound is the nearest, mostly; then few others can be nearer.
   float limit = std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+  const auto limit_of_best = [&] { return static_cast<float>(best.distance()); };
   const auto look_at = [&](std::uint32_t slot) {
+    if (slot == known) return;
     const Vec3 c = closest_point_on_triangle(p, index_->triangle_at(slot));
     const double d2 = squared_length(c - p);
     if (d2 > best.squared_distance) return;
     const TriangleId id = index_->id_at(slot);
     if (d2 == best.squared_distance && best.triangle.valid() && best.triangle < id) return;
     best = {c, d2, id};
-    limit = static_cast<float>(best.distance());
+    limit = limit_of_best();
   };
+  if (known != std::numeric_limits<std::uint32_t>::max() && limit > limit_of_best()) return best;
   std::uint32_t first = 0;
   const auto up_to_limit = [&](std::uint32_t g) {
     return std::bit_cast<std::array<std::int32_t, 4>>(bounds[g] <= limit);
@@ -230,6 +236,7 @@ ClosestPoint NearestCells::from_cell(Vec3 p, TriangleId guess) const {
   const auto is_least = up_to_limit(first);
   const std::size_t lane = is_least[0] != 0 ? 0 : is_least[1] != 0 ? 1 : is_least[2] != 0 ? 2 : 3;
   look_at(groups[first].slot[lane]);
+  limit = limit_of_best();
   bounds[first][lane] = std::numeric_limits<float>::max();
   for (std::uint32_t g = 0; g < count; ++g) {
     if (!any(up_to_limit(g))) continue;

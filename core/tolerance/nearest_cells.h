@@ -25,14 +25,15 @@ class NearestCells final : public ToleranceField {
   NearestCells(const NearestCells&) = delete;
   NearestCells& operator=(const NearestCells&) = delete;
 
-  ClosestPoint closest(Vec3 p) const override { return from_cell(p, {}); }
+  ClosestPoint closest(Vec3 p) const override { return from_cell(p, ClosestPoint{}); }
   ClosestPoint closest_within(Vec3 p, double radius) const override {
     return index_->closest_within(p, radius);
   }
-  /// The guess helps where there is no cell.
-  ClosestPoint closest_near(Vec3 p, TriangleId guess) const override { return from_cell(p, guess); }
+  ClosestPoint closest_near(Vec3 p, TriangleId guess) const override {
+    return from_cell(p, guess.valid() ? at_site(p, guess) : ClosestPoint{});
+  }
   ClosestPoint closest_near(Vec3 p, const ClosestPoint& found, double) const override {
-    return from_cell(p, found.triangle);
+    return from_cell(p, found);
   }
   void find_neighborhood(Vec3 center, double radius, TriangleNeighborhood& near) const override {
     index_->find_neighborhood(center, radius, near);
@@ -62,7 +63,8 @@ class NearestCells final : public ToleranceField {
   struct Group;
   struct Cell;
   struct Place;
-  ClosestPoint from_cell(Vec3 p, TriangleId guess) const;
+  /// From what some triangle gives at p, or nothing yet.
+  ClosestPoint from_cell(Vec3 p, const ClosestPoint& found) const;
   /// The cell that holds p, with p's offset from its centre; null where there is none.
   const Cell* find(Vec3 p, Vec3& step) const;
   const Cell* made(const Place& place, std::atomic<Cell*>& bucket) const;
