@@ -82,6 +82,7 @@ class Preparation {
   Status settle_points(Scene& made);
   Status build_volume(Scene& made, std::shared_ptr<const TriangleSoup> kept, ThinParts thin);
   void examine(const Scene& made);
+  void hold_thin_parts(const Scene& made, const CriteriaParameters& criteria);
   void warn(Scene& made, const CriteriaParameters& criteria) const;
 
   const RunParameters& parameters_;
