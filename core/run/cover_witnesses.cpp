@@ -21,7 +21,7 @@ constexpr double least_limit = 2;
 /// a size.
 constexpr double slack = 0.25;
 /// Pieces of a triangle that are judged are no larger than this, in δ.
-constexpr double finest_piece = 0.15;
+constexpr double finest_bare_piece = 0.15;
 /// Points of the way are not asked for nearer to each other than this, in δ, nor farther apart than that, in
 /// δ', where the input lies between them.
 constexpr double finest_step = 1.0 / 16, longest_step = 0.95;
@@ -63,7 +63,8 @@ std::vector<BarePiece> bare_pieces(const ToleranceVolume& volume, const NearestS
   parallel_until(index.size(), triangle_grain, control, [&](std::size_t i) {
     const Triangle3& t = index.triangle(TriangleId(i));
     if (area_vector(t) == Vec3{}) return;
-    find_bare(samples, label, TriangleId(i), t, limit, finest_piece * volume.thresholds().delta, found[i]);
+    find_bare(samples, label, TriangleId(i), t, limit, finest_bare_piece * volume.thresholds().delta,
+              found[i]);
   });
   std::vector<BarePiece> all;
   for (const auto& pieces : found) all.insert(all.end(), pieces.begin(), pieces.end());
