@@ -57,7 +57,7 @@ TEST_CASE("A thin part ends with 3 and a tolerance that ends with 0, or is left 
   CHECK(quiet.error.find("left out") != std::string::npos);
 }
 
-TEST_CASE("A lost spike ends with 1 and its place, with --cover off or --topology separate with 0") {
+TEST_CASE("A spike is kept; a lost one ends with 1 and its place, or with 0 where nobody asks for it") {
   const TemporaryFolder folder;
   TriangleSoup soup;
   testing::add_box(soup, {0, 0, 0}, {1, 1, 1});
@@ -68,10 +68,15 @@ TEST_CASE("A lost spike ends with 1 and its place, with --cover off or --topolog
     more.insert(more.begin(), common.begin(), common.end());
     return run_batch(more);
   };
-  const Ended lost = with({"--record", run});
+  const Ended kept = with({});
+  CHECK(kept.status == 0);
+  CHECK(kept.says("held, so that the mesh stays near"));
+  CHECK(kept.says("the input covered within 3 δ"));
+  // So near as this no point that is held can keep Z.
+  const Ended lost = with({"--cover", "1.9", "--record", run});
   CAPTURE(lost.out);
   CHECK(lost.status == 1);
-  CHECK(lost.says("The input is farther than 3 δ from the mesh in one place"));
+  CHECK(lost.says("The input is farther than 1.9 δ from the mesh in one place"));
   CHECK(lost.says(" δ at ("));
   CHECK(run_batch({"replay", run, "--check"}).status == 0);
   const Ended off = with({"--cover", "off"});
@@ -83,11 +88,11 @@ TEST_CASE("A lost spike ends with 1 and its place, with --cover off or --topolog
   CHECK(separate.says("Asked for was the separation of the sides only"));
   CHECK(!separate.says("topology as expected"));
   // Who wants nothing printed but warnings is warned of both all the same.
-  const Ended quiet = with({"--quiet"});
+  const Ended quiet = with({"--cover", "1.9", "--quiet"});
   CHECK(quiet.status == 1);
   CHECK(quiet.out.empty());
   CHECK(quiet.error.find("The certificate does NOT hold") != std::string::npos);
-  CHECK(quiet.error.find("The input is farther than 3 δ from the mesh in one place") != std::string::npos);
+  CHECK(quiet.error.find("The input is farther than 1.9 δ from the mesh in one place") != std::string::npos);
   CHECK(quiet.error.find(" δ at (") != std::string::npos);
   const Ended quietly_separate = with({"--topology", "separate", "--quiet"});
   CHECK(quietly_separate.status == 0);
@@ -95,9 +100,9 @@ TEST_CASE("A lost spike ends with 1 and its place, with --cover off or --topolog
   CHECK(quietly_separate.error.find("Only the sides had to be separated") != std::string::npos);
   CHECK(quietly_separate.error.find("any topology will do") == std::string::npos);
   // So is who reads the report where the summary would be.
-  const Ended reported = with({"--report", "-"});
+  const Ended reported = with({"--cover", "1.9", "--report", "-"});
   CHECK(reported.status == 1);
-  CHECK(reported.error.find("The input is farther than 3 δ") != std::string::npos);
+  CHECK(reported.error.find("The input is farther than 1.9 δ") != std::string::npos);
   for (const char* wrong : {"0", "-1", "three", "", "nan", "inf"}) {
     const Ended refused = with({"--cover", wrong});
     CHECK(refused.status == 2);
