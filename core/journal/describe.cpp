@@ -20,11 +20,13 @@ class Sentence {
   /// A text of the vocabulary with every figure filled in.
   std::string filled(std::string_view text) const {
     std::string out;
+    const bool beside_limit = !plain() && text.find("{limit") != text.npos;
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t open = text.find('{', at), close = text.find('}', open);
       out += text.substr(at, open - at);
       if (open == text.npos) break;
-      out += figure(text.substr(open + 1, close - open - 1));
+      const std::string_view what = text.substr(open + 1, close - open - 1);
+      out += beside_limit ? figure_beside_limit(what) : figure(what);
       at = close + 1;
     }
     return out;
@@ -43,9 +45,21 @@ class Sentence {
     std::snprintf(text, sizeof text, "%.*f", digits, plain() ? std::abs(value) : value);
     return (plain() && value < 0 ? "−" : "") + std::string(text);
   }
-  std::string in_delta(double length) const {
-    if (criteria_.delta > 0) return number(length / criteria_.delta, plain() ? 2 : 3) + " δ";
-    return number(length, plain() ? 2 : 6);
+  std::string in_delta(double length, int more = 0) const {
+    if (criteria_.delta > 0) return number(length / criteria_.delta, (plain() ? 2 : 3) + more) + " δ";
+    return number(length, (plain() ? 2 : 6) + more);
+  }
+  std::string in_unit(double value, bool length, int more) const {
+    return length ? in_delta(value, more) : number(value, 2 + more);
+  }
+  /// How many digits more than usual tell the value apart from the limit that stands beside it.
+  int more_beside_limit(bool length) const {
+    constexpr int most = 8;
+    int more = 0;
+    while (more < most && e_.value != e_.limit &&
+           in_unit(e_.value, length, more) == in_unit(e_.limit, length, more))
+      ++more;
+    return more;
   }
   static std::string whole(double value) {
     if (!std::isfinite(value)) return "unknown";
@@ -73,6 +87,13 @@ class Sentence {
     return e_.value == e_.limit ? ", as it should" : ", but χ = " + whole(e_.limit) + " is expected";
   }
 
+  /// Of a sentence that names value and limit: what differs does not read alike.
+  std::string figure_beside_limit(std::string_view what) const {
+    if (what == "value") return in_unit(e_.value, false, more_beside_limit(false));
+    if (what == "value δ") return in_unit(e_.value, true, more_beside_limit(true));
+    if (what == "excess δ") return in_unit(e_.value - e_.limit, true, more_beside_limit(true));
+    return figure(what);
+  }
   std::string figure(std::string_view what) const {
     const ConditionWords& asked = words(e_.condition);
     if (what == "value") return number(e_.value, 2);

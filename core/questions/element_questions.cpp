@@ -89,7 +89,8 @@ std::vector<FlatTet> flat_tets(const StateSnapshot& state, double limit) {
 
 std::optional<SampleInspection> inspect_sample(const StateSnapshot& s, SampleId sample) {
   const std::size_t id = sample.index();
-  if (!s.samples || id >= s.errors.size() || id >= s.sample_tets.size()) return std::nullopt;
+  if (!s.samples || !s.classifies() || id >= s.errors.size() || id >= s.sample_tets.size())
+    return std::nullopt;
   SampleInspection out;
   out.tet = s.sample_tets[id];
   out.error = static_cast<double>(s.errors[id]);
@@ -196,7 +197,8 @@ std::vector<ParameterAdvice> advise_tet(const StateSnapshot& s, TetId t, const N
 }
 
 std::vector<ParameterAdvice> advise_sample(const StateSnapshot& s, SampleId sample) {
-  if (s.complex.form != ZeroForm::interpolated || sample.index() >= s.errors.size()) return {};
+  if (s.complex.form != ZeroForm::interpolated || !s.classifies() || sample.index() >= s.errors.size())
+    return {};
   return {advise_error(static_cast<double>(s.errors[sample.index()]), s.criteria)};
 }
 

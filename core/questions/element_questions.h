@@ -54,7 +54,7 @@ struct SampleInspection {
   std::size_t tets_before = 0;  ///< tetrahedra whose worst sample is worse
   std::size_t worse_in_tet = 0; ///< samples of its tetrahedron that are worse
 };
-/// Nothing where the sample is not classified.
+/// Nothing where the sample is not classified, as before T is there.
 std::optional<SampleInspection> inspect_sample(const StateSnapshot& state, SampleId sample);
 
 /// A parameter that a verdict depends on, and where the verdict changes.
@@ -69,7 +69,7 @@ struct ParameterAdvice {
 };
 /// Conditions 1, 2 and 3 of a tetrahedron. σ is absolute.
 std::vector<ParameterAdvice> advise_tet(const StateSnapshot& state, TetId t, const NearestSample* nearest);
-/// Condition 1 of a sample.
+/// Condition 1 of a sample; nothing where it is not classified.
 std::vector<ParameterAdvice> advise_sample(const StateSnapshot& state, SampleId sample);
 
 } // namespace isoscope

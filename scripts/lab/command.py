@@ -37,7 +37,8 @@ def parsed(arguments):
                         help="where isoscope-run and isoscope-peer are; without it they are built first")
     parser.add_argument("--no-install", action="store_true", help="installs nothing before the build")
     parser.add_argument("--effort", type=int, choices=range(4), default=None,
-                        help="of the improver in each run: 0 (least time) to 3 (fewest vertices); default 0 for tiny, else 2")
+                        help="of the improver in each run: 0 (least time) to 3 (fewest vertices); default 0 for tiny, 1 for "
+                             "quick, else 2")
     parser.add_argument("--cpu-limit", metavar="S", type=float, default=None,
                         help="CPU seconds after which a run is given up; default 120 for quick, 600 for short, else 36000")
     parser.add_argument("--time-limit", metavar="S", type=float, default=None,
@@ -50,7 +51,7 @@ def parsed(arguments):
         parser.error(f"--quick is --size quick, not {asked.size}")
     asked.size = "quick" if asked.quick else asked.size or "whole"
     if asked.effort is None:
-        asked.effort = 0 if asked.size == "tiny" else 2
+        asked.effort = {"tiny": 0, "quick": 1}.get(asked.size, 2)
     if asked.cpu_limit is None:
         asked.cpu_limit = {"tiny": 120, "quick": 120, "short": 600}.get(asked.size, 36000)
     if asked.time_limit is None:

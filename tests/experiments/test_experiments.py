@@ -1,6 +1,8 @@
-"""Tests scripts/experiments: a whole run at its smallest size, stopping and going on, errors, and its parts alone.
+"""Tests scripts/experiments: a whole run at its smallest size and at the quick one, stopping and going on, errors, and
+its parts alone.
 
 Called with the folder of the programs; further arguments go to unittest."""
+import contextlib
 import csv
 import json
 import os
@@ -25,12 +27,14 @@ from lab import process, shapes  # noqa: E402
 from lab.errors import LabError  # noqa: E402
 from lab.experiments import EXPERIMENTS  # noqa: E402
 from lab.experiments.choices import DELTAS, SIZES  # noqa: E402
-from lab.laboratory import thinned  # noqa: E402
+from lab.command import parsed  # noqa: E402
+from lab.laboratory import Laboratory, thinned  # noqa: E402
 from lab.mesh import Mesh, read_off, write_off  # noqa: E402
-from lab.models import Models  # noqa: E402
+from lab.models import ARCHIVES, Models  # noqa: E402
 from lab.page import Section, as_html, markdown  # noqa: E402
 from lab.picture import draw  # noqa: E402
 from lab.plot import Line, plot  # noqa: E402
+from lab.programs import NEEDED  # noqa: E402
 from lab.store import Store  # noqa: E402
 
 
@@ -149,6 +153,56 @@ class Whole(unittest.TestCase):
         self.assertEqual((self.read("README.md"), self.read("index.html"), self.read("runs/results.jsonl")), before)
 
 
+# What a quick run may take in CPU seconds, so that it ends within ten minutes also where nothing of it runs in parallel.
+QUICK_SECONDS = 540
+
+
+class Quick(unittest.TestCase):
+    """The quick size as a whole: it ends complete, not by its time limit."""
+
+    def test_a_quick_run_is_complete_within_its_bound(self):
+        with tempfile.TemporaryDirectory() as out:
+            # Other programs on the machine take time on the wall; what counts is that of the processors.
+            before = os.times()
+            done = experiments("--quick", "--time-limit", "7200", "-o", out)
+            after = os.times()
+            self.assertEqual(done.returncode, 0, done.stderr)
+            used = after.children_user + after.children_system - before.children_user - before.children_system
+            print(f"a quick run: {used:.0f} CPU seconds", file=sys.stderr)
+            self.assertLess(used, QUICK_SECONDS, done.stderr)
+            for name in EXPERIMENTS:
+                self.assertTrue(rows_of(out, name), name)
+
+
+class Plan(Laboratory):
+    """Notes what would be run, by program, model and arguments, and runs nothing."""
+
+    def __init__(self, size, work):
+        for name in NEEDED:
+            path = os.path.join(work, name)
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(name)
+            os.chmod(path, 0o700)
+        super().__init__(work, None, size, 1, work, 1, 0)
+        self.plan = set()
+
+    def _once(self, program, model, arguments, work):
+        self.plan.add((program, model.name, *arguments))
+        with open(os.devnull, "w", encoding="utf-8") as nowhere, contextlib.redirect_stderr(nowhere):
+            return super()._once(program, model, arguments, work)
+
+
+def planned(size):
+    with open(os.path.join(ROOT, "assets", "experiments", "paper.json"), encoding="utf-8") as file:
+        paper = json.load(file)
+    with tempfile.TemporaryDirectory() as work:
+        os.mkdir(os.path.join(work, "runs"))
+        lab = Plan(size, work)
+        for experiment in EXPERIMENTS.values():
+            experiment(lab, paper)
+        return lab.plan
+
+
 class Stopped(unittest.TestCase):
     def test_an_interrupted_run_goes_on_where_it_was(self):
         with tempfile.TemporaryDirectory() as out:
@@ -225,7 +279,7 @@ class Parts(unittest.TestCase):
     def test_a_process_that_does_not_end_is_given_up(self):
         done = process.run([sys.executable, "-c", "while True: pass"], 1)
         self.assertEqual(done.signal, signal.SIGXCPU)
-        self.assertGreater(done.cpu_seconds, 0.9)
+        self.assertGreater(done.cpu_seconds, 0.5)  # the system counts in ticks
         self.assertLess(done.cpu_at(done.wall_seconds / 2), done.cpu_at(done.wall_seconds))
         self.assertAlmostEqual(done.cpu_at(done.wall_seconds), done.cpu_seconds)
 
@@ -315,6 +369,21 @@ class Parts(unittest.TestCase):
         self.assertLess(len(kept), 200)
         self.assertEqual((kept[0], kept[-1]), (0, 1000))
         self.assertEqual(thinned([]), [])
+
+    @unittest.skipUnless(any(os.path.exists(archive) for archive in ARCHIVES), "needs the models of libcgal-demo")
+    def test_the_quick_plan_is_small(self):
+        quick, short = planned("quick"), planned("short")
+        self.assertLess(len(quick), len(short))
+        self.assertLessEqual(len(quick), 45)
+        deltas = [(run, float(run[run.index("--tolerance") + 1].rstrip("%"))) for run in quick if "--tolerance" in run]
+        self.assertGreater(len(deltas), 20)
+        for run, delta in deltas:
+            self.assertGreaterEqual(delta, 1.5, run)
+        # The envelope alone takes two minutes and a half on it.
+        self.assertFalse([run for run in quick if run[1] == "armadillo.off" and "envelope" in run])
+        self.assertTrue([run for run in quick if "envelope" in run])
+        asked = parsed(["--quick"])
+        self.assertEqual((asked.size, asked.effort, asked.time_limit), ("quick", 1, 540))
 
     def test_sizes_grow(self):
         for by_size in DELTAS.values():

@@ -107,6 +107,15 @@ TEST_CASE("Rejections tell the edge, the reason and the number that decided") {
   CHECK(said(Reason::stays_above) ==
         "edge 3–4 stays: the repair was rolled back, facet 5–17–40 stays at d = 1.500 δ (limit 1.000 δ), "
         "0.500 δ too far");
+  // δ is 0.5 here: what is hardly beyond the limit does not read like it.
+  e.value = 0.50004;
+  CHECK(said(Reason::misclassified) ==
+        "edge 3–4 stays: a sample would change class, ε = 0.50004 (limit 0.50)");
+  CHECK(said(Reason::stays_above) ==
+        "edge 3–4 stays: the repair was rolled back, facet 5–17–40 stays at d = 1.0001 δ (limit 1.000 δ), "
+        "0.0001 δ too far");
+  e.value = 0.5;
+  CHECK(said(Reason::misclassified) == "edge 3–4 stays: a sample would change class, ε = 0.50 (limit 0.50)");
 }
 
 TEST_CASE("What an event's value is, its kind, its reason or its condition says") {

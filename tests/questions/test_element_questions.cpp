@@ -137,3 +137,14 @@ TEST_CASE("a sample is mended by the worst one of its tetrahedron") {
   CHECK(*advise_sample(s, SampleId(1))[0].works == doctest::Approx(0.1));
   CHECK(advise_sample(s, SampleId(2))[0].holds);
 }
+
+TEST_CASE("before T is there no sample is judged") {
+  StateSnapshot s = one_tet(2, {{0.2, 0.2, 0.5}}, {1});
+  s.complex.tets.clear();
+  s.tet_flags.clear();
+  s.heights.clear();
+  s.errors = {0};
+  s.sample_tets = {TetId()};
+  CHECK(!inspect_sample(s, SampleId(0)));
+  CHECK(advise_sample(s, SampleId(0)).empty());
+}

@@ -108,7 +108,7 @@ void sample_details(Ui& ui, const Investigation& asked, const StateSnapshot& s, 
   const double error = classified ? static_cast<double>(s.errors[id]) : 0;
   widgets::heading(ui, is_bad(error) ? icon::close : icon::dot, "Sample " + grouped(id),
                    !classified     ? s.complex.form == ZeroForm::free ? "not classified: Z is outside of T"
-                                                                      : "not classified: T is not there yet"
+                                                                      : "not judged yet: T is not there yet"
                    : is_bad(error) ? "bad: f has the wrong sign here (§2.2)"
                                    : "good: f has its sign (§2.2)");
   widgets::value_row(ui, "position", position_text(s.samples->positions[id]));
@@ -121,6 +121,9 @@ void sample_details(Ui& ui, const Investigation& asked, const StateSnapshot& s, 
     widgets::value_row(ui, "f(s)", short_number((1 - error) * (label > 0 ? 1 : -1)));
     widgets::limit_bar(ui, "error ε(s)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(),
                        "", true);
+  } else if (s.complex.form != ZeroForm::free) {
+    widgets::value_row(ui, "error ε(s)", "–", ui.colors.quiet);
+    widgets::quiet_text(ui, "f lives on T, so it is good or bad from the first step on.", true);
   } else {
     widgets::quiet_text(ui,
                         "f lives on T, so nothing says any more on which side of Z the sample is. The "

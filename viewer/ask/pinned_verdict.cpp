@@ -13,6 +13,10 @@ namespace isoscope::panels {
 namespace {
 
 void judge_sample(const Ui& ui, const StateSnapshot& s, std::uint32_t id, ElementVerdict& v) {
+  if (s.complex.form != ZeroForm::free && !s.classifies()) {
+    v.words = "not judged yet";
+    return;
+  }
   if (id >= s.errors.size()) return;
   const auto error = static_cast<double>(s.errors[id]);
   const bool bad = is_bad(error);

@@ -15,6 +15,7 @@ Status next_violation(Investigation& m, const Arguments& a, int direction) {
     m.violations = a[0] == "flat" ? ViolationKind::flat : ViolationKind::misoriented;
   }
   const auto state = m.window.state();
+  if (!state->classifies()) return usage("Nothing is judged here: there is no T that carries Z at this step.");
   if (m.violations == ViolationKind::misoriented && !state->orientation_judged)
     return usage("Condition 3 is judged when the play head rests.");
   const auto tets = violating_tets(*state, m.violations);

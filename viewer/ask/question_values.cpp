@@ -52,10 +52,11 @@ void add_tet_questions(NamedValues& t, Investigation& m) {
         return {};
       });
   violations("misoriented", "tetrahedra that violate condition 3", [](const StateSnapshot& s) {
-    return s.orientation_judged ? std::optional(misoriented_tets(s).size()) : std::nullopt;
+    return s.orientation_judged && s.classifies() ? std::optional(misoriented_tets(s).size()) : std::nullopt;
   });
-  violations("flat", "tetrahedra that carry Z below 2σ/α",
-             [](const StateSnapshot& s) { return violating_tets(s, ViolationKind::flat).size(); });
+  violations("flat", "tetrahedra that carry Z below 2σ/α", [](const StateSnapshot& s) {
+    return s.classifies() ? std::optional(violating_tets(s, ViolationKind::flat).size()) : std::nullopt;
+  });
   const auto tests = [&tet](const char* name, const char* help, auto counts) {
     tet(name, help, [counts](const Tet& x) -> std::optional<std::ptrdiff_t> {
       if (!x.orientation) return std::nullopt;

@@ -83,10 +83,10 @@ void add_run_values(NamedValues& t, const WindowState& m) {
   };
   judged("bad_samples", "samples with ε ≥ 1, nan before T is there", &StateSnapshot::bad_samples);
   judged("beyond_margin", "samples with ε > 1 − α", &StateSnapshot::beyond_margin);
-  of_state("violating_2", "tetrahedra that violate condition 2", &StateSnapshot::violating_2);
+  judged("violating_2", "tetrahedra that violate condition 2", &StateSnapshot::violating_2);
   of_state("violating_3", "tetrahedra that violate condition 3, nan where that is not judged yet",
            [](const StateSnapshot& s) {
-             return s.orientation_judged ? std::optional(s.violating_3) : std::nullopt;
+             return s.orientation_judged && s.classifies() ? std::optional(s.violating_3) : std::nullopt;
            });
   judged("largest_error", "the largest ε", &StateSnapshot::largest_error);
   of_state("samples", "samples in S",

@@ -50,7 +50,7 @@ void run_line(Ui& ui, const Comparison& m, const ShownRun& run, bool b) {
   ImGui::Dummy({row.width, ui.px(21) - ImGui::GetStyle().ItemSpacing.y});
 }
 
-/// A switch with a label that posts its command.
+/// A switch with a label, over as many lines as it takes, that posts its command.
 void linked(Ui& ui, const char* label, bool on, const char* command) {
   bool changed = on;
   if (widgets::toggle(ui, command, changed)) ui.commands.post(command);
@@ -58,7 +58,7 @@ void linked(Ui& ui, const char* label, bool on, const char* command) {
   ImGui::SameLine(0, ui.px(8));
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ui.px(2));
   const widgets::Font font(ui.fonts.small);
-  ImGui::TextUnformatted(label);
+  widgets::wrapped_text(label);
 }
 
 void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) {

@@ -89,9 +89,9 @@ bool is_judged(const WindowState& m, std::uint8_t flag) {
   const auto state = m.state();
   if (!state) return false;
   const bool interpolated = state->complex.form == ZeroForm::interpolated;
-  if (flag == tet_violates_1) return !state->errors.empty();
-  if (flag == tet_violates_2) return interpolated;
-  if (flag == tet_violates_3) return interpolated && state->orientation_judged;
+  if (flag == tet_violates_1) return state->classifies();
+  if (flag == tet_violates_2) return interpolated && state->classifies();
+  if (flag == tet_violates_3) return interpolated && state->classifies() && state->orientation_judged;
   return true;
 }
 

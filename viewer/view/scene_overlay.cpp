@@ -50,7 +50,9 @@ std::string pick_line(const WindowState& m, const Pick& pick) {
     if (state->classifies() && pick.id < state->errors.size())
       return "sample " + grouped(pick.id) +
              "   ε = " + short_number(static_cast<double>(state->errors[pick.id]));
-    if (!state->classifies()) return "sample " + grouped(pick.id) + "   not classified";
+    if (!state->classifies())
+      return "sample " + grouped(pick.id) +
+             (state->complex.form == ZeroForm::free ? "   not classified" : "   not judged yet");
     break;
   case Pick::Kind::none:
     break;

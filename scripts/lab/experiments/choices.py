@@ -19,6 +19,8 @@ SAMPLED = {"tiny": ("gallery:sphere", "12", "0.3"), "quick": ("gallery:sphere", 
 # Numbers of vertices down to which the collapse without a bound goes.
 COUNTS = {"tiny": [200, 100, 50]}
 COUNTS_ELSE = [1600, 800, 400, 200, 100, 50]
+# Peers that alone would take as long as all the rest of a size, by figure.
+LEFT_OUT = {"quick": {"fig20": ("envelope",)}}
 UNDULATING = {"tiny": (24, "10"), "quick": (48, "10"), "short": (72, "10"), "whole": (144, "10")}
 # Figure 28: number of points, and δ in percent of each case.
 ROBUSTNESS = {
