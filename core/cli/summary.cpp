@@ -179,6 +179,8 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                         : grouped(scene.samples->over_rim.size()) + " more over the rim of " +
                               counted(scene.volume->open_sides()->rim().loops().size(), "loop") + ", ") +
                    number("%.2f", scene.sampling_seconds) + " s");
+  if (const std::size_t held = scene.volume->held(); held > 0)
+    text += line("Thin parts", counted(held, "point") + " held, so that the mesh stays near to them");
   for (const StageStatistics& stage : stages) text += line(name(stage.stage), stage_words(stage));
   text += line("Output",
                counted(result.mesh.points.size(), "vertex", "vertices") + ", " +

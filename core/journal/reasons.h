@@ -59,9 +59,10 @@ enum class Reason : std::uint8_t {
   rim_off_border, ///< a place of the rim is farther than δ from the border of Z
   pinched_border, ///< two parts of Z would meet in its end alone
   // Later ones.
-  cut_off ///< topology: a place on the way over the largest φ that Z cuts, where sides are told by depth
+  cut_off,  ///< topology: a place on the way over the largest φ that Z cuts, where sides are told by depth
+  thin_part ///< a point in a wall or a gap thinner than 2δ′, that keeps Z near to the input there
 };
-constexpr int reason_count = static_cast<int>(Reason::cut_off) + 1;
+constexpr int reason_count = static_cast<int>(Reason::thin_part) + 1;
 
 /// What a reason explains.
 enum class ReasonRole : std::uint8_t { none, place, exhaustion, target, rejection };
@@ -165,9 +166,10 @@ inline constexpr std::array reason_table{
                 MarkerShape::hollow_triangle, Measure::alignment,
                 "Z would lie in Ω, but its facets would stand across the surface.", "Figure 4"},
     ReasonWords{Reason::witness_side, "witness-side", "witness side", ReasonRole::rejection,
-                "the deepest point of a region would change side", "a region would change side",
-                "The deepest point of a region would change side.", 0x3D8FD1, MarkerShape::plus,
-                Measure::none, "A whole region would end up on the other side of Z, between all samples."},
+                "a witness of a region or of a thin part would change side", "a region would change side",
+                "The deepest point of a region, or one that holds Z in a thin part, would change side.",
+                0x3D8FD1, MarkerShape::plus, Measure::none,
+                "A whole region would end up on the other side of Z, between all samples."},
     ReasonWords{Reason::intersection, "intersection", "self-intersection", ReasonRole::rejection,
                 "Z would intersect itself", "Z would cut itself", "Z would intersect itself.", 0xCC4A3A,
                 MarkerShape::cross, Measure::none, "A mesh that cuts itself bounds nothing."},
@@ -228,6 +230,11 @@ inline constexpr std::array reason_table{
                 .title = "cut-off place",
                 .role = ReasonRole::place,
                 .sentence = "a place goes in that Z cuts off from the region it belongs to"},
+    ReasonWords{.value = Reason::thin_part,
+                .name = "thin-part",
+                .title = "thin part",
+                .role = ReasonRole::place,
+                .sentence = "a point in a wall or gap thinner than 2δ′ goes in, so that Z stays near there"},
 };
 static_assert(is_complete(reason_table, reason_count));
 

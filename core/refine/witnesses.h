@@ -14,7 +14,7 @@ class WitnessCondition {
   Turn turn();
   /// As the run that is followed found it: the witness at this point cannot become a vertex.
   void give_up(Vec3 point);
-  /// Whether every witness has its sign now.
+  /// Whether every witness of a region has its sign now.
   bool holds();
 
  private:
@@ -28,7 +28,10 @@ class WitnessCondition {
   RefinementContext& context_;
   std::vector<Place> places_; ///< by witness
 
-  bool good(std::size_t witness);
+  std::size_t count() const;
+  /// The way into thin parts first, then the witnesses.
+  const Witness& witness(std::size_t i) const;
+  bool good(std::size_t i);
 };
 
 } // namespace isoscope

@@ -244,7 +244,9 @@ constexpr auto fields_of(const RunParameters*) {
             {.name = "cover",
              .symbol = "cover",
              .unit = " δ",
-             .help = "how far from the result a point of the input may be, in δ, or off; default 3",
+             .help =
+                 "how far from the result a point of the input may be, in δ, or off; from 2 on points are "
+                 "held in walls and gaps thinner than 2 δ; default 3",
              .words = "how far the input may be from the result, in δ, or off",
              .range = {.low = 0,
                        .high = infinity,
@@ -257,8 +259,10 @@ constexpr auto fields_of(const RunParameters*) {
              .absent = "off",
              .place = 14,
              .title = "Cover",
-             .tip = "How far from the finished mesh a point of the input may be, in δ. Off: as far as it "
-                    "likes, as in the paper. Needs a restart."}),
+             .tip =
+                 "How far from the finished mesh a point of the input may be, in δ. From 2 on the refinement "
+                 "goes into walls and gaps thinner than 2δ, of which Ω leaves nothing, and Z keeps points "
+                 "there. Off: as far as it likes, as in the paper. Needs a restart."}),
       field(&P::robust,
             {.name = "robust",
              .symbol = "robust k",

@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "run/closing_tolerance.h"
 #include "run/coordinate_check.h"
+#include "run/cover_witnesses.h"
 #include "run/crumbs.h"
 #include "run/make_field.h"
 #include "run/run_input.h"
@@ -240,6 +241,15 @@ Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(double sigma)
   return std::make_shared<const BoundarySamples>(std::move(*samples));
 }
 
+/// Z need not go into what is thinner than 2δ, but for the cover that is asked for.
+void Preparation::hold_thin_parts(const Scene& made, const CriteriaParameters& criteria) {
+  if (!criteria.certified || !parameters_.cover || parameters_.topology == TopologyMode::separate) return;
+  CoverWitnesses found =
+      find_cover_witnesses(*volume_, *made.samples, *parameters_.cover * volume_->thresholds().delta,
+                           made.expected.joined ? ThinPlaces::walls : ThinPlaces::walls_and_gaps, control_);
+  volume_->hold(found.held, std::move(found.path));
+}
+
 /// What is said before the first operation, once Ω and S are there.
 void Preparation::warn(Scene& made, const CriteriaParameters& criteria) const {
   for (ParameterWarning& warning : check_parameters(criteria.sigma, criteria.alpha, criteria.delta,
@@ -326,6 +336,9 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   if (!samples) return refused(samples.error(), *scene);
   if (Status closed = volume_->check_passages(); !closed) return refused(closed.error(), *scene);
   scene->samples = *samples;
+  scene->expected = expected_topology(*volume_, parameters_.topology);
+  hold_thin_parts(*scene, criteria);
+  if (control_.cancelled()) return cancelled_error(control_);
   scene->sample_estimate = estimate_samples(*volume_);
   scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;
 
@@ -334,7 +347,6 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   scene->regions.assign(volume_->regions().begin(), volume_->regions().end());
   scene->boundary_components.assign(volume_->boundary_components().begin(),
                                     volume_->boundary_components().end());
-  scene->expected = expected_topology(*volume_, parameters_.topology);
   scene->thickening_note = volume_->thickening_note(control_);
   warn(*scene, criteria);
   return std::shared_ptr<const Scene>(scene);

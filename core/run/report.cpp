@@ -251,6 +251,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
        {{"count", scene.samples->size()},
         {"components", components},
         {"covering_radius", scene.samples->covering_radius},
+        {"held_in_thin_parts", scene.volume ? scene.volume->held() : 0},
         {"undecided_cells", scene.samples->undecided_cells},
         {"regions", scene.regions.size()}}},
       {"expected",

@@ -18,8 +18,10 @@ namespace {
 constexpr int wall_steps = 50;
 constexpr int most_cut_rounds = 60;
 /// Strips of the input between two rims are looked for on edges at steps of this, in units of δ, and at so
-/// many at most.
+/// many at most. Stretches of fewer steps, and of few ones with one loop on both sides, are teeth of a jagged
+/// rim.
 constexpr double strip_step = 0.25;
+constexpr int least_strip_steps = 4, least_steps_in_loop = 7;
 constexpr int most_strip_steps = 100;
 constexpr int most_strip_rounds = 8;
 /// A vertex this near to where an edge crosses the wall is on it, in units of δ.
@@ -178,7 +180,12 @@ Vec3 RimCut::strip_between(Vec3 a, Vec3 b) const {
     run = keeps(a + (static_cast<double>(k) / steps) * (b - a)) ? run + 1 : 0;
     if (run > best) best = run, best_end = k;
   }
-  return best == 0 ? a : a + ((best_end - 0.5 * (best - 1)) / steps) * (b - a);
+  const auto at = [&](double k) { return a + (k / steps) * (b - a); };
+  const Rim& rim = volume_.open_sides()->rim();
+  if (best < least_strip_steps) return a;
+  if (best < least_steps_in_loop && rim.loop_near(at(best_end - best + 1)) == rim.loop_near(at(best_end)))
+    return a;
+  return at(best_end - 0.5 * (best - 1));
 }
 
 /// Splits edges between places beyond where they cross a strip of the input with a rim on both sides. False

@@ -158,11 +158,13 @@ Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manif
   TileFolder made(folder, manifest);
   if (Status written = write_by_tile(folder / "input", made.grid(), input); !written) return written.error();
   if (Status written = write_by_tile(z_folder(folder, 0), made.grid(), z); !written) return written.error();
+  Json held = Json::array();
+  for (const Vec3 p : manifest.held) held.push_back({p.x, p.y, p.z});
   const Json json{
       {"version", version()},          {"parameters", Json::parse(parameters_json(manifest.parameters))},
       {"delta", manifest.delta},       {"brick", manifest.brick},
       {"box", box_json(manifest.box)}, {"triangles", manifest.triangles},
-      {"memory", manifest.memory}};
+      {"memory", manifest.memory},     {"held", std::move(held)}};
   if (Status written = write_text_file(manifest_file(folder), json.dump(1) + "\n"); !written)
     return written.error();
   return open(folder);
@@ -184,6 +186,7 @@ Result<TileFolder> TileFolder::open(const fs::path& folder) {
     m.box = box_of(json->at("box"));
     m.triangles = json->at("triangles").get<std::uint64_t>();
     m.memory = json->at("memory").get<double>();
+    for (const Json& p : json->at("held")) m.held.push_back({p.at(0), p.at(1), p.at(2)});
   } catch (const Json::exception&) {
     return Error{ErrorCode::bad_input, manifest_file(folder).string() + " cannot be read.",
                  "Cut the input anew."};

@@ -28,6 +28,7 @@ struct TileManifest {
   Box3 box;         ///< of the input
   std::uint64_t triangles = 0;
   double memory = 0; ///< bytes that the improver may take for a tile
+  std::vector<Vec3> held; ///< points in thin parts that Z keeps on their side, so that it stays near
 };
 
 /// One tile of a round.

@@ -95,6 +95,8 @@ Status improve_tile(const TileFolder& folder, const TileRound& round, const Chan
   auto witnesses = witnesses_of_piece(index, folder.manifest().delta, control);
   if (control.cancelled()) return cancelled_error();
   if (!witnesses) return witnesses.error();
+  const std::vector<Vec3>& held = folder.manifest().held;
+  witnesses->insert(witnesses->end(), held.begin(), held.end());
   std::erase_if(*witnesses, [&](Vec3 w) { return !bounds.holds(w); });
   const ImproverGround ground{index, folder.manifest().delta, std::move(*witnesses), nullptr, bounds};
   ImproverOptions options = improver_options(p.criteria(folder.manifest().delta), round.effort);
@@ -126,6 +128,8 @@ Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::fi
   manifest.parameters = p;
   manifest.delta = (*scene)->delta;
   manifest.memory = memory;
+  for (const Witness& w : preparation.volume().witnesses())
+    if (w.cover) manifest.held.push_back(w.point);
   const std::vector<Triangle3> facets = facets_of(first.mesh);
   return TileFolder::create(folder, std::move(manifest), facets, facets);
 }

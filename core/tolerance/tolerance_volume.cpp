@@ -56,10 +56,21 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   copy.border_gate_ = border_gate_;
   copy.regions_ = regions_;
   copy.witnesses_ = witnesses_;
+  copy.cover_path_ = cover_path_;
   copy.boundary_components_ = boundary_components_;
   copy.volume_components_ = volume_components_;
   copy.volume_component_count_ = volume_component_count_;
   return copy;
+}
+
+void ToleranceVolume::hold(std::span<const Witness> held, std::vector<Witness> path) {
+  witnesses_.insert(witnesses_.end(), held.begin(), held.end());
+  cover_path_ = std::move(path);
+}
+
+std::size_t ToleranceVolume::held() const {
+  return static_cast<std::size_t>(
+      std::count_if(witnesses_.begin(), witnesses_.end(), [](const Witness& w) { return w.cover; }));
 }
 
 void ToleranceVolume::settle_open_sides(std::shared_ptr<const OpenSides> sides) {

@@ -146,8 +146,14 @@ class ToleranceVolume {
   /// Regions ascending by id; the first is the unbounded one. Grows when label_at meets a region too small
   /// for the octree.
   std::span<const Region> regions() const { return regions_; }
-  /// Points that decide whether Z separates the sides. Grows with regions().
+  /// Points that decide whether Z separates the sides, and those that hold() added. Grows with regions().
   std::span<const Witness> witnesses() const { return witnesses_; }
+  /// Points that are on their side by the end of the refinement and need not stay there.
+  std::span<const Witness> cover_path() const { return cover_path_; }
+  /// Adds points to both, so that Z stays near to what is thin.
+  void hold(std::span<const Witness> held, std::vector<Witness> path);
+  /// How many of the witnesses were added by it.
+  std::size_t held() const;
   std::span<const BoundaryComponent> boundary_components() const { return boundary_components_; }
   /// Whether regions are told apart by the walls between them: there may be more than one inside (§4.2).
   bool has_rooms() const { return sides_.rule() == SideRule::rooms; }
@@ -252,7 +258,7 @@ class ToleranceVolume {
   std::shared_ptr<const BorderGate> border_gate_;
   std::unique_ptr<Regions> octree_;
   std::vector<Region> regions_;
-  std::vector<Witness> witnesses_;
+  std::vector<Witness> witnesses_, cover_path_;
   std::vector<BoundaryComponent> boundary_components_; ///< ascending by region, then component of Ω'
   std::vector<std::uint32_t> volume_components_;       ///< by site
   std::size_t volume_component_count_ = 0;

@@ -11,12 +11,13 @@ namespace isoscope {
 
 class ToleranceVolume;
 
-/// A point outside of Ω and the side that it must stay on. As no Z inside Ω passes through {φ > δ}, one point
-/// of each of its components decides for all of it.
+/// A point and the side of Z that it must stay on. Outside of Ω, as no Z inside Ω passes through {φ > δ}, one
+/// point of each of its components decides for all of it.
 struct Witness {
   Vec3 point;
-  int label = +1;   ///< F of its side
-  double depth = 0; ///< φ(point) > δ
+  int label = +1;     ///< F of its side
+  double depth = 0;   ///< φ(point), > δ but for those that cover
+  bool cover = false; ///< it lies in Ω, where the input is thin, and keeps Z near (run/cover_witnesses.h)
 };
 
 /// Witnesses of {d > δ}, whose components are smaller than the regions of {d > δ'}: Z may pass where a region

@@ -171,3 +171,20 @@ quit
 )",
                    long_run) == 0);
 }
+
+TEST_CASE("the answer about a topology is not drawn on another step's Z while the run is played") {
+  CHECK(run_window("played", R"(
+wait settled
+stage gamma
+wait answers
+set topology.shown on
+wait answers
+speed unlimited
+play
+hands 0.5
+wait settled
+expect topology.components == 1
+quit
+)",
+                   "gallery:torus --tolerance 3% --until all") == 0);
+}

@@ -55,6 +55,6 @@ wait settled
 expect certified == on and covers == on and uncovered.places == 0
 quit
 )",
-                   file + " --tolerance 0.06 --effort 0") == 0);
+                   file + " --tolerance 0.06 --effort 0 --cover 1.9") == 0);
   CHECK(fs::exists(picture));
 }

@@ -77,6 +77,25 @@ TEST_CASE("Sheets come out with the loops and the Euler characteristic of the in
   }
 }
 
+TEST_CASE("Strips of little more than twice the tolerance between holes stay, on flat and on bent sheets") {
+  constexpr double delta = 0.03; // of a unit square
+  const auto bent = [](double x, double y) { return 0.3 * x * x - 0.2 * y * y + 0.1 * x * y; };
+  for (const bool is_bent : {false, true})
+    for (const double strip_width : {2.2, 2.5, 3.0}) {
+      CAPTURE(is_bent);
+      CAPTURE(strip_width);
+      const double half = strip_width * delta / 2;
+      const auto has = [&](double x, double y) {
+        const bool in_window = std::abs(y - 0.5) < 0.2 && std::abs(x - 0.5) > half && std::abs(x - 0.5) < 0.3;
+        return !in_window;
+      };
+      TriangleSoup sheet = grid_sheet(200, has);
+      if (is_bent)
+        for (Vec3& p : sheet.points) p.z = bent(p.x, p.y);
+      check_certified(*finished(std::move(sheet), 100 * delta), -1, 3);
+    }
+}
+
 TEST_CASE("The cut is a stage of its own that is stepped through both ways") {
   const auto run = finished(make_hemisphere(12), 4);
   Playback playback(run->journal);

@@ -178,7 +178,8 @@ Annotation Investigation::make_annotation() const {
   if (const auto facet = shown_refusal(m)) refused(*facet, state->criteria.delta, a);
   if (const auto h = history(); h && m.settings.panes.tab == BottomTab::history) way(*h, a);
   if (const auto w = work()) heat(w->map, a);
-  if (const auto t = topology()) loops(*t, *state, a);
+  // While a run is played the answer is about an earlier step: its loops are of another Z.
+  if (const auto t = topology(); t && topology_asked_->state == state) loops(*t, *state, a);
   if (const auto c = check(); c && c->report.step == state->step) broken_places(c->report, a);
   if (m.run.result && m.transport.step() >= m.live_step()) uncovered(m.run.result->certificate.uncovered, a);
   return a;

@@ -1,0 +1,199 @@
+// Finds pieces of the input without samples near them, and holds the fewest points of the way there.
+#include "run/cover_witnesses.h"
+
+#include "base/parallel.h"
+#include "criteria/nearest_sample.h"
+#include "run/thin_skeleton.h"
+#include "tolerance/sample_grid.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace isoscope {
+namespace {
+
+constexpr std::size_t triangle_grain = 64, wall_grain = 16;
+/// Below so many δ no limit can be kept by points alone.
+constexpr double least_limit = 2;
+/// Points are this much nearer, in δ, than the limit says: Z passes by samples up to δ − δ', and pieces have
+/// a size.
+constexpr double slack = 0.25;
+/// Pieces of a triangle that are judged are no larger than this, in δ.
+constexpr double finest_piece = 0.15;
+/// Points of the way are not asked for nearer to each other than this, in δ, nor farther apart than that, in
+/// δ', where the input lies between them.
+constexpr double finest_step = 1.0 / 16, longest_step = 0.95;
+
+/// A piece of the input far from all samples of a side.
+struct BarePiece {
+  Vec3 middle;
+  TriangleId triangle;
+};
+
+/// The bare pieces of one triangle.
+void find_bare(const NearestSample& samples, int label, TriangleId id, const Triangle3& whole, double limit,
+               double finest, std::vector<BarePiece>& bare) {
+  std::vector<Triangle3> open{whole};
+  while (!open.empty()) {
+    const Triangle3 t = open.back();
+    open.pop_back();
+    const Vec3 c = centroid(t);
+    const double radius = std::max({distance(c, t[0]), distance(c, t[1]), distance(c, t[2])});
+    if (limit > radius && samples.nearest_of(c, label, limit - radius).valid()) continue;
+    if (radius <= finest) {
+      bare.push_back({c, id});
+      continue;
+    }
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (distance(t[i], t[(i + 1) % 3]) > distance(t[longest], t[(longest + 1) % 3])) longest = i;
+    Triangle3 first = t, second = t;
+    first[longest] = second[(longest + 1) % 3] = 0.5 * (t[longest] + t[(longest + 1) % 3]);
+    open.push_back(first);
+    open.push_back(second);
+  }
+}
+
+std::vector<BarePiece> bare_pieces(const ToleranceVolume& volume, const NearestSample& samples, int label,
+                                   double limit, const RunControl& control) {
+  const ClosestPointIndex& index = volume.index();
+  std::vector<std::vector<BarePiece>> found(index.size());
+  parallel_until(index.size(), triangle_grain, control, [&](std::size_t i) {
+    const Triangle3& t = index.triangle(TriangleId(i));
+    if (area_vector(t) == Vec3{}) return;
+    find_bare(samples, label, TriangleId(i), t, limit, finest_piece * volume.thresholds().delta, found[i]);
+  });
+  std::vector<BarePiece> all;
+  for (const auto& pieces : found) all.insert(all.end(), pieces.begin(), pieces.end());
+  return all;
+}
+
+/// Leaves those that bound the side and need not be closed by Ω.
+void keep_outer(std::vector<BarePiece>& bare, const ToleranceVolume& volume, const InputWalls& walls,
+                int label, const RunControl& control) {
+  std::vector<std::uint8_t> kept(bare.size());
+  parallel_until(bare.size(), wall_grain, control, [&](std::size_t i) {
+    const Vec3 normal = normalized(area_vector(volume.index().triangle(bare[i].triangle)));
+    const Wall kind = walls.judge(bare[i].triangle, bare[i].middle, normal).kind;
+    kept[i] = kind == Wall::outer || (label < 0 && kind == Wall::of_closed_gap) ? 1 : 0;
+  });
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < bare.size(); ++i)
+    if (kept[i] != 0) bare[n++] = bare[i];
+  bare.resize(n);
+}
+
+/// Chooses what is held for the pieces, those farthest from a region first: of each that is still bare the
+/// node on its way that is nearest to the region and near enough.
+class Choice {
+ public:
+  Choice(const ToleranceVolume& volume, const ThinSkeleton& skeleton, int label, double limit)
+      : volume_(volume), nodes_(skeleton.nodes()), label_(label), limit_(limit), on_path_(nodes_.size()),
+        grid_(volume.index().bounds().lo, limit) {}
+
+  void cover(Vec3 piece, std::uint32_t node, CoverWitnesses& out) {
+    if (nodes_[node].way == Box3::inf) return;
+    const auto near = [&](Vec3 p) { return distance(p, piece) <= limit_; };
+    Box3 around;
+    around.add(piece);
+    std::vector<std::uint32_t> candidates;
+    grid_.gather(around.grown(limit_), candidates);
+    if (std::any_of(candidates.begin(), candidates.end(), [&](std::uint32_t i) { return near(held_[i]); }))
+      return;
+    std::uint32_t best = node;
+    for (std::uint32_t n = node; n != ThinSkeleton::none && near(nodes_[n].middle); n = nodes_[n].parent)
+      if (!nodes_[n].root) best = n;
+    held_.push_back(nodes_[best].middle);
+    grid_.add(held_.back());
+    out.held.push_back(witness(best));
+    std::vector<std::uint32_t> way;
+    for (std::uint32_t n = best; n != ThinSkeleton::none && !on_path_[n]; n = nodes_[n].parent) {
+      on_path_[n] = true;
+      way.push_back(n);
+    }
+    for (auto n = way.rbegin(); n != way.rend(); ++n) {
+      const std::uint32_t before = nodes_[*n].parent;
+      if (before != ThinSkeleton::none)
+        add_between(nodes_[before].middle, nodes_[*n].middle, nodes_[*n].straight, out.path);
+      out.path.push_back(witness(*n));
+    }
+  }
+
+ private:
+  const ToleranceVolume& volume_;
+  std::span<const ThinSkeleton::Node> nodes_;
+  int label_;
+  double limit_;
+  std::vector<bool> on_path_;
+  std::vector<Vec3> held_;
+  SampleGrid grid_; ///< of them
+
+  Witness witness(std::uint32_t n) const {
+    const Vec3 p = nodes_[n].middle;
+    return {p, label_, volume_.field().distance(p), true};
+  }
+
+  /// Points between two of the way, so near to each other that a ball over two of them stays on their side:
+  /// then no vertex of the other side parts them. Where the input lies between them, as in thin shells that
+  /// are curved, so near that it holds no sample.
+  void add_between(Vec3 a, Vec3 b, bool straight, std::vector<Witness>& path) const {
+    const ToleranceThresholds& limits = volume_.thresholds();
+    const Vec3 middle = 0.5 * (a + b);
+    const double depth = volume_.field().distance(middle), apart = distance(a, b);
+    const double enough =
+        straight ? std::max(2 * depth, finest_step * limits.delta) : longest_step * limits.boundary;
+    if (apart <= enough) return;
+    add_between(a, middle, straight, path);
+    path.push_back({middle, label_, depth, true});
+    add_between(middle, b, straight, path);
+  }
+};
+
+/// Points for pieces that bound one side.
+void hold_side(const ToleranceVolume& volume, const InputWalls& walls, int label,
+               std::span<const BarePiece> bare, double limit, CoverWitnesses& out,
+               const RunControl& control) {
+  std::vector<Vec3> from;
+  for (const BarePiece& piece : bare) from.push_back(piece.middle);
+  const ThinSkeleton skeleton(volume, walls, label, from, control);
+  if (control.cancelled()) return;
+  std::vector<std::pair<double, std::size_t>> order; // minus the way, so that far ones come first
+  std::vector<std::uint32_t> node(bare.size());
+  for (std::size_t i = 0; i < bare.size(); ++i) {
+    node[i] = skeleton.node_at(bare[i].middle);
+    if (node[i] != ThinSkeleton::none) order.emplace_back(-skeleton.nodes()[node[i]].way, i);
+  }
+  std::sort(order.begin(), order.end());
+  Choice choice(volume, skeleton, label, limit);
+  SparsePoll poll(control, 64);
+  for (const auto& [way, i] : order) {
+    if (poll.cancelled()) return;
+    choice.cover(bare[i].middle, node[i], out);
+  }
+}
+
+} // namespace
+
+CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const BoundarySamples& samples,
+                                    double limit, ThinPlaces where, const RunControl& control) {
+  CoverWitnesses out;
+  const double delta = volume.thresholds().delta;
+  if (!volume.has_surface() || volume.has_rooms()) return out;
+  if (!(limit >= least_limit * delta)) return out;
+  const double reach = limit - slack * delta;
+  const NearestSample nearest(samples.positions, samples.labels);
+  std::optional<InputWalls> walls;
+  for (const int label : {-1, +1}) {
+    if (!nearest.has(label) || (label > 0 && where == ThinPlaces::walls)) continue;
+    std::vector<BarePiece> bare = bare_pieces(volume, nearest, label, reach, control);
+    if (bare.empty() || control.cancelled()) continue;
+    if (!walls) walls.emplace(volume);
+    keep_outer(bare, volume, *walls, label, control);
+    if (!bare.empty() && !control.cancelled()) hold_side(volume, *walls, label, bare, reach, out, control);
+  }
+  return out;
+}
+
+} // namespace isoscope

@@ -1,0 +1,83 @@
+// Looks from a wall both ways to what is met first.
+#include "run/input_walls.h"
+
+#include "base/disjoint_sets.h"
+#include "tolerance/welded_mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace isoscope {
+namespace {
+
+/// The parts of the input by triangle, joined across edges: those that only touch or cross are two, and Ω
+/// closes the wedges between them.
+std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index) {
+  const std::vector<EdgeUse> uses = sorted_edge_uses(weld(index).triangles);
+  DisjointSets sets(index.size());
+  for (std::size_t i = 1; i < uses.size(); ++i)
+    if (uses[i].low == uses[i - 1].low && uses[i].high == uses[i - 1].high)
+      sets.unite(uses[i].triangle, uses[i - 1].triangle);
+  std::vector<std::uint32_t> parts(index.size());
+  for (std::uint32_t t = 0; t < parts.size(); ++t) parts[t] = sets.find(t);
+  return parts;
+}
+
+/// A wall that is met from a point.
+struct Sight {
+  int side = +1; ///< of the place midway to it; outside where there is none, 0 where it is not sure
+  double way = std::numeric_limits<double>::infinity();
+  Vec3 wall;
+};
+
+int sure_side(const ToleranceVolume& volume, Vec3 p) {
+  if (const OpenSides* open = volume.open_sides()) return open->side(p, volume.field().closest(p));
+  if (volume.sides().known()) return volume.sides().label(p);
+  const std::optional<bool> inside = volume.sides().unanimous_parity(p);
+  return !inside ? 0 : (*inside ? -1 : +1);
+}
+
+/// What one comes to from p, a point of the input, along a direction; farther away than gaps that Ω closes
+/// nothing is looked for.
+Sight sight(const ToleranceVolume& volume, Vec3 p, Vec3 direction) {
+  const ClosestPointIndex& index = volume.index();
+  const double boundary = volume.thresholds().boundary, reach = 4 * boundary;
+  const Vec3 start = p + (1e-9 * index.bounds().longest_edge()) * direction, end = p + reach * direction;
+  const std::vector<double> hits = index.crossings(start, end);
+  const Vec3 way = (hits.empty() ? 1.0 : hits.front()) * (end - start);
+  // Beside an open surface its own side is asked for.
+  const double asked_at = std::min(length(way), volume.open_sides() != nullptr ? boundary : reach) / 2;
+  return {sure_side(volume, start + asked_at * direction),
+          hits.empty() ? std::numeric_limits<double>::infinity() : length(way), start + way};
+}
+
+} // namespace
+
+InputWalls::InputWalls(const ToleranceVolume& volume)
+    : volume_(volume), gap_(2 * volume.thresholds().boundary) {
+  if (volume.input().components > 1) part_ = parts_of(volume.index());
+}
+
+bool InputWalls::near_another_part(TriangleId own, const Triangle3& piece) const {
+  if (part_.empty()) return false;
+  Box3 box;
+  for (const Vec3 p : piece) box.add(p);
+  const auto near = volume_.index().triangles_in(box.grown(gap_));
+  return std::any_of(near.begin(), near.end(), [&](TriangleId other) {
+    return part_[other.index()] != part_[own.index()] &&
+           triangles_within(piece, volume_.index().triangle(other), gap_);
+  });
+}
+
+WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {
+  const Sight front = sight(volume_, p, normal), back = sight(volume_, p, -normal);
+  if (front.side == back.side || front.side == 0 || back.side == 0) return {Wall::inner, +1};
+  const int outward = front.side > 0 ? +1 : -1;
+  const Sight& outside = outward > 0 ? front : back;
+  if (part_.empty() || outside.way > gap_) return {Wall::outer, outward};
+  const TriangleId before = volume_.index().closest(outside.wall).triangle;
+  return {part_[before.index()] == part_[own.index()] ? Wall::outer : Wall::of_closed_gap, outward};
+}
+
+} // namespace isoscope

@@ -1,0 +1,161 @@
+// Floods the lattice over the walls in rounds, then goes from the roots by the shortest ways.
+#include "run/thin_skeleton.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+namespace isoscope {
+namespace {
+
+/// Side of the lattice's cells in units of δ'. Neighbouring middles are then mostly near enough for a
+/// Delaunay edge: a ball over an edge of length δ' holds no sample, which are δ' away from the input.
+constexpr double cell_side = 0.35;
+/// Middles farther apart than this, in units of δ', are not joined: at the foot of a fin the ball grows at
+/// once.
+constexpr double longest_straight_link = 2.2;
+/// The same where the input lies between them, if their middle is no farther outside than `slip`.
+constexpr double longest_link = 1.8, slip = 0.25;
+/// A ball this large, in units of δ', reaches the region itself.
+constexpr double root_radius = 0.98;
+/// A link through a wall counts as so many times its length: thin curved shells have no others.
+constexpr double price_of_walls = 200;
+/// What is thin is looked at up to so many cells.
+constexpr std::size_t most_nodes = 400000;
+constexpr std::size_t node_grain = 16;
+constexpr int shrinking_steps = 40;
+
+/// The largest ball on the side of `direction` that touches the input at `foot`, by shrinking.
+double touching_radius(const ClosestPointIndex& index, Vec3 foot, Vec3 direction, double most) {
+  double radius = most;
+  for (int i = 0; i < shrinking_steps; ++i) {
+    const ClosestPoint near = index.closest(foot + radius * direction);
+    if (near.distance() >= radius * (1 - 1e-6)) break;
+    const Vec3 to = near.point - foot;
+    const double along = dot(to, direction);
+    if (!(along > 0)) break; // it is touched at its own wall
+    const double smaller = squared_length(to) / (2 * along);
+    if (smaller >= radius * (1 - 1e-6)) break;
+    radius = smaller;
+  }
+  return radius;
+}
+
+template <class Visit> void for_neighbors(const std::array<std::int32_t, 3>& cell, const Visit& visit) {
+  for (std::int32_t x = -1; x <= 1; ++x)
+    for (std::int32_t y = -1; y <= 1; ++y)
+      for (std::int32_t z = -1; z <= 1; ++z)
+        if (x != 0 || y != 0 || z != 0) visit(std::array{cell[0] + x, cell[1] + y, cell[2] + z});
+}
+
+} // namespace
+
+ThinSkeleton::ThinSkeleton(const ToleranceVolume& volume, const InputWalls& walls, int label,
+                           std::span<const Vec3> from, const RunControl& control)
+    : volume_(volume), walls_(walls), label_(label), side_(cell_side * volume.thresholds().boundary),
+      origin_(volume.index().bounds().lo) {
+  grow(from, control);
+  find_ways(control);
+}
+
+ThinSkeleton::Cell ThinSkeleton::cell_at(Vec3 p) const {
+  Cell cell;
+  for (int i = 0; i < 3; ++i)
+    cell[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::floor((p[i] - origin_[i]) / side_));
+  return cell;
+}
+
+std::uint32_t ThinSkeleton::node_at(Vec3 p) const {
+  const auto found = cells_.find(cell_at(p));
+  if (found == cells_.end() || !nodes_[found->second].usable) return none;
+  return found->second;
+}
+
+ThinSkeleton::Node ThinSkeleton::make_node(const Cell& cell) const {
+  Node node;
+  Vec3 center;
+  for (int i = 0; i < 3; ++i) center[i] = origin_[i] + (cell[static_cast<std::size_t>(i)] + 0.5) * side_;
+  const ClosestPoint closest = volume_.index().closest_within(center, 0.87 * side_);
+  if (!closest.triangle.valid()) return node;
+  const Triangle3& wall = volume_.index().triangle(closest.triangle);
+  const Vec3 normal = normalized(area_vector(wall));
+  if (normal == Vec3{}) return node;
+  const WallVerdict verdict = walls_.judge(closest.triangle, closest.point, normal);
+  if (verdict.kind == Wall::inner || (label_ > 0 && verdict.kind == Wall::of_closed_gap)) return node;
+  const Vec3 direction = (verdict.outward > 0) == (label_ > 0) ? normal : -normal;
+  const double boundary = volume_.thresholds().boundary;
+  node.foot = closest.point;
+  node.radius = touching_radius(volume_.index(), node.foot, direction, boundary);
+  node.middle = node.foot + node.radius * direction;
+  node.usable = true;
+  node.root = node.radius >= root_radius * boundary;
+  return node;
+}
+
+void ThinSkeleton::grow(std::span<const Vec3> from, const RunControl& control) {
+  std::vector<Cell> round;
+  for (const Vec3 p : from) round.push_back(cell_at(p));
+  while (!round.empty() && nodes_.size() < most_nodes && !control.cancelled()) {
+    std::sort(round.begin(), round.end());
+    round.erase(std::unique(round.begin(), round.end()), round.end());
+    std::erase_if(round, [&](const Cell& c) { return cells_.contains(c); });
+    std::vector<Node> made(round.size());
+    if (!parallel_until(round.size(), node_grain, control,
+                        [&](std::size_t i) { made[i] = make_node(round[i]); }))
+      return;
+    std::vector<Cell> next;
+    for (std::size_t i = 0; i < round.size(); ++i) {
+      cells_.emplace(round[i], static_cast<std::uint32_t>(nodes_.size()));
+      cell_of_.push_back(round[i]);
+      nodes_.push_back(made[i]);
+      if (made[i].usable && !made[i].root) for_neighbors(round[i], [&](const Cell& c) { next.push_back(c); });
+    }
+    round = std::move(next);
+  }
+}
+
+/// Whether the middle between two points lies far on the other side.
+bool ThinSkeleton::strays(Vec3 a, Vec3 b) const {
+  const Vec3 middle = 0.5 * (a + b);
+  return volume_.index().distance(middle) > slip * volume_.thresholds().boundary &&
+         volume_.sides().label(middle) != label_;
+}
+
+/// Dijkstra's shortest ways; of equal ones that to the smaller node comes first.
+void ThinSkeleton::find_ways(const RunControl& control) {
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    if (!nodes_[n].root) continue;
+    nodes_[n].way = 0;
+    open.emplace(0.0, n);
+  }
+  const double boundary = volume_.thresholds().boundary;
+  SparsePoll poll(control, 64);
+  while (!open.empty() && !poll.cancelled()) {
+    const auto [way, n] = open.top();
+    open.pop();
+    if (way > nodes_[n].way) continue;
+    for_neighbors(cell_of_[n], [&](const Cell& c) {
+      const auto found = cells_.find(c);
+      if (found == cells_.end()) return;
+      Node& other = nodes_[found->second];
+      const double link = distance(nodes_[n].middle, other.middle);
+      if (!other.usable || other.root || link > longest_straight_link * boundary || way + link >= other.way)
+        return;
+      const bool inside = volume_.index().crossings(nodes_[n].middle, other.middle).empty();
+      if (!inside && (link > longest_link * boundary || strays(nodes_[n].middle, other.middle))) return;
+      const double longer = way + (inside ? link : price_of_walls * link);
+      if (longer >= other.way) return;
+      other.way = longer;
+      other.parent = n;
+      other.straight = inside;
+      open.emplace(longer, found->second);
+    });
+  }
+}
+
+} // namespace isoscope
