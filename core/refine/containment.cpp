@@ -81,6 +81,7 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
   event.witness = violation.witness;
   event.value = violation.closest.distance();
   event.limit = context_.volume().thresholds().delta;
+  if (!open_at_ && context_.volume().sides().rule() == SideRule::depth) open_at_ = sides_joined_beyond(t);
   const int label = context_.volume().label_at(violation.witness, context_.control());
   if (context_.cancelled()) return Turn::acted; // the label may be unknown for no other reason
   if (label == 0) {
@@ -146,6 +147,22 @@ std::optional<Vec3> ContainmentCondition::both_sides_meet(TetId t) const {
       if (joined_outside(p, q)) return 0.5 * (p + q);
     }
   }
+  return std::nullopt;
+}
+
+std::optional<Vec3> ContainmentCondition::sides_joined_beyond(TetId t) const {
+  const Complex& complex = context_.live().complex();
+  const ToleranceField& field = context_.volume().field();
+  const double delta = context_.volume().thresholds().delta;
+  const auto& v = complex.tet(t).v;
+  std::array<double, 4> excess{};
+  for (std::size_t i = 0; i < 4; ++i) excess[i] = field.distance(complex.position(v[i])) - delta;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (complex.label(v[i]) >= complex.label(v[j])) continue;
+      const Vec3 p = complex.position(v[i]), q = complex.position(v[j]);
+      if (excess[i] + excess[j] > distance(p, q) * (1 + 1e-9)) return 0.5 * (p + q);
+    }
   return std::nullopt;
 }
 

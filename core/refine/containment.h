@@ -47,6 +47,9 @@ class ContainmentCondition {
   /// Where balls outside of Ω' of a tetrahedron's vertices with different labels overlap: no Z inside Ω
   /// passes between them.
   std::optional<Vec3> both_sides_meet(TetId t) const;
+  /// Between two vertices of t that are on different sides: a place from which to both, along the edge, φ
+  /// exceeds δ. Vertices stay, so that every Z from now on leaves Ω there.
+  std::optional<Vec3> sides_joined_beyond(TetId t) const;
   Turn give_up(TetId t, Checklist::State state, Event event);
   /// The first that the spacing of vertices allows; vertices keep apart, so that there are finitely many.
   std::optional<Candidate> candidate(TetId t, const Violation& violation, int label) const;

@@ -6,6 +6,7 @@
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
 #include "simplify/first_surface.h"
+#include "tolerance/region_labels.h"
 
 #include <limits>
 #include <utility>
@@ -167,7 +168,7 @@ struct Pipeline::Impl {
       }
       refined = refinement->run();
       if (refined.end == RefinementOutcome::End::open_input)
-        return preparation.refused(open_surface_near(refined.open_at), *scene);
+        return preparation.refused(joined_sides_near(preparation.volume(), refined.open_at), *scene);
       if (!resampling->resample_pending()) return {};
     }
   }

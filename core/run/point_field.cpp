@@ -115,7 +115,7 @@ Error nothing_inside(const DeltaStudy& study, double delta, bool opened) {
           ? ": it has holes, as between the points near " + place(study.saddle(), place_digits) + "."
       : delta > study.most
           ? ": the inside is closed up, as around " + place(study.closing(), place_digits) + "."
-          : ".";
+          : ": it has holes.";
   return {ErrorCode::open_surface, what + why,
           "Ω encloses something for δ from " + general(study.least, 3) + " to " + general(study.most, 3) +
               ": choose --tolerance auto, or a length between them."};

@@ -19,6 +19,10 @@ namespace {
 
 /// How fine triangles that do not close are studied, relative to the longest edge.
 constexpr double study_resolution = 0.003;
+/// Tolerances of points that are tried, each larger by this factor, and how many of those at which Ω has an
+/// inside but is no thickening.
+constexpr int most_tolerances = 6, most_without_thickening = 3;
+constexpr double next_tolerance = 1.1;
 
 Error cancelled_error(const RunControl& control) {
   return {ErrorCode::cancelled,
@@ -167,6 +171,59 @@ Status Preparation::build_volume(Scene& made, std::shared_ptr<const TriangleSoup
   }
 }
 
+/// What the study says of δ is right to about a tenth: a hole may be open that it takes for closed, or a neck
+/// closed. Where δ is to be found, larger ones are tried; where it is given, for what to do instead.
+Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<const TriangleSoup>& soup) {
+  const MadePointField all = points_;
+  const double given = made.delta;
+  struct Found {
+    double delta;
+    MadePointField points;
+    ToleranceVolume volume;
+  };
+  std::optional<Found> found;
+  Status first;
+  DeltaStudy study = all.points->study;
+  int without_thickening = 0;
+  for (int tried = 0; tried < most_tolerances && (tried == 0 || made.delta < study.most); ++tried) {
+    points_ = all;
+    Status built = settle_points(made);
+    if (built) built = build_volume(made, soup, ThinParts::accept);
+    if (control_.cancelled()) return cancelled_error(control_);
+    if (!parameters_.tolerance.automatic && tried == 0 && built) return {};
+    if (tried == 0 && !built) first = built;
+    if (!built && (built.error().code != ErrorCode::open_surface || given < study.least)) break;
+    if (built) {
+      const bool thickening = volume_->thickening() || !volume_->topology_told();
+      if (!found || thickening) found = Found{made.delta, points_, std::move(*volume_)};
+      if (thickening || !parameters_.tolerance.automatic || ++without_thickening == most_without_thickening)
+        break;
+    } else if (!found) {
+      study.least = made.delta;
+    }
+    made.delta *= next_tolerance;
+  }
+  made.delta = given;
+  volume_.reset();
+  points_ = all;
+  if (found) { // nothing but this field has seen the study yet
+    study.proposed = found->delta;
+    points_ = std::move(found->points);
+    points_.points->study = std::move(study);
+  }
+  use_points(made);
+  made.study = {points_.points, &points_.points->study};
+  if (!found) return first;
+  if (!parameters_.tolerance.automatic)
+    return Error{first.error().code, first.error().message,
+                 "At δ = " + general(found->delta, 4) + " Ω encloses something: choose --tolerance " +
+                     general(found->delta, 4) + " or auto."};
+  made.delta = found->delta;
+  kept_area_ = made.field->area();
+  volume_.emplace(std::move(found->volume));
+  return {};
+}
+
 /// Keeps what was studied, for the choice of another δ: the proposed one, where there is one.
 void Preparation::examine(const Scene& made) {
   if (!made.study) return;
@@ -261,10 +318,11 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   if (auto note = coordinate_note(*soup, scene->delta)) scene->warnings.push_back({std::move(*note), 0});
   if (!scene->field)
     if (Status read = make_field(*scene, soup, scene->delta); !read) return read.error();
-  if (Status settled = settle_points(*scene); !settled) return settled.error();
   scene->input_seconds = watch.seconds();
 
-  if (Status built = build_volume(*scene, soup, thin); !built) {
+  const bool of_points = points_.points != nullptr;
+  const Status built = of_points ? build_volume_of_points(*scene, soup) : build_volume(*scene, soup, thin);
+  if (!built) {
     if (control_.cancelled()) return cancelled_error(control_);
     examine(*scene);
     return refused(built.error(), *scene);

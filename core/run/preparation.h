@@ -81,6 +81,7 @@ class Preparation {
   Result<double> find_delta(Scene& made, const std::shared_ptr<const TriangleSoup>& soup);
   Status settle_points(Scene& made);
   Status build_volume(Scene& made, std::shared_ptr<const TriangleSoup> kept, ThinParts thin);
+  Status build_volume_of_points(Scene& made, const std::shared_ptr<const TriangleSoup>& soup);
   void examine(const Scene& made);
   void hold_thin_parts(const Scene& made, const CriteriaParameters& criteria);
   void warn(Scene& made, const CriteriaParameters& criteria) const;

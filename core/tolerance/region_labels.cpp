@@ -296,6 +296,14 @@ ThicknessProbe deepest_around(const ToleranceField& field, const ThicknessProbe&
   return best;
 }
 
+Error joined_sides_near(const ToleranceVolume& volume, Vec3 p) {
+  if (volume.sides().rule() != SideRule::depth) return open_surface_near(p);
+  return {ErrorCode::open_surface,
+          "At this tolerance inside and outside are joined near " + place(p, place_digits) +
+              ": the points leave a hole there that Ω does not close.",
+          "Choose a larger tolerance, or --tolerance auto."};
+}
+
 int label_above(const ToleranceVolume& volume, Vec3 p) {
   const RegionId region = volume.escape(p, volume.field().closest(p)).region;
   return region.valid() ? volume.regions()[region.index()].label : 0;

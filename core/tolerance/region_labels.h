@@ -40,6 +40,10 @@ DepthLabels label_by_depth(const ToleranceVolume& volume, const RunControl& cont
 DepthLabels spread_labels(const ToleranceVolume& volume, std::vector<int> of_regions,
                           const RunControl& control);
 
+/// What is said where inside and outside turn out to be one: open_surface_near(), in words for points where
+/// depths tell the sides.
+Error joined_sides_near(const ToleranceVolume& volume, Vec3 p);
+
 /// The label of the region that ways up from p, which is outside of Ω', lead to; 0 where that is not told.
 int label_above(const ToleranceVolume& volume, Vec3 p);
 

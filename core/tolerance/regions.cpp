@@ -298,6 +298,12 @@ std::optional<std::uint32_t> Regions::number(CellIndex i) const {
 }
 
 bool Regions::flood(CellIndex start, std::size_t budget, const RunControl& control) {
+  return flood_through(
+      start, budget, [](CellIndex) { return true; }, control);
+}
+
+bool Regions::flood_through(CellIndex start, std::size_t budget, const std::function<bool(CellIndex)>& enters,
+                            const RunControl& control) {
   SparsePoll poll(control, cells_between_questions);
   std::priority_queue<std::pair<float, CellIndex>> queue;
   std::unordered_set<CellIndex> seen{start}; // asked for membership only
@@ -315,6 +321,7 @@ bool Regions::flood(CellIndex start, std::size_t budget, const RunControl& contr
         below.pop_back();
         if (cells_[j].kind == Kind::in) continue;
         if (!touches(cells_[i], cells_[j], face)) continue;
+        if (cells_[j].child == none && !enters(j)) continue;
         if (cells_[j].kind == Kind::out) {
           const CellIndex other = compress(j);
           const bool met = is_goal(other) && other != compress(start);

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <unordered_map>
@@ -89,6 +90,9 @@ class Regions {
   /// meets another main or numbered component (true), nothing is left, `budget` cells were visited or the
   /// control was cancelled (false).
   bool flood(CellIndex start, std::size_t budget, const RunControl& control);
+  /// The same through those cells only for which enters(cell) holds, which may also be parts of known ones.
+  bool flood_through(CellIndex start, std::size_t budget, const std::function<bool(CellIndex)>& enters,
+                     const RunControl& control);
 
   /// Two numbered components that turned out to be one, at a passage that the main cells did not show.
   struct Passage {

@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "tolerance/border_gate.h"
+#include "tolerance/narrow_passages.h"
 #include "tolerance/octree_estimate.h"
 #include "tolerance/region_labels.h"
 #include "tolerance/regions.h"
@@ -119,6 +120,9 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
   v.octree_ = std::make_unique<Regions>(std::move(octree).value());
   const Error stopped{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
   v.join_pockets(control);
+  // Depths alone tell the sides of points: what is joined has to be known before they are told.
+  if (v.sides_.rule() == SideRule::depth && !control.cancelled())
+    join_narrow_passages(v.octree(), *v.field_, boundary, v.thresholds_.reject, control);
   if (control.cancelled()) return stopped;
 
   VolumeComponents components = v.field_->components(boundary, control);
@@ -217,7 +221,7 @@ Status ToleranceVolume::check_passages() const {
     const Vec3 where = octree_->center(octree_->cell(p.cell));
     // A pocket along an open surface has the side that it is on, whatever it is joined to.
     if (open_sides_ && open_sides_->is_open(field_->closest(where).triangle)) continue;
-    return open_surface_near(where);
+    return joined_sides_near(*this, where);
   }
   return {};
 }

@@ -249,6 +249,31 @@ TEST_CASE("just below the interval a passage is found that the octree does not s
   }
 }
 
+TEST_CASE("around the proposed tolerance every run ends, certified or refused with what to choose") {
+  Random random(16);
+  TriangleSoup torus;
+  add_torus(torus, {}, 1, 0.4, 40);
+  for (const double size : {0.01, 0.03}) {
+    const std::vector<Vec3> points = surface_points(random, torus, 2500, size);
+    const auto proposed = run_of(points);
+    if (!proposed->run()) FAIL(proposed->error->line());
+    CHECK(proposed->result->certificate.holds());
+    CHECK(proposed->result->certificate.euler_characteristic == 0);
+    for (const double part : {0.85, 0.92, 1.06, 1.15, 1.4}) {
+      CAPTURE(size);
+      CAPTURE(part);
+      const auto run = run_of(points, {part * proposed->scene->delta, false});
+      if (run->run()) {
+        CHECK(run->result->certificate.holds());
+        CHECK(run->result->mesh.points.size() < 5000);
+      } else {
+        CHECK(run->error->code == ErrorCode::open_surface);
+        CHECK(run->error->remedy.find("auto") != std::string::npos);
+      }
+    }
+  }
+}
+
 TEST_CASE("a pocket in the tip of a trunk is no part of its own") {
   const auto file = demo_model("elephant.off");
   if (!file) return;
