@@ -17,11 +17,11 @@ namespace {
 /// Halvings towards the wall on an edge.
 constexpr int wall_steps = 50;
 constexpr int most_cut_rounds = 60;
-/// Strips of the input between two rims are looked for on edges at steps of this, in units of δ, and at so
-/// many at most. Stretches of fewer steps, and of few ones with one loop on both sides, are teeth of a jagged
+/// Strips of the input between two loops of the rim are looked for on edges at steps of this, in units of δ,
+/// and at so many at most. Stretches of fewer steps, or with one loop on both sides, are teeth of a jagged
 /// rim.
 constexpr double strip_step = 0.25;
-constexpr int least_strip_steps = 4, least_steps_in_loop = 7;
+constexpr int least_strip_steps = 4;
 constexpr int most_strip_steps = 100;
 constexpr int most_strip_rounds = 8;
 /// A vertex this near to where an edge crosses the wall is on it, in units of δ.
@@ -182,8 +182,7 @@ Vec3 RimCut::strip_between(Vec3 a, Vec3 b) const {
   }
   const auto at = [&](double k) { return a + (k / steps) * (b - a); };
   const Rim& rim = volume_.open_sides()->rim();
-  if (best < least_strip_steps) return a;
-  if (best < least_steps_in_loop && rim.loop_near(at(best_end - best + 1)) == rim.loop_near(at(best_end)))
+  if (best < least_strip_steps || rim.loop_near(at(best_end - best + 1)) == rim.loop_near(at(best_end)))
     return a;
   return at(best_end - 0.5 * (best - 1));
 }
