@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "criteria/nearest_sample.h"
+#include "run/halves.h"
 #include "run/thin_skeleton.h"
 #include "tolerance/sample_grid.h"
 
@@ -46,13 +47,7 @@ void find_bare(const NearestSample& samples, int label, TriangleId id, const Tri
       bare.push_back({c, id});
       continue;
     }
-    std::size_t longest = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (distance(t[i], t[(i + 1) % 3]) > distance(t[longest], t[(longest + 1) % 3])) longest = i;
-    Triangle3 first = t, second = t;
-    first[longest] = second[(longest + 1) % 3] = 0.5 * (t[longest] + t[(longest + 1) % 3]);
-    open.push_back(first);
-    open.push_back(second);
+    for (const Triangle3& half : halves(t)) open.push_back(half);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "run/halves.h"
 #include "run/proof_budget.h"
 #include "tolerance/facet_certificate.h"
 
@@ -38,20 +39,13 @@ std::vector<Piece> pieces_beyond(const ClosestPointIndex& mesh, const Triangle3&
     const Vec3 center = centroid(t);
     const double d = mesh.distance(center);
     double r = 0;
-    std::size_t longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      r = std::max(r, distance(t[i], center));
-      if (distance(t[i], t[(i + 1) % 3]) > distance(t[longest], t[(longest + 1) % 3])) longest = i;
-    }
+    for (const Vec3 p : t) r = std::max(r, distance(p, center));
     if (d + r <= limit) continue;
     if (r <= radius) {
       if (d > limit) beyond.push_back({t, center, d});
       continue;
     }
-    Triangle3 first = t, second = t;
-    first[longest] = second[(longest + 1) % 3] = 0.5 * (t[longest] + t[(longest + 1) % 3]);
-    open.push_back(first);
-    open.push_back(second);
+    for (const Triangle3& half : halves(t)) open.push_back(half);
   }
   return beyond;
 }

@@ -2,6 +2,7 @@
 #include "run/exposed_input.h"
 
 #include "base/parallel.h"
+#include "run/halves.h"
 #include "run/input_walls.h"
 
 #include <algorithm>
@@ -59,9 +60,8 @@ class WallPieces {
     for (std::size_t cuts = 0; !open.empty(); ++cuts) {
       const Triangle3 piece = open.back();
       open.pop_back();
-      const std::size_t longest = longest_edge(piece);
-      const Vec3 a = piece[longest], b = piece[(longest + 1) % 3];
-      const double size = distance(a, b);
+      const std::size_t longest = longest_edge_of(piece);
+      const double size = distance(piece[longest], piece[(longest + 1) % 3]);
       const bool near = walls_.near_another_part(t, piece);
       const bool cut = (near && size > volume_.thresholds().delta / 2) ||
                        (may_cross_ && size > finest_ && is_crossed(volume_.index(), t, piece));
@@ -72,22 +72,12 @@ class WallPieces {
         if (wall == Wall::of_closed_gap) pieces.closed_gap = centroid(piece);
         continue;
       }
-      Triangle3 first = piece, second = piece;
-      first[longest] = second[(longest + 1) % 3] = 0.5 * (a + b);
-      open.push_back(first);
-      open.push_back(second);
+      for (const Triangle3& half : halves(piece)) open.push_back(half);
     }
     return pieces;
   }
 
  private:
-  static std::size_t longest_edge(const Triangle3& t) {
-    std::size_t longest = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (distance(t[i], t[(i + 1) % 3]) > distance(t[longest], t[(longest + 1) % 3])) longest = i;
-    return longest;
-  }
-
   const ToleranceVolume& volume_;
   InputWalls walls_;
   double finest_;
