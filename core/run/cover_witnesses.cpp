@@ -173,7 +173,7 @@ void hold_side(const ToleranceVolume& volume, const InputWalls& walls, int label
 } // namespace
 
 CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const BoundarySamples& samples,
-                                    double limit, ThinPlaces where, const RunControl& control) {
+                                    double limit, const RunControl& control) {
   CoverWitnesses out;
   const double delta = volume.thresholds().delta;
   if (!volume.has_surface() || volume.has_rooms()) return out;
@@ -182,7 +182,7 @@ CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const Boundar
   const NearestSample nearest(samples.positions, samples.labels);
   std::optional<InputWalls> walls;
   for (const int label : {-1, +1}) {
-    if (!nearest.has(label) || (label > 0 && where == ThinPlaces::walls)) continue;
+    if (!nearest.has(label)) continue;
     std::vector<BarePiece> bare = bare_pieces(volume, nearest, label, reach, control);
     if (bare.empty() || control.cancelled()) continue;
     if (!walls) walls.emplace(volume);

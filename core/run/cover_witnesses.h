@@ -5,7 +5,6 @@
 #include "tolerance/boundary_sampler.h"
 #include "tolerance/tolerance_volume.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace isoscope {
@@ -18,12 +17,9 @@ struct CoverWitnesses {
   std::vector<Witness> path; ///< from what has a region to those: they are on their side at that end
 };
 
-/// What is held: where parts that touch are to be one, Ω closes gaps on purpose.
-enum class ThinPlaces : std::uint8_t { walls, walls_and_gaps };
-
 /// None of rooms, nor of soups where rays do not agree on a side, and where `limit` (absolute) is below 2δ:
 /// there Ω alone decides. What is thin and has no way to a region of its side is left.
 CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const BoundarySamples& samples,
-                                    double limit, ThinPlaces where, const RunControl& control);
+                                    double limit, const RunControl& control);
 
 } // namespace isoscope

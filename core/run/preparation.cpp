@@ -244,9 +244,8 @@ Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(double sigma)
 /// Z need not go into what is thinner than 2δ, but for the cover that is asked for.
 void Preparation::hold_thin_parts(const Scene& made, const CriteriaParameters& criteria) {
   if (!criteria.certified || !parameters_.cover || parameters_.topology == TopologyMode::separate) return;
-  CoverWitnesses found =
-      find_cover_witnesses(*volume_, *made.samples, *parameters_.cover * volume_->thresholds().delta,
-                           made.expected.joined ? ThinPlaces::walls : ThinPlaces::walls_and_gaps, control_);
+  CoverWitnesses found = find_cover_witnesses(*volume_, *made.samples,
+                                              *parameters_.cover * volume_->thresholds().delta, control_);
   volume_->hold(found.held, std::move(found.path));
 }
 

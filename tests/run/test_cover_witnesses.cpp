@@ -27,8 +27,7 @@ struct Bare : CompleteRun {
     REQUIRE(prepare());
   }
   CoverWitnesses found(double limit) const {
-    return find_cover_witnesses(*scene->volume, *scene->samples, limit, ThinPlaces::walls_and_gaps,
-                                RunControl());
+    return find_cover_witnesses(*scene->volume, *scene->samples, limit, RunControl());
   }
   /// The distance from p to the nearest sample or held point of a side.
   double bareness(Vec3 p, int label, const CoverWitnesses& cover) const {
