@@ -110,7 +110,6 @@ class BatchGate : public Gate {
   }
 };
 
-/// A verb as help tells it, and what it runs.
 const Verb verbs[] = {
     {{"replay", "RUN.isorun", "reads a recording"}, replay},
     {{"diff", "A.isorun B.isorun", "tells what differs between two"}, diff},

@@ -72,8 +72,7 @@ void keep_outer(std::vector<BarePiece>& bare, const ToleranceVolume& volume, con
   std::vector<std::uint8_t> kept(bare.size());
   parallel_until(bare.size(), wall_grain, control, [&](std::size_t i) {
     const Vec3 normal = normalized(area_vector(volume.index().triangle(bare[i].triangle)));
-    const Wall kind = walls.judge(bare[i].triangle, bare[i].middle, normal).kind;
-    kept[i] = kind == Wall::outer || (label < 0 && kind == Wall::of_closed_gap) ? 1 : 0;
+    kept[i] = walls.judge(bare[i].triangle, bare[i].middle, normal).bounds(label) ? 1 : 0;
   });
   std::size_t n = 0;
   for (std::size_t i = 0; i < bare.size(); ++i)

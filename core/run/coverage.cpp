@@ -4,6 +4,7 @@
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "run/halves.h"
+#include "run/lattice_cell.h"
 #include "run/proof_budget.h"
 #include "tolerance/facet_certificate.h"
 
@@ -50,20 +51,11 @@ std::vector<Piece> pieces_beyond(const ClosestPointIndex& mesh, const Triangle3&
   return beyond;
 }
 
-using Cell = std::array<std::int64_t, 3>;
-
-Cell cell_of(Vec3 p, Vec3 origin, double side) {
-  Cell cell{};
-  for (int k = 0; k < 3; ++k)
-    cell[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(std::floor((p[k] - origin[k]) / side));
-  return cell;
-}
-
 /// Joins pieces whose centroids lie in the same cell of a grid or in neighbouring ones.
 DisjointSets group(const std::vector<Piece>& pieces, Vec3 origin, double side) {
-  std::vector<std::pair<Cell, std::uint32_t>> by_cell;
+  std::vector<std::pair<LatticeCell, std::uint32_t>> by_cell;
   for (std::uint32_t i = 0; i < pieces.size(); ++i)
-    by_cell.emplace_back(cell_of(pieces[i].center, origin, side), i);
+    by_cell.emplace_back(lattice_cell(pieces[i].center, origin, side), i);
   std::sort(by_cell.begin(), by_cell.end());
   DisjointSets sets(pieces.size());
   for (std::size_t i = 0; i < by_cell.size(); ++i) {
@@ -72,7 +64,7 @@ DisjointSets group(const std::vector<Piece>& pieces, Vec3 origin, double side) {
       continue;
     }
     for (int k = 0; k < 27; ++k) {
-      Cell next = by_cell[i].first;
+      LatticeCell next = by_cell[i].first;
       next[0] += k % 3 - 1, next[1] += k / 3 % 3 - 1, next[2] += k / 9 - 1;
       const auto found = std::lower_bound(by_cell.begin(), by_cell.end(), std::pair(next, std::uint32_t{0}));
       if (found != by_cell.end() && found->first == next) sets.unite(by_cell[i].second, found->second);

@@ -19,6 +19,10 @@ struct WallVerdict {
   Wall kind = Wall::outer;
   int outward =
       +1; ///< of walls that are not inner: +1 where the normal that was given points outside, else -1
+
+  /// Whether a mesh has to be near because of the side of this label: no inner wall asks for that, nor the
+  /// outside in a gap that Ω closes.
+  bool bounds(int label) const { return kind == Wall::outer || (label < 0 && kind == Wall::of_closed_gap); }
 };
 
 /// Judges the walls of one input; of soups where many rays agree. Const and thread-safe; the volume must

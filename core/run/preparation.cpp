@@ -125,7 +125,6 @@ Result<double> Preparation::find_delta(Scene& made, const std::shared_ptr<const 
 
 /// Leaves points out that do not belong to the surface at this δ.
 Status Preparation::settle_points(Scene& made) {
-  if (!points_.points) return {};
   points_ = without_outliers(points_, made.delta, control_);
   const double boundary = volume_options(made.delta).boundary_ratio * made.delta;
   if (!control_.cancelled()) points_ = without_specks(points_, boundary, control_);

@@ -2,9 +2,8 @@
 #include "run/thin_skeleton.h"
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 
-#include <algorithm>
-#include <cmath>
 #include <queue>
 #include <utility>
 
@@ -44,11 +43,11 @@ double touching_radius(const ClosestPointIndex& index, Vec3 foot, Vec3 direction
   return radius;
 }
 
-template <class Visit> void for_neighbors(const std::array<std::int32_t, 3>& cell, const Visit& visit) {
-  for (std::int32_t x = -1; x <= 1; ++x)
-    for (std::int32_t y = -1; y <= 1; ++y)
-      for (std::int32_t z = -1; z <= 1; ++z)
-        if (x != 0 || y != 0 || z != 0) visit(std::array{cell[0] + x, cell[1] + y, cell[2] + z});
+template <class Visit> void for_neighbors(const LatticeCell& cell, const Visit& visit) {
+  for (std::int64_t x = -1; x <= 1; ++x)
+    for (std::int64_t y = -1; y <= 1; ++y)
+      for (std::int64_t z = -1; z <= 1; ++z)
+        if (x != 0 || y != 0 || z != 0) visit(LatticeCell{cell[0] + x, cell[1] + y, cell[2] + z});
 }
 
 } // namespace
@@ -61,13 +60,6 @@ ThinSkeleton::ThinSkeleton(const ToleranceVolume& volume, const InputWalls& wall
   find_ways(control);
 }
 
-ThinSkeleton::Cell ThinSkeleton::cell_at(Vec3 p) const {
-  Cell cell;
-  for (int i = 0; i < 3; ++i)
-    cell[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::floor((p[i] - origin_[i]) / side_));
-  return cell;
-}
-
 std::uint32_t ThinSkeleton::node_at(Vec3 p) const {
   const auto found = cells_.find(cell_at(p));
   if (found == cells_.end() || !nodes_[found->second].usable) return none;
@@ -77,21 +69,21 @@ std::uint32_t ThinSkeleton::node_at(Vec3 p) const {
 ThinSkeleton::Node ThinSkeleton::make_node(const Cell& cell) const {
   Node node;
   Vec3 center;
-  for (int i = 0; i < 3; ++i) center[i] = origin_[i] + (cell[static_cast<std::size_t>(i)] + 0.5) * side_;
+  for (int i = 0; i < 3; ++i)
+    center[i] = origin_[i] + (static_cast<double>(cell[static_cast<std::size_t>(i)]) + 0.5) * side_;
   const ClosestPoint closest = volume_.index().closest_within(center, 0.87 * side_);
   if (!closest.triangle.valid()) return node;
   const Triangle3& wall = volume_.index().triangle(closest.triangle);
   const Vec3 normal = normalized(area_vector(wall));
   if (normal == Vec3{}) return node;
   const WallVerdict verdict = walls_.judge(closest.triangle, closest.point, normal);
-  if (verdict.kind == Wall::inner || (label_ > 0 && verdict.kind == Wall::of_closed_gap)) return node;
+  if (!verdict.bounds(label_)) return node;
   const Vec3 direction = (verdict.outward > 0) == (label_ > 0) ? normal : -normal;
   const double boundary = volume_.thresholds().boundary;
-  node.foot = closest.point;
-  node.radius = touching_radius(volume_.index(), node.foot, direction, boundary);
-  node.middle = node.foot + node.radius * direction;
+  const double radius = touching_radius(volume_.index(), closest.point, direction, boundary);
+  node.middle = closest.point + radius * direction;
   node.usable = true;
-  node.root = node.radius >= root_radius * boundary;
+  node.root = radius >= root_radius * boundary;
   return node;
 }
 
@@ -99,8 +91,7 @@ void ThinSkeleton::grow(std::span<const Vec3> from, const RunControl& control) {
   std::vector<Cell> round;
   for (const Vec3 p : from) round.push_back(cell_at(p));
   while (!round.empty() && nodes_.size() < most_nodes && !control.cancelled()) {
-    std::sort(round.begin(), round.end());
-    round.erase(std::unique(round.begin(), round.end()), round.end());
+    sort_unique(round);
     std::erase_if(round, [&](const Cell& c) { return cells_.contains(c); });
     std::vector<Node> made(round.size());
     if (!parallel_until(round.size(), node_grain, control,

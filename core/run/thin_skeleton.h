@@ -3,13 +3,12 @@
 #pragma once
 
 #include "run/input_walls.h"
+#include "run/lattice_cell.h"
 #include "tolerance/tolerance_volume.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,9 +21,7 @@ class ThinSkeleton {
   static constexpr std::uint32_t none = 0xffffffffu;
 
   struct Node {
-    Vec3 foot;   ///< on the input
     Vec3 middle; ///< of the largest ball of the side that touches the input there, of radius δ' at most
-    double radius = 0;
     bool usable = false; ///< the wall bounds the side
     bool root = false;
     double way =
@@ -43,7 +40,7 @@ class ThinSkeleton {
   std::uint32_t node_at(Vec3 p) const;
 
  private:
-  using Cell = std::array<std::int32_t, 3>;
+  using Cell = LatticeCell;
 
   const ToleranceVolume& volume_;
   const InputWalls& walls_;
@@ -54,7 +51,7 @@ class ThinSkeleton {
   std::vector<Node> nodes_;
   std::vector<Cell> cell_of_; ///< by node
 
-  Cell cell_at(Vec3 p) const;
+  Cell cell_at(Vec3 p) const { return lattice_cell(p, origin_, side_); }
   Node make_node(const Cell& cell) const;
   void grow(std::span<const Vec3> from, const RunControl& control);
   bool strays(Vec3 a, Vec3 b) const;

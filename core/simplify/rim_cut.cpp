@@ -170,9 +170,8 @@ void RimCut::cut_edges(const std::vector<Edge>& edges) {
   }
 }
 
-/// The middle of the longest stretch between two points beyond that is kept; one of the points where there is
-/// none.
-Vec3 RimCut::strip_between(Vec3 a, Vec3 b) const {
+/// The middle of the longest stretch between two points beyond that is kept, where it is one of a strip.
+std::optional<Vec3> RimCut::strip_between(Vec3 a, Vec3 b) const {
   const double step = strip_step * volume_.thresholds().delta;
   const int steps = std::min(most_strip_steps, static_cast<int>(std::ceil(distance(a, b) / step)));
   int best = 0, best_end = 0, run = 0;
@@ -183,7 +182,7 @@ Vec3 RimCut::strip_between(Vec3 a, Vec3 b) const {
   const auto at = [&](double k) { return a + (k / steps) * (b - a); };
   const Rim& rim = volume_.open_sides()->rim();
   if (best < least_strip_steps || rim.loop_near(at(best_end - best + 1)) == rim.loop_near(at(best_end)))
-    return a;
+    return std::nullopt;
   return at(best_end - 0.5 * (best - 1));
 }
 
@@ -198,15 +197,14 @@ bool RimCut::find_strips() {
       if (!whole_.contains(e) && looked_at_.insert(e).second) edges.push_back(e);
     }
   std::sort(edges.begin(), edges.end());
-  std::vector<Vec3> at(edges.size());
+  std::vector<std::optional<Vec3>> at(edges.size());
   parallel_for(edges.size(), 8, [&](std::size_t i) {
     const auto [a, b] = segment(edges[i]);
     at[i] = strip_between(a, b);
   });
   bool found = false;
   for (std::size_t i = 0; i < edges.size() && !log_.stopped(); ++i)
-    if (at[i] != segment(edges[i])[0])
-      found |= split({edges[i], Reason::wall_over_rim, at[i], 0}, at[i], Place::kept);
+    if (at[i]) found |= split({edges[i], Reason::wall_over_rim, *at[i], 0}, *at[i], Place::kept);
   return found;
 }
 

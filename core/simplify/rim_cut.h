@@ -9,6 +9,7 @@
 #include "tolerance/tolerance_volume.h"
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -68,7 +69,7 @@ class RimCut {
   void cut_pinches();
   void cut_edges(const std::vector<Edge>& edges);
   std::vector<Edge> crossing_edges() const;
-  Vec3 strip_between(Vec3 a, Vec3 b) const;
+  std::optional<Vec3> strip_between(Vec3 a, Vec3 b) const;
   bool find_strips();
   /// False where a tetrahedron would turn over at any place that was tried.
   bool split(const RimSplit& split, Vec3 at, Place place);

@@ -5,6 +5,11 @@
 
 namespace isoscope::test {
 
+CompleteRun::CompleteRun(TriangleSoup input, double delta)
+    : soup(std::make_shared<const TriangleSoup>(std::move(input))) {
+  parameters.tolerance = {delta, false};
+}
+
 bool CompleteRun::prepare() {
   pipeline = std::make_unique<Pipeline>(parameters, journal, gate, control);
   auto prepared = pipeline->prepare(soup, notes);

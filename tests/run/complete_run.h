@@ -34,6 +34,8 @@ struct CompleteRun {
   std::optional<Error> error;
 
   explicit CompleteRun(RunParameters p) : parameters(std::move(p)) {}
+  /// On a soup, with an absolute δ.
+  CompleteRun(TriangleSoup input, double delta);
   /// Ω and S; false, with `error` set, when that failed.
   bool prepare();
   /// From where it is to the end, prepared before when it was not.

@@ -20,10 +20,8 @@ namespace {
 
 /// Ω and S of a soup, without anything held.
 struct Bare : CompleteRun {
-  Bare(TriangleSoup input, double delta) : CompleteRun({}) {
-    parameters.tolerance = {delta, false};
+  Bare(TriangleSoup input, double delta) : CompleteRun(std::move(input), delta) {
     parameters.cover.reset();
-    soup = std::make_shared<const TriangleSoup>(std::move(input));
     REQUIRE(prepare());
   }
   CoverWitnesses found(double limit) const {
@@ -137,10 +135,8 @@ TEST_CASE("Two thin fins beside each other with a thin gap between them are both
   for (Vec3& p : comb.points) p = {0.05 * p.x, p.y, p.z >= 2 ? 1.6 : p.z};
   for (Vec3& p : comb.points)
     if (p.z == 0) p.x = 2 * p.x - 0.125; // the base is wider
-  CompleteRun run({});
-  run.parameters.tolerance = {0.04, false};
+  CompleteRun run(comb, 0.04);
   run.parameters.effort = 1;
-  run.soup = std::make_shared<const TriangleSoup>(comb);
   REQUIRE(run.run());
   const Certificate& c = run.result->certificate;
   CHECK(c.covers);

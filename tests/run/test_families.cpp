@@ -18,12 +18,9 @@ namespace {
 
 /// To the end with the least effort, as validity does not depend on it.
 std::unique_ptr<CompleteRun> run_soup(TriangleSoup soup, double delta) {
-  RunParameters parameters;
-  parameters.input = "soup";
-  parameters.tolerance = {delta, false};
-  parameters.effort = 0;
-  auto run = std::make_unique<CompleteRun>(parameters);
-  run->soup = std::make_shared<const TriangleSoup>(std::move(soup));
+  auto run = std::make_unique<CompleteRun>(std::move(soup), delta);
+  run->parameters.input = "soup";
+  run->parameters.effort = 0;
   run->run();
   return run;
 }

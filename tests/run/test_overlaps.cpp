@@ -18,13 +18,10 @@ namespace {
 
 std::unique_ptr<CompleteRun> run_soup(TriangleSoup soup, double delta,
                                       SidesMode sides = SidesMode::automatic) {
-  RunParameters parameters;
-  parameters.input = "soup";
-  parameters.tolerance = {delta, false};
-  parameters.effort = 0;
-  parameters.sides = sides;
-  auto run = std::make_unique<CompleteRun>(parameters);
-  run->soup = std::make_shared<const TriangleSoup>(std::move(soup));
+  auto run = std::make_unique<CompleteRun>(std::move(soup), delta);
+  run->parameters.input = "soup";
+  run->parameters.effort = 0;
+  run->parameters.sides = sides;
   run->run();
   return run;
 }

@@ -18,11 +18,7 @@ namespace {
 
 /// A run on a soup with little effort.
 struct ThinRun : CompleteRun {
-  ThinRun(TriangleSoup input, double delta) : CompleteRun({}) {
-    parameters.tolerance = {delta, false};
-    parameters.effort = 0;
-    soup = std::make_shared<const TriangleSoup>(std::move(input));
-  }
+  ThinRun(TriangleSoup input, double delta) : CompleteRun(std::move(input), delta) { parameters.effort = 0; }
 };
 
 /// The number after "at most " in a remedy.

@@ -12,10 +12,18 @@
 
 using namespace isoscope;
 
-TEST_CASE("the distance grid is exact where it has samples, and has them all around Ω") {
+namespace {
+
+TriangleSoup torus() {
   TriangleSoup soup;
   testing::add_torus(soup, {0, 0, 0}, 1, 0.3, 24);
-  const ClosestPointIndex index(soup);
+  return soup;
+}
+
+} // namespace
+
+TEST_CASE("the distance grid is exact where it has samples, and has them all around Ω") {
+  const ClosestPointIndex index(torus());
   GridWish wish;
   wish.delta = 0.05;
   wish.voxel = 0.03;
@@ -55,9 +63,7 @@ TEST_CASE("the distance grid is exact where it has samples, and has them all aro
 }
 
 TEST_CASE("a grid that memory does not allow is as fine as it may be and says so") {
-  TriangleSoup soup;
-  testing::add_torus(soup, {0, 0, 0}, 1, 0.3, 24);
-  const ClosestPointIndex index(soup);
+  const ClosestPointIndex index(torus());
   GridWish wish;
   wish.delta = 0.01;
   wish.voxel = wish.coarsest = 0.005;
@@ -77,9 +83,7 @@ TEST_CASE("a grid that memory does not allow is as fine as it may be and says so
 }
 
 TEST_CASE("samples take one byte before voxels grow") {
-  TriangleSoup soup;
-  testing::add_torus(soup, {0, 0, 0}, 1, 0.3, 24);
-  const ClosestPointIndex index(soup);
+  const ClosestPointIndex index(torus());
   GridWish wish;
   wish.delta = 0.04;
   wish.voxel = wish.coarsest = 0.02;
@@ -103,9 +107,7 @@ TEST_CASE("samples take one byte before voxels grow") {
 }
 
 TEST_CASE("a grid of a part holds that part alone, as exactly") {
-  TriangleSoup soup;
-  testing::add_torus(soup, {0, 0, 0}, 1, 0.3, 24);
-  const ClosestPointIndex index(soup);
+  const ClosestPointIndex index(torus());
   GridWish wish;
   wish.delta = 0.04;
   wish.voxel = 0.005;
