@@ -1,7 +1,7 @@
 # Finds everything we link against, from the system alone; the reasons are in third_party/README.md.
 #
 # Targets for the rest of the build: CGAL::CGAL, TBB::tbb, nlohmann_json::nlohmann_json, CLI11::CLI11,
-# nanoflann::nanoflann, SQLite::SQLite3, ZLIB::ZLIB;
+# nanoflann::nanoflann, SQLite::SQLite3, ZLIB::ZLIB, and MPI::MPI_C where it is there;
 # with ISOSCOPE_VIEWER: glfw, X11::X11, imgui::imgui (with its GLFW, OpenGL 3 and FreeType parts), glm::glm, glad::glad, stb::stb;
 # with ISOSCOPE_TESTS: doctest::doctest, and meshoptimizer::meshoptimizer where it is there.
 
@@ -42,6 +42,16 @@ if(ISOSCOPE_OPENVDB) # whose own module asks for more than its reader needs
     list(APPEND OPENVDB_LIBRARIES ${OPENVDB_HALF})
   endif()
   isoscope_need("OpenVDB's headers" "${OPENVDB_HEADERS}" "${OPENVDB_HEADERS}" libopenvdb-dev)
+endif()
+
+# isoscope-mpi is built where there is one.
+find_package(MPI QUIET COMPONENTS C)
+if(MPI_C_FOUND)
+  message(STATUS "Dependency MPI ${MPI_C_VERSION}: ${MPI_C_HEADER_DIR}")
+  # Of the C++ bindings, which were taken out of the standard, older headers have some.
+  set_property(TARGET MPI::MPI_C APPEND PROPERTY INTERFACE_COMPILE_DEFINITIONS OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+else()
+  message(STATUS "Dependency MPI: none; isoscope-mpi is not built")
 endif()
 
 if(ISOSCOPE_TESTS)

@@ -12,6 +12,7 @@
 #include "cli/verbs.h"
 #include "input/mesh_io.h"
 #include "run/report.h"
+#include "tiles/tile_progress.h"
 #include "tiles/tile_work.h"
 
 #include <cmath>
@@ -171,6 +172,19 @@ int join(int argc, char** argv) {
   return deliver(*found, outputs, quiet, work);
 }
 
+/// The tiles by state, why some failed, and the time that is left.
+std::string told(const TileProgress& p) {
+  std::string states = grouped(p.count(TileState::made)) + " of " + grouped(p.tiles.size()) + " made";
+  for (const TileState state : {TileState::in_hand, TileState::lost, TileState::failed})
+    if (p.count(state) > 0) states += ", " + grouped(p.count(state)) + " " + std::string(name(state));
+  std::string text = line("Tiles", states);
+  for (std::size_t i = 0; i < p.tiles.size(); ++i)
+    if (p.tiles[i].state == TileState::failed)
+      text += line("", "tile " + std::to_string(i) + " failed: " + p.tiles[i].words);
+  if (const std::string left = time_left_words(p); !left.empty()) text += line("Left", left);
+  return text;
+}
+
 int status(int argc, char** argv) {
   CommandLine app{"Tells how far the tiles of a folder are.", "isoscope-run tiles status"};
   std::string folder;
@@ -203,9 +217,10 @@ int status(int argc, char** argv) {
                             general(std::ldexp(bricks_of_tile * found->manifest().brick, r.tiling.level), 4) +
                             ", moved by " + std::to_string(r.tiling.shift) + "/4") +
                  ", effort " + std::to_string(r.effort)) +
-        line("Tiles", std::to_string(r.tiles.size() - found->pending(r).size()) + " of " +
-                          std::to_string(r.tiles.size()) + " made") +
         line("Z", grouped(r.facets) + " facets before the round");
+    const auto progress = progress_of(*found);
+    if (!progress) return fail(progress.error());
+    text += told(*progress);
   }
   const Status printed = print(text);
   return printed ? 0 : fail(printed.error(), 1);

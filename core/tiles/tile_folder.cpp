@@ -93,9 +93,9 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-Result<std::vector<Triangle3>> facets_in(const fs::path& folder, const Box3& box) {
+Result<std::vector<Triangle3>> facets_of_files(const std::vector<fs::path>& files, const Box3& box) {
   std::vector<Triangle3> facets;
-  for (const fs::path& file : files_in(folder))
+  for (const fs::path& file : files)
     if (Status read = read_facets(file, box, facets); !read) return read.error();
   return facets;
 }
@@ -198,12 +198,23 @@ fs::path TileFolder::output(std::uint32_t round, const GridPlace& tile) const {
   return z_folder(folder_, round) / (name_of(tile) + ".facets");
 }
 
+fs::path TileFolder::note(std::uint32_t round, const GridPlace& tile) const {
+  return z_folder(folder_, round) / (name_of(tile) + ".json");
+}
+
 Result<std::vector<Triangle3>> TileFolder::z_before(std::uint32_t round, const Box3& box) const {
-  return facets_in(z_folder(folder_, round - 1), box);
+  if (round < 2) return facets_of_files(files_in(z_folder(folder_, 0)), box);
+  // By their names: what another machine has just written may be missing in a list that is some seconds old.
+  const auto before = read_round(round_file(folder_, round - 1), round - 1);
+  if (!before) return before.error();
+  std::vector<fs::path> files;
+  for (const TileWork& w : before->tiles) files.push_back(output(before->number, w.tile));
+  std::sort(files.begin(), files.end());
+  return facets_of_files(files, box);
 }
 
 Result<std::vector<Triangle3>> TileFolder::input(const Box3& box) const {
-  return facets_in(folder_ / "input", box);
+  return facets_of_files(files_in(folder_ / "input"), box);
 }
 
 std::vector<std::size_t> TileFolder::pending(const TileRound& round) const {
@@ -225,7 +236,7 @@ Result<std::vector<TileRound>> TileFolder::begun() const {
   return rounds;
 }
 
-Result<std::optional<TileRound>> TileFolder::next(const std::vector<TileRound>& begun) const {
+Result<std::optional<TileRound>> TileFolder::plan(const std::vector<TileRound>& begun) const {
   const auto done = static_cast<std::uint32_t>(begun.size());
   const auto loads = loads_of(z_folder(folder_, done), folder_ / "input");
   if (!loads) return loads.error();
@@ -243,12 +254,20 @@ Result<std::optional<TileRound>> TileFolder::next(const std::vector<TileRound>& 
   for (const auto& [tile, facets] : tiles) round.tiles.push_back({tile, facets});
   std::stable_sort(round.tiles.begin(), round.tiles.end(),
                    [](const TileWork& a, const TileWork& b) { return a.facets > b.facets; });
-  std::error_code failed;
-  fs::create_directories(z_folder(folder_, round.number), failed);
-  if (Status written = write_text_file(round_file(folder_, round.number), text_of(round)); !written)
-    return written.error();
-  if (done > 0) fs::remove_all(z_folder(folder_, done - 1), failed);
   return std::optional(round);
+}
+
+Result<std::optional<TileRound>> TileFolder::next(const std::vector<TileRound>& begun) const {
+  auto planned = plan(begun);
+  if (!planned || !*planned) return planned;
+  const std::uint32_t number = (*planned)->number;
+  std::error_code failed;
+  fs::create_directories(z_folder(folder_, number), failed);
+  // The order is what is_over() rests on.
+  if (Status written = write_text_file(round_file(folder_, number), text_of(**planned)); !written)
+    return written.error();
+  if (number > 1) fs::remove_all(z_folder(folder_, number - 2), failed);
+  return planned;
 }
 
 Result<std::optional<TileRound>> TileFolder::round() const {
@@ -266,6 +285,26 @@ Result<std::uint32_t> TileFolder::complete_rounds() const {
   if (!rounds) return rounds.error();
   const auto n = static_cast<std::uint32_t>(rounds->size());
   return n > 0 && !pending(rounds->back()).empty() ? n - 1 : n;
+}
+
+Result<std::optional<TileRound>> TileFolder::last_begun() const {
+  const auto rounds = begun();
+  if (!rounds) return rounds.error();
+  return rounds->empty() ? std::optional<TileRound>() : std::optional(rounds->back());
+}
+
+Result<bool> TileFolder::is_last(const TileRound& round) const {
+  auto rounds = begun();
+  if (!rounds) return rounds.error();
+  if (rounds->size() > round.number) return false;
+  const auto follows = plan(*rounds);
+  if (!follows) return follows.error();
+  return !*follows;
+}
+
+bool TileFolder::is_over(std::uint32_t round) const {
+  std::error_code failed;
+  return fs::exists(round_file(folder_, round + 1), failed);
 }
 
 } // namespace isoscope

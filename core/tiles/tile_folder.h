@@ -5,6 +5,7 @@
 //   input/x_y_z       the input's triangles, turned outwards
 //   rounds/N.json     the tiling of round N, with its tiles, heaviest first
 //   z/N/x_y_z         the facets of Z that a tile of round N has left; z/0 is the first Z
+//   z/N/x_y_z.json    what programs say of that tile, see tile_notes.h
 #pragma once
 
 #include "base/status.h"
@@ -27,7 +28,7 @@ struct TileManifest {
   double brick = 0; ///< side, a power of two
   Box3 box;         ///< of the input
   std::uint64_t triangles = 0;
-  double memory = 0; ///< bytes that the improver may take for a tile
+  double memory = 0;      ///< bytes that the improver may take for a tile
   std::vector<Vec3> held; ///< points in thin parts that Z keeps on their side, so that it stays near
 };
 
@@ -67,9 +68,18 @@ class TileFolder {
   std::vector<std::size_t> pending(const TileRound& round) const;
   /// Rounds that are complete.
   Result<std::uint32_t> complete_rounds() const;
+  /// The round that was begun last, for who only looks: nothing is begun by that. Nothing where none was.
+  Result<std::optional<TileRound>> last_begun() const;
+  /// Whether no round follows one whose tiles are all there, as far as its files tell; begins none either.
+  Result<bool> is_last(const TileRound& round) const;
+  /// Whether a later round was begun: then all tiles of this one are there, and what they were made from may
+  /// be gone.
+  bool is_over(std::uint32_t round) const;
 
   std::filesystem::path output(std::uint32_t round, const GridPlace& tile) const;
-  /// Facets of Z before a round, and triangles of the input, whose bricks' boxes meet a box.
+  std::filesystem::path note(std::uint32_t round, const GridPlace& tile) const;
+  /// Facets of Z before a round, and triangles of the input, whose bricks' boxes meet a box. What was read of
+  /// a round that is over by then may lack some.
   Result<std::vector<Triangle3>> z_before(std::uint32_t round, const Box3& box) const;
   Result<std::vector<Triangle3>> input(const Box3& box) const;
 
@@ -77,6 +87,7 @@ class TileFolder {
   TileFolder(std::filesystem::path folder, TileManifest manifest)
       : folder_(std::move(folder)), manifest_(std::move(manifest)) {}
   Result<std::vector<TileRound>> begun() const;
+  Result<std::optional<TileRound>> plan(const std::vector<TileRound>& begun) const;
   Result<std::optional<TileRound>> next(const std::vector<TileRound>& begun) const;
 
   std::filesystem::path folder_;

@@ -2,22 +2,29 @@
 #include "tiles/tile_work.h"
 
 #include "base/memory.h"
+#include "base/numbers.h"
 #include "base/point_order.h"
 #include "base/stopwatch.h"
 #include "improve/improver.h"
 #include "run/crumbs.h"
 #include "simplify/first_surface.h"
+#include "tiles/tile_notes.h"
 #include "tolerance/piece_witnesses.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
+#include <new>
 #include <system_error>
+#include <thread>
 
 namespace isoscope {
 namespace {
 
 /// In δ: repairs look no farther, and what is farther from a tile matters to nothing in it.
 constexpr double input_reach = 3;
+/// How long one waits before looking anew whether others are done with what is left of a round.
+constexpr std::chrono::milliseconds while_others_work{20};
 
 Error cancelled_error() {
   return {ErrorCode::cancelled, "The run was stopped.", "What is done is kept: go on with the same folder."};
@@ -106,6 +113,39 @@ Status improve_tile(const TileFolder& folder, const TileRound& round, const Chan
   return control.cancelled() ? Status(cancelled_error()) : Status();
 }
 
+Status write_tile(const TileFolder& folder, const TileRound& round, const GridPlace& place,
+                  const RunControl& control) {
+  const TileGrid grid = folder.grid();
+  const ChangeBox bounds = grid.bounds(round.tiling, place);
+  auto at = read_surroundings(folder, round, bounds);
+  if (folder.is_over(round.number)) return {}; // what was read may be less than there was
+  if (!at) return at.error();
+  const bool any = std::any_of(at->z.triangles.begin(), at->z.triangles.end(), [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return bounds.holds(at->z.points[v]); });
+  });
+  if (any)
+    if (Status improved = improve_tile(folder, round, bounds, *at, control); !improved) return improved;
+  std::vector<Triangle3> own = facets_of(at->z);
+  std::erase_if(own, [&](const Triangle3& f) {
+    return grid.tile_of(round.tiling, grid.brick_of(canonical(f)[0])) != place;
+  });
+  return write_facets(folder.output(round.number, place), grid, std::move(own));
+}
+
+/// One of these tiles that nobody is known to be at, else one that another machine was at last, which may be
+/// dead; nothing while programs of this one are at all of them.
+std::optional<std::size_t> first_in_no_hand(const TileFolder& folder, const TileRound& round,
+                                            const std::vector<std::size_t>& pending) {
+  std::optional<std::size_t> elsewhere;
+  for (const std::size_t tile : pending) {
+    const TileReport report = report_of(folder, round.number, round.tiles[tile].tile);
+    if (report.state == TileState::made) continue; // meanwhile
+    if (report.state != TileState::in_hand) return tile;
+    if (!report.here && !elsewhere) elsewhere = tile;
+  }
+  return elsewhere;
+}
+
 } // namespace
 
 Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::filesystem::path& folder,
@@ -145,21 +185,21 @@ bool is_run_of(const TileFolder& folder, const RunParameters& parameters, double
 
 Status make_tile(const TileFolder& folder, const TileRound& round, std::size_t tile,
                  const RunControl& control) {
-  const GridPlace& place = round.tiles[tile].tile;
-  const TileGrid grid = folder.grid();
-  const ChangeBox bounds = grid.bounds(round.tiling, place);
-  auto at = read_surroundings(folder, round, bounds);
-  if (!at) return at.error();
-  const bool any = std::any_of(at->z.triangles.begin(), at->z.triangles.end(), [&](const auto& t) {
-    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return bounds.holds(at->z.points[v]); });
-  });
-  if (any)
-    if (Status improved = improve_tile(folder, round, bounds, *at, control); !improved) return improved;
-  std::vector<Triangle3> own = facets_of(at->z);
-  std::erase_if(own, [&](const Triangle3& f) {
-    return grid.tile_of(round.tiling, grid.brick_of(canonical(f)[0])) != place;
-  });
-  return write_facets(folder.output(round.number, place), grid, std::move(own));
+  TileInHand hand(folder, round.number, round.tiles[tile].tile);
+  Status made;
+  try {
+    made = write_tile(folder, round, round.tiles[tile].tile, control);
+  } catch (const std::bad_alloc&) {
+    made = Error{ErrorCode::internal,
+                 "Memory is exhausted by a tile of " + grouped(round.tiles[tile].facets) + " facets.",
+                 "Cut the input anew with a smaller --tile-memory, or take a machine that has more."};
+  }
+  if (folder.is_over(round.number)) return {}; // others have made it
+  if (made)
+    hand.made();
+  else if (made.error().code != ErrorCode::cancelled)
+    hand.failed(made.error());
+  return made;
 }
 
 Status make_tile_if_missing(const TileFolder& folder, const TileRound& round, std::size_t tile,
@@ -174,13 +214,19 @@ Status make_all_tiles(const TileFolder& folder, const RunControl& control) {
     const auto round = folder.round();
     if (!round) return round.error();
     if (!*round) return {};
-    const std::vector<std::size_t> pending = folder.pending(**round);
-    const std::size_t done = (*round)->tiles.size() - pending.size();
-    for (std::size_t i = 0; i < pending.size(); ++i) {
-      control.report("tiles, round " + std::to_string((*round)->number),
-                     static_cast<double>(done + i) / static_cast<double>((*round)->tiles.size()));
+    const std::string part = "tiles, round " + std::to_string((*round)->number);
+    for (;;) {
+      const std::vector<std::size_t> pending = folder.pending(**round);
+      if (pending.empty()) break;
+      const std::size_t all = (*round)->tiles.size();
+      control.report(part, static_cast<double>(all - pending.size()) / static_cast<double>(all));
       if (control.cancelled()) return cancelled_error();
-      if (Status made = make_tile_if_missing(folder, **round, pending[i], control); !made) return made;
+      const auto tile = first_in_no_hand(folder, **round, pending);
+      if (!tile) {
+        std::this_thread::sleep_for(while_others_work);
+        continue;
+      }
+      if (Status made = make_tile_if_missing(folder, **round, *tile, control); !made) return made;
     }
   }
 }

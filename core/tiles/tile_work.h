@@ -20,8 +20,9 @@ Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::fi
 bool is_run_of(const TileFolder& folder, const RunParameters& parameters, double memory);
 
 /// Improves the facets of one tile of a round that lie in it with all corners, and writes what it has then.
-/// The bytes depend on the folder alone, not on who makes them when. Fails with io, bad_input or cancelled;
-/// then nothing is written.
+/// The bytes depend on the folder alone, not on who makes them when. Where others have ended the round
+/// meanwhile nothing is left to do. Fails with io, bad_input, cancelled, or internal where memory is
+/// exhausted; then nothing is written but a note of it.
 Status make_tile(const TileFolder& folder, const TileRound& round, std::size_t tile,
                  const RunControl& control);
 
@@ -29,7 +30,8 @@ Status make_tile(const TileFolder& folder, const TileRound& round, std::size_t t
 Status make_tile_if_missing(const TileFolder& folder, const TileRound& round, std::size_t tile,
                             const RunControl& control);
 
-/// Makes all tiles that are left, round after round.
+/// Makes all tiles that are left, round after round. Programs that do this at once share the tiles; towards
+/// the end of a round one that another machine was at last is made anew, as it may have been left.
 Status make_all_tiles(const TileFolder& folder, const RunControl& control);
 
 struct JoinedTiles {

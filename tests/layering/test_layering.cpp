@@ -86,6 +86,8 @@ TEST_CASE("libraries stay in their places") {
   CHECK(includes("viewer/scene/camera.cpp", "#include <CGAL/Point_3.h>") == 1);
   CHECK(includes("core/base/parallel.cpp", "#include <oneapi/tbb/parallel_for.h>") == 0);
   CHECK(includes("core/mesh/delaunay.cpp", "#include <tbb/parallel_for.h>") == 1);
+  CHECK(includes("core/cli/isoscope_mpi.cpp", "#include <mpi.h>") == 0);
+  CHECK(includes("core/cli/tiles.cpp", "#include <mpi.h>") == 1);
   CHECK(includes("core/run/session.cpp", "#include <glm/glm.hpp>") == 1);
   CHECK(includes("core/run/session.cpp", "#  include <glad/gl.h>") == 1);
   CHECK(includes("core/run/session.cpp", "#include <GLFW/glfw3.h>") == 1);
