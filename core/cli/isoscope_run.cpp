@@ -114,7 +114,7 @@ const Verb verbs[] = {
     {{"replay", "RUN.isorun", "reads a recording"}, replay},
     {{"diff", "A.isorun B.isorun", "tells what differs between two"}, diff},
     {{"recover", "BROKEN.isorun -o OUT.isorun", "saves what is sound in a damaged one"}, recover},
-    {{"tiles", "cut|step|join|status", "makes a run in tiles, in parts"}, tiles},
+    {{"tiles", "cut|step|rerun|join|status", "makes a run in tiles, in parts"}, tiles},
 };
 
 void note(const std::string& text) {

@@ -13,6 +13,7 @@
 #include "run/recorded_run.h"
 #include "run/replay_check.h"
 #include "run/statistics.h"
+#include "tiles/tile_run.h"
 
 #include <cstdio>
 #include <string>
@@ -64,8 +65,11 @@ int check_it(const ReplayOptions& options, const RecordedRun& r) {
   RunControl control;
   ProgressLine progress(!options.quiet);
   control.on_progress([&](std::string_view part, double fraction) { progress.part(part, fraction); });
-  const auto verdict = check_replay(r.parameters, r.reader->header().input, *r.journal, r.end.has_value(),
-                                    control, r.reader->header().notes);
+  const RecordingHeader& header = r.reader->header();
+  auto tile = tile_start(r.parameters, header.input, *r.journal);
+  const auto verdict =
+      tile ? check_tile_replay(std::move(*tile), *r.journal, r.end.has_value(), control)
+           : check_replay(r.parameters, header.input, *r.journal, r.end.has_value(), control, header.notes);
   progress.finish();
   if (!verdict) return fail(verdict.error());
   if (!verdict->same) {

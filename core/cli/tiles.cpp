@@ -13,6 +13,7 @@
 #include "input/mesh_io.h"
 #include "run/report.h"
 #include "tiles/tile_progress.h"
+#include "tiles/tile_run.h"
 #include "tiles/tile_work.h"
 
 #include <cmath>
@@ -106,6 +107,12 @@ int cut(int argc, char** argv) {
   return printed ? 0 : fail(printed.error(), 1);
 }
 
+Result<std::size_t> read_tile(const std::string& text) {
+  const auto number = read_number<std::size_t>(text);
+  if (number) return *number;
+  return Error{ErrorCode::usage, "--tile is " + text + ", which is no number.", "Tiles count from 0."};
+}
+
 int step(int argc, char** argv) {
   CommandLine app{
       "Improves tiles of a folder: one, those of the round at hand, or all there are until the end. "
@@ -132,19 +139,57 @@ int step(int argc, char** argv) {
   if (tile.empty()) {
     made = make_all_tiles(*found, work.control);
   } else {
-    char* end = nullptr;
-    const unsigned long number = std::strtoul(tile.c_str(), &end, 10);
-    if (*end != '\0' || tile[0] == '-')
-      return fail({ErrorCode::usage, "--tile is " + tile + ", which is no number.", "Tiles count from 0."},
-                  2);
+    const auto number = read_tile(tile);
+    if (!number) return fail(number.error(), 2);
     const auto round = found->round();
     if (!round) return work.ended(round.error());
-    if (*round && number < (*round)->tiles.size())
-      made = make_tile_if_missing(*found, **round, number, work.control);
+    if (*round && *number < (*round)->tiles.size())
+      made = make_tile_if_missing(*found, **round, *number, work.control);
   }
   if (!made) return work.ended(made.error());
   work.finish();
   return 0;
+}
+
+int rerun(int argc, char** argv) {
+  CommandLine app{
+      "Makes a tile of the round that was begun last once more, as a run with a journal, and records it: "
+      "all of Z is there, and one tile of it changes. The tiles stay as they are. Ω and the "
+      "certificate are of the whole input, which has to fit into the memory.",
+      "isoscope-run tiles rerun"};
+  std::string folder, tile, recording;
+  unsigned threads = 0;
+  bool quiet = false;
+  app.option("FOLDER", folder, "of isoscope-run tiles cut", true);
+  app.option("--tile", tile, "the number of the tile, from 0 on", true);
+  app.option("--record", recording, "where the recording goes: RUN.isorun", true);
+  app.option("--threads", threads, "number of threads, 0 for all cores");
+  app.flag("--quiet", quiet, "print nothing but warnings and errors");
+  app.exit_status(
+      "0 recorded, and Z is as the tile's file has it where that is there; 1 it is not, or a file "
+      "cannot be written; 2 usage; 3 a file is damaged; 4 stopped.");
+  if (const auto ended = app.parse(argc, argv)) return *ended;
+  if (Status whole = app.check_values(); !whole) return fail(whole.error(), 2);
+  const auto number = read_tile(tile);
+  if (!number) return fail(number.error(), 2);
+  const auto found = TileFolder::open(folder);
+  if (!found) return fail(found.error());
+  const auto round = found->last_begun();
+  if (!round) return fail(round.error());
+  Work work(threads, quiet);
+  const auto made = record_tile(*found, round->value_or(TileRound()), *number, recording, work.control);
+  if (!made) return work.ended(made.error());
+  work.finish();
+  if (made->result.end != RunResult::End::finished) return 4;
+  if (made->as_made == false)
+    return fail({ErrorCode::internal, "Z is not what the tile's file has.",
+                 "Was it made by another version of the program?"},
+                1);
+  if (quiet) return 0;
+  const Status printed =
+      print(line("Recording", recording + ": " + counted(made->operations, "operation") +
+                                  (made->as_made ? ", the tile comes out as its file has it" : "")));
+  return printed ? 0 : fail(printed.error(), 1);
 }
 
 int join(int argc, char** argv) {
@@ -229,6 +274,7 @@ int status(int argc, char** argv) {
 const Verb parts[] = {
     {{"cut", "MODEL FOLDER --tolerance P", "cuts an input into tiles"}, cut},
     {{"step", "FOLDER [--tile K]", "improves tiles"}, step},
+    {{"rerun", "FOLDER --tile K --record RUN.isorun", "makes a tile once more and records it"}, rerun},
     {{"join", "FOLDER -o OUT", "joins them, proves the mesh and writes it"}, join},
     {{"status", "FOLDER", "tells how far they are"}, status},
 };
@@ -274,7 +320,7 @@ int tiles(int argc, char** argv) {
                   "isoscope-run tiles"};
   for (const Verb& part : parts) app.verb(part.told);
   if (const auto ended = app.parse(argc, argv)) return *ended;
-  return fail({ErrorCode::usage, "Which part?", "cut, step, join or status; --help tells more."}, 2);
+  return fail({ErrorCode::usage, "Which part?", "cut, step, rerun, join or status; --help tells more."}, 2);
 }
 
 } // namespace isoscope

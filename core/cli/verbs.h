@@ -10,7 +10,7 @@ int replay(int argc, char** argv);
 /// What differs between two recorded runs. As diff(1): 0 when they are the same, 1 when they differ, 2 for
 /// wrong usage and files that cannot be read.
 int diff(int argc, char** argv);
-/// A run in tiles, in parts: cut, step, join, status.
+/// A run in tiles, in parts: cut, step, rerun, join, status.
 int tiles(int argc, char** argv);
 /// What is sound in a damaged recording becomes a recording of its own.
 int recover(int argc, char** argv);

@@ -1,10 +1,10 @@
 // Translates between ids of the state and those of the improver's mesh.
 #include "improve/free_improvement.h"
 
-#include "improve/improver.h"
 #include "improve/improver_log.h"
 
 #include <limits>
+#include <optional>
 
 namespace isoscope {
 
@@ -16,11 +16,16 @@ struct Numbering {
   std::vector<VertexId> vertices; ///< by vertex of the mesh
   std::vector<FacetId> facets;    ///< by facet of the mesh
 
-  explicit Numbering(const Complex& complex) {
+  /// With a box of those facets alone whose boxes meet it.
+  explicit Numbering(const Complex& complex, const std::optional<ChangeBox>& box = std::nullopt) {
     constexpr std::uint32_t none = 0xffffffffu;
     std::vector<std::uint32_t> number(complex.vertices.size(), none);
+    const auto wanted = [&](const ZeroFacet& f) {
+      const auto at = [&](std::size_t k) { return complex.vertices[f.v.at(k).index()].position; };
+      return f.alive() && (!box || is_near({box->lo, box->hi}, {at(0), at(1), at(2)}));
+    };
     for (std::size_t f = 0; f < complex.facets.size(); ++f) {
-      if (!complex.facets[f].alive()) continue;
+      if (!wanted(complex.facets[f])) continue;
       for (const VertexId v : complex.facets[f].v) number[v.index()] = 0;
     }
     for (std::size_t v = 0; v < number.size(); ++v) {
@@ -31,7 +36,7 @@ struct Numbering {
     }
     for (std::size_t f = 0; f < complex.facets.size(); ++f) {
       const ZeroFacet& facet = complex.facets[f];
-      if (!facet.alive()) continue;
+      if (!wanted(facet)) continue;
       facets.push_back(FacetId(f));
       mesh.triangles.push_back(
           {number[facet.v[0].index()], number[facet.v[1].index()], number[facet.v[2].index()]});
@@ -43,9 +48,9 @@ struct Numbering {
 /// Applies the improver's changes to the state.
 class FreeLog : public ImproverLog {
  public:
-  FreeLog(Complex& complex, const Numbering& numbering, double delta, StageLog& log)
-      : ImproverLog(delta, log), complex_(complex), numbering_(numbering),
-        vertices_(numbering.vertices.size()) {}
+  /// `vertices`: of all of Z.
+  FreeLog(Complex& complex, const Numbering& numbering, std::size_t vertices, double delta, StageLog& log)
+      : ImproverLog(delta, log), complex_(complex), numbering_(numbering), vertices_(vertices) {}
 
  private:
   VertexId vertex(std::uint32_t v) const override { return numbering_.vertices[v]; }
@@ -81,9 +86,16 @@ Delta FreeLog::follow(const SurfaceChange& change) {
 
 void improve_free_zero_set(Complex& complex, const EvaluationContext& context, int effort, StageLog& log) {
   Numbering numbering(complex);
-  FreeLog recording(complex, numbering, context.criteria.delta, log);
+  FreeLog recording(complex, numbering, numbering.vertices.size(), context.criteria.delta, log);
   improve(numbering.mesh, context.volume, context.nearest, improver_options(context.criteria, effort),
           log.control(), recording);
+}
+
+void improve_free_piece(Complex& complex, const ImproverGround& ground, const ImproverOptions& options,
+                        StageLog& log) {
+  Numbering numbering(complex, ground.box);
+  FreeLog recording(complex, numbering, Numbering(complex).vertices.size(), ground.delta, log);
+  improve(numbering.mesh, ground, nullptr, options, log.control(), recording);
 }
 
 } // namespace isoscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collapse/collapse_checks.h"
+#include "improve/improver.h"
 #include "journal/stage_log.h"
 #include "mesh/complex.h"
 
@@ -10,5 +11,9 @@ namespace isoscope {
 /// Improves the free Z of `complex` in place until nothing is gained or the log says stop. Every change is
 /// recorded; the state is valid after each.
 void improve_free_zero_set(Complex& complex, const EvaluationContext& context, int effort, StageLog& log);
+
+/// The same for the part of it in `ground.box`: the improver sees the facets whose boxes meet that one.
+void improve_free_piece(Complex& complex, const ImproverGround& ground, const ImproverOptions& options,
+                        StageLog& log);
 
 } // namespace isoscope

@@ -58,6 +58,33 @@ std::vector<RecordedBranch> branches_of(const Journal& recorded) {
   return branches;
 }
 
+/// What differs in an event of both journals, and its operation; empty where nothing does.
+std::string difference(const Journal& recorded, const Journal& journal, std::size_t i) {
+  const Event &was = recorded.events()[i], &is = journal.events()[i];
+  if (digest_of(was) != digest_of(is)) return "its numbers";
+  if (recorded.texts()[was.text] != journal.texts()[is.text]) return "its text";
+  if (recorded.repairs()[was.detail] != journal.repairs()[is.detail]) return "the sweeps of its repair";
+  if (!was.operation) return {};
+  const Operation &a = recorded.operations()[was.step], &b = journal.operations()[is.step];
+  if (digest(a.delta()) != digest(b.delta())) return "what it changed";
+  if (!same_figures(a.figures, b.figures)) return "the figures after it";
+  if (const auto set = a.delta().sample_set;
+      set && !same_samples(*recorded.sample_sets()[set->after], *journal.sample_sets()[set->after]))
+    return "its samples";
+  return {};
+}
+
+/// Writes down that the next event differs.
+void differ(ReplayVerdict& verdict, const Journal& recorded, const Journal& journal,
+            const std::string& what) {
+  const std::size_t i = verdict.events;
+  verdict.same = false;
+  verdict.step = recorded.events()[i].step;
+  verdict.difference = "Event " + std::to_string(i) + " at step " + std::to_string(verdict.step) +
+                       " differs in " + what + ": recorded \"" + describe(recorded, recorded.events()[i]) +
+                       "\", now \"" + describe(journal, journal.events()[i]) + "\".";
+}
+
 /// Compares each event as the new run makes it, and steers the run as the recorded one was steered.
 class ComparingGate : public Gate {
  public:
@@ -94,33 +121,12 @@ class ComparingGate : public Gate {
   bool ended_ = false;
   std::optional<RecordedBranch> branch_;
 
-  void differ(const Journal& journal, const std::string& what) {
-    const std::size_t i = verdict_->events;
-    verdict_->same = false;
-    verdict_->step = recorded_->events()[i].step;
-    verdict_->difference = "Event " + std::to_string(i) + " at step " + std::to_string(verdict_->step) +
-                           " differs in " + what + ": recorded \"" +
-                           describe(*recorded_, recorded_->events()[i]) + "\", now \"" +
-                           describe(journal, journal.events()[i]) + "\".";
-  }
-
   void compare_next(const Journal& journal) {
-    const std::size_t i = verdict_->events;
-    const Event &was = recorded_->events()[i], &is = journal.events()[i];
-    if (digest_of(was) != digest_of(is)) return differ(journal, "its numbers");
-    if (recorded_->texts()[was.text] != journal.texts()[is.text]) return differ(journal, "its text");
-    if (recorded_->repairs()[was.detail] != journal.repairs()[is.detail])
-      return differ(journal, "the sweeps of its repair");
+    if (const std::string what = difference(*recorded_, journal, verdict_->events); !what.empty())
+      return differ(*verdict_, *recorded_, journal, what);
+    const Event& was = recorded_->events()[verdict_->events];
     if (was.kind == EventKind::parameter_change) ++changes_;
-    if (was.operation) {
-      const Operation &a = recorded_->operations()[was.step], &b = journal.operations()[is.step];
-      if (digest(a.delta()) != digest(b.delta())) return differ(journal, "what it changed");
-      if (!same_figures(a.figures, b.figures)) return differ(journal, "the figures after it");
-      if (const auto set = a.delta().sample_set;
-          set && !same_samples(*recorded_->sample_sets()[set->after], *journal.sample_sets()[set->after]))
-        return differ(journal, "its samples");
-      ++verdict_->operations;
-    }
+    if (was.operation) ++verdict_->operations;
     ++verdict_->events;
   }
 
@@ -288,6 +294,28 @@ Result<ReplayVerdict> check_replay(const RunParameters& parameters, std::shared_
                                 : parameters_at_start(parameters, recorded);
   unlimited.time_limit = unlimited.memory_limit = 0;
   return Check(unlimited, recorded, ended, control).run(std::move(input), std::move(notes), branches);
+}
+
+ReplayVerdict compare_journals(const Journal& recorded, const Journal& again) {
+  ReplayVerdict verdict;
+  const std::size_t n = recorded.events().size();
+  for (; verdict.events < std::min(n, again.events().size()); ++verdict.events) {
+    if (const std::string what = difference(recorded, again, verdict.events); !what.empty()) {
+      differ(verdict, recorded, again, what);
+      return verdict;
+    }
+    if (recorded.events()[verdict.events].operation) ++verdict.operations;
+  }
+  if (n != again.events().size()) {
+    verdict.same = false;
+    verdict.step = recorded.steps();
+    verdict.difference = "The new run has " + std::to_string(again.events().size()) + " events, not " +
+                         std::to_string(n) + ".";
+    return verdict;
+  }
+  walk_states(recorded, recorded.operations().size(), verdict);
+  verdict.to_the_end = verdict.same;
+  return verdict;
 }
 
 } // namespace isoscope

@@ -27,4 +27,8 @@ Result<ReplayVerdict> check_replay(const RunParameters& parameters, std::shared_
                                    const Journal& recorded, bool ended, RunControl& control,
                                    std::vector<InputNote> notes = {});
 
+/// Compares two runs of the same that have both ended: every event, text, repair and delta; then the states
+/// between the recorded operations, forth and back.
+ReplayVerdict compare_journals(const Journal& recorded, const Journal& again);
+
 } // namespace isoscope

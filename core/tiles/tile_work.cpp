@@ -3,13 +3,11 @@
 
 #include "base/memory.h"
 #include "base/numbers.h"
-#include "base/point_order.h"
 #include "base/stopwatch.h"
-#include "improve/improver.h"
 #include "run/crumbs.h"
 #include "simplify/first_surface.h"
 #include "tiles/tile_notes.h"
-#include "tolerance/piece_witnesses.h"
+#include "tiles/tile_piece.h"
 
 #include <algorithm>
 #include <chrono>
@@ -21,52 +19,11 @@
 namespace isoscope {
 namespace {
 
-/// In δ: repairs look no farther, and what is farther from a tile matters to nothing in it.
-constexpr double input_reach = 3;
 /// How long one waits before looking anew whether others are done with what is left of a round.
 constexpr std::chrono::milliseconds while_others_work{20};
 
 Error cancelled_error() {
   return {ErrorCode::cancelled, "The run was stopped.", "What is done is kept: go on with the same folder."};
-}
-
-/// Points in ascending order, facets in the order of their corners: the same for the same facets.
-TriangleMesh mesh_of(std::vector<Triangle3> facets) {
-  make_canonical(facets);
-  TriangleMesh mesh;
-  for (const Triangle3& f : facets) mesh.points.insert(mesh.points.end(), f.begin(), f.end());
-  std::sort(mesh.points.begin(), mesh.points.end(), lies_before);
-  mesh.points.erase(std::unique(mesh.points.begin(), mesh.points.end()), mesh.points.end());
-  const auto vertex = [&](Vec3 p) {
-    return static_cast<std::uint32_t>(
-        std::lower_bound(mesh.points.begin(), mesh.points.end(), p, lies_before) - mesh.points.begin());
-  };
-  for (const Triangle3& f : facets) mesh.triangles.push_back({vertex(f[0]), vertex(f[1]), vertex(f[2])});
-  return mesh;
-}
-
-std::vector<Triangle3> facets_of(const TriangleMesh& mesh) {
-  std::vector<Triangle3> facets;
-  facets.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles)
-    facets.push_back({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
-  return facets;
-}
-
-TriangleSoup soup_of(std::vector<Triangle3> facets) {
-  TriangleMesh mesh = mesh_of(std::move(facets));
-  TriangleSoup soup;
-  soup.points = std::move(mesh.points);
-  soup.triangles = std::move(mesh.triangles);
-  return soup;
-}
-
-bool overlap(const Box3& a, const Triangle3& t) {
-  Box3 box;
-  for (const Vec3 p : t) box.add(p);
-  for (int k = 0; k < 3; ++k)
-    if (a.lo[k] > box.hi[k] || box.lo[k] > a.hi[k]) return false;
-  return true;
 }
 
 /// Nobody watches a tile.
@@ -87,29 +44,23 @@ Result<Surroundings> read_surroundings(const TileFolder& folder, const TileRound
   const Box3 box{bounds.lo, bounds.hi};
   auto z = folder.z_before(round.number, box);
   if (!z) return z.error();
-  std::erase_if(*z, [&](const Triangle3& f) { return !overlap(box, f); });
-  const Box3 around = box.grown(input_reach * folder.manifest().delta);
+  keep_meeting(*z, box);
+  const Box3 around = box.grown(tile_input_reach * folder.manifest().delta);
   auto input = folder.input(around);
   if (!input) return input.error();
-  std::erase_if(*input, [&](const Triangle3& t) { return !overlap(around, t); });
+  keep_meeting(*input, around);
   return Surroundings{mesh_of(std::move(*z)), soup_of(std::move(*input))};
 }
 
 Status improve_tile(const TileFolder& folder, const TileRound& round, const ChangeBox& bounds,
                     Surroundings& at, const RunControl& control) {
-  const RunParameters& p = folder.manifest().parameters;
-  const ClosestPointIndex index(at.input, control);
-  auto witnesses = witnesses_of_piece(index, folder.manifest().delta, control);
+  const TileManifest& m = folder.manifest();
+  const auto omega = TileGround::make(at.input, m.delta, m.held, bounds, control);
   if (control.cancelled()) return cancelled_error();
-  if (!witnesses) return witnesses.error();
-  const std::vector<Vec3>& held = folder.manifest().held;
-  witnesses->insert(witnesses->end(), held.begin(), held.end());
-  std::erase_if(*witnesses, [&](Vec3 w) { return !bounds.holds(w); });
-  const ImproverGround ground{index, folder.manifest().delta, std::move(*witnesses), nullptr, bounds};
-  ImproverOptions options = improver_options(p.criteria(folder.manifest().delta), round.effort);
-  options.preserve_normals = false; // condition 3 asks samples, which tiles have not
+  if (!omega) return omega.error();
+  const ImproverOptions options = tile_options(m.parameters.criteria(m.delta), round.effort);
   Unwatched nobody;
-  improve(at.z, ground, nullptr, options, control, nobody);
+  improve(at.z, (*omega)->ground(), nullptr, options, control, nobody);
   return control.cancelled() ? Status(cancelled_error()) : Status();
 }
 

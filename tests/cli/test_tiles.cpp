@@ -74,6 +74,22 @@ TEST_CASE("Wrong words about tiles are told") {
   CHECK(run_batch({"gallery:sphere", "--tolerance", "6%", "--tiles", tiles}).says("another run"));
 }
 
+TEST_CASE("A tile is made once more and recorded, and its recording replays") {
+  const TemporaryFolder folder;
+  const std::string tiles = quoted(folder / "tiles"), run = quoted(folder / "run.isorun");
+  REQUIRE(run_shell("$PROGRAM tiles cut " + model + tiles + " && $PROGRAM tiles step " + tiles + " --tile 1")
+              .status == 0);
+  CHECK(run_shell("$PROGRAM tiles status " + tiles).says("1 of 8 made"));
+  const Ended made = run_shell("$PROGRAM tiles rerun " + tiles + " --tile 1 --record " + run);
+  CHECK(made.status == 0);
+  CHECK(made.says("comes out as its file has it"));
+  const Ended checked = run_shell("$PROGRAM replay --check " + run);
+  CHECK(checked.status == 0);
+  CHECK(checked.says("the final Z is the same"));
+  CHECK(run_shell("$PROGRAM tiles rerun " + tiles + " --tile 99 --record " + run).status == 2);
+  CHECK(run_shell("$PROGRAM tiles rerun " + tiles + " --tile x --record " + run).says("no number"));
+}
+
 TEST_CASE("A faster first Z is told") {
   const Ended told = run_batch({"gallery:sphere", "--tolerance", "2%", "--effort", "0"});
   CHECK(told.error.find("--start input would be faster") != std::string::npos);

@@ -44,6 +44,7 @@ share/man/man1/isoscope-run-recover.1.gz
 share/man/man1/isoscope-run-replay.1.gz
 share/man/man1/isoscope-run-tiles-cut.1.gz
 share/man/man1/isoscope-run-tiles-join.1.gz
+share/man/man1/isoscope-run-tiles-rerun.1.gz
 share/man/man1/isoscope-run-tiles-status.1.gz
 share/man/man1/isoscope-run-tiles-step.1.gz
 share/man/man1/isoscope-run-tiles.1.gz

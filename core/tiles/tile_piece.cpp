@@ -1,0 +1,71 @@
+// Sorted points, so that nothing depends on who wrote which facet first.
+#include "tiles/tile_piece.h"
+
+#include "base/point_order.h"
+#include "tiles/facet_file.h"
+#include "tolerance/piece_witnesses.h"
+
+#include <algorithm>
+
+namespace isoscope {
+
+TriangleMesh mesh_of(std::vector<Triangle3> facets) {
+  make_canonical(facets);
+  TriangleMesh mesh;
+  for (const Triangle3& f : facets) mesh.points.insert(mesh.points.end(), f.begin(), f.end());
+  std::sort(mesh.points.begin(), mesh.points.end(), lies_before);
+  mesh.points.erase(std::unique(mesh.points.begin(), mesh.points.end()), mesh.points.end());
+  const auto vertex = [&](Vec3 p) {
+    return static_cast<std::uint32_t>(
+        std::lower_bound(mesh.points.begin(), mesh.points.end(), p, lies_before) - mesh.points.begin());
+  };
+  for (const Triangle3& f : facets) mesh.triangles.push_back({vertex(f[0]), vertex(f[1]), vertex(f[2])});
+  return mesh;
+}
+
+TriangleSoup soup_of(std::vector<Triangle3> facets) {
+  TriangleMesh mesh = mesh_of(std::move(facets));
+  TriangleSoup soup;
+  soup.points = std::move(mesh.points);
+  soup.triangles = std::move(mesh.triangles);
+  return soup;
+}
+
+std::vector<Triangle3> facets_of(const TriangleMesh& mesh) {
+  std::vector<Triangle3> facets;
+  facets.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles)
+    facets.push_back({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
+  return facets;
+}
+
+std::vector<Triangle3> facets_of(const TriangleSoup& soup) {
+  std::vector<Triangle3> facets;
+  facets.reserve(soup.triangles.size());
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) facets.push_back(soup.triangle(i));
+  return facets;
+}
+
+void keep_meeting(std::vector<Triangle3>& facets, const Box3& box) {
+  std::erase_if(facets, [&](const Triangle3& f) { return !is_near(box, f); });
+}
+
+Result<std::unique_ptr<const TileGround>> TileGround::make(const TriangleSoup& input, double delta,
+                                                           const std::vector<Vec3>& held,
+                                                           const ChangeBox& box, const RunControl& control) {
+  std::unique_ptr<TileGround> made(new TileGround(input, delta, box, control));
+  auto witnesses = witnesses_of_piece(made->index_, delta, control);
+  if (!witnesses) return witnesses.error();
+  made->witnesses_ = std::move(*witnesses);
+  made->witnesses_.insert(made->witnesses_.end(), held.begin(), held.end());
+  std::erase_if(made->witnesses_, [&](Vec3 w) { return !box.holds(w); });
+  return std::unique_ptr<const TileGround>(std::move(made));
+}
+
+ImproverOptions tile_options(const CriteriaParameters& criteria, int effort) {
+  ImproverOptions options = improver_options(criteria, effort);
+  options.preserve_normals = false;
+  return options;
+}
+
+} // namespace isoscope

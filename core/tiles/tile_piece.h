@@ -1,0 +1,48 @@
+// A tile's part of Z and of the input as meshes, and what the improver asks of Ω there.
+#pragma once
+
+#include "base/run_control.h"
+#include "base/status.h"
+#include "improve/improver.h"
+#include "input/triangle_soup.h"
+#include "tolerance/closest_point.h"
+
+#include <memory>
+#include <vector>
+
+namespace isoscope {
+
+/// In δ: repairs look no farther, and what is farther from a tile matters to nothing in it.
+constexpr double tile_input_reach = 3;
+
+/// Points in ascending order, facets in the order of their corners: the same for the same facets.
+TriangleMesh mesh_of(std::vector<Triangle3> facets);
+TriangleSoup soup_of(std::vector<Triangle3> facets);
+std::vector<Triangle3> facets_of(const TriangleMesh& mesh);
+std::vector<Triangle3> facets_of(const TriangleSoup& soup);
+
+/// Leaves those whose boxes meet the box.
+void keep_meeting(std::vector<Triangle3>& facets, const Box3& box);
+
+/// Ω in a tile, from the input within reach of it.
+class TileGround {
+ public:
+  /// `held`: points of thin parts, anywhere. Fails as witnesses_of_piece().
+  static Result<std::unique_ptr<const TileGround>> make(const TriangleSoup& input, double delta,
+                                                        const std::vector<Vec3>& held, const ChangeBox& box,
+                                                        const RunControl& control);
+  ImproverGround ground() const { return {index_, delta_, witnesses_, nullptr, box_}; }
+
+ private:
+  TileGround(const TriangleSoup& input, double delta, const ChangeBox& box, const RunControl& control)
+      : index_(input, control), delta_(delta), box_(box) {}
+  ClosestPointIndex index_;
+  double delta_;
+  std::vector<Vec3> witnesses_;
+  ChangeBox box_;
+};
+
+/// What the improver is asked for in a tile: condition 3 asks samples, which tiles have not.
+ImproverOptions tile_options(const CriteriaParameters& criteria, int effort);
+
+} // namespace isoscope

@@ -1,0 +1,214 @@
+// The start is the first operation, with the box in its event; points that are held are told before it.
+#include "tiles/tile_run.h"
+
+#include "base/memory.h"
+#include "base/stopwatch.h"
+#include "improve/free_improvement.h"
+#include "journal/stage_log.h"
+#include "mesh/zero_set.h"
+#include "recording/recording_writer.h"
+#include "run/passing_gate.h"
+#include "run/recorded_run.h"
+#include "simplify/tessellation.h"
+#include "tiles/tile_piece.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace isoscope {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Box3 everywhere{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+constexpr std::string_view held_words = "Z keeps a point of a thin part on its side.";
+constexpr std::string_view start_words = "Z before tile ";
+
+/// What a run in tiles asks of one that shows a tile of it.
+RunParameters parameters_of_tile(const TileManifest& m, int effort) {
+  RunParameters p = m.parameters;
+  p.tolerance = {m.delta, false};
+  p.start = FirstZ::input;
+  p.effort = effort;
+  p.drop_small = 0; // those are gone
+  p.time_limit = 0;
+  p.conditions[2] = false; // which tiles do not keep
+  return p;
+}
+
+bool tells_held_point(const Journal& journal, const Event& e) {
+  return e.kind == EventKind::warning && journal.texts()[e.text] == held_words;
+}
+
+} // namespace
+
+Result<TileStart> tile_start(const TileFolder& folder, const TileRound& round, std::size_t tile) {
+  if (tile >= round.tiles.size())
+    return Error{ErrorCode::usage,
+                 "Round " + std::to_string(round.number) + " has no tile " + std::to_string(tile) + ".",
+                 "Tiles count from 0, as isoscope-run tiles status tells."};
+  const TileManifest& m = folder.manifest();
+  TileStart start;
+  start.parameters = parameters_of_tile(m, round.effort);
+  start.box = folder.grid().bounds(round.tiling, round.tiles[tile].tile);
+  start.words = std::to_string(tile) + " of round " + std::to_string(round.number);
+  for (const Vec3 p : m.held)
+    if (start.box.holds(p)) start.held.push_back(p);
+  auto z = folder.z_before(round.number, everywhere);
+  auto input = folder.input(everywhere);
+  if (folder.is_over(round.number))
+    return Error{ErrorCode::usage, "Round " + std::to_string(round.number) + " is over.",
+                 "Tiles of the round that was begun last can be made once more."};
+  if (!z) return z.error();
+  if (!input) return input.error();
+  start.z = mesh_of(std::move(*z));
+  TriangleSoup soup = soup_of(std::move(*input));
+  soup.name = std::filesystem::path(m.parameters.input).stem().string() + "-tile";
+  start.input = std::make_shared<const TriangleSoup>(std::move(soup));
+  return start;
+}
+
+std::optional<TileStart> tile_start(const RunParameters& parameters,
+                                    std::shared_ptr<const TriangleSoup> input, const Journal& recorded) {
+  if (recorded.operations().empty()) return std::nullopt;
+  const Operation& first = recorded.operations()[0];
+  const Event e = recorded.events()[first.event];
+  const std::string words = recorded.texts()[e.text];
+  if (e.kind != EventKind::start || !words.starts_with(start_words)) return std::nullopt;
+  TileStart start;
+  start.parameters = parameters;
+  start.input = std::move(input);
+  start.box = {e.point, e.witness};
+  start.words = words.substr(start_words.size());
+  for (std::size_t i = 0; i < first.event; ++i)
+    if (tells_held_point(recorded, recorded.events()[i])) start.held.push_back(recorded.events()[i].point);
+  Complex complex;
+  complex.apply(first.delta());
+  start.z = triangulate(extract_zero_set(complex));
+  return start;
+}
+
+TileRun::TileRun(TileStart start, std::shared_ptr<Journal> journal, Gate& gate, RunControl& control)
+    : start_(std::move(start)), journal_(std::move(journal)), gate_(gate), control_(control),
+      preparation_(start_.parameters, control) {}
+
+Result<std::shared_ptr<const Scene>> TileRun::prepare() {
+  auto scene = preparation_.make(start_.input, {}, ThinParts::accept);
+  if (!scene) return scene;
+  scene_ = *scene;
+  journal_->add_sample_set(scene_->samples);
+  journal_->add_parameters(start_.parameters.criteria(scene_->delta, scene_->default_sigma));
+  return scene;
+}
+
+Result<RunResult> TileRun::run() {
+  const Stopwatch watch;
+  const CriteriaParameters criteria = start_.parameters.criteria(scene_->delta, scene_->default_sigma);
+  std::vector<Triangle3> near = facets_of(*start_.input);
+  keep_meeting(near, Box3{start_.box.lo, start_.box.hi}.grown(tile_input_reach * scene_->delta));
+  const auto omega =
+      TileGround::make(soup_of(std::move(near)), scene_->delta, start_.held, start_.box, control_);
+  if (!omega && !control_.cancelled()) return omega.error();
+  Recorder recorder(*journal_, gate_);
+  StageLog log(recorder, control_);
+  log.begin(Stage::improve);
+  for (const Vec3 p : start_.held) {
+    Event e;
+    e.kind = EventKind::warning;
+    e.point = p;
+    e.text = journal_->add_text(std::string(held_words));
+    log.event(e);
+  }
+  Complex z;
+  Delta delta = free_start(start_.z);
+  z.apply(delta);
+  Event e;
+  e.kind = EventKind::start;
+  e.count = static_cast<std::uint32_t>(delta.added_vertices.size());
+  e.point = start_.box.lo;
+  e.witness = start_.box.hi;
+  e.text = journal_->add_text(std::string(start_words) + start_.words);
+  StepFigures figures;
+  figures.zero_set_vertices = e.count;
+  figures.smallest_height = std::numeric_limits<float>::infinity();
+  log.operation(e, std::move(delta), figures);
+  if (omega && !log.stopped())
+    improve_free_piece(z, (*omega)->ground(), tile_options(criteria, start_.parameters.effort), log);
+  log.end();
+  RunResult result;
+  if (log.stopped()) result.end = control_.timed_out() ? RunResult::End::limit : RunResult::End::stopped;
+  result.last_stage = Stage::improve;
+  result.form = z.form;
+  result.mesh = triangulate(extract_zero_set(z));
+  result.certificate =
+      certify(result.mesh, preparation_.volume(), scene_->expected, control_,
+              {start_.parameters.cover, start_.parameters.topology == TopologyMode::separate, true});
+  result.crumbs = count_small_parts(result.mesh, crumb_size * scene_->delta);
+  result.normals = measure_normal_deviation(result.mesh, preparation_.volume(), control_);
+  result.seconds = watch.seconds();
+  result.peak_memory_bytes = peak_memory_bytes();
+  return result;
+}
+
+Result<bool> is_as_made(const TriangleMesh& mesh, const TileFolder& folder, const TileRound& round,
+                        std::size_t tile) {
+  const GridPlace& place = round.tiles[tile].tile;
+  std::vector<Triangle3> made;
+  if (Status read = read_facets(folder.output(round.number, place), everywhere, made); !read)
+    return read.error();
+  const TileGrid grid = folder.grid();
+  std::vector<Triangle3> own = facets_of(mesh);
+  std::erase_if(own, [&](const Triangle3& f) {
+    return grid.tile_of(round.tiling, grid.brick_of(canonical(f)[0])) != place;
+  });
+  make_canonical(own);
+  make_canonical(made);
+  return own == made;
+}
+
+Result<RecordedTile> record_tile(const TileFolder& folder, const TileRound& round, std::size_t tile,
+                                 const std::filesystem::path& recording, RunControl& control,
+                                 const std::function<void()>& begun) {
+  control.report("the tile", -1);
+  auto start = tile_start(folder, round, tile);
+  if (!start) return start.error();
+  auto writer = RecordingWriter::create(recording);
+  if (!writer) return writer.error();
+  auto journal = std::make_shared<Journal>();
+  PassingGate gate;
+  TileRun run(std::move(*start), journal, gate, control);
+  const auto scene = run.prepare();
+  if (!scene) return scene.error();
+  (*writer)->start(recording_header(run.start().parameters, (*scene)->input), journal);
+  if (begun) begun();
+  auto result = run.run();
+  if (!result) return result.error();
+  RecordedTile recorded;
+  recorded.operations = journal->operations().size();
+  std::error_code failed;
+  if (std::filesystem::exists(folder.output(round.number, round.tiles[tile].tile), failed) &&
+      result->end == RunResult::End::finished) {
+    const auto same = is_as_made(result->mesh, folder, round, tile);
+    if (same) recorded.as_made = *same;
+  }
+  (*writer)->end([&, scene] { return recording_end(run.start().parameters, **scene, *result, *journal); });
+  if (Status written = (*writer)->finish(); !written) return written.error();
+  recorded.result = std::move(*result);
+  return recorded;
+}
+
+Result<ReplayVerdict> check_tile_replay(TileStart start, const Journal& recorded, bool ended,
+                                        RunControl& control) {
+  if (!ended)
+    return Error{ErrorCode::usage, "The run of this tile did not come to its end.",
+                 "Record the tile anew: isoscope-run tiles rerun."};
+  auto journal = std::make_shared<Journal>();
+  PassingGate gate;
+  TileRun run(std::move(start), journal, gate, control);
+  if (const auto scene = run.prepare(); !scene) return scene.error();
+  if (const auto result = run.run(); !result) return result.error();
+  if (control.cancelled()) return Error{ErrorCode::cancelled, "The check was stopped.", ""};
+  return compare_journals(recorded, *journal);
+}
+
+} // namespace isoscope

@@ -1,0 +1,122 @@
+// A tile made once more: the decisions that made its file, as a run whose recording replays.
+#include "input/temporary_folder.h"
+#include "recording/recording_reader.h"
+#include "run/parameters_json.h"
+#include "run/passing_gate.h"
+#include "tiles/tile_run.h"
+#include "tiles/tile_work.h"
+
+#include <doctest/doctest.h>
+
+#include <memory>
+
+using namespace isoscope;
+
+namespace {
+
+TileFolder cut_torus(const std::filesystem::path& folder) {
+  RunParameters p;
+  p.input = "gallery:torus";
+  p.tolerance = {2, true};
+  p.effort = 1;
+  RunControl control;
+  auto made = cut_into_tiles(p, folder, 1 << 20, control);
+  REQUIRE(made.ok());
+  return *made;
+}
+
+} // namespace
+
+TEST_CASE("A tile made once more comes out as its file has it, in its first round and later") {
+  const TemporaryFolder folder;
+  const TileFolder tiles = cut_torus(folder / "tiles");
+  for (int r = 1; r <= 2; ++r) {
+    const auto round = tiles.round();
+    REQUIRE(round.ok());
+    REQUIRE(round->has_value());
+    const TileRound& now = **round;
+    CHECK(now.number == static_cast<std::uint32_t>(r));
+    REQUIRE(make_tile(tiles, now, 1, RunControl()).ok());
+    RunControl control;
+    int begun = 0;
+    const auto file = folder / "run.isorun";
+    const auto made = record_tile(tiles, now, 1, file, control, [&] { ++begun; });
+    REQUIRE(made.ok());
+    CHECK(begun == 1);
+    CHECK(made->as_made == true);
+    CHECK(made->operations > 1);
+    CHECK(made->result.certificate.failures.empty());
+    CHECK(made->result.certificate.holds());
+    CHECK(made->result.certificate.euler_characteristic == 0);
+
+    const auto reader = RecordingReader::open(file);
+    REQUIRE(reader.ok());
+    Journal journal;
+    for (auto more = (*reader)->read_commit(journal); more.ok() && *more;
+         more = (*reader)->read_commit(journal)) {}
+    CHECK(journal.operations().size() == made->operations);
+    auto parameters = parse_parameters((*reader)->header().parameters);
+    REQUIRE(parameters.ok());
+    auto start = tile_start(*parameters, (*reader)->header().input, journal);
+    REQUIRE(start.has_value());
+    const auto verdict = check_tile_replay(std::move(*start), journal, true, control);
+    REQUIRE(verdict.ok());
+    CHECK(verdict->difference.empty());
+    CHECK(verdict->same);
+    CHECK(verdict->to_the_end);
+    CHECK(verdict->operations == made->operations);
+    for (std::size_t i = 0; r == 1 && i < now.tiles.size(); ++i)
+      REQUIRE(make_tile_if_missing(tiles, now, i, RunControl()).ok());
+  }
+}
+
+TEST_CASE("Only what lies in the tile changes, and a recording knows what it began with") {
+  const TemporaryFolder folder;
+  const TileFolder tiles = cut_torus(folder / "tiles");
+  const auto round = tiles.round();
+  REQUIRE(round.ok());
+  auto start = tile_start(tiles, **round, 0);
+  REQUIRE(start.ok());
+  CHECK(start->words == "0 of round 1");
+  CHECK(start->held.empty());
+  const Vec3 held = 0.5 * (start->box.lo + start->box.hi);
+  start->held.push_back(held);
+  const ChangeBox box = start->box;
+  const TriangleMesh before = start->z;
+  const auto input = start->input;
+  const RunParameters parameters = start->parameters;
+  auto journal = std::make_shared<Journal>();
+  PassingGate gate;
+  RunControl control;
+  TileRun run(std::move(*start), journal, gate, control);
+  REQUIRE(run.prepare().ok());
+  const auto result = run.run();
+  REQUIRE(result.ok());
+  const auto outside = [&](const TriangleMesh& mesh) {
+    std::vector<Vec3> points = mesh.points;
+    std::erase_if(points, [&](Vec3 p) { return box.holds(p); });
+    return points;
+  };
+  CHECK(outside(before).size() > 1000);
+  CHECK(outside(result->mesh) == outside(before));
+  CHECK(result->mesh.points.size() < before.points.size());
+  const auto again = tile_start(parameters, input, *journal);
+  REQUIRE(again.has_value());
+  CHECK(again->words == "0 of round 1");
+  CHECK(again->held == std::vector<Vec3>{held});
+  CHECK(again->z.points == before.points);
+  CHECK(again->z.triangles == before.triangles);
+  CHECK(again->box.lo == box.lo);
+  CHECK(again->box.hi == box.hi);
+  CHECK(!tile_start(parameters, input, Journal()).has_value());
+}
+
+TEST_CASE("What cannot be made once more is said") {
+  const TemporaryFolder folder;
+  const TileFolder tiles = cut_torus(folder / "tiles");
+  const TileRound first = **tiles.round();
+  CHECK(tile_start(tiles, first, 999).error().message == "Round 1 has no tile 999.");
+  for (std::size_t i = 0; i < first.tiles.size(); ++i) REQUIRE(make_tile(tiles, first, i, RunControl()).ok());
+  REQUIRE(tiles.round().ok());
+  CHECK(tile_start(tiles, first, 0).error().message == "Round 1 is over.");
+}
