@@ -76,7 +76,7 @@ void read(const Json& note, TileReport& report) {
   if (said != name(TileState::in_hand)) return;
   const bool alive = !report.here || (note.at("boot") == boot() && note.at("began") == began(process));
   report.state = alive ? TileState::in_hand : TileState::lost;
-  report.seconds = std::max(0.0, seconds_since_epoch() - note.at("since").get<double>());
+  if (alive) report.seconds = std::max(0.0, seconds_since_epoch() - note.at("since").get<double>());
 }
 
 } // namespace

@@ -25,9 +25,11 @@ constexpr std::string_view held_words = "Z keeps a point of a thin part on its s
 constexpr std::string_view start_words = "Z before tile ";
 
 /// What a run in tiles asks of one that shows a tile of it.
-RunParameters parameters_of_tile(const TileManifest& m, int effort) {
+RunParameters parameters_of_tile(const TileManifest& m, int effort, double longest_edge) {
   RunParameters p = m.parameters;
-  p.tolerance = {m.delta, false};
+  // As it was asked for, where that still means the same without what was left out of the input.
+  const bool same = !p.tolerance.automatic && p.tolerance.absolute(longest_edge) == m.delta;
+  if (!same) p.tolerance = {m.delta, false};
   p.start = FirstZ::input;
   p.effort = effort;
   p.drop_small = 0; // those are gone
@@ -35,6 +37,27 @@ RunParameters parameters_of_tile(const TileManifest& m, int effort) {
   p.conditions[2] = false; // which tiles do not keep
   return p;
 }
+
+/// Tells once that a recording has events, so that it can be opened.
+class TellingGate : public PassingGate {
+ public:
+  TellingGate(const RecordingWriter& writer, const std::function<void()>& tell)
+      : writer_(writer), tell_(tell), told_(!tell) {}
+  Verdict pass(const Journal&, const Event&) override {
+    constexpr std::size_t events_by_question = 16;
+    if (!told_ && events_++ % events_by_question == 0 && writer_.progress().events > 0) tell();
+    return Verdict::go_on;
+  }
+  void tell() {
+    if (!std::exchange(told_, true)) tell_();
+  }
+
+ private:
+  const RecordingWriter& writer_;
+  const std::function<void()>& tell_;
+  bool told_;
+  std::size_t events_ = 0;
+};
 
 bool tells_held_point(const Journal& journal, const Event& e) {
   return e.kind == EventKind::warning && journal.texts()[e.text] == held_words;
@@ -49,7 +72,6 @@ Result<TileStart> tile_start(const TileFolder& folder, const TileRound& round, s
                  "Tiles count from 0, as isoscope-run tiles status tells."};
   const TileManifest& m = folder.manifest();
   TileStart start;
-  start.parameters = parameters_of_tile(m, round.effort);
   start.box = folder.grid().bounds(round.tiling, round.tiles[tile].tile);
   start.words = std::to_string(tile) + " of round " + std::to_string(round.number);
   for (const Vec3 p : m.held)
@@ -64,6 +86,7 @@ Result<TileStart> tile_start(const TileFolder& folder, const TileRound& round, s
   start.z = mesh_of(std::move(*z));
   TriangleSoup soup = soup_of(std::move(*input));
   soup.name = std::filesystem::path(m.parameters.input).stem().string() + "-tile";
+  start.parameters = parameters_of_tile(m, round.effort, soup.bounds().longest_edge());
   start.input = std::make_shared<const TriangleSoup>(std::move(soup));
   return start;
 }
@@ -175,12 +198,11 @@ Result<RecordedTile> record_tile(const TileFolder& folder, const TileRound& roun
   auto writer = RecordingWriter::create(recording);
   if (!writer) return writer.error();
   auto journal = std::make_shared<Journal>();
-  PassingGate gate;
+  TellingGate gate(**writer, begun);
   TileRun run(std::move(*start), journal, gate, control);
   const auto scene = run.prepare();
   if (!scene) return scene.error();
   (*writer)->start(recording_header(run.start().parameters, (*scene)->input), journal);
-  if (begun) begun();
   auto result = run.run();
   if (!result) return result.error();
   RecordedTile recorded;
@@ -193,6 +215,7 @@ Result<RecordedTile> record_tile(const TileFolder& folder, const TileRound& roun
   }
   (*writer)->end([&, scene] { return recording_end(run.start().parameters, **scene, *result, *journal); });
   if (Status written = (*writer)->finish(); !written) return written.error();
+  gate.tell();
   recorded.result = std::move(*result);
   return recorded;
 }

@@ -64,7 +64,7 @@ struct RecordedTile {
   std::size_t operations = 0;
   std::optional<bool> as_made; ///< whether Z is what the tile's file has; nothing where that is not there
 };
-/// Runs it and records it from its first event on. `begun` is called when the file can be opened. Fails as
+/// Runs it and records it from its first event on. `begun` is called once the file can be opened. Fails as
 /// tile_start(), TileRun, and RecordingWriter.
 Result<RecordedTile> record_tile(const TileFolder& folder, const TileRound& round, std::size_t tile,
                                  const std::filesystem::path& recording, RunControl& control,

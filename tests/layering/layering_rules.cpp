@@ -43,7 +43,7 @@ const Tiers& viewer_tiers() {
                               {"viewer/talk", "viewer/export"},
                               {"viewer/lesson"},
                               {"viewer/two_runs"},
-                              {"viewer/timeline"},
+                              {"viewer/timeline", "viewer/mosaic"},
                               {"viewer/steering"},
                               {"viewer/app"}};
   return tiers;

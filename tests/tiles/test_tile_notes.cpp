@@ -1,6 +1,7 @@
 // Tiles in many hands: what is said of each, how far all are, and how they are dealt out.
 #include "input/temporary_folder.h"
 #include "tiles/tile_dealer.h"
+#include "tiles/tile_mosaic.h"
 #include "tiles/tile_progress.h"
 #include "tiles/tile_work.h"
 
@@ -152,4 +153,39 @@ TEST_CASE("No tile is dealt twice, and none of a round before the one before is 
   CHECK(dealer.in_hand() == 0);
   CHECK(seen.size() > dealer.round().number);
   CHECK(progress_of(tiles)->finished);
+}
+
+TEST_CASE("The mosaic has all of Z once, in bricks of its tiles, and what crosses walls is frozen") {
+  const TemporaryFolder folder;
+  const TileFolder tiles = cut_sphere(folder / "tiles");
+  const TileRound round = round_of(tiles);
+  const TileGrid grid = tiles.grid();
+  for (int made = 0; made < 2; ++made) {
+    const auto mosaic = mosaic_of(tiles, round, 1000000, RunControl());
+    REQUIRE(mosaic.ok());
+    CHECK(mosaic->facets.size() == mosaic->facet_count);
+    CHECK((mosaic->facet_count == round.facets) == (made == 0));
+    std::uint64_t sum = 0;
+    for (const MosaicBrick& b : mosaic->bricks) {
+      sum += b.facets;
+      CHECK(grid.tile_of(round.tiling, b.place) == round.tiles[b.tile].tile);
+    }
+    CHECK(sum == mosaic->facet_count);
+    // A closed surface: V − E + F is 2 with 3 F = 2 E.
+    std::set<std::array<double, 3>> vertices;
+    for (const Triangle3& f : mosaic->facets)
+      for (const Vec3 p : f) vertices.insert({p.x, p.y, p.z});
+    CHECK(2 * vertices.size() - mosaic->facet_count == 4);
+    CHECK(mosaic->frozen.size() > 10);
+    CHECK(mosaic->frozen.size() < vertices.size());
+    const auto bricks = mosaic_of(tiles, round, 10, RunControl());
+    REQUIRE(bricks.ok());
+    CHECK(bricks->facets.empty());
+    CHECK(bricks->facet_count == round.facets);
+    if (made == 0) CHECK(bricks->bricks.size() == mosaic->bricks.size());
+    REQUIRE(make_tile(tiles, round, 0, RunControl()).ok());
+  }
+  const Box3 box = bounds_of({-1, 0, 2}, 0.5);
+  CHECK(box.lo == Vec3{-0.5, 0, 1});
+  CHECK(box.hi == Vec3{0, 0.5, 1.5});
 }

@@ -29,9 +29,9 @@ constexpr double pointer_seconds = 1;    ///< a pointer rests before it goes, pr
 constexpr double hover_seconds = 1.2;    ///< after the last input, for hovers and tooltips that come late
 constexpr double idle_wait = 0.25, running_wait = 0.03, script_wait = 0.005;
 
-/// Views and recordings are no surfaces.
+/// Views, recordings and folders of tiles are no surfaces.
 bool opens_by_itself(const std::string& path) {
-  return path.ends_with(".json") || is_recording_name(path);
+  return path.ends_with(".json") || is_recording_name(path) || TileFolder::exists(path);
 }
 
 } // namespace
@@ -81,7 +81,8 @@ Status App::setup(const ProgramOptions& options) {
   run_views_ = std::make_unique<RunViews>(*scene_view_, m.comparison);
   timeline_.emplace(m.debug, m.talk, m.investigation, m.comparison);
   overlays_.emplace(m);
-  panes_.emplace(m, *run_views_, *timeline_, *overlays_);
+  mosaic_view_ = std::make_unique<MosaicView>(m.mosaic);
+  panes_.emplace(m, *run_views_, *mosaic_view_, *timeline_, *overlays_);
   if (options.history_limit > 0) m.settings.history_limit = options.history_limit;
   m.draft = options.run;
   if (m.draft.input.starts_with(lesson_prefix)) {
@@ -124,9 +125,11 @@ void App::end_because(const std::string& cause) {
     left += " The recording " + last.recording->file.string() + " is closed.";
   // The views' workers use the model; their OpenGL objects go with the program where no display is.
   if (display_lost()) {
+    static_cast<void>(mosaic_view_.release());
     static_cast<void>(run_views_.release());
     static_cast<void>(scene_view_.release());
   }
+  mosaic_view_.reset();
   run_views_.reset();
   scene_view_.reset();
   model_.reset();
@@ -137,6 +140,7 @@ App::~App() {
   on_display_lost({});
   save();
   // Workers wake the window: they end before it does.
+  mosaic_view_.reset();
   run_views_.reset();
   scene_view_.reset();
   model_.reset();
@@ -270,7 +274,7 @@ void App::frame() {
   imgui_->end_frame();
   ++frames_since_command_;
 
-  const bool complete = !run_views_->unfinished() && frames_since_command_ >= frames_after_input;
+  const bool complete = !unfinished() && frames_since_command_ >= frames_after_input;
   if (complete && !m.requests.screenshots.empty() && (m.state_is_current() || !m.scripted)) {
     for (const ScreenshotRequest& request : std::exchange(m.requests.screenshots, {})) {
       Image image{size.width, size.height, {}};
@@ -309,6 +313,10 @@ void App::frame() {
   take_requests();
 }
 
+bool App::unfinished() const {
+  return model_->mosaic.shown() ? mosaic_view_->unfinished() : run_views_->unfinished();
+}
+
 bool App::at_rest() const {
   const AppModel& m = *model_;
   if (glfwGetTime() < hands_until_) return false;
@@ -321,11 +329,11 @@ bool App::at_rest() const {
   if (m.wait_for == AppModel::Wait::answers && !(m.answers_taken() && m.debug.is_current())) return false;
   if (!m.lessons.idle()) return false;
   if (m.wait_for == AppModel::Wait::comparison && !m.values.expect(m.wait_comparison)) return false;
+  if (m.wait_for == AppModel::Wait::settled && m.mosaic.shown()) return m.mosaic.idle() && !unfinished();
   if (m.wait_for == AppModel::Wait::settled) // the run too
-    return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() &&
-           !run_views_->unfinished();
+    return !m.running() && m.run.phase != SessionPhase::idle && m.state_is_current() && !unfinished();
   // A run that goes on need not be waited for; what stands still is shown first.
-  return m.running() || (m.answers_taken() && !run_views_->unfinished());
+  return m.running() || (m.answers_taken() && !unfinished());
 }
 
 void App::fail_script(const Error& error) {
@@ -365,9 +373,9 @@ bool App::needs_frame(bool changed) const {
   // A script that waits for a run has no eyes: drawing would only slow the run down.
   if (m.scripted && m.running() && glfwGetTime() > hands_until_)
     return m.wait_for != AppModel::Wait::settled && (asked || frames_since_command_ < frames_after_input);
-  return changed || asked || (m.scripted && frames_since_command_ < frames_after_input) ||
-         run_views_->unfinished() || m.transport.mode() == Transport::Mode::playing ||
-         ImGui::GetIO().WantTextInput || ImGui::IsAnyMouseDown();
+  return changed || asked || (m.scripted && frames_since_command_ < frames_after_input) || unfinished() ||
+         m.transport.mode() == Transport::Mode::playing || ImGui::GetIO().WantTextInput ||
+         ImGui::IsAnyMouseDown();
 }
 
 int App::run() {
@@ -407,8 +415,9 @@ int App::run() {
     }
     if (!advance_script()) break;
     m.times.stands_at(m.transport.step(), glfwGetTime());
-    const std::string title =
-        m.run.parameters.input.empty() ? "Isoscope" : m.run.parameters.input + " – Isoscope";
+    const std::string shown =
+        m.mosaic.shown() ? m.mosaic.folder()->folder().string() : m.run.parameters.input;
+    const std::string title = shown.empty() ? "Isoscope" : shown + " – Isoscope";
     if (title != title_) window_->set_title(title_ = title);
   }
   if (const int signal = noted_signal()) {

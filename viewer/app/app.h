@@ -42,6 +42,8 @@ class App {
   /// The script ends because of that.
   void fail_script(const Error& error);
   bool needs_frame(bool changed) const;
+  /// The picture in the middle is not yet what it is to be.
+  bool unfinished() const;
 
   std::unique_ptr<Window> window_;
   std::unique_ptr<ImguiLayer> imgui_;
@@ -49,6 +51,7 @@ class App {
   std::unique_ptr<AppModel> model_;
   std::unique_ptr<SceneView> scene_view_; ///< of the active run
   std::unique_ptr<RunViews> run_views_;
+  std::unique_ptr<MosaicView> mosaic_view_;
   Exporter exporter_;
   std::optional<TimelinePane> timeline_;
   std::optional<Overlays> overlays_;

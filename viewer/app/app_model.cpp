@@ -27,8 +27,8 @@ CameraPose first_pose() {
 AppModel::AppModel(const std::function<void()>& notify)
     : WindowState(notify), probe(*this, notify), debug(*this, probe, notify), investigation(*this, notify),
       zero_maps(*this, notify), talk(*this), exports(*this, probe, zero_maps),
-      comparison(debug, notify, [this] { forget_run(); }), steering(debug, comparison, notify),
-      lessons(*this, commands, values, exports),
+      comparison(debug, notify, [this] { forget_run(); }), mosaic(*this, notify),
+      steering(debug, comparison, mosaic, notify), lessons(*this, commands, values, exports),
       expected_genus_(std::make_shared<std::atomic<double>>(std::nan(""))) {
   debug.breakpoints->set_expected([expected = expected_genus_]() -> std::optional<double> {
     const double genus = expected->load();
@@ -60,6 +60,7 @@ void AppModel::add_commands() {
   add_view_commands(commands, *this);
   add_section_commands(commands, *this, probe);
   zero_maps.add_commands(commands);
+  mosaic.add_commands(commands);
   talk.add_commands(commands);
   lessons.add_commands(commands); // behind those whose keys they take while a lesson is on
   exports.add_commands(commands);
@@ -79,6 +80,7 @@ void AppModel::add_values() {
   comparison.add_run_values(values);
   debug.add_values(values);
   steering.add_recording_values(values);
+  mosaic.add_values(values);
   investigation.add_values(values);
   comparison.add_values(values);
   talk.add_values(values);
@@ -97,6 +99,7 @@ void AppModel::abandon() {
   investigation.abandon();
   zero_maps.abandon();
   steering.abandon();
+  mosaic.abandon();
 }
 
 void AppModel::forget_run() {
@@ -168,10 +171,11 @@ bool AppModel::update(double seconds) {
   if (take_snapshot()) forget_run();
   const auto genus = run.scene ? expected_genus(*run.scene) : std::nullopt;
   expected_genus_->store(genus.value_or(std::nan("")));
+  const bool tiles_changed = mosaic.update();
   steering.take_run();
   place_view();
   watch_history();
-  bool changed = phase != run.phase || running();
+  bool changed = phase != run.phase || running() || tiles_changed;
   changed |= index.update();
   changed |= !scripted && clock - answer.since < AnswerInSight::flash;
   // What a finished run was watched for is its certificate.
@@ -213,7 +217,7 @@ bool AppModel::state_is_current() const {
 
 bool AppModel::answers_taken() const {
   return result_taken() && probe.idle() && investigation.idle() && zero_maps.idle() && comparison.at_rest() &&
-         steering.idle() && lessons.runner.idle();
+         steering.idle() && mosaic.idle() && lessons.runner.idle();
 }
 
 } // namespace isoscope

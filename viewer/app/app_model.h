@@ -8,6 +8,7 @@
 #include "export/exports.h"
 #include "lesson/lessons.h"
 #include "model/window_times.h"
+#include "mosaic/mosaic.h"
 #include "steering/steering.h"
 #include "talk/talk.h"
 #include "two_runs/comparison.h"
@@ -31,6 +32,7 @@ class AppModel : public WindowState {
   Talk talk;
   Exports exports;
   Comparison comparison; ///< with the second run
+  Mosaic mosaic;
   Steering steering;
   CommandTable commands;
   NamedValues values;

@@ -100,6 +100,21 @@ void WindowPanes::present(Ui& ui, ImVec2 size, bool resting) {
   overlays_.draw(ui, size);
 }
 
+void WindowPanes::tiles(Ui& ui, float low, float high, float width) {
+  PaneLayout& p = model_.settings.panes;
+  const float grip = std::max(ui.px(3), 2.0f);
+  const float right = ui.px(std::clamp(p.right, 300.0f, std::max(300.0f, 0.45f * width / ui.scale)));
+  const float view = std::max(width - right - grip, 1.0f), tall = std::max(high - low, 1.0f);
+  {
+    Pane pane("##right", {width - right, low}, {right, tall}, false, {ui.px(16), ui.px(12)}, ui.colors.panel);
+    panels::mosaic(ui, model_.mosaic);
+  }
+  splitter(ui, "##grip-right", {width - right - grip, low}, {grip, tall}, true, p.right, -1, 300,
+           0.45f * width / ui.scale);
+  Pane pane("##view", {0, low}, {view, tall}, false, {0, 0}, ui.colors.ground);
+  mosaic_.draw(ui);
+}
+
 void WindowPanes::draw(Ui& ui, bool resting) {
   AppModel& m = model_;
   PaneLayout& p = m.settings.panes;
@@ -124,8 +139,20 @@ void WindowPanes::draw(Ui& ui, bool resting) {
 
   {
     Pane pane("##top", {0, 0}, {size.x, top}, false, {0, 0}, ui.colors.panel);
-    panels::top_bar(ui);
+    panels::top_bar(ui, m.mosaic);
   }
+  if (m.mosaic.shown() && !lesson) {
+    tiles(ui, middle_y, size.y - status, size.x);
+    {
+      Pane pane("##status", {0, size.y - status}, {size.x, status}, false, {0, 0}, ui.colors.ground);
+      panels::status_bar(ui, m.comparison.history_memory());
+    }
+    panels::messages(ui, {ui.px(12), middle_y + ui.px(12)}, std::min(0.6f * size.x, ui.px(560)));
+    overlays_.draw(ui, size);
+    m.keys_moved = false;
+    return;
+  }
+  mosaic_.rest();
   if (lesson) {
     const float high = std::round((p.show_left ? 0.55f : 1.0f) * middle_high);
     {

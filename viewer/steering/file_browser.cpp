@@ -3,6 +3,7 @@
 
 #include "input/mesh_format.h"
 #include "model/words.h"
+#include "tiles/tile_folder.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -63,8 +64,12 @@ void FileBrowser::go(const fs::path& folder) {
     std::error_code ignored;
     entry.name = it->path().filename().string();
     entry.folder = it->is_directory(ignored);
-    if (entry.name.starts_with('.') || (!entry.folder && !is_model(entry.name, wanted_))) continue;
-    if (!entry.folder) entry.bytes = it->file_size(ignored);
+    // A folder of tiles is opened as a whole.
+    entry.tiles = entry.folder && wanted_ == FilesFor::open && TileFolder::exists(it->path());
+    entry.folder = entry.folder && !entry.tiles;
+    if (entry.name.starts_with('.') || (!entry.folder && !entry.tiles && !is_model(entry.name, wanted_)))
+      continue;
+    if (!entry.folder && !entry.tiles) entry.bytes = it->file_size(ignored);
     found.push_back(std::move(entry));
   }
   trouble_ = error ? folder.string() + " cannot be read: " + error.message() + "." : "";
@@ -116,11 +121,13 @@ void FileBrowser::listing(Ui& ui) {
     const bool pressed = row.button(i);
     if (row.hovered()) row.ground(ui.colors.hover);
     row.text(ui.fonts.ui, 10, entry.folder ? ui.colors.accent_text : ui.colors.quiet,
-             entry.folder ? icon::folder : icon::cube);
+             entry.folder  ? icon::folder
+             : entry.tiles ? icon::cubes
+                           : icon::cube);
     row.fitted(ui.fonts.ui, 36, ui.colors.text, entry.name, row.width - ui.px(140));
     if (!entry.folder) {
       row.width -= ui.px(10);
-      row.value(ui.colors.quiet, bytes_text(entry.bytes));
+      row.value(ui.colors.quiet, entry.tiles ? "tiles" : bytes_text(entry.bytes));
     }
     if (pressed && entry.folder) next = folder_ / entry.name;
     if (pressed && !entry.folder) chosen(ui, (folder_ / entry.name).string());
@@ -129,8 +136,8 @@ void FileBrowser::listing(Ui& ui) {
     widgets::quiet_text(
         ui, wanted_ == FilesFor::between
                 ? "No surfaces here: OFF, OBJ, PLY or STL."
-                : "No models here: surfaces (OFF, OBJ, PLY, STL), points (XYZ), grids (NRRD), or a "
-                  "view as JSON.");
+                : "No models here: surfaces (OFF, OBJ, PLY, STL), points (XYZ), grids (NRRD), a view as "
+                  "JSON, or a folder of tiles.");
   ImGui::EndChild();
   if (!next.empty()) go(next);
 }
@@ -169,7 +176,7 @@ void FileBrowser::draw(Ui& ui) {
   if (ImGui::InputTextWithHint("##path", "a path", path_.data(), path_.size(),
                                ImGuiInputTextFlags_EnterReturnsTrue)) {
     std::error_code ignored;
-    if (fs::is_directory(path_.data(), ignored))
+    if (fs::is_directory(path_.data(), ignored) && !TileFolder::exists(path_.data()))
       go(path_.data());
     else
       chosen(ui, path_.data());

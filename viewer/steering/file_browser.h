@@ -24,7 +24,7 @@ class FileBrowser {
   void chosen(Ui& ui, const std::string& file);
   struct Entry {
     std::string name;
-    bool folder = false;
+    bool folder = false, tiles = false; ///< to go into; of a run in tiles, opened as a whole
     std::uintmax_t bytes = 0;
   };
   std::filesystem::path folder_;

@@ -63,6 +63,7 @@ Status open_model(Steering& m, const Arguments& a) {
     else
       return wrong_arguments("\"" + a[i] + "\" is not understood.");
   }
+  if (inside.empty() && TileFolder::exists(a[0])) return m.open_tiles(a[0]);
   m.open(a[0], paused, inside);
   return {};
 }
@@ -142,9 +143,10 @@ void Steering::add_file_commands(CommandTable& table) {
       table, {.menu = "File"},
       {{.name = "open",
         .title = "Open…",
-        .usage = "[FILE | gallery:NAME] [paused] [inside FILE]",
-        .help = "Opens a model and starts refining it, or what lies between it and a surface inside; "
-                "without a name it shows the files.",
+        .usage = "[FILE | gallery:NAME | FOLDER] [paused] [inside FILE]",
+        .help =
+            "Opens a model and starts refining it, or what lies between it and a surface inside, or shows "
+            "a folder of tiles; without a name it shows the files.",
         .icon = icon::folder_open,
         .keys = {{'O', true}},
         .run = on(*this, open_model)},

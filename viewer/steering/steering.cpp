@@ -7,7 +7,19 @@
 
 namespace isoscope {
 
+Status Steering::open_tiles(const std::string& folder) {
+  if (Status opened = tiles.open(folder); !opened) return opened;
+  if (!window.scripted) window.settings.add_recent(folder);
+  window.overlay = Overlay::none;
+  window.draft = tiles.folder()->manifest().parameters; // a restart makes the same without tiles
+  return {};
+}
+
 void Steering::open(const std::string& input, bool paused, const std::string& inside) {
+  if (inside.empty() && TileFolder::exists(input)) {
+    if (const Status opened = open_tiles(input); !opened) window.report(opened.error());
+    return;
+  }
   window.draft = for_input(window.draft, input);
   window.draft.inside = inside;
   begin(paused);
@@ -34,7 +46,9 @@ void Steering::take_walls() {
 }
 
 void Steering::begin(bool paused, bool follow) {
-  const std::string& input = window.draft.input;
+  const std::string input = window.draft.input;
+  if (TileFolder::exists(input)) return open(input);
+  tiles.show(false);
   if (!input.starts_with(gallery_prefix) && window.draft.inside.empty() && !window.scripted)
     window.settings.add_recent(input);
   window.overlay = Overlay::none;
@@ -53,6 +67,7 @@ Status Steering::restart() {
   if (Status right = check_draft(window.draft); !right) return right;
   window.transport.restart();
   debug.breakpoints->forget_hits();
+  tiles.show(false);
   // The input of a recording may be on another machine: the recording holds it.
   const bool stored =
       window.shows_recording() && window.run.scene && window.draft.input == window.run.parameters.input;
@@ -107,8 +122,20 @@ void Steering::forget() {
   draft_generation_ = 0;
 }
 
+void Steering::show_tile(const TileRerun& rerun) {
+  open(rerun.file);
+  if (rerun.box.empty()) return;
+  // The tile is looked at from where it was chosen.
+  CameraPose pose = window.camera.goal();
+  pose.orientation = tiles.camera.goal().orientation;
+  window.camera.set(pose);
+  window.camera.frame(rerun.box, false);
+  window.camera.mark_set();
+}
+
 void Steering::take_run() {
   take_walls();
+  if (const auto rerun = tiles.take_recording()) show_tile(*rerun);
   const SessionSnapshot& run = window.run;
   if (run.error && run.error->message != error_seen_) {
     error_seen_ = run.error->message;

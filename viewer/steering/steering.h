@@ -4,6 +4,7 @@
 #include "command/commands.h"
 #include "command/named_values.h"
 #include "debug/debugger.h"
+#include "mosaic/mosaic.h"
 #include "steering/apply_plan.h"
 #include "steering/wall_order.h"
 #include "two_runs/comparison.h"
@@ -24,12 +25,13 @@ struct HistoryMemory;
 class Steering {
  public:
   /// `notify` is called from the worker that tells walls apart.
-  Steering(Debugger& debugger, Comparison& comparison, const std::function<void()>& notify)
-      : window(debugger.window), debug(debugger), runs(comparison), walls_(notify) {}
+  Steering(Debugger& debugger, Comparison& comparison, Mosaic& mosaic, const std::function<void()>& notify)
+      : window(debugger.window), debug(debugger), runs(comparison), tiles(mosaic), walls_(notify) {}
 
   WindowState& window;
   Debugger& debug;
   Comparison& runs;
+  Mosaic& tiles;
 
   /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ,
   /// points ask for theirs to be found, a recording (.isorun) all its parameters. `inside`: the inner one of
@@ -39,8 +41,10 @@ class Steering {
   void follow(const std::string& copy);
   /// Starts a run of what lies between two closed surfaces, once it is known which is the outer one.
   void open_between(const std::string& one, const std::string& other);
-  /// Starts a run with the draft as it is; `follow`: where it is a recording, as a copy that grows elsewhere,
-  /// which one on a network's file system is always.
+  /// Shows a folder of tiles instead of the run. Fails as TileFolder::open().
+  Status open_tiles(const std::string& folder);
+  /// Starts a run with the draft as it is, or shows the folder of tiles that its input is; `follow`: where it
+  /// is a recording, as a copy that grows elsewhere, which one on a network's file system is always.
   void begin(bool paused = false, bool follow = false);
   bool idle() const { return walls_.idle(); }
   /// Begins the end of what is asked, and waits for nothing.
@@ -81,6 +85,8 @@ class Steering {
   /// The draft as criteria, in the units of the present scene.
   CriteriaParameters draft_criteria() const;
   void take_walls();
+  /// Opens the recording of a tile that is made once more, and looks at the tile.
+  void show_tile(const TileRerun& rerun);
   WallOrder walls_;
   std::optional<CriteriaParameters> preview_asked_;
   std::shared_ptr<const StateSnapshot> preview_state_;
@@ -99,8 +105,8 @@ void add_run_values(NamedValues& values, const WindowState& window);
 
 namespace panels {
 
-/// Menus, the model and δ, stage chips, transport, LIVE.
-void top_bar(Ui& ui);
+/// Menus, the model and δ, stage chips, transport, LIVE; of tiles the menus and the folder.
+void top_bar(Ui& ui, const Mosaic& mosaic);
 /// The left pane's section of the parameters, but for those below.
 void parameters(Ui& ui);
 /// What stays in sight below the left pane: α, σ and shrink, what would violate, what Apply would do, the

@@ -300,13 +300,18 @@ void transport(Ui& ui) {
 
 } // namespace
 
-void top_bar(Ui& ui) {
+void top_bar(Ui& ui, const Mosaic& mosaic) {
   const float transport_width = ui.px(6 * 28 + 5 * 2 + 8 + 62 + 8 + 58);
   const float right = ImGui::GetWindowWidth() - ui.px(10) - transport_width;
   const float y = ui.px(6);
   ImGui::SetCursorPos({ui.px(8), y});
   menus(ui, ImGui::GetWindowWidth() >= ui.px(wide_enough));
   float x = ImGui::GetCursorPosX() + ui.px(10);
+  if (mosaic.shown()) {
+    ImGui::SetCursorPos({x, y + ui.px(5)});
+    widgets::bold_text(ui, icon::cubes + std::string("  ") + mosaic.folder()->folder().filename().string());
+    return;
+  }
   const float room = right - x - ui.px(12);
   ImGui::SetCursorPos({x, y});
   model_name(ui, std::min(room * 0.5f, ui.px(260)));
