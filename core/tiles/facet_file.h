@@ -11,6 +11,9 @@
 
 namespace isoscope {
 
+/// A box that meets everything.
+constexpr Box3 all_of_space{{-Box3::inf, -Box3::inf, -Box3::inf}, {Box3::inf, Box3::inf, Box3::inf}};
+
 /// The facets of one brick in a file: those whose lowest vertex, by x, then y, then z, lies in it.
 struct BrickEntry {
   GridPlace brick{};

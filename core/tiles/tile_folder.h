@@ -6,6 +6,7 @@
 //   rounds/N.json     the tiling of round N, with its tiles, heaviest first
 //   z/N/x_y_z         the facets of Z that a tile of round N has left; z/0 is the first Z
 //   z/N/x_y_z.json    what programs say of that tile, see tile_notes.h
+//   recordings/       of tiles that the window made once more
 #pragma once
 
 #include "base/status.h"

@@ -4,15 +4,11 @@
 #include "base/point_order.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
 namespace isoscope {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Box3 all_of_space{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
 
 /// The bricks of what a round begins with, from the heads of its files.
 Result<std::map<GridPlace, std::uint64_t>> bricks_before(const TileFolder& folder, std::uint32_t round) {

@@ -19,8 +19,6 @@
 namespace isoscope {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Box3 everywhere{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
 constexpr std::string_view held_words = "Z keeps a point of a thin part on its side.";
 constexpr std::string_view start_words = "Z before tile ";
 
@@ -76,8 +74,8 @@ Result<TileStart> tile_start(const TileFolder& folder, const TileRound& round, s
   start.words = std::to_string(tile) + " of round " + std::to_string(round.number);
   for (const Vec3 p : m.held)
     if (start.box.holds(p)) start.held.push_back(p);
-  auto z = folder.z_before(round.number, everywhere);
-  auto input = folder.input(everywhere);
+  auto z = folder.z_before(round.number, all_of_space);
+  auto input = folder.input(all_of_space);
   if (folder.is_over(round.number))
     return Error{ErrorCode::usage, "Round " + std::to_string(round.number) + " is over.",
                  "Tiles of the round that was begun last can be made once more."};
@@ -177,7 +175,7 @@ Result<bool> is_as_made(const TriangleMesh& mesh, const TileFolder& folder, cons
                         std::size_t tile) {
   const GridPlace& place = round.tiles[tile].tile;
   std::vector<Triangle3> made;
-  if (Status read = read_facets(folder.output(round.number, place), everywhere, made); !read)
+  if (Status read = read_facets(folder.output(round.number, place), all_of_space, made); !read)
     return read.error();
   const TileGrid grid = folder.grid();
   std::vector<Triangle3> own = facets_of(mesh);

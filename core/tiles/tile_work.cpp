@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -194,11 +193,9 @@ Result<JoinedTiles> join_tiles(const TileFolder& folder, RunControl& control) {
                  "Make them first: isoscope-run tiles step."};
   const auto rounds = folder.complete_rounds();
   if (!rounds) return rounds.error();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Box3 everywhere{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
-  auto z = folder.z_before(*rounds + 1, everywhere);
+  auto z = folder.z_before(*rounds + 1, all_of_space);
   if (!z) return z.error();
-  auto input = folder.input(everywhere);
+  auto input = folder.input(all_of_space);
   if (!input) return input.error();
   RunParameters p = folder.manifest().parameters;
   p.tolerance = {folder.manifest().delta, false};

@@ -33,7 +33,7 @@ bool same_tiles(const TileProgress& a, const TileProgress& b) {
   return true;
 }
 
-std::shared_ptr<const MosaicNews> look_at(const TileFolder& folder, const MosaicNews* before,
+std::shared_ptr<const MosaicNews> news_of(const TileFolder& folder, const MosaicNews* before,
                                           const RunControl& control) {
   auto news = before != nullptr ? std::make_shared<MosaicNews>(*before) : std::make_shared<MosaicNews>();
   news->error.reset();
@@ -92,7 +92,7 @@ std::string_view name(MosaicLook look) {
 glm::vec3 state_color(TileState state, const SceneColors& colors) {
   switch (state) {
   case TileState::waiting:
-    return colors.tetrahedron;
+    return 0.5f * (colors.tetrahedron + colors.input);
   case TileState::in_hand:
     return colors.accent;
   case TileState::lost:
@@ -112,7 +112,7 @@ struct Mosaic::Begun {
 
 Mosaic::Mosaic(WindowState& state, const std::function<void()>& notify)
     : window(state), begun_(std::make_shared<Begun>()),
-      looker_([](const Look& q, RunControl& control) { return look_at(*q.folder, q.before.get(), control); },
+      looker_([](const Look& q, RunControl& control) { return news_of(*q.folder, q.before.get(), control); },
               notify, Overtaken::finished),
       maker_(
           [begun = begun_, notify](const Again& q, RunControl& control) {

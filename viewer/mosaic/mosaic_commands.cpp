@@ -14,7 +14,7 @@ Status rerun_tile(Mosaic& m, const Arguments& a) {
   return m.rerun(*tile);
 }
 
-Status set_look(Mosaic& m, const Arguments& a) {
+Status set_mosaic_look(Mosaic& m, const Arguments& a) {
   for (std::size_t i = 0; i < mosaic_looks.size(); ++i)
     if (a.size() == 1 && a[0] == name(static_cast<MosaicLook>(i))) {
       m.look = static_cast<MosaicLook>(i);
@@ -52,7 +52,7 @@ void Mosaic::add_commands(CommandTable& table) {
               .title = "Look of the tiles",
               .usage = "bricks | opened | mesh",
               .help = "Bricks closed, those of tiles that are made open, or all open, with Z in them.",
-              .run = on(*this, set_look),
+              .run = on(*this, set_mosaic_look),
               .enabled = open}});
 }
 

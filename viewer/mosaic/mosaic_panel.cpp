@@ -24,14 +24,14 @@ Rgb to_rgb(glm::vec3 c) {
   return byte(c.r) << 16 | byte(c.g) << 8 | byte(c.b);
 }
 
-StateMark mark_of(const Ui& ui, TileState state) {
+StateMark state_mark(const Ui& ui, TileState state) {
   constexpr std::array<MarkerShape, tile_state_count> shapes{
       MarkerShape::ring, MarkerShape::diamond, MarkerShape::triangle, MarkerShape::cross, MarkerShape::disc};
   return {to_rgb(state_color(state, scene_colors(ui.theme))), shapes.at(static_cast<std::size_t>(state))};
 }
 
 /// A bar of the round's facets by the state of their tiles.
-void progress_bar(const Ui& ui, const TileProgress& p) {
+void round_bar(const Ui& ui, const TileProgress& p) {
   std::array<double, tile_state_count> facets{};
   double all = 0;
   for (std::size_t i = 0; i < p.tiles.size(); ++i) {
@@ -51,7 +51,7 @@ void progress_bar(const Ui& ui, const TileProgress& p) {
       const float x0 = at.x + width * static_cast<float>(from),
                   x1 = at.x + width * static_cast<float>(from + share);
       const bool first = from <= 0, last = from + share >= 1 - 1e-9;
-      list.AddRectFilled({x0, at.y}, {x1, at.y + high}, to_u32(mark_of(ui, state).color), high / 2,
+      list.AddRectFilled({x0, at.y}, {x1, at.y + high}, to_u32(state_mark(ui, state).color), high / 2,
                          first && last ? ImDrawFlags_RoundCornersAll
                          : first       ? ImDrawFlags_RoundCornersLeft
                          : last        ? ImDrawFlags_RoundCornersRight
@@ -74,7 +74,7 @@ std::string round_words(const TileFolder& folder, const TileRound& round) {
   return "Round " + std::to_string(round.number) + ": " + tiling + ", effort " + std::to_string(round.effort);
 }
 
-void head(Ui& ui, Mosaic& m, const TileProgress* p) {
+void mosaic_head(Ui& ui, Mosaic& m, const TileProgress* p) {
   const TileFolder& folder = *m.folder();
   const TileManifest& manifest = folder.manifest();
   {
@@ -95,7 +95,7 @@ void head(Ui& ui, Mosaic& m, const TileProgress* p) {
                       true);
   ImGui::Dummy({0, ui.px(6)});
   if (p == nullptr) return;
-  progress_bar(ui, *p);
+  round_bar(ui, *p);
   ImGui::Dummy({0, ui.px(2)});
   const std::string made =
       grouped(p->count(TileState::made)) + " of " + counted(p->tiles.size(), "tile") + " made";
@@ -107,11 +107,11 @@ void head(Ui& ui, Mosaic& m, const TileProgress* p) {
     widgets::quiet_text(ui, "Nobody is at work: isoscope-run tiles step goes on.", true);
 }
 
-void states(Ui& ui, const TileProgress& p) {
+void mosaic_states(Ui& ui, const TileProgress& p) {
   for (const TileState state : by_progress) {
     widgets::Row row(ui, 22);
     const bool any = p.count(state) > 0;
-    const StateMark mark = mark_of(ui, state);
+    const StateMark mark = state_mark(ui, state);
     row.glyph(8, any ? mark.color : ui.colors.line, mark.shape, 5);
     row.text(ui.fonts.ui, 24, any ? ui.colors.text : ui.colors.quiet, name(state));
     row.value(any ? ui.colors.text : ui.colors.quiet, grouped(p.count(state)));
@@ -119,7 +119,7 @@ void states(Ui& ui, const TileProgress& p) {
   }
 }
 
-void looks(Ui& ui, Mosaic& m, const TileMosaic& mosaic) {
+void mosaic_look_rows(Ui& ui, Mosaic& m, const TileMosaic& mosaic) {
   int chosen = static_cast<int>(m.look);
   if (widgets::segmented(ui, "look", mosaic_looks, chosen))
     ui.commands.post("tiles-look", {std::string(name(static_cast<MosaicLook>(chosen)))});
@@ -145,7 +145,7 @@ std::string row_value(const TileReport& report) {
   return s < 600 ? general(s, s < 1 ? 2 : 3) + " s" : general(s / 60, 3) + " min";
 }
 
-void row(Ui& ui, Mosaic& m, const TileProgress& p, std::size_t i) {
+void mosaic_row(Ui& ui, Mosaic& m, const TileProgress& p, std::size_t i) {
   widgets::Row line(ui, 24);
   const TileReport& report = p.tiles[i];
   const bool pressed = line.button(i);
@@ -153,7 +153,7 @@ void row(Ui& ui, Mosaic& m, const TileProgress& p, std::size_t i) {
   if (line.hovered()) m.hovered = tile;
   if (m.hovered == tile) line.ground(ui.colors.hover, 1, 4);
   if (line.hovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  const StateMark mark = mark_of(ui, report.state);
+  const StateMark mark = state_mark(ui, report.state);
   line.glyph(8, mark.color, mark.shape, 4.5f);
   line.text(ui.fonts.ui, 24, ui.colors.text, "Tile " + std::to_string(i));
   line.text(ui.fonts.small, 92, ui.colors.quiet, counted(p.round.tiles[i].facets, "facet"));
@@ -169,16 +169,16 @@ void row(Ui& ui, Mosaic& m, const TileProgress& p, std::size_t i) {
 void mosaic(Ui& ui, Mosaic& m) {
   const auto news = m.news();
   const TileProgress* p = news ? &news->progress : nullptr;
-  head(ui, m, p);
+  mosaic_head(ui, m, p);
   if (p == nullptr || p->round.number == 0) return;
   ImGui::Dummy({0, ui.px(4)});
-  states(ui, *p);
+  mosaic_states(ui, *p);
   ImGui::Dummy({0, ui.px(6)});
-  if (news->mosaic) looks(ui, m, *news->mosaic);
+  if (news->mosaic) mosaic_look_rows(ui, m, *news->mosaic);
   ImGui::Dummy({0, ui.px(4)});
   widgets::subtitle(ui, "Tiles, heaviest first");
   if (ImGui::BeginChild("tiles", {0, 0}))
-    widgets::rows_in_sight(p->tiles.size(), ui.px(24), [&](std::size_t i) { row(ui, m, *p, i); });
+    widgets::rows_in_sight(p->tiles.size(), ui.px(24), [&](std::size_t i) { mosaic_row(ui, m, *p, i); });
   ImGui::EndChild();
 }
 

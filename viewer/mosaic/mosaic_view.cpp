@@ -13,16 +13,16 @@ namespace isoscope {
 namespace {
 
 /// Bricks fill a box better than the ball that a camera frames it by.
-constexpr double closer = 0.94;
+constexpr double mosaic_closer = 0.94;
 
 /// A rounded ground for words over the picture.
-void pill(const Ui& ui, ImVec2 low, ImVec2 high) {
+void mosaic_pill(const Ui& ui, ImVec2 low, ImVec2 high) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, to_u32(ui.colors.raised, 0.94f), ui.px(7));
   list.AddRect(low, high, to_u32(ui.colors.line), ui.px(7));
 }
 
-void tile_tip(const Ui& ui, const TileProgress& p, std::uint32_t tile) {
+void mosaic_tip(const Ui& ui, const TileProgress& p, std::uint32_t tile) {
   const TileReport& report = p.tiles[tile];
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
   ImGui::BeginTooltip();
@@ -56,7 +56,7 @@ void MosaicView::frame(float aspect) {
   framed_aspect_ = aspect;
   mosaic_.camera.frame(box, false, static_cast<double>(aspect));
   CameraPose pose = mosaic_.camera.goal();
-  pose.distance *= closer;
+  pose.distance *= mosaic_closer;
   mosaic_.camera.set(pose);
 }
 
@@ -85,7 +85,7 @@ void MosaicView::mouse(Ui& ui, ViewArea area) {
   const auto news = mosaic_.news();
   if (!pick || !news || pick->tile >= news->progress.tiles.size()) return;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  tile_tip(ui, news->progress, pick->tile);
+  mosaic_tip(ui, news->progress, pick->tile);
 }
 
 void MosaicView::words(Ui& ui, ViewArea area) {
@@ -102,7 +102,7 @@ void MosaicView::words(Ui& ui, ViewArea area) {
   if (!rerun) return;
   const float width = ui.px(320), high = ui.px(84), pad = ui.px(14);
   const ImVec2 at{area.low.x + (area.size.x - width) / 2, area.low.y + area.size.y - high - ui.px(24)};
-  pill(ui, at, {at.x + width, at.y + high});
+  mosaic_pill(ui, at, {at.x + width, at.y + high});
   widgets::draw_text(list, ui.fonts.small, {at.x + pad, at.y + ui.px(10)}, to_u32(ui.colors.text),
                      "Tile " + std::to_string(rerun->tile) + " of round " + std::to_string(rerun->round) +
                          " is made once more");

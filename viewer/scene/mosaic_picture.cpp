@@ -24,7 +24,7 @@ struct MosaicPrograms {
   gl::Program background, mesh, line, marker, copy;
 };
 
-Result<MosaicPrograms> build_programs() {
+Result<MosaicPrograms> build_mosaic_programs() {
   const gl::ShaderSource source(embedded::shaders(), "");
   MosaicPrograms programs;
   const struct {
@@ -47,7 +47,7 @@ Result<MosaicPrograms> build_programs() {
 }
 
 /// The eight corners; bit k of a number: the upper end of axis k.
-std::array<glm::vec3, 8> corners_of(const Box3& box, const SceneSpace& space) {
+std::array<glm::vec3, 8> brick_corners(const Box3& box, const SceneSpace& space) {
   std::array<glm::vec3, 8> corners{};
   for (std::size_t c = 0; c < corners.size(); ++c)
     corners[c] = space.local({(c & 1u) != 0 ? box.hi.x : box.lo.x, (c & 2u) != 0 ? box.hi.y : box.lo.y,
@@ -55,15 +55,16 @@ std::array<glm::vec3, 8> corners_of(const Box3& box, const SceneSpace& space) {
   return corners;
 }
 
-void add_box(MeshBuilder& mesh, const Box3& box, const SceneSpace& space, Color8 tint) {
-  const auto c = corners_of(box, space);
+void add_brick(MeshBuilder& mesh, const Box3& box, const SceneSpace& space, Color8 tint) {
+  const auto c = brick_corners(box, space);
   constexpr std::array<std::array<std::size_t, 4>, 6> sides{
       {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
   for (const auto& s : sides) mesh.quad({c[s[0]], c[s[1]], c[s[2]], c[s[3]]}, tint);
 }
 
-void add_outline(LineBuilder& lines, const Box3& box, const SceneSpace& space, Color8 tint, float width) {
-  const auto c = corners_of(box, space);
+void add_brick_outline(LineBuilder& lines, const Box3& box, const SceneSpace& space, Color8 tint,
+                       float width) {
+  const auto c = brick_corners(box, space);
   for (std::size_t from = 0; from < c.size(); ++from)
     for (const std::size_t axis : {1u, 2u, 4u})
       if ((from & axis) == 0) lines.segment(c[from], c[from | axis], tint, width);
@@ -109,9 +110,9 @@ void MosaicPicture::Impl::upload() {
     for (const MosaicScene::Brick& b : scene->bricks) {
       const MosaicScene::Tile& t = scene->tiles[b.tile];
       if (t.closed)
-        add_box(faces, drawn_box(b.box), space, color8(t.color));
+        add_brick(faces, drawn_box(b.box), space, color8(t.color));
       else
-        add_outline(lines, drawn_box(b.box), space, color8(t.color, 0.34f), 1);
+        add_brick_outline(lines, drawn_box(b.box), space, color8(t.color, 0.34f), 1);
     }
     for (std::size_t f = 0; f < scene->facets.size(); ++f) {
       const MosaicScene::Tile& t = scene->tiles[scene->tile_of_facet[f]];
@@ -133,8 +134,8 @@ void MosaicPicture::Impl::upload_lit(std::optional<std::uint32_t> tile) {
   LineBuilder lines;
   if (scene && tile && *tile < scene->tiles.size() && !scene->tiles[*tile].box.empty()) {
     for (const MosaicScene::Brick& b : scene->bricks)
-      if (b.tile == *tile) add_outline(lines, b.box, space, color8(colors.selection, 0.5f), 1.2f);
-    add_outline(lines, scene->tiles[*tile].box, space, color8(colors.selection), 2.5f);
+      if (b.tile == *tile) add_brick_outline(lines, b.box, space, color8(colors.selection, 0.5f), 1.2f);
+    add_brick_outline(lines, scene->tiles[*tile].box, space, color8(colors.selection), 2.5f);
   }
   lit_lines.upload(lines);
 }
@@ -195,7 +196,7 @@ MosaicPicture::~MosaicPicture() = default;
 Result<std::unique_ptr<MosaicPicture>> MosaicPicture::create() {
   const auto device = gl::current_device();
   if (!device) return device.error();
-  auto programs = build_programs();
+  auto programs = build_mosaic_programs();
   if (!programs) return programs.error();
   std::unique_ptr<MosaicPicture> picture(new MosaicPicture());
   picture->impl_ = std::make_unique<Impl>(std::move(*programs), *device);

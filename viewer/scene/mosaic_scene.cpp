@@ -7,10 +7,10 @@
 namespace isoscope {
 namespace {
 
-constexpr double gap = 0.03; ///< around a brick, in its side
+constexpr double brick_gap = 0.03; ///< around a brick, in its side
 
 /// How far along the ray it enters the box; nothing where it does not.
-std::optional<double> enters(const Box3& box, const Camera::Ray& ray) {
+std::optional<double> enters_box(const Box3& box, const Camera::Ray& ray) {
   double from = 0, to = Box3::inf;
   for (int a = 0; a < 3; ++a) {
     const double d = ray.direction[a];
@@ -26,7 +26,7 @@ std::optional<double> enters(const Box3& box, const Camera::Ray& ray) {
   return from <= to ? std::optional(from) : std::nullopt;
 }
 
-std::optional<double> meets(const Triangle3& t, const Camera::Ray& ray) {
+std::optional<double> meets_facet(const Triangle3& t, const Camera::Ray& ray) {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], across = cross(ray.direction, v);
   const double determinant = dot(u, across);
   if (determinant == 0) return std::nullopt;
@@ -51,7 +51,7 @@ glm::vec3 frozen_color(const SceneColors& colors) {
 }
 
 Box3 drawn_box(const Box3& brick) {
-  return brick.grown(-gap * brick.longest_edge());
+  return brick.grown(-brick_gap * brick.longest_edge());
 }
 
 std::optional<MosaicPick> pick_mosaic(const MosaicScene& scene, const Camera::Ray& ray) {
@@ -63,10 +63,10 @@ std::optional<MosaicPick> pick_mosaic(const MosaicScene& scene, const Camera::Ra
     tile = which;
   };
   for (const MosaicScene::Brick& b : scene.bricks)
-    if (scene.tiles[b.tile].closed) take(enters(drawn_box(b.box), ray), b.tile);
+    if (scene.tiles[b.tile].closed) take(enters_box(drawn_box(b.box), ray), b.tile);
   for (std::size_t f = 0; f < scene.facets.size(); ++f)
     if (const std::uint32_t t = scene.tile_of_facet[f]; !scene.tiles[t].closed)
-      take(meets(scene.facets[f], ray), t);
+      take(meets_facet(scene.facets[f], ray), t);
   if (!tile) return std::nullopt;
   return MosaicPick{*tile, ray.origin + nearest * ray.direction};
 }

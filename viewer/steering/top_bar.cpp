@@ -308,7 +308,7 @@ void top_bar(Ui& ui, const Mosaic& mosaic) {
   menus(ui, ImGui::GetWindowWidth() >= ui.px(wide_enough));
   float x = ImGui::GetCursorPosX() + ui.px(10);
   if (mosaic.shown()) {
-    ImGui::SetCursorPos({x, y + ui.px(5)});
+    ImGui::SetCursorPos({x, y + ui.px(6)});
     widgets::bold_text(ui, icon::cubes + std::string("  ") + mosaic.folder()->folder().filename().string());
     return;
   }
