@@ -155,11 +155,18 @@ void TopologyCondition::advance() {
     phase_ = phase_ == Phase::summits ? Phase::edges : Phase::facets;
     return;
   }
-  level_ *= level_step;
+  lower_level();
   phase_ = summits_ ? Phase::summits : first_search();
   if (levels_left()) return;
   if (expected_.joined && !summits_) return; // the contacts have the last word
   try_summits();
+}
+
+/// Parts in which points are held may be as thin as they like: the last level has all of them.
+void TopologyCondition::lower_level() {
+  const ToleranceVolume& volume = context_.volume();
+  const double last = lowest_level * volume.thresholds().delta, lower = level_ * level_step;
+  level_ = lower < last && last <= level_ && volume.held() > 0 ? lowest_level * last : lower;
 }
 
 bool TopologyCondition::thin_parts_matter() const {
@@ -175,8 +182,10 @@ bool TopologyCondition::spent() {
 
 bool TopologyCondition::levels_left() {
   if (spent()) return false;
-  const double lowest = thin_parts_matter() ? lowest_level : lowest_level_aimed_at;
-  return level_ >= lowest * context_.volume().thresholds().delta;
+  if (!thin_parts_matter()) return !low(level_);
+  const ToleranceVolume& volume = context_.volume();
+  const double lowest = volume.held() > 0 ? lowest_level * lowest_level : lowest_level;
+  return level_ >= lowest * volume.thresholds().delta;
 }
 
 void TopologyCondition::try_summits() {

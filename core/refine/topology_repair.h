@@ -72,6 +72,7 @@ class TopologyCondition {
   }
   Turn mend();
   void advance();
+  void lower_level();
   void leave_contacts();
   /// Whether low places are more likely handles than crossings of the input: where it is embedded, and where
   /// Z has to reach into parts that are thin.
