@@ -38,7 +38,7 @@ class Steering {
   /// Shows a copy of a recording that grows on another machine, and goes on as more of it comes.
   void follow(const std::string& copy);
   /// Starts a run of what lies between two closed surfaces, once it is known which is the outer one.
-  void open_between(const std::string& one, const std::string& other);
+  void open_between(const std::string& one, const std::string& other, bool paused = false);
   /// Starts a run with the draft as it is; `follow`: where it is a recording, as a copy that grows elsewhere,
   /// which one on a network's file system is always.
   void begin(bool paused = false, bool follow = false);
@@ -80,8 +80,11 @@ class Steering {
  private:
   /// The draft as criteria, in the units of the present scene.
   CriteriaParameters draft_criteria() const;
+  /// Refused where the input itself tells what the parameter would be.
+  Status may_set(const std::string& parameter) const;
   void take_walls();
   WallOrder walls_;
+  bool walls_paused_ = false;
   std::optional<CriteriaParameters> preview_asked_;
   std::shared_ptr<const StateSnapshot> preview_state_;
   std::shared_ptr<const StateSnapshot> marked_state_; ///< whose ids `would_violate` has
