@@ -66,12 +66,15 @@ MadePointField without_sites(const MadePointField& from, const Drops& drops, dou
                              const RunControl& control) {
   const WeightedPointIndex& index = *from.index;
   std::vector<WeightedPoint> sites;
-  MadePointField made{std::make_shared<PointField>(*from.points), nullptr};
+  MadePointField made{std::make_shared<PointField>(*from.points), nullptr, from.left_out};
+  LeftOutSites& left_out = made.left_out;
+  if (left_out.sites.empty()) left_out.area = index.area();
   made.points->point.clear();
   for (std::uint32_t s = 0; s < index.size(); ++s) {
-    if (drops(s)) continue;
-    sites.push_back(index.site(TriangleId(s)));
-    made.points->point.push_back(from.points->point.empty() ? s : from.points->point[s]);
+    const bool kept = !drops(s);
+    (kept ? sites : left_out.sites).push_back(index.site(TriangleId(s)));
+    (kept ? made.points->point : left_out.points)
+        .push_back(from.points->point.empty() ? s : from.points->point[s]);
   }
   made.index = std::make_shared<const WeightedPointIndex>(sites, index.area() - dropped_area, control);
   return made;
@@ -236,7 +239,7 @@ bool is_field_of_points(const TriangleSoup& input, const RunParameters& paramete
 MadePointField make_point_field(const std::shared_ptr<const TriangleSoup>& input,
                                 const RunParameters& parameters, std::optional<double> delta,
                                 const RunControl& control) {
-  MadePointField made{std::make_shared<PointField>(), nullptr};
+  MadePointField made{std::make_shared<PointField>(), nullptr, {}};
   PointField& field = *made.points;
   field.points = points_of(input, delta);
   field.drawn = field.points != input;
@@ -252,53 +255,67 @@ MadePointField make_point_field(const std::shared_ptr<const TriangleSoup>& input
   return made;
 }
 
-MadePointField without_outliers(const MadePointField& from, double delta, const RunControl& control) {
-  const auto drops = [&](std::uint32_t s) { return from.index->site(TriangleId(s)).weight >= delta * delta; };
-  DroppedPoints dropped;
-  Box3 box;
-  for (std::uint32_t s = 0; s < from.index->size(); ++s) {
-    if (!drops(s)) continue;
-    const Vec3 at = from.points->points->points[from.points->point.empty() ? s : from.points->point[s]];
-    if (dropped.points++ == 0) dropped.place = at;
-    box.add(at);
-  }
-  if (dropped.points == 0 || dropped.points == from.index->size()) return from;
-  dropped.size = box.longest_edge();
-  MadePointField made = without_sites(from, drops, 0, control);
-  made.points->dropped.push_back(dropped);
-  return made;
-}
-
-MadePointField without_specks(const MadePointField& from, double boundary, const RunControl& control) {
+MadePointField without_strays(const MadePointField& from, double delta, double boundary,
+                              const RunControl& control) {
+  // Balls of outliers are empty: of no component.
   const VolumeComponents components = from.index->components(boundary, control);
   if (control.cancelled()) return from;
+  const std::size_t all = from.index->size();
+  const auto is_outlier = [&](std::uint32_t s) {
+    return from.index->site(TriangleId(s)).weight >= delta * delta;
+  };
+  DroppedPoints outliers, specks{DroppedPoints::Why::blob, 0, {}, 0, 0};
+  Box3 box;
   std::vector<std::size_t> sites(components.count);
   std::vector<Box3> boxes(components.count);
-  const std::size_t n = from.index->size();
-  for (std::uint32_t s = 0; s < n; ++s) {
+  for (std::uint32_t s = 0; s < all; ++s) {
+    if (is_outlier(s)) {
+      const Vec3 at = from.points->points->points[from.points->point.empty() ? s : from.points->point[s]];
+      if (outliers.points++ == 0) outliers.place = at;
+      box.add(at);
+    }
     const std::uint32_t c = components.of_triangle[s];
     if (c == VolumeComponents::none || ++sites[c] > largest_speck) continue;
     boxes[c].add(from.index->site(TriangleId(s)).center);
   }
-  const auto is_speck = [&](std::uint32_t c) {
-    return sites[c] <= largest_speck && static_cast<double>(sites[c]) < largest_blob * static_cast<double>(n);
+  if (outliers.points == all) return from;
+  outliers.size = box.longest_edge();
+  const auto n = static_cast<double>(all - outliers.points);
+  const auto is_small = [&](std::uint32_t c) {
+    return sites[c] <= largest_speck && static_cast<double>(sites[c]) < largest_blob * n;
   };
-  DroppedPoints dropped{DroppedPoints::Why::blob, 0, {}, 0, 0};
   for (std::uint32_t c = 0; c < components.count; ++c) {
-    if (!is_speck(c)) continue;
-    dropped.size = std::max(dropped.size, boxes[c].longest_edge());
-    ++dropped.parts;
+    if (!is_small(c)) continue;
+    specks.size = std::max(specks.size, boxes[c].longest_edge());
+    ++specks.parts;
   }
-  if (dropped.parts == 0 || dropped.parts == components.count) return from;
-  const auto drops = [&](std::uint32_t s) {
+  if (specks.parts == components.count) specks.parts = 0; // nothing would be left
+  const auto is_speck = [&](std::uint32_t s) {
     const std::uint32_t c = components.of_triangle[s];
-    return c != VolumeComponents::none && is_speck(c);
+    return specks.parts > 0 && c != VolumeComponents::none && is_small(c);
   };
-  for (std::uint32_t s = 0; s < n; ++s)
-    if (drops(s) && dropped.points++ == 0) dropped.place = from.index->site(TriangleId(s)).center;
-  const double area = from.index->area() * static_cast<double>(dropped.points) / static_cast<double>(n);
-  MadePointField made = without_sites(from, drops, area, control);
-  made.points->dropped.push_back(dropped);
+  for (std::uint32_t s = 0; s < all; ++s)
+    if (is_speck(s) && specks.points++ == 0) specks.place = from.index->site(TriangleId(s)).center;
+  if (outliers.points + specks.points == 0) return from;
+  const double area = from.index->area() * static_cast<double>(specks.points) / n;
+  MadePointField made = without_sites(
+      from, [&](std::uint32_t s) { return is_outlier(s) || is_speck(s); }, area, control);
+  for (const DroppedPoints& dropped : {outliers, specks})
+    if (dropped.points > 0) made.points->dropped.push_back(dropped);
+  return made;
+}
+
+MadePointField with_all_sites(const MadePointField& from, const RunControl& control) {
+  const LeftOutSites& left_out = from.left_out;
+  if (left_out.sites.empty()) return from;
+  std::vector<WeightedPoint> sites(from.index->size() + left_out.sites.size());
+  for (std::uint32_t s = 0; s < from.index->size(); ++s)
+    sites[from.points->point[s]] = from.index->site(TriangleId(s));
+  for (std::size_t i = 0; i < left_out.sites.size(); ++i) sites[left_out.points[i]] = left_out.sites[i];
+  MadePointField made{std::make_shared<PointField>(*from.points), nullptr, {}};
+  made.points->point.clear();
+  made.points->dropped.clear();
+  made.index = std::make_shared<const WeightedPointIndex>(sites, left_out.area, control);
   return made;
 }
 

@@ -49,10 +49,18 @@ struct PointField {
   std::vector<bool> kept() const;
 };
 
+/// Sites that stand for nothing any more.
+struct LeftOutSites {
+  std::vector<std::uint32_t> points; ///< by site
+  std::vector<WeightedPoint> sites;
+  double area = 0; ///< of all, with those that are kept
+};
+
 /// Points with the index of their sites.
 struct MadePointField {
   std::shared_ptr<PointField> points;
   std::shared_ptr<const WeightedPointIndex> index;
+  LeftOutSites left_out;
 };
 
 /// Whether the field of this input is one of points.
@@ -64,12 +72,14 @@ MadePointField make_point_field(const std::shared_ptr<const TriangleSoup>& input
                                 const RunParameters& parameters, std::optional<double> delta,
                                 const RunControl& control);
 
-/// Without the sites that give no point with φ < δ.
-MadePointField without_outliers(const MadePointField& from, double delta, const RunControl& control);
+/// Without the sites that give no point with φ < δ, and without the parts of {φ <= boundary} that are of a
+/// few balls, too few to enclose anything deep: told apart before Ω is built, as there may be hundreds around
+/// noisy points.
+MadePointField without_strays(const MadePointField& from, double delta, double boundary,
+                              const RunControl& control);
 
-/// Without the parts of {φ <= boundary} that are of a few balls, too few to enclose anything deep: told apart
-/// before Ω is built, as there may be hundreds around noisy points.
-MadePointField without_specks(const MadePointField& from, double boundary, const RunControl& control);
+/// With all that was left out of it, for another δ.
+MadePointField with_all_sites(const MadePointField& from, const RunControl& control);
 
 /// Without the parts of Ω' that have regions of one side only and less than a twentieth of the sites; the
 /// same index where there are none. Fails with open_surface where a part is larger, naming the place, and

@@ -125,9 +125,8 @@ Result<double> Preparation::find_delta(Scene& made, const std::shared_ptr<const 
 
 /// Leaves points out that do not belong to the surface at this δ.
 Status Preparation::settle_points(Scene& made) {
-  points_ = without_outliers(points_, made.delta, control_);
   const double boundary = volume_options(made.delta).boundary_ratio * made.delta;
-  if (!control_.cancelled()) points_ = without_specks(points_, boundary, control_);
+  points_ = without_strays(points_, made.delta, boundary, control_);
   if (control_.cancelled()) return cancelled_error(control_);
   use_points(made);
   return {};
@@ -173,7 +172,6 @@ Status Preparation::build_volume(Scene& made, std::shared_ptr<const TriangleSoup
 /// What the study says of δ is right to about a tenth: a hole may be open that it takes for closed, or a neck
 /// closed. Where δ is to be found, larger ones are tried; where it is given, for what to do instead.
 Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<const TriangleSoup>& soup) {
-  const MadePointField all = points_;
   const double given = made.delta;
   struct Found {
     double delta;
@@ -182,11 +180,11 @@ Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<co
   };
   std::optional<Found> found;
   Status first;
-  DeltaStudy study = all.points->study;
+  DeltaStudy study = points_.points->study;
   const bool too_small = given < study.least;
   int without_thickening = 0;
   for (int tried = 0; tried < most_tolerances && (tried == 0 || made.delta < study.most); ++tried) {
-    points_ = all;
+    points_ = with_all_sites(points_, control_);
     Status built = settle_points(made);
     if (built) built = build_volume(made, soup, ThinParts::accept);
     if (control_.cancelled()) return cancelled_error(control_);
@@ -205,7 +203,7 @@ Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<co
   }
   made.delta = given;
   volume_.reset();
-  points_ = all;
+  if (!found) points_ = with_all_sites(points_, control_);
   if (found) { // nothing but this field has seen the study yet
     study.proposed = found->delta;
     points_ = std::move(found->points);

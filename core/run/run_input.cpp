@@ -13,11 +13,23 @@
 namespace isoscope {
 namespace {
 
+/// Reads the `which` surface, outer or inner, of the two around a volume.
+Result<InputMesh> read_wall(const std::string& file, const std::string& which, const RunControl& control) {
+  const auto refused = [&](const char* what) {
+    return Error{ErrorCode::bad_input, "The " + which + " surface, " + file + ", " + what + ".",
+                 "The walls of a volume are two closed surfaces."};
+  };
+  if (is_grid_file(file)) return refused("is a grid");
+  auto mesh = read_input_mesh(file, control);
+  if (mesh && mesh->soup.triangles.empty()) return refused("has points and no triangles");
+  return mesh;
+}
+
 /// Reads the walls of a volume: the outer one first.
 Result<InputMesh> load_walls(const std::string& outer, const std::string& inner, const RunControl& control) {
-  auto walls = read_input_mesh(outer, control);
+  auto walls = read_wall(outer, "outer", control);
   if (!walls) return walls.error();
-  auto inside = read_input_mesh(inner, control);
+  auto inside = read_wall(inner, "inner", control);
   if (!inside) return inside.error();
   TriangleSoup& soup = walls->soup;
   soup.outer_triangles = soup.triangles.size();

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -31,30 +33,31 @@ float round_up(double x) {
 
 } // namespace
 
-BvhBuilder::BvhBuilder(BoxHierarchy& boxes, const std::vector<Box3>& items, const RunControl* control,
+BvhBuilder::BvhBuilder(BoxHierarchy& boxes, std::vector<Box3> items, const RunControl* control,
                        std::size_t leaf_size)
-    : boxes_(boxes), control_(control), leaf_size_(leaf_size), items_(items.size()) {
-  for (std::size_t i = 0; i < items.size(); ++i) items_[i] = {items[i], static_cast<std::uint32_t>(i)};
+    : boxes_(boxes), control_(control), leaf_size_(leaf_size), items_(std::move(items)),
+      order_(items_.size()) {
+  std::iota(order_.begin(), order_.end(), std::uint32_t{0});
 }
 
 Box3 BvhBuilder::box_of(std::size_t begin, std::size_t end) const {
   Box3 b;
-  for (std::size_t i = begin; i < end; ++i) b.add(items_[i].box);
+  for (std::size_t i = begin; i < end; ++i) b.add(box(i));
   return b;
 }
 
 /// Orders the range and returns where its second half begins.
 std::size_t BvhBuilder::split(const Range& range, unsigned depth) {
-  const auto at = [&](std::size_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
   Box3 centers;
-  for (std::size_t i = range.begin; i < range.end; ++i) centers.add(items_[i].box.center());
+  for (std::size_t i = range.begin; i < range.end; ++i) centers.add(box(i).center());
   const Vec3 extent = centers.extent();
 
   double best_cost = std::numeric_limits<double>::infinity();
   int best_axis = -1;
   unsigned best_bin = 0;
-  const auto bin_of = [&](const Item& item, int axis) {
-    const double u = (item.box.center()[axis] - centers.lo[axis]) / extent[axis];
+  const auto bin_of = [&](const Box3& item, int axis) {
+    const double u = (item.center()[axis] - centers.lo[axis]) / extent[axis];
     return std::min(bin_count - 1, static_cast<unsigned>(u * bin_count));
   };
   for (int axis = 0; axis < 3 && depth < max_surface_area_depth; ++axis) {
@@ -62,8 +65,8 @@ std::size_t BvhBuilder::split(const Range& range, unsigned depth) {
     std::array<Box3, bin_count> boxes;
     std::array<std::size_t, bin_count> counts{};
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      const unsigned b = bin_of(items_[i], axis);
-      boxes[b].add(items_[i].box);
+      const unsigned b = bin_of(box(i), axis);
+      boxes[b].add(box(i));
       ++counts[b];
     }
     std::array<double, bin_count> right_cost{};
@@ -85,16 +88,16 @@ std::size_t BvhBuilder::split(const Range& range, unsigned depth) {
     }
   }
   if (best_axis >= 0) {
-    const auto middle = std::stable_partition(at(range.begin), at(range.end), [&](const Item& item) {
-      return bin_of(item, best_axis) <= best_bin;
+    const auto middle = std::stable_partition(at(range.begin), at(range.end), [&](std::uint32_t id) {
+      return bin_of(items_[id], best_axis) <= best_bin;
     });
-    return static_cast<std::size_t>(middle - items_.begin());
+    return static_cast<std::size_t>(middle - order_.begin());
   }
   const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
   const std::size_t middle = range.begin + range.size() / 2;
-  std::nth_element(at(range.begin), at(middle), at(range.end), [&](const Item& a, const Item& b) {
-    const double ca = a.box.center()[axis], cb = b.box.center()[axis];
-    return ca != cb ? ca < cb : a.id < b.id;
+  std::nth_element(at(range.begin), at(middle), at(range.end), [&](std::uint32_t a, std::uint32_t b) {
+    const double ca = items_[a].center()[axis], cb = items_[b].center()[axis];
+    return ca != cb ? ca < cb : a < b;
   });
   return middle;
 }
@@ -163,8 +166,7 @@ bool BvhBuilder::build() {
   fill_node(0, {0, items_.size(), boxes_.bounds}, 0);
   if (stopped_) return false;
   boxes_.nodes.shrink_to_fit();
-  boxes_.ids.resize(items_.size());
-  for (std::size_t slot = 0; slot < items_.size(); ++slot) boxes_.ids[slot] = items_[slot].id;
+  boxes_.ids = std::move(order_);
   return true;
 }
 

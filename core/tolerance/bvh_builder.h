@@ -15,21 +15,18 @@ class BvhBuilder {
   /// Leaves hold at most so many items where asking one takes long, as of triangles, or not.
   static constexpr std::size_t small_leaf = 2, large_leaf = 4;
   /// `control`, where given, may stop it.
-  BvhBuilder(BoxHierarchy& boxes, const std::vector<Box3>& items, const RunControl* control = nullptr,
+  BvhBuilder(BoxHierarchy& boxes, std::vector<Box3> items, const RunControl* control = nullptr,
              std::size_t leaf_size = small_leaf);
   /// False when it was stopped: the hierarchy is of no use then.
   bool build();
 
  private:
-  struct Item {
-    Box3 box;
-    std::uint32_t id;
-  };
   struct Range {
     std::size_t begin, end;
     Box3 box;
     std::size_t size() const { return end - begin; }
   };
+  const Box3& box(std::size_t i) const { return items_[order_[i]]; }
   Box3 box_of(std::size_t begin, std::size_t end) const;
   std::size_t split(const Range& range, unsigned depth);
   void fill_node(std::size_t node, const Range& range, unsigned depth);
@@ -39,7 +36,8 @@ class BvhBuilder {
   const RunControl* control_;
   std::size_t leaf_size_;
   bool stopped_ = false;
-  std::vector<Item> items_;
+  std::vector<Box3> items_;
+  std::vector<std::uint32_t> order_; ///< of the items, in the order of leaves
 };
 
 } // namespace isoscope

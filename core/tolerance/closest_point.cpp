@@ -64,16 +64,17 @@ void ClosestPointIndex::fill(const TriangleSoup& soup, const RunControl* control
   std::vector<Box3> boxes(soup.triangles.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (const Vec3 p : soup.triangle(i)) boxes[i].add(p);
-  if (!BvhBuilder(boxes_, boxes, control).build()) {
+  if (!BvhBuilder(boxes_, std::move(boxes), control).build()) {
     boxes_ = {};
     BvhBuilder(boxes_, {}).build();
     return;
   }
   area_ = soup.area();
-  slots_.resize(boxes.size());
-  triangles_.reserve(boxes.size());
-  planes_.reserve(boxes.size());
-  for (std::size_t slot = 0; slot < boxes.size(); ++slot) {
+  const std::size_t count = soup.triangles.size();
+  slots_.resize(count);
+  triangles_.reserve(count);
+  planes_.reserve(count);
+  for (std::size_t slot = 0; slot < count; ++slot) {
     slots_[boxes_.ids[slot]] = static_cast<std::uint32_t>(slot);
     const Triangle3 t = soup.triangle(boxes_.ids[slot]);
     triangles_.push_back(t);
@@ -82,7 +83,7 @@ void ClosestPointIndex::fill(const TriangleSoup& soup, const RunControl* control
     const Vec3 normal = has_plane ? normalized(area) : Vec3{};
     planes_.push_back({normal, dot(normal, t[0])});
   }
-  if (boxes.empty()) return;
+  if (count == 0) return;
   for (int a = 0; a < 3; ++a)
     largest_coordinate_ = std::max({largest_coordinate_, std::abs(bounds().lo[a]), std::abs(bounds().hi[a])});
 }

@@ -111,7 +111,7 @@ Result<Regions> Regions::build(const ToleranceField& field, const Options& optio
                                const RunControl& control) {
   Regions r(field, options);
   auto& cells = r.cells_;
-  cells.emplace_back();
+  cells.push_back({});
   std::vector<CellIndex> parents; // of each group of eight in the level
   std::size_t level_begin = 0;
   for (unsigned level = 0; level <= r.main_level_; ++level) {
@@ -152,8 +152,8 @@ Result<Regions> Regions::build(const ToleranceField& field, const Options& optio
 
 void Regions::unite_main(const RunControl& control) {
   SparsePoll poll(control);
-  parents_.resize(cells_.size());
-  for (std::size_t i = 0; i < parents_.size(); ++i) parents_[i] = static_cast<CellIndex>(i);
+  parents_.reserve(cells_.size());
+  for (std::size_t i = 0; i < cells_.size(); ++i) parents_.push_back(static_cast<CellIndex>(i));
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (poll.cancelled()) return;
     if (cells_[i].kind != Kind::out) continue;
@@ -250,6 +250,8 @@ Regions::CellIndex Regions::locate_refining(Vec3 p) {
 
 std::vector<CellLink> Regions::leaf_links(const RunControl& control) const {
   std::vector<CellLink> links;
+  // Most leaves have three links. What grows would need room twice.
+  links.reserve(cells_.size() / 8 * 7 * 3);
   SparsePoll poll(control);
   for (CellIndex i = 0; i < cells_.size() && !poll.cancelled(); ++i) {
     const Cell& c = cells_[i];
@@ -342,7 +344,7 @@ bool Regions::flood_through(CellIndex start, std::size_t budget, const std::func
 }
 
 std::size_t Regions::memory_bytes() const {
-  return cells_.capacity() * sizeof(Cell) + parents_.capacity() * sizeof(CellIndex);
+  return cells_.size() * sizeof(Cell) + parents_.size() * sizeof(CellIndex);
 }
 
 } // namespace isoscope

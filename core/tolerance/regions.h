@@ -2,6 +2,7 @@
 // (core/README.md, N1).
 #pragma once
 
+#include "base/growing_array.h"
 #include "base/run_control.h"
 #include "base/status.h"
 #include "tolerance/cell_links.h"
@@ -121,8 +122,8 @@ class Regions {
   double domain_side_;
   unsigned main_level_ = 0, max_level_ = 0;
   std::size_t main_size_ = 0;
-  std::vector<Cell> cells_;
-  std::vector<CellIndex> parents_; ///< union-find; numbered, then main, then older cells are roots
+  GrowingArray<Cell> cells_;
+  GrowingArray<CellIndex> parents_; ///< union-find; numbered, then main, then older cells are roots
   std::vector<Passage> passages_;
   std::unordered_map<CellIndex, std::uint32_t> numbers_; ///< by root; looked up only, never iterated
 };

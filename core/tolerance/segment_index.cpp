@@ -12,7 +12,7 @@ SegmentIndex::SegmentIndex(std::vector<Segment3> segments) : segments_(std::move
   std::vector<Box3> boxes(segments_.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (const Vec3 p : segments_[i]) boxes[i].add(p);
-  BvhBuilder(boxes_, boxes, nullptr, BvhBuilder::large_leaf).build();
+  BvhBuilder(boxes_, std::move(boxes), nullptr, BvhBuilder::large_leaf).build();
 }
 
 ClosestOnSegments SegmentIndex::closest(Vec3 p) const {

@@ -5,6 +5,7 @@
 #include "tolerance/bvh_builder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -25,7 +26,7 @@ WeightedPointIndex::WeightedPointIndex(const std::vector<WeightedPoint>& points,
     : area_(area) {
   std::vector<Box3> boxes(points.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].add(points[i].center);
-  if (!BvhBuilder(boxes_, boxes, &control, BvhBuilder::large_leaf).build()) {
+  if (!BvhBuilder(boxes_, std::move(boxes), &control, BvhBuilder::large_leaf).build()) {
     boxes_ = {};
     BvhBuilder(boxes_, {}).build();
   }

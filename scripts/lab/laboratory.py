@@ -120,9 +120,13 @@ def outcome(row):
 
 def facts_of_report(told):
     """What plots and tables take of a report."""
-    bounds = told["certificate"]["input_distance"]
+    bounds, points = told["certificate"]["input_distance"], told.get("points")
     return {
         "vertices": told["output"]["vertices"],
+        "euler_characteristic": told["output"]["euler_characteristic"],
+        "regions": told["samples"]["regions"],
+        "neighbors": points["neighbors"] if points else None,
+        "study": told.get("tolerances"),
         "delta": told["parameters"]["tolerance"],
         "longest_edge": told["input"]["longest_edge"],
         "certified": told["certificate"]["holds"],

@@ -3,6 +3,7 @@
 #include "input/gallery.h"
 #include "input/mesh_io.h"
 #include "run/complete_run.h"
+#include "run/point_field.h"
 #include "run/report.h"
 #include "run/statistics.h"
 #include "support/clouds.h"
@@ -136,6 +137,28 @@ TEST_CASE("hundreds of specks are told together, and are gone before Ω is built
   CHECK(specks.size < 0.02);
   CHECK(specks.place.x > 1.4);
   CHECK(warned(*run->scene, "in 30 parts"));
+}
+
+TEST_CASE("sites that were left out at one tolerance are there again for another one") {
+  Random random(5);
+  auto soup = std::make_shared<TriangleSoup>();
+  soup->points = sphere_points(random, 3000, 1, 0.02);
+  add_outliers(random, soup->points, 100, around);
+  const RunControl control;
+  const MadePointField all = make_point_field(soup, {}, {}, control);
+  const double delta = all.points->study.proposed;
+  const MadePointField kept = without_strays(all, delta, 0.95 * delta, control);
+  CHECK(kept.index->size() < all.index->size());
+  CHECK(kept.index->size() + kept.points->dropped_points() == all.index->size());
+  const MadePointField again = with_all_sites(kept, control);
+  REQUIRE(again.index->size() == all.index->size());
+  CHECK(again.index->area() == all.index->area());
+  CHECK(again.points->point.empty());
+  CHECK(again.points->dropped.empty());
+  for (std::uint32_t s = 0; s < all.index->size(); ++s) {
+    CHECK(again.index->site(TriangleId(s)).center == all.index->site(TriangleId(s)).center);
+    CHECK(again.index->site(TriangleId(s)).weight == all.index->site(TriangleId(s)).weight);
+  }
 }
 
 TEST_CASE("in sampled mode the samples alone hold Z to the points") {

@@ -7,7 +7,6 @@
 #include "model/chosen_input.h"
 #include "platform/endings.h"
 #include "platform/image_file.h"
-#include "recording/recording_reader.h"
 #include "steering/steering.h"
 
 #include <GLFW/glfw3.h>
@@ -28,11 +27,6 @@ constexpr double script_step = 1.0 / 60; ///< scripts see an even clock
 constexpr double pointer_seconds = 1;    ///< a pointer rests before it goes, presenting
 constexpr double hover_seconds = 1.2;    ///< after the last input, for hovers and tooltips that come late
 constexpr double idle_wait = 0.25, running_wait = 0.03, script_wait = 0.005;
-
-/// Views, recordings and folders of tiles are no surfaces.
-bool opens_by_itself(const std::string& path) {
-  return path.ends_with(".json") || is_recording_name(path) || TileFolder::exists(path);
-}
 
 } // namespace
 
@@ -193,15 +187,8 @@ void App::run_commands(CommandSink& commands) {
 
 void App::take_drops() {
   const std::vector<std::string> paths = window_->take_dropped();
-  // Two at once are the walls of a volume; of more the last one stays, as each of them is opened.
-  const bool walls = paths.size() == 2 && std::none_of(paths.begin(), paths.end(), opens_by_itself);
-  std::vector<CommandCall> calls;
-  if (walls)
-    calls.push_back({"open-between", paths});
-  else
-    for (const std::string& path : paths) calls.push_back({"open", {path}});
-  for (const CommandCall& call : calls)
-    if (const Status status = model_->commands.run(call); !status) model_->report(status.error());
+  if (paths.empty()) return;
+  if (const Status status = model_->commands.run({"drop", paths}); !status) model_->report(status.error());
 }
 
 void App::upload_thumbnails() {

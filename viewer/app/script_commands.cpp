@@ -84,11 +84,13 @@ Status click(AppModel& m, const Arguments& a) {
   const float x = (*n)[0], y = (*n)[1];
   const int button = has(a, "right") ? 1 : 0;
   auto& mouse = m.requests.mouse;
-  mouse.push_back({x, y});
-  mouse.push_back({x, y});
-  mouse.push_back({x, y, button, true});
-  mouse.push_back({x, y, button, false});
-  mouse.push_back({x, y});
+  const bool control = has(a, "control");
+  const auto add = [&](int pressed, bool down) { mouse.push_back({x, y, pressed, down, 0, false, control}); };
+  add(-1, false);
+  add(-1, false);
+  add(button, true);
+  add(button, false);
+  add(-1, false);
   return {};
 }
 
@@ -172,7 +174,7 @@ void add_script_commands(AppModel& m) {
               .for_scripts = true},
              {.name = "click",
               .title = "Click",
-              .usage = "X Y [left | right]",
+              .usage = "X Y [left | right] [control]",
               .help = "Clicks at a place of the window.",
               .run = on(m, click),
               .for_scripts = true},

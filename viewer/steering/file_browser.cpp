@@ -119,7 +119,9 @@ void FileBrowser::listing(Ui& ui) {
     const Entry& entry = *shown[i];
     widgets::Row row(ui, high);
     const bool pressed = row.button(i);
-    if (row.hovered()) row.ground(ui.colors.hover);
+    const bool first = !entry.folder && wanted_ == FilesFor::between &&
+                       (folder_ / entry.name).string() == ui.window.first_wall;
+    if (first || row.hovered()) row.ground(first ? ui.colors.accent : ui.colors.hover, first ? 0.18f : 1.0f);
     row.text(ui.fonts.ui, 10, entry.folder ? ui.colors.accent_text : ui.colors.quiet,
              entry.folder  ? icon::folder
              : entry.tiles ? icon::cubes
@@ -144,10 +146,15 @@ void FileBrowser::listing(Ui& ui) {
 
 void FileBrowser::chosen(Ui& ui, const std::string& file) {
   WindowState& m = ui.window;
-  if (m.files_for != FilesFor::between) {
-    ui.commands.post(m.files_for == FilesFor::beside ? "open-beside" : "open", {file});
-  } else if (m.first_wall.empty()) {
+  const bool first_of_two = m.files_for == FilesFor::open && ImGui::GetIO().KeyCtrl &&
+                            is_model(fs::path(file).filename().string(), FilesFor::between);
+  if (first_of_two) {
+    m.files_for = FilesFor::between;
     m.first_wall = file;
+  } else if (m.files_for != FilesFor::between) {
+    ui.commands.post(m.files_for == FilesFor::beside ? "open-beside" : "open", {file});
+  } else if (m.first_wall.empty() || m.first_wall == file) {
+    m.first_wall = m.first_wall.empty() ? file : "";
   } else {
     ui.commands.post("open-between", {m.first_wall, file});
   }
@@ -166,6 +173,10 @@ void FileBrowser::draw(Ui& ui) {
   ImGui::TextUnformatted(title(m).c_str());
   ImGui::PopFont();
   ImGui::SameLine();
+  if (wanted_ == FilesFor::open) {
+    widgets::quiet_text(ui, "   with Ctrl two surfaces: Ω between them");
+    ImGui::SameLine();
+  }
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - ui.px(28), ui.px(14)});
   if (widgets::icon_button(ui, "close", icon::close)) ui.commands.post("clear");
   if (widgets::icon_button(ui, "up", icon::level_up, false, folder_.has_parent_path()))

@@ -22,6 +22,7 @@ template <class T> bool take_number(T& value, double number) {
 } // namespace
 
 Status Steering::type_parameter(const std::string& parameter, const std::string& text) {
+  if (Status may = may_set(parameter); !may) return may;
   P& draft = window.draft;
   const auto number = read_number<double>(text);
   bool typed = false;

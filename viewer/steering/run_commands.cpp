@@ -54,17 +54,38 @@ Status open_model(Steering& m, const Arguments& a) {
   }
   if (has_extension(a[0], ".json")) return open_view_file(m.window, a[0]);
   bool paused = false;
-  std::string inside;
+  std::string inside, second;
   for (std::size_t i = 1; i < a.size(); ++i) {
     if (a[i] == "paused")
       paused = true;
-    else if (a[i] == "inside" && i + 1 < a.size())
+    else if (a[i] == "inside" && i + 1 < a.size() && inside.empty())
       inside = a[++i];
+    else if (second.empty())
+      second = a[i];
     else
-      return wrong_arguments("\"" + a[i] + "\" is not understood.");
+      return wrong_arguments("\"" + a[i] + "\" is one file too many.");
   }
-  if (inside.empty() && TileFolder::exists(a[0])) return m.open_tiles(a[0]);
-  m.open(a[0], paused, inside);
+  if (inside.empty() && second.empty() && TileFolder::exists(a[0])) return m.open_tiles(a[0]);
+  if (second.empty())
+    m.open(a[0], paused, inside);
+  else if (inside.empty())
+    m.open_between(a[0], second, paused);
+  else
+    return wrong_arguments("Two files, or one inside the other, not both.");
+  return {};
+}
+
+/// Views, recordings and folders of tiles are no surfaces.
+bool opens_by_itself(const std::string& file) {
+  return has_extension(file, ".json") || is_recording_name(file) || TileFolder::exists(file);
+}
+
+Status drop(Steering& m, const Arguments& files) {
+  // Two at once are the walls of a volume; of more the last one stays, as each of them is opened.
+  if (files.size() == 2 && std::none_of(files.begin(), files.end(), opens_by_itself))
+    return open_model(m, files);
+  for (const std::string& file : files)
+    if (Status opened = open_model(m, {file}); !opened) return opened;
   return {};
 }
 
@@ -143,10 +164,10 @@ void Steering::add_file_commands(CommandTable& table) {
       table, {.menu = "File"},
       {{.name = "open",
         .title = "Open…",
-        .usage = "[FILE | gallery:NAME | FOLDER] [paused] [inside FILE]",
-        .help =
-            "Opens a model and starts refining it, or what lies between it and a surface inside, or shows "
-            "a folder of tiles; without a name it shows the files.",
+        .usage = "[FILE [FILE] | gallery:NAME | FOLDER] [paused] [inside FILE]",
+        .help = "Opens a model and starts refining it; with two closed surfaces, in any order, what lies "
+                "between them; with a surface inside, what lies between both, as said; a folder of "
+                "tiles is shown; without a name it shows the files.",
         .icon = icon::folder_open,
         .keys = {{'O', true}},
         .run = on(*this, open_model)},
@@ -182,6 +203,13 @@ void Steering::add_file_commands(CommandTable& table) {
         .help = "Ends the program.",
         .keys = {{'Q', true}},
         .run = does([this] { window.requests.close = true; })}});
+  table.add({{.name = "drop",
+              .title = "Drop…",
+              .usage = "FILE…",
+              .help = "Does what dropping files on the window does: opens each, or what lies between two "
+                      "surfaces.",
+              .run = on(*this, drop),
+              .for_scripts = true}});
 }
 
 void Steering::add_recording_commands(CommandTable& table) {

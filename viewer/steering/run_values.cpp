@@ -115,6 +115,8 @@ void add_run_values(NamedValues& t, const WindowState& m) {
   t.add("answer", "the answer that was last brought into sight", [&m] { return m.answer.shown; });
   t.add("inspector.scroll", "how far the inspector is scrolled, pixels", [&m] { return m.inspector_scroll; });
   t.add("messages", "messages shown", [&m] { return m.messages.size(); });
+  t.add("message", "the last of them",
+        [&m] { return m.messages.empty() ? std::string("none") : m.messages.back().text; });
   t.add("distance", "of the camera from its target", [&m] { return m.camera.pose().distance; });
   t.add("heading", "x of the camera's backward axis", [&m] {
     const auto& q = m.camera.pose().orientation;

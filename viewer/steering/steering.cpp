@@ -31,8 +31,9 @@ void Steering::follow(const std::string& copy) {
   begin(false, true);
 }
 
-void Steering::open_between(const std::string& one, const std::string& other) {
+void Steering::open_between(const std::string& one, const std::string& other, bool paused) {
   window.overlay = Overlay::none;
+  walls_paused_ = paused;
   walls_.ask(one, other);
 }
 
@@ -40,7 +41,7 @@ void Steering::take_walls() {
   const auto walls = walls_.take();
   if (!walls) return;
   if (*walls)
-    open((*walls)->outer, false, (*walls)->inner);
+    open((*walls)->outer, walls_paused_, (*walls)->inner);
   else
     window.report(walls->error());
 }
@@ -101,8 +102,19 @@ bool Steering::draft_differs() const {
   return fields_differ(wanted, now, [](const FieldFacts&) { return true; });
 }
 
+Status Steering::may_set(const std::string& parameter) const {
+  if (parameter != "tolerance" || window.draft.inside.empty()) return {};
+  return usage("δ is not given here: it is half of what the two surfaces are apart.");
+}
+
 void Steering::add_parameter_values(NamedValues& values) {
-  values.bind_fields(window.draft);
+  for (const NamedField<RunParameters>& f : named_fields<RunParameters>())
+    values.add(
+        f.name, f.help, [this, get = f.get] { return get(window.draft); },
+        [this, name = f.name, set = f.set](const std::string& text) {
+          const Status may = may_set(name);
+          return may ? set(window.draft, text) : may;
+        });
 }
 
 CriteriaParameters Steering::draft_criteria() const {

@@ -40,7 +40,7 @@ class Steering {
   /// Shows a copy of a recording that grows on another machine, and goes on as more of it comes.
   void follow(const std::string& copy);
   /// Starts a run of what lies between two closed surfaces, once it is known which is the outer one.
-  void open_between(const std::string& one, const std::string& other);
+  void open_between(const std::string& one, const std::string& other, bool paused = false);
   /// Shows a folder of tiles instead of the run. Fails as TileFolder::open().
   Status open_tiles(const std::string& folder);
   /// Starts a run with the draft as it is, or shows the folder of tiles that its input is; `follow`: where it
@@ -84,10 +84,13 @@ class Steering {
  private:
   /// The draft as criteria, in the units of the present scene.
   CriteriaParameters draft_criteria() const;
+  /// Refused where the input itself tells what the parameter would be.
+  Status may_set(const std::string& parameter) const;
   void take_walls();
   /// Opens the recording of a tile that is made once more, and looks at the tile.
   void show_tile(const TileRerun& rerun);
   WallOrder walls_;
+  bool walls_paused_ = false;
   std::optional<CriteriaParameters> preview_asked_;
   std::shared_ptr<const StateSnapshot> preview_state_;
   std::shared_ptr<const StateSnapshot> marked_state_; ///< whose ids `would_violate` has

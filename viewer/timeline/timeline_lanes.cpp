@@ -12,7 +12,8 @@ namespace isoscope {
 namespace {
 
 /// The kinds that have a lane, from above.
-constexpr std::array kinds{EventKind::collapse, EventKind::relaxation, EventKind::repair, EventKind::shake};
+constexpr std::array kinds{EventKind::split, EventKind::collapse, EventKind::relaxation, EventKind::repair,
+                           EventKind::shake};
 
 } // namespace
 
