@@ -39,6 +39,7 @@ struct RepairLevel {
   double excess; ///< cost limit in δ
   std::array<double, 3> funnel = RepairOptions::impatient;
   std::size_t most_attempts = unlimited;
+  std::size_t patience = 80; ///< tries in a row that may fail, where the effort is the default
 };
 /// Bounds of the default effort: large surfaces spend them on their cheapest edges. The first lets a surface
 /// of some 1,300 vertices try all its edges, the second one of 350.
@@ -47,9 +48,11 @@ constexpr std::size_t most_repairs = 4000, most_patient_repairs = 1000;
 /// Tries in a row that may fail in a round of the default effort, which asks the cheapest edges first. On cow
 /// and elephant at 1 % a vertex came after at most 75 in vain; from there to the end of a round there was
 /// none, for up to 240 tries. On a large surface those that succeed lie farther apart.
-std::size_t most_in_vain(std::size_t vertices) {
-  return std::max<std::size_t>(80, vertices / 2);
+std::size_t most_in_vain(const RepairLevel& level, std::size_t vertices) {
+  return std::max(level.patience, level.patience * vertices / 160);
 }
+/// Of the last level, where a vertex came after at most 10 in vain on these, fandisk, joint and anchor.
+constexpr std::size_t last_patience = 40;
 
 /// Flips against the energy, then collapses with repair of what has become cheap.
 struct ShakeLevel {
@@ -60,11 +63,12 @@ struct ShakeLevel {
 constexpr ShakeLevel thorough_shakes{100, 10, unlimited, unlimited};
 
 /// Of the default effort. Larger surfaces have spent the time that they may take on the levels before: up to
-/// 158 vertices 2,500 flips are tried, of 200 1,250, from 292 on 400.
+/// 158 vertices 2,500 flips are tried, of 200 1,250, from 292 on 400. After four passes in vain a vertex came
+/// in one of seven runs, on elephant, for a fifth of the run's time.
 ShakeLevel bounded_shakes(std::size_t vertices) {
   const double n = static_cast<double>(std::max<std::size_t>(vertices, 1));
   const auto flips = static_cast<std::size_t>(std::clamp(1e10 / (n * n * n), 400.0, 2500.0));
-  return {30, 8, flips, flips / 5};
+  return {30, 4, flips, flips / 5};
 }
 
 /// After a flip. More of both makes a few more flips come below δ, at half as much time again.
@@ -89,7 +93,7 @@ class Improver {
       const bool bounded = options_.effort < 3;
       repair({2, 14, 1.5, RepairOptions::impatient, bounded ? most_repairs : unlimited});
       shake_and_repair(bounded ? bounded_shakes(surface_.vertex_count()) : thorough_shakes);
-      repair({2, 20, 2.5, RepairOptions::patient, bounded ? most_patient_repairs : unlimited});
+      repair({2, 20, 2.5, RepairOptions::patient, bounded ? most_patient_repairs : unlimited, last_patience});
     }
     if (options_.effort >= 3) {
       repair({3, 18, 1.4});
@@ -232,7 +236,7 @@ class Improver {
     const std::size_t before = outcome_.attempts;
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       options.most_attempts = level.most_attempts - std::min(level.most_attempts, outcome_.attempts - before);
-      if (options_.effort < 3) options.most_in_vain = most_in_vain(surface_.vertex_count());
+      if (options_.effort < 3) options.most_in_vain = most_in_vain(level, surface_.vertex_count());
       const std::size_t collapsed = round(options, failed);
       relax_all();
       if (!is_worthwhile(collapsed)) return;
