@@ -14,12 +14,13 @@
 namespace isoscope {
 namespace {
 
-/// The cells in which triangles near to Z are listed: about as wide as δ, or half as wide as the triangles,
-/// so that there are few where a few triangles are all there is.
+/// The cells in which triangles near to Z are listed: a little wider than δ, or half as wide as the
+/// triangles, so that there are few where a few triangles are all there is. Wider cells list more triangles;
+/// of smaller ones many are made for a few questions each.
 double cell_side(const ClosestPointIndex& input, double delta) {
   const double wide =
       std::sqrt(2 * input.area() / static_cast<double>(std::max<std::size_t>(input.size(), 1)));
-  return std::max(delta, 0.5 * wide);
+  return std::max(1.5 * delta, 0.5 * wide);
 }
 
 constexpr int sweeps_after_round = 2;
@@ -39,7 +40,6 @@ struct RepairLevel {
   double excess; ///< cost limit in δ
   std::array<double, 3> funnel = RepairOptions::impatient;
   std::size_t most_attempts = unlimited;
-  std::size_t patience = 80; ///< tries in a row that may fail, where the effort is the default
 };
 /// Bounds of the default effort: large surfaces spend them on their cheapest edges. The first lets a surface
 /// of some 1,300 vertices try all its edges, the second one of 350.
@@ -48,11 +48,9 @@ constexpr std::size_t most_repairs = 4000, most_patient_repairs = 1000;
 /// Tries in a row that may fail in a round of the default effort, which asks the cheapest edges first. On cow
 /// and elephant at 1 % a vertex came after at most 75 in vain; from there to the end of a round there was
 /// none, for up to 240 tries. On a large surface those that succeed lie farther apart.
-std::size_t most_in_vain(const RepairLevel& level, std::size_t vertices) {
-  return std::max(level.patience, level.patience * vertices / 160);
+std::size_t most_in_vain(std::size_t vertices) {
+  return std::max<std::size_t>(80, vertices / 2);
 }
-/// Of the last level, where a vertex came after at most 10 in vain on these, fandisk, joint and anchor.
-constexpr std::size_t last_patience = 40;
 
 /// Flips against the energy, then collapses with repair of what has become cheap.
 struct ShakeLevel {
@@ -63,12 +61,12 @@ struct ShakeLevel {
 constexpr ShakeLevel thorough_shakes{100, 10, unlimited, unlimited};
 
 /// Of the default effort. Larger surfaces have spent the time that they may take on the levels before: up to
-/// 158 vertices 2,500 flips are tried, of 200 1,250, from 292 on 400. After four passes in vain a vertex came
-/// in one of seven runs, on elephant, for a fifth of the run's time.
+/// 158 vertices 2,500 flips are tried, of 200 1,250, from 292 on 400. In eight runs on five models a vertex
+/// came after at most four passes in vain.
 ShakeLevel bounded_shakes(std::size_t vertices) {
   const double n = static_cast<double>(std::max<std::size_t>(vertices, 1));
   const auto flips = static_cast<std::size_t>(std::clamp(1e10 / (n * n * n), 400.0, 2500.0));
-  return {30, 4, flips, flips / 5};
+  return {30, 5, flips, flips / 5};
 }
 
 /// After a flip. More of both makes a few more flips come below δ, at half as much time again.
@@ -93,7 +91,7 @@ class Improver {
       const bool bounded = options_.effort < 3;
       repair({2, 14, 1.5, RepairOptions::impatient, bounded ? most_repairs : unlimited});
       shake_and_repair(bounded ? bounded_shakes(surface_.vertex_count()) : thorough_shakes);
-      repair({2, 20, 2.5, RepairOptions::patient, bounded ? most_patient_repairs : unlimited, last_patience});
+      repair({2, 20, 2.5, RepairOptions::patient, bounded ? most_patient_repairs : unlimited});
     }
     if (options_.effort >= 3) {
       repair({3, 18, 1.4});
@@ -236,7 +234,7 @@ class Improver {
     const std::size_t before = outcome_.attempts;
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       options.most_attempts = level.most_attempts - std::min(level.most_attempts, outcome_.attempts - before);
-      if (options_.effort < 3) options.most_in_vain = most_in_vain(level, surface_.vertex_count());
+      if (options_.effort < 3) options.most_in_vain = most_in_vain(surface_.vertex_count());
       const std::size_t collapsed = round(options, failed);
       relax_all();
       if (!is_worthwhile(collapsed)) return;
