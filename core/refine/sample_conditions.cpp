@@ -44,6 +44,21 @@ bool has_topology_vertex(const Complex& complex, TetId t) {
                      [&](VertexId id) { return complex.vertices[id.index()].kind == VertexKind::topology; });
 }
 
+/// Beyond the rim of open surfaces both sides meet, and Z runs where it is cut off later: in front of a
+/// sheet, whose other side is behind it. Nothing is to be told from its normal there.
+bool runs_outside(const ToleranceVolume& volume, const Complex& complex, TetId t) {
+  if (volume.open_sides() == nullptr) return false;
+  const ZeroPolygon polygon = zero_polygon(complex.positions(t), complex.values(t));
+  const double delta = volume.thresholds().delta;
+  Vec3 sum;
+  for (int i = 0; i < polygon.count; ++i) {
+    const Vec3 p = polygon.corner[static_cast<std::size_t>(i)];
+    if (volume.field().distance(p) <= delta) return false;
+    sum = sum + p;
+  }
+  return polygon.count > 0 && volume.field().distance((1.0 / polygon.count) * sum) > delta;
+}
+
 } // namespace
 
 SampleId steiner_sample(const RefinementContext& context, TetId t) {
@@ -116,7 +131,7 @@ void OrientationCondition::judge_pending() {
   const bool complete =
       parallel_until(pending.size(), tetrahedron_grain, context_.control(), [&](std::size_t i) {
         const TetId t = pending[i];
-        if (has_topology_vertex(complex, t)) return;
+        if (has_topology_vertex(complex, t) || runs_outside(context_.volume(), complex, t)) return;
         misoriented[i] =
             check(t).misoriented && !(sides_known && spans_thin_place(context_.live(), context_.volume(), t));
       });

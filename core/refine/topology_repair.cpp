@@ -18,6 +18,8 @@ constexpr double level_step = 0.7, lowest_level = 0.01, lowest_level_aimed_at = 
 constexpr double highest_basin = 0.98, basin_step = 0.93, lowest_basin = 0.3;
 /// How far apart points along contacts are, in units of δ', at first and at last.
 constexpr double first_contact_spacing = 0.5, finest_contact_spacing = 0.125;
+/// Where parts are to be joined, low places get at most so many times the insertions that came before them.
+constexpr double low_insertions = 1;
 /// From a summit down to its point, the first of so many stations that f has on the wrong side goes in.
 constexpr int climb_stations = 4;
 
@@ -49,6 +51,7 @@ void TopologyCondition::reconsider() {
   summits_.reset();
   contacts_.reset();
   contact_spacing_ = first_contact_spacing;
+  steps_above_.reset();
   enter(context_.criteria().certified ? first_search() : Phase::circumradii);
 }
 
@@ -129,10 +132,10 @@ bool TopologyCondition::insert_next_point() {
     }
     fruitful_ = false;
   }
-  while (!points_.empty() && points_.back().height >= level_) {
+  while (!points_.empty() && points_.back().height >= level_ && !spent()) {
     const MisclassifiedPoint point = points_.back();
     points_.pop_back();
-    if (!insert_point(point)) continue;
+    if (!wanted(point) || !insert_point(point)) continue;
     fruitful_ = true;
     return true;
   }
@@ -152,13 +155,41 @@ void TopologyCondition::advance() {
     phase_ = phase_ == Phase::summits ? Phase::edges : Phase::facets;
     return;
   }
-  level_ *= level_step;
+  lower_level();
   phase_ = summits_ ? Phase::summits : first_search();
-  const bool embedded = expected_.required && !expected_.joined;
-  const double lowest = embedded ? lowest_level : lowest_level_aimed_at;
-  if (level_ >= lowest * context_.volume().thresholds().delta) return;
-  if (expected_.joined) return; // the contacts have the last word
-  if (summits_ || !embedded) return enter(Phase::given_up);
+  if (levels_left()) return;
+  if (expected_.joined && !summits_) return; // the contacts have the last word
+  try_summits();
+}
+
+/// Parts in which points are held may be as thin as they like: the last level has all of them.
+void TopologyCondition::lower_level() {
+  const ToleranceVolume& volume = context_.volume();
+  const double last = lowest_level * volume.thresholds().delta, lower = level_ * level_step;
+  level_ = lower < last && last <= level_ && volume.held() > 0 ? lowest_level * last : lower;
+}
+
+bool TopologyCondition::thin_parts_matter() const {
+  return expected_.required && (!expected_.joined || context_.volume().held() > 0);
+}
+
+bool TopologyCondition::spent() {
+  if (!expected_.joined || (!summits_ && !low(level_))) return false;
+  const double steps = static_cast<double>(context_.recorder().journal().steps());
+  if (!steps_above_) steps_above_ = steps;
+  return steps > (1 + low_insertions) * *steps_above_;
+}
+
+bool TopologyCondition::levels_left() {
+  if (spent()) return false;
+  if (!thin_parts_matter()) return !low(level_);
+  const ToleranceVolume& volume = context_.volume();
+  const double lowest = volume.held() > 0 ? lowest_level * lowest_level : lowest_level;
+  return level_ >= lowest * volume.thresholds().delta;
+}
+
+void TopologyCondition::try_summits() {
+  if (summits_ || !thin_parts_matter()) return enter(Phase::given_up);
   std::vector<MisclassifiedPoint> summits = thin_summits(context_.volume(), context_.control());
   if (context_.cancelled()) return;
   summits_ = std::move(summits);
@@ -173,8 +204,7 @@ void TopologyCondition::leave_contacts() {
     contacts_.reset();
     return;
   }
-  const bool levels_left = level_ >= lowest_level_aimed_at * context_.volume().thresholds().delta;
-  if (!levels_left) return enter(Phase::given_up);
+  if (!levels_left()) return try_summits();
   phase_ = Phase::edges;
 }
 
@@ -195,6 +225,14 @@ void TopologyCondition::collect_points() {
     points_ = misclassified_on_facets(context_.live(), context_.volume(), context_.control());
   }
   std::reverse(points_.begin(), points_.end());
+}
+
+bool TopologyCondition::wanted(const MisclassifiedPoint& point) const {
+  return !expected_.joined || point.label < 0 || (!summits_ && !low(point.height));
+}
+
+bool TopologyCondition::low(double height) const {
+  return height < lowest_level_aimed_at * context_.volume().thresholds().delta;
 }
 
 bool TopologyCondition::misclassified(Vec3 p, int label, TetId t) const {

@@ -21,8 +21,8 @@ namespace {
 constexpr double study_resolution = 0.003;
 /// Tolerances of points that are tried, each larger by this factor, and how many of those at which Ω has an
 /// inside but is no thickening.
-constexpr int most_tolerances = 6, most_without_thickening = 3;
-constexpr double next_tolerance = 1.1;
+constexpr int near_tolerances = 6, most_tolerances = 12, most_without_thickening = 3;
+constexpr double next_tolerance = 1.1, next_far_tolerance = 1.25;
 
 Error cancelled_error(const RunControl& control) {
   return {ErrorCode::cancelled,
@@ -183,6 +183,7 @@ Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<co
   std::optional<Found> found;
   Status first;
   DeltaStudy study = all.points->study;
+  const bool too_small = given < study.least;
   int without_thickening = 0;
   for (int tried = 0; tried < most_tolerances && (tried == 0 || made.delta < study.most); ++tried) {
     points_ = all;
@@ -191,7 +192,7 @@ Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<co
     if (control_.cancelled()) return cancelled_error(control_);
     if (!parameters_.tolerance.automatic && tried == 0 && built) return {};
     if (tried == 0 && !built) first = built;
-    if (!built && (built.error().code != ErrorCode::open_surface || given < study.least)) break;
+    if (!built && (built.error().code != ErrorCode::open_surface || too_small)) break;
     if (built) {
       const bool thickening = volume_->thickening() || !volume_->topology_told();
       if (!found || thickening) found = Found{made.delta, points_, std::move(*volume_)};
@@ -200,7 +201,7 @@ Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<co
     } else if (!found) {
       study.least = made.delta;
     }
-    made.delta *= next_tolerance;
+    made.delta *= tried + 1 < near_tolerances ? next_tolerance : next_far_tolerance;
   }
   made.delta = given;
   volume_.reset();

@@ -13,6 +13,10 @@ namespace {
 /// Side of the lattice's cells in units of δ'. Neighbouring middles are then mostly near enough for a
 /// Delaunay edge: a ball over an edge of length δ' holds no sample, which are δ' away from the input.
 constexpr double cell_side = 0.35;
+/// Where what is thin is so large that there are too many of those: at most.
+constexpr double coarsest_cell_side = 1, coarser = 1.25;
+/// The walls that were asked for take at most this part of the nodes; the rest is for the way to a region.
+constexpr double share_of_start = 0.4;
 /// Middles farther apart than this, in units of δ', are not joined: at the foot of a fin the ball grows at
 /// once.
 constexpr double longest_straight_link = 2.2;
@@ -23,7 +27,7 @@ constexpr double root_radius = 0.98;
 /// A link through a wall counts as so many times its length: thin curved shells have no others.
 constexpr double price_of_walls = 200;
 /// What is thin is looked at up to so many cells.
-constexpr std::size_t most_nodes = 400000;
+constexpr std::size_t most_nodes = 600000;
 constexpr std::size_t node_grain = 16;
 constexpr int shrinking_steps = 40;
 
@@ -87,9 +91,18 @@ ThinSkeleton::Node ThinSkeleton::make_node(const Cell& cell) const {
   return node;
 }
 
+std::vector<ThinSkeleton::Cell> ThinSkeleton::start(std::span<const Vec3> from) {
+  const double coarsest = coarsest_cell_side * volume_.thresholds().boundary;
+  for (;; side_ = std::min(side_ * coarser, coarsest)) {
+    std::vector<Cell> cells;
+    for (const Vec3 p : from) cells.push_back(cell_at(p));
+    sort_unique(cells);
+    if (static_cast<double>(cells.size()) <= share_of_start * most_nodes || side_ >= coarsest) return cells;
+  }
+}
+
 void ThinSkeleton::grow(std::span<const Vec3> from, const RunControl& control) {
-  std::vector<Cell> round;
-  for (const Vec3 p : from) round.push_back(cell_at(p));
+  std::vector<Cell> round = start(from);
   while (!round.empty() && nodes_.size() < most_nodes && !control.cancelled()) {
     sort_unique(round);
     std::erase_if(round, [&](const Cell& c) { return cells_.contains(c); });

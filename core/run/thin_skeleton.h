@@ -53,6 +53,8 @@ class ThinSkeleton {
 
   Cell cell_at(Vec3 p) const { return lattice_cell(p, origin_, side_); }
   Node make_node(const Cell& cell) const;
+  /// The cells of these places, of a lattice that is coarse enough for them.
+  std::vector<Cell> start(std::span<const Vec3> from);
   void grow(std::span<const Vec3> from, const RunControl& control);
   bool strays(Vec3 a, Vec3 b) const;
   void find_ways(const RunControl& control);

@@ -4,6 +4,7 @@
 #include "run/complete_run.h"
 #include "run/voxel_soup.h"
 #include "support/models.h"
+#include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
 
@@ -190,4 +191,16 @@ TEST_CASE("One model at tolerances from 2 to 8 percent is certified at each, wit
     CHECK(run.result->mesh.points.size() < before);
     before = run.result->mesh.points.size();
   }
+}
+
+TEST_CASE("A plate out of a box that is a hundred and sixty δ wide and thinner than δ is whole" *
+          doctest::test_suite("soak")) {
+  TriangleSoup soup;
+  isoscope::testing::add_box(soup, {0, 0, 0}, {0.2, 1.3, 0.2});
+  isoscope::testing::add_box(soup, {0.1, 0, 0.1}, {1.4, 1.3, 0.105});
+  const auto run = run_soup(soup, 0.008);
+  REQUIRE_MESSAGE(run->result.has_value(), (run->error ? run->error->line() : ""));
+  const Certificate& c = run->result->certificate;
+  CHECK_MESSAGE(c.holds(), (c.failures.empty() ? "" : c.failures.front()));
+  CHECK(c.euler_characteristic == 2);
 }

@@ -96,6 +96,20 @@ TEST_CASE("Strips of little more than twice the tolerance between holes stay, on
     }
 }
 
+TEST_CASE("What lies between the turns of a rolled sheet, where both its sides meet, is not refined") {
+  TriangleSoup sheet = grid_sheet(48, [](double, double) { return true; });
+  for (Vec3& p : sheet.points) {
+    const double angle = 4.4 * std::numbers::pi * p.x, radius = 0.3 + 0.75 * p.x;
+    p = {radius * std::cos(angle), radius * std::sin(angle), p.y};
+  }
+  const auto run = finished(std::move(sheet), 3);
+  check_certified(*run, 1, 1);
+  std::size_t insertions = 0;
+  for (Step k = 0; k < run->journal->steps(); ++k)
+    insertions += run->journal->events()[run->journal->operations()[k].event].stage == Stage::refinement;
+  CHECK(insertions < 2500); // 10 times as many where the sides of a turn are told from the other turn's
+}
+
 TEST_CASE("The cut is a stage of its own that is stepped through both ways") {
   const auto run = finished(make_hemisphere(12), 4);
   Playback playback(run->journal);

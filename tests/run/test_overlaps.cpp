@@ -211,3 +211,25 @@ TEST_CASE("voxels with contacts at edges and corners are joined there, and keep 
               2 * voxels.euler_characteristic());
   }
 }
+
+TEST_CASE("plates far thinner than the tolerance that go through a body are whole, without holes") {
+  SUBCASE("out of a box") {
+    TriangleSoup soup;
+    add_box(soup, {0, 0, 0}, {1, 1, 1});
+    add_box(soup, {0.9, 0.2, 0.499}, {2.5, 0.8, 0.501});
+    check_run(*run_soup(soup, 0.05), 1, 2);
+  }
+  SUBCASE("through a ball: where parts are joined there are no samples to tell what is inside") {
+    TriangleSoup soup;
+    isoscope::testing::add_sphere(soup, {0, 0, 0}, 1, 12);
+    add_box(soup, {-1.8, -0.003, -0.5}, {1.8, 0.003, 0.5});
+    check_run(*run_soup(soup, 0.072), 1, 2);
+  }
+  SUBCASE("crossing each other around an axle") {
+    TriangleSoup soup;
+    isoscope::testing::add_sphere(soup, {0, 0, 0}, 0.6, 12);
+    add_box(soup, {-0.01, -1.2, -0.15}, {0.01, 1.2, 0.15});
+    add_box(soup, {-1.2, -0.01, -0.15}, {1.2, 0.01, 0.15});
+    check_run(*run_soup(soup, 0.07), 1, 2);
+  }
+}

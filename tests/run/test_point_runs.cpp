@@ -207,6 +207,17 @@ TEST_CASE("a torus of points has its hole, two spheres are two") {
   CHECK(two->result->certificate.components == 2);
 }
 
+TEST_CASE("of two spheres in each other the proposed tolerance closes the sparser one too") {
+  Random random(6);
+  std::vector<Vec3> points = sphere_points(random, 6000, 1, 0.004);
+  for (const Vec3 p : sphere_points(random, 3000, 0.45, 0.004)) points.push_back(p);
+  const auto nested = run_of(std::move(points));
+  if (!nested->run()) FAIL(nested->error->line());
+  CHECK(nested->result->certificate.holds());
+  CHECK(nested->result->certificate.components == 2);
+  CHECK(nested->result->certificate.euler_characteristic == 4);
+}
+
 TEST_CASE("tolerances outside of the interval are told, by the end that is left") {
   Random random(5);
   const std::vector<Vec3> points = sphere_points(random, 1500, 1, 0.01);

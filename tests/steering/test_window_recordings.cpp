@@ -139,10 +139,10 @@ TEST_CASE("a copy that grows is followed, torn and late as it comes, and the pla
   for (const char* name : {"copy-1.png", "copy-2.png", "copy-3.png", "copy-4.png"})
     fs::remove(results / name);
   const std::string carry = seen("copy-1.png") + "head -c 3000 '" + there + "' >'" + here + "'; " +
-                            seen("copy-2.png") + "cp '" + part + "' '" + here + ".tmp'; mv '" + here +
-                            ".tmp' '" + here + "'; " + "touch -d '90 seconds ago' '" + here + "'; " +
-                            seen("copy-3.png") + "cp '" + there + "' '" + here + ".tmp'; mv '" + here +
-                            ".tmp' '" + here + "'";
+                            seen("copy-2.png") + "cp '" + part + "' '" + here +
+                            ".tmp'; touch -d '90 seconds ago' '" + here + ".tmp'; mv '" + here + ".tmp' '" +
+                            here + "'; " + seen("copy-3.png") + "cp '" + there + "' '" + here +
+                            ".tmp'; mv '" + here + ".tmp' '" + here + "'";
   CHECK(run_window("copy",
                    "wait 1\nexpect recording == awaited\nexpect recording.copied == on\n" +
                        shot("copy-1.png") +

@@ -16,7 +16,7 @@ inline int exit_of(const std::string& command) {
 }
 
 /// The window's exit status; 0 where every expectation of the script held. `meanwhile`: a shell command that
-/// acts beside the window; `environment`: assignments before it.
+/// acts beside the window, whose process is $program, and ends with it; `environment`: assignments before it.
 inline int run_window(const std::string& name, const std::string& script,
                       const std::string& arguments = "gallery:sphere --tolerance 12%",
                       const std::string& meanwhile = "", const std::string& environment = "") {
@@ -27,7 +27,10 @@ inline int run_window(const std::string& name, const std::string& script,
   // One frame a picture: what is averaged where a view rests is not what they are about.
   std::ofstream(file) << "set stills 1\n" << script;
   std::string command = environment + ISOSCOPE_PROGRAM + " " + arguments + " --script " + file.string();
-  if (!meanwhile.empty()) command += " & program=$!; " + meanwhile + "; wait $program";
+  // A window that failed leaves nobody waiting for what it will not do.
+  if (!meanwhile.empty())
+    command += " & program=$!; (" + meanwhile +
+               ") & beside=$!; wait $program; status=$?; kill $beside 2>/dev/null; exit $status";
   return exit_of(command);
 }
 
