@@ -111,23 +111,29 @@ std::optional<PatchVerdict::Corners> find_fold(const SurfacePatch& patch) {
   return folded > patch.start_folded ? last : std::nullopt;
 }
 
-/// Everything but certificates: fold, orientation, witnesses.
-PatchVerdict check_shape(const SurfaceRules& rules, SurfacePatch& patch) {
-  if (const auto fold = find_fold(patch))
-    return {Refusal{Reason::folded, 0, 0, patch.complex.points[(*fold)[0]]}, *fold};
+/// A witness that lies between the facets as they were and as they are.
+std::optional<Vec3> find_swept(const SurfaceRules& rules, const SurfacePatch& patch) {
+  if (!patch.complex.strata.empty()) return swept_witness_between_rooms(rules.witnesses, patch);
   std::vector<Triangle3> before, after;
   for (std::size_t f = 0; f < patch.complex.facets.size(); ++f) {
     if (!patch.changed(f)) continue;
     before.push_back(patch.start_triangle(f));
-    const Facet& facet = patch.complex.facets[f];
-    if (!facet.alive()) continue;
-    after.push_back(patch.complex.triangle(facet));
-    if (is_degenerate(after.back())) return {Refusal{Reason::folded, 0, 0, after.back()[0]}, facet.v};
+    if (patch.complex.facets[f].alive()) after.push_back(patch.complex.triangle(patch.complex.facets[f]));
   }
-  const bool rooms = !patch.complex.strata.empty();
-  if (const auto swept = rooms ? swept_witness_between_rooms(rules.witnesses, patch)
-                               : swept_witness(rules.witnesses, before, after))
-    return Refusal{Reason::witness_side, 0, 0, *swept};
+  return swept_witness(rules.witnesses, before, after);
+}
+
+/// Everything but certificates: fold, orientation, witnesses.
+PatchVerdict check_shape(const SurfaceRules& rules, SurfacePatch& patch) {
+  if (const auto fold = find_fold(patch))
+    return {Refusal{Reason::folded, 0, 0, patch.complex.points[(*fold)[0]]}, *fold};
+  for (std::size_t f = 0; f < patch.complex.facets.size(); ++f) {
+    const Facet& facet = patch.complex.facets[f];
+    if (!patch.changed(f) || !facet.alive()) continue;
+    const Triangle3 t = patch.complex.triangle(facet);
+    if (is_degenerate(t)) return {Refusal{Reason::folded, 0, 0, t[0]}, facet.v};
+  }
+  if (const auto swept = find_swept(rules, patch)) return Refusal{Reason::witness_side, 0, 0, *swept};
   return rules.orientation ? check_orientation(rules, patch) : PatchVerdict{};
 }
 
@@ -242,6 +248,8 @@ bool is_hopeless(const Progress& p, double largest, double limit, const RepairOp
 PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const RepairOptions& options,
                     const std::optional<EdgeOfPatch>& kept = {}) {
   const double limit = rules.sampled_limit();
+  // Sweeps bring a facet back to the side of a witness so rarely that they are not worth their time.
+  if (const auto swept = find_swept(rules, patch)) return Refusal{Reason::witness_side, 0, 0, *swept};
   PatchVerdict verdict;
   std::vector<RepairSweep> sweeps;
   Settled settled(patch.complex.points.size(), 0);

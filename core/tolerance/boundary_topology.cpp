@@ -3,10 +3,12 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "base/scramble.h"
 #include "base/sort_unique.h"
 #include "tolerance/regions.h"
 
 #include <algorithm>
+#include <bit>
 #include <compare>
 #include <optional>
 
@@ -76,11 +78,12 @@ class Pieces {
   void add(std::uint64_t vertex, std::uint16_t component) { recent_.push_back({vertex, component}); }
   void join(std::uint64_t a, std::uint64_t b) { recent_links_.push_back({a, b}); }
 
-  /// After some cells: what they have joined is kept as one link a vertex.
+  /// After some cells: what they have joined is kept as one link a vertex, beside links to vertices of other
+  /// cells, before or after these.
   void settle() {
     sort_unique(recent_);
     DisjointSets sets(recent_.size());
-    join_all(sets, recent_, recent_links_, {});
+    join_all(sets, recent_, recent_links_, {}, [&](const Link& link) { links_.push_back(link); });
     for (std::size_t i = 0; i < recent_.size(); ++i) {
       const Vertex& root = recent_[sets.find(static_cast<std::uint32_t>(i))];
       vertices_.push_back(recent_[i]);
@@ -94,7 +97,7 @@ class Pieces {
   std::vector<std::size_t> count(std::size_t components, const RunControl& control) {
     sort_unique(vertices_);
     DisjointSets sets(vertices_.size());
-    join_all(sets, vertices_, links_, control);
+    join_all(sets, vertices_, links_, control, [](const Link&) {});
     std::vector<std::pair<std::uint16_t, std::uint32_t>> pieces;
     for (std::size_t i = 0; i < vertices_.size(); ++i)
       pieces.emplace_back(vertices_[i].component, sets.find(static_cast<std::uint32_t>(i)));
@@ -112,9 +115,11 @@ class Pieces {
   };
   using Link = std::array<std::uint64_t, 2>;
 
-  /// Equal vertices of several components too. Links to what is no vertex of the list join nothing.
+  /// Equal vertices of several components too. Links to what is no vertex of the list join nothing and are
+  /// left.
+  template <class Left>
   static void join_all(DisjointSets& sets, const std::vector<Vertex>& vertices,
-                       const std::vector<Link>& links, const RunControl& control) {
+                       const std::vector<Link>& links, const RunControl& control, const Left& left) {
     SparsePoll poll(control);
     for (std::size_t i = 1; i < vertices.size(); ++i)
       if (vertices[i].key == vertices[i - 1].key)
@@ -122,10 +127,13 @@ class Pieces {
     const auto find = [&](std::uint64_t key) {
       return std::lower_bound(vertices.begin(), vertices.end(), Vertex{key, 0});
     };
-    for (const auto& [a, b] : links) {
+    for (const Link& link : links) {
       if (poll.cancelled()) return;
-      const auto i = find(a), j = find(b);
-      if (i == vertices.end() || i->key != a || j == vertices.end() || j->key != b) continue;
+      const auto i = find(link[0]), j = find(link[1]);
+      if (i == vertices.end() || i->key != link[0] || j == vertices.end() || j->key != link[1]) {
+        left(link);
+        continue;
+      }
       sets.unite(static_cast<std::uint32_t>(i - vertices.begin()),
                  static_cast<std::uint32_t>(j - vertices.begin()));
     }
@@ -134,6 +142,47 @@ class Pieces {
   static constexpr unsigned piece_key_bits = 20;
   std::vector<Vertex> vertices_, recent_;
   std::vector<Link> links_, recent_links_;
+};
+
+/// The corners of some cells, each once, by number in the order in which they come first.
+class CornerNumbers {
+ public:
+  struct Entry {
+    std::uint64_t key;
+    TriangleId guess; ///< the first of those that it comes with
+  };
+
+  explicit CornerNumbers(std::size_t expected) { grow(std::bit_ceil(2 * expected + 2)); }
+
+  std::uint32_t number(std::uint64_t key, TriangleId guess) {
+    if (2 * list_.size() >= slots_.size()) grow(2 * slots_.size());
+    std::uint32_t& slot = slots_[slot_of(key)];
+    if (slot == none) {
+      slot = static_cast<std::uint32_t>(list_.size());
+      list_.push_back({key, guess});
+    } else if (guess < list_[slot].guess) {
+      list_[slot].guess = guess;
+    }
+    return slot;
+  }
+  const std::vector<Entry>& list() const { return list_; }
+
+ private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  /// Where a key is, or would be.
+  std::size_t slot_of(std::uint64_t key) const {
+    std::size_t i = scrambled(key) & (slots_.size() - 1);
+    while (slots_[i] != none && list_[slots_[i]].key != key) i = (i + 1) & (slots_.size() - 1);
+    return i;
+  }
+  void grow(std::size_t size) {
+    slots_.assign(size, none);
+    for (std::uint32_t i = 0; i < list_.size(); ++i) slots_[slot_of(list_[i].key)] = i;
+  }
+
+  std::vector<Entry> list_;
+  std::vector<std::uint32_t> slots_; ///< numbers; a power of two of them, at most half of which are taken
 };
 
 class Counter {
@@ -259,35 +308,21 @@ class Counter {
   }
 
   void count(const std::vector<LatticeCell>& cells, const RunControl& control) {
-    struct Entry {
-      std::uint64_t key;
-      TriangleId guess;
-    };
-    std::vector<Entry> entries;
-    entries.reserve(8 * cells.size());
-    for (const LatticeCell& c : cells)
-      for (unsigned k = 0; k < 8; ++k) entries.push_back({corner_key(c, k), c.triangle});
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-      return a.key != b.key ? a.key < b.key : a.guess < b.guess;
-    });
-    entries.erase(
-        std::unique(entries.begin(), entries.end(), [](auto& a, auto& b) { return a.key == b.key; }),
-        entries.end());
-    std::vector<Corner> corners(entries.size());
-    const bool complete = parallel_until(entries.size(), 256, control, [&](std::size_t i) {
-      corners[i] = examine(entries[i].key, entries[i].guess);
+    CornerNumbers numbers(2 * cells.size());
+    std::vector<std::uint32_t> corner_of(8 * cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      for (unsigned k = 0; k < 8; ++k)
+        corner_of[8 * i + k] = numbers.number(corner_key(cells[i], k), cells[i].triangle);
+    std::vector<Corner> corners(numbers.list().size());
+    const bool complete = parallel_until(corners.size(), 256, control, [&](std::size_t i) {
+      corners[i] = examine(numbers.list()[i].key, numbers.list()[i].guess);
     });
     if (!complete) return;
 
-    for (const LatticeCell& c : cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const LatticeCell& c = cells[i];
       std::array<const Corner*, 8> at{};
-      for (unsigned k = 0; k < 8; ++k) {
-        const std::uint64_t key = corner_key(c, k);
-        const auto found =
-            std::lower_bound(entries.begin(), entries.end(), key,
-                             [](const Entry& e, std::uint64_t wanted) { return e.key < wanted; });
-        at[k] = &corners[static_cast<std::size_t>(found - entries.begin())];
-      }
+      for (unsigned k = 0; k < 8; ++k) at[k] = &corners[corner_of[8 * i + k]];
       count_cell(c, at);
     }
     pieces_.settle();

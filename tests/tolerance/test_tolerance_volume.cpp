@@ -1,4 +1,5 @@
 // Regions, labels, Euler characteristics and messages on hand-made surfaces whose answers are known.
+#include "tolerance/boundary_topology.h"
 #include "tolerance/shapes.h"
 #include "tolerance/tolerance_volume.h"
 
@@ -105,6 +106,23 @@ void check_thin_walls(const std::vector<double>& widths) {
 }
 
 } // namespace
+
+TEST_CASE("Each boundary is one piece, also where its cells are counted in several blocks") {
+  TriangleSoup soup;
+  testing::add_box(soup, {0, 0, 0}, {1, 1, 1});
+  const auto v = build(soup, 0.012);
+  REQUIRE(v.ok());
+  for (const unsigned halvings : {0u, 1u}) {
+    CAPTURE(halvings);
+    const auto counts = count_boundaries(*v, {halvings, true}, RunControl());
+    REQUIRE(counts.ok());
+    REQUIRE(counts->size() == 2);
+    for (const BoundaryCount& c : *counts) {
+      CHECK(c.pieces == 1);
+      CHECK(c.euler_characteristic == 2);
+    }
+  }
+}
 
 TEST_CASE("walls and gaps of little more than twice the tolerance are counted right, or not at all") {
   check_thin_walls({2.3, 2.66});
