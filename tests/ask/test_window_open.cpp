@@ -75,7 +75,7 @@ expect phase == finished and certified == on and euler == 2 and holes.filled == 
 expect curves.border == 0
 quit
 )",
-                   "gallery:hemisphere --until zero-set --size 1440x900") == 0);
+                   "gallery:hemisphere --until all --size 1440x900") == 0);
 }
 
 TEST_CASE("rooms: told apart by colour and hatch, strata of edges, the point where four meet") {
