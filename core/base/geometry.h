@@ -109,6 +109,18 @@ struct Box3 {
     const Vec3 m{margin, margin, margin};
     return {lo - m, hi + m};
   }
+  /// Whether they have a point in common; of boxes that are not empty.
+  constexpr bool meets(const Box3& b) const {
+    for (int i = 0; i < 3; ++i)
+      if (lo[i] > b.hi[i] || b.lo[i] > hi[i]) return false;
+    return true;
+  }
 };
+
+constexpr Box3 box_of(const Triangle3& t) {
+  Box3 box;
+  for (const Vec3 p : t) box.add(p);
+  return box;
+}
 
 } // namespace isoscope

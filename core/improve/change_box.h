@@ -14,13 +14,4 @@ struct ChangeBox {
   }
 };
 
-/// Whether the box of a facet meets a box.
-inline bool is_near(const Box3& box, const Triangle3& facet) {
-  Box3 own;
-  for (const Vec3 p : facet) own.add(p);
-  for (int k = 0; k < 3; ++k)
-    if (box.lo[k] > own.hi[k] || own.lo[k] > box.hi[k]) return false;
-  return true;
-}
-
 } // namespace isoscope

@@ -22,7 +22,7 @@ struct Numbering {
     std::vector<std::uint32_t> number(complex.vertices.size(), none);
     const auto wanted = [&](const ZeroFacet& f) {
       const auto at = [&](std::size_t k) { return complex.vertices[f.v.at(k).index()].position; };
-      return f.alive() && (!box || is_near({box->lo, box->hi}, {at(0), at(1), at(2)}));
+      return f.alive() && (!box || box_of(Triangle3{at(0), at(1), at(2)}).meets({box->lo, box->hi}));
     };
     for (std::size_t f = 0; f < complex.facets.size(); ++f) {
       if (!wanted(complex.facets[f])) continue;

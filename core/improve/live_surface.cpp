@@ -9,18 +9,6 @@
 namespace isoscope {
 namespace {
 
-Box3 box_of(const Triangle3& t) {
-  Box3 box;
-  for (const Vec3 p : t) box.add(p);
-  return box;
-}
-
-bool overlap(const Box3& a, const Box3& b) {
-  for (int k = 0; k < 3; ++k)
-    if (a.lo[k] > b.hi[k] || b.lo[k] > a.hi[k]) return false;
-  return true;
-}
-
 Box3 domain_of(const TriangleMesh& mesh, double delta) {
   Box3 box;
   for (const Vec3 p : mesh.points) box.add(p);
@@ -172,7 +160,7 @@ Refusal LiveSurface::check(const SurfacePatch& patch) const {
     const IndexedTriangle facet{own.triangle(f), patch.surface_corners(own.facets[f].v)};
     const Box3 box = box_of(facet.points);
     const auto meets = [&](const IndexedTriangle& other) {
-      if (!overlap(box, box_of(other.points)) || !intersect_properly(facet, other)) return false;
+      if (!box.meets(box_of(other.points)) || !intersect_properly(facet, other)) return false;
       met = {Reason::intersection, 0, 0, other.points[0]};
       return true;
     };

@@ -44,12 +44,6 @@ Error damaged(const std::filesystem::path& file) {
           "Delete it: its tile is then made again."};
 }
 
-bool overlap(const Box3& a, const Box3& b) {
-  for (int k = 0; k < 3; ++k)
-    if (a.lo[k] > b.hi[k] || b.lo[k] > a.hi[k]) return false;
-  return true;
-}
-
 Result<std::vector<BrickEntry>> read_entries(std::ifstream& in, const std::filesystem::path& file) {
   Head head;
   if (!in) return Error{ErrorCode::io, file.string() + " cannot be opened.", ""};
@@ -130,7 +124,7 @@ Status read_facets(const std::filesystem::path& file, const Box3& box, std::vect
   if (!entries) return entries.error();
   const std::streamoff begin = in.tellg();
   for (const BrickEntry& e : *entries) {
-    if (!overlap(e.box, box)) continue;
+    if (!e.box.meets(box)) continue;
     const std::size_t at = facets.size();
     facets.resize(at + e.count);
     in.seekg(begin + static_cast<std::streamoff>(e.first * sizeof(Triangle3)));

@@ -47,7 +47,14 @@ std::vector<Triangle3> facets_of(const TriangleSoup& soup) {
 }
 
 void keep_meeting(std::vector<Triangle3>& facets, const Box3& box) {
-  std::erase_if(facets, [&](const Triangle3& f) { return !is_near(box, f); });
+  std::erase_if(facets, [&](const Triangle3& f) { return !box.meets(box_of(f)); });
+}
+
+void keep_own(std::vector<Triangle3>& facets, const TileGrid& grid, const Tiling& tiling,
+              const GridPlace& tile) {
+  std::erase_if(facets, [&](const Triangle3& f) {
+    return grid.tile_of(tiling, grid.brick_of(canonical(f)[0])) != tile;
+  });
 }
 
 Result<std::unique_ptr<const TileGround>> TileGround::make(const TriangleSoup& input, double delta,

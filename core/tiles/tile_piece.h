@@ -5,6 +5,7 @@
 #include "base/status.h"
 #include "improve/improver.h"
 #include "input/triangle_soup.h"
+#include "tiles/tile_grid.h"
 #include "tolerance/closest_point.h"
 
 #include <memory>
@@ -23,6 +24,9 @@ std::vector<Triangle3> facets_of(const TriangleSoup& soup);
 
 /// Leaves those whose boxes meet the box.
 void keep_meeting(std::vector<Triangle3>& facets, const Box3& box);
+/// Leaves those that a tile writes: whose lowest vertex is in one of its bricks.
+void keep_own(std::vector<Triangle3>& facets, const TileGrid& grid, const Tiling& tiling,
+              const GridPlace& tile);
 
 /// Ω in a tile, from the input within reach of it.
 class TileGround {

@@ -177,11 +177,8 @@ Result<bool> is_as_made(const TriangleMesh& mesh, const TileFolder& folder, cons
   std::vector<Triangle3> made;
   if (Status read = read_facets(folder.output(round.number, place), all_of_space, made); !read)
     return read.error();
-  const TileGrid grid = folder.grid();
   std::vector<Triangle3> own = facets_of(mesh);
-  std::erase_if(own, [&](const Triangle3& f) {
-    return grid.tile_of(round.tiling, grid.brick_of(canonical(f)[0])) != place;
-  });
+  keep_own(own, folder.grid(), round.tiling, place);
   make_canonical(own);
   make_canonical(made);
   return own == made;

@@ -76,9 +76,7 @@ Status write_tile(const TileFolder& folder, const TileRound& round, const GridPl
   if (any)
     if (Status improved = improve_tile(folder, round, bounds, *at, control); !improved) return improved;
   std::vector<Triangle3> own = facets_of(at->z);
-  std::erase_if(own, [&](const Triangle3& f) {
-    return grid.tile_of(round.tiling, grid.brick_of(canonical(f)[0])) != place;
-  });
+  keep_own(own, grid, round.tiling, place);
   return write_facets(folder.output(round.number, place), grid, std::move(own));
 }
 

@@ -15,12 +15,6 @@ double box_distance(const Box3& a, const Box3& b) {
   return length(gap);
 }
 
-Box3 box_of(const Triangle3& t) {
-  Box3 box;
-  for (const Vec3 p : t) box.add(p);
-  return box;
-}
-
 } // namespace
 
 Separation find_separation(const ClosestPointIndex& first, const ClosestPointIndex& second,
