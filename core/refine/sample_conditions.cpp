@@ -131,9 +131,9 @@ void OrientationCondition::judge_pending() {
   const bool complete =
       parallel_until(pending.size(), tetrahedron_grain, context_.control(), [&](std::size_t i) {
         const TetId t = pending[i];
-        if (has_topology_vertex(complex, t) || runs_outside(context_.volume(), complex, t)) return;
-        misoriented[i] =
-            check(t).misoriented && !(sides_known && spans_thin_place(context_.live(), context_.volume(), t));
+        if (has_topology_vertex(complex, t)) return;
+        misoriented[i] = check(t).misoriented && !runs_outside(context_.volume(), complex, t) &&
+                         !(sides_known && spans_thin_place(context_.live(), context_.volume(), t));
       });
   if (!complete) return;
   for (std::size_t i = 0; i < pending.size(); ++i) {
