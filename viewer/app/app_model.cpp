@@ -10,19 +10,6 @@
 #include <utility>
 
 namespace isoscope {
-namespace {
-
-/// From above right in front: depth is seen at once.
-CameraPose first_pose() {
-  CameraPose pose;
-  const double yaw = 0.6 / 2, pitch = -0.42 / 2;
-  const double cy = std::cos(yaw), sy = std::sin(yaw), cp = std::cos(pitch), sp = std::sin(pitch);
-  pose.orientation = {cy * sp, sy * cp, -sy * sp, cy * cp};
-  pose.fov = 35;
-  return pose;
-}
-
-} // namespace
 
 AppModel::AppModel(const std::function<void()>& notify)
     : WindowState(notify), probe(*this, notify), debug(*this, probe, notify), investigation(*this, notify),
@@ -34,7 +21,7 @@ AppModel::AppModel(const std::function<void()>& notify)
     const double genus = expected->load();
     return std::isnan(genus) ? std::nullopt : std::optional(genus);
   });
-  camera.set(first_pose());
+  camera.set(turned_pose(0.6, -0.42, 35)); // from above right in front: depth is seen at once
   add_commands();
   add_values();
 }

@@ -115,6 +115,17 @@ void WindowPanes::tiles(Ui& ui, float low, float high, float width) {
   mosaic_.draw(ui);
 }
 
+void WindowPanes::status_bar(Ui& ui, ImVec2 size, float high) {
+  Pane pane("##status", {0, size.y - high}, {size.x, high}, false, {0, 0}, ui.colors.ground);
+  panels::status_bar(ui, model_.comparison.history_memory());
+}
+
+void WindowPanes::finish(Ui& ui, ImVec2 size, ImVec2 messages, float room) {
+  panels::messages(ui, messages, std::min(room, ui.px(560)));
+  overlays_.draw(ui, size);
+  model_.keys_moved = false;
+}
+
 void WindowPanes::draw(Ui& ui, bool resting) {
   AppModel& m = model_;
   PaneLayout& p = m.settings.panes;
@@ -143,13 +154,8 @@ void WindowPanes::draw(Ui& ui, bool resting) {
   }
   if (m.mosaic.shown() && !lesson) {
     tiles(ui, middle_y, size.y - status, size.x);
-    {
-      Pane pane("##status", {0, size.y - status}, {size.x, status}, false, {0, 0}, ui.colors.ground);
-      panels::status_bar(ui, m.comparison.history_memory());
-    }
-    panels::messages(ui, {ui.px(12), middle_y + ui.px(12)}, std::min(0.6f * size.x, ui.px(560)));
-    overlays_.draw(ui, size);
-    m.keys_moved = false;
+    status_bar(ui, size, status);
+    finish(ui, size, {ui.px(12), middle_y + ui.px(12)}, 0.6f * size.x);
     return;
   }
   mosaic_.rest();
@@ -214,19 +220,14 @@ void WindowPanes::draw(Ui& ui, bool resting) {
               false, {0, 0}, ui.colors.ground);
     views_.draw(ui);
   }
-  {
-    Pane pane("##status", {0, size.y - status}, {size.x, status}, false, {0, 0}, ui.colors.ground);
-    panels::status_bar(ui, m.comparison.history_memory());
-  }
+  status_bar(ui, size, status);
   panels::export_progress(ui, m.exports, {view_x, bottom_y - (bottom > 0 ? grip : 0)}, view_end - view_x);
   if (m.overlay == Overlay::none && !lesson && m.has_state())
     panels::coach_marks(ui, {{{{view_x, middle_y}, {view_end - view_x, middle_high}},
                               {{0, bottom_y}, {bottom > 0 ? size.x : 0, bottom}},
                               {{size.x - right, middle_y}, {right, middle_high}}}});
-  panels::messages(ui, {view_x + ui.px(12), middle_y + ui.px(m.warnings().empty() ? 46 : 78)},
-                   std::min(view_end - view_x - ui.px(24), ui.px(560)));
-  overlays_.draw(ui, size);
-  m.keys_moved = false;
+  finish(ui, size, {view_x + ui.px(12), middle_y + ui.px(m.warnings().empty() ? 46 : 78)},
+         view_end - view_x - ui.px(24));
 }
 
 } // namespace isoscope

@@ -24,6 +24,9 @@ class WindowPanes {
   void present(Ui& ui, ImVec2 size, bool resting);
   /// The window with a folder of tiles, `low` to `high`: between the bars.
   void tiles(Ui& ui, float low, float high, float width);
+  void status_bar(Ui& ui, ImVec2 size, float high);
+  /// What lies over all panes: messages, from there on in so much room, and overlays.
+  void finish(Ui& ui, ImVec2 size, ImVec2 messages, float room);
 
   AppModel& model_;
   RunViews& views_;

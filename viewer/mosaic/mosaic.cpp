@@ -5,7 +5,6 @@
 
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <set>
@@ -73,15 +72,6 @@ Result<fs::path> recording_file(const TileFolder& folder, std::uint32_t round, s
                "Is the disk full?"};
 }
 
-CameraPose first_mosaic_pose() {
-  CameraPose pose;
-  const double yaw = 0.62 / 2, pitch = -0.5 / 2;
-  const double cy = std::cos(yaw), sy = std::sin(yaw), cp = std::cos(pitch), sp = std::sin(pitch);
-  pose.orientation = {cy * sp, sy * cp, -sy * sp, cy * cp};
-  pose.fov = 30;
-  return pose;
-}
-
 } // namespace
 
 std::string_view name(MosaicLook look) {
@@ -130,7 +120,7 @@ Mosaic::Mosaic(WindowState& state, const std::function<void()>& notify)
             return made;
           },
           notify) {
-  camera.set(first_mosaic_pose());
+  camera.set(turned_pose(0.62, -0.5, 30));
 }
 
 Status Mosaic::open(const std::string& path) {

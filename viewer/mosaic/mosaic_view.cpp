@@ -15,13 +15,6 @@ namespace {
 /// Bricks fill a box better than the ball that a camera frames it by.
 constexpr double mosaic_closer = 0.94;
 
-/// A rounded ground for words over the picture.
-void mosaic_pill(const Ui& ui, ImVec2 low, ImVec2 high) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(low, high, to_u32(ui.colors.raised, 0.94f), ui.px(7));
-  list.AddRect(low, high, to_u32(ui.colors.line), ui.px(7));
-}
-
 void mosaic_tip(const Ui& ui, const TileProgress& p, std::uint32_t tile) {
   const TileReport& report = p.tiles[tile];
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
@@ -100,24 +93,12 @@ void MosaicView::words(Ui& ui, ViewArea area) {
   }
   const auto rerun = mosaic_.rerun_under_way();
   if (!rerun) return;
-  const float width = ui.px(320), high = ui.px(84), pad = ui.px(14);
+  const float width = ui.px(320), high = overlay::progress_box_height(ui, true);
   const ImVec2 at{area.low.x + (area.size.x - width) / 2, area.low.y + area.size.y - high - ui.px(24)};
-  mosaic_pill(ui, at, {at.x + width, at.y + high});
-  widgets::draw_text(list, ui.fonts.small, {at.x + pad, at.y + ui.px(10)}, to_u32(ui.colors.text),
-                     "Tile " + std::to_string(rerun->tile) + " of round " + std::to_string(rerun->round) +
-                         " is made once more");
-  const ImVec2 bar{at.x + pad, at.y + ui.px(32)};
-  const float length = width - 2 * pad, thick = ui.px(5);
-  list.AddRectFilled(bar, {bar.x + length, bar.y + thick}, to_u32(ui.colors.line), thick / 2);
-  const auto phase = static_cast<float>(std::fmod(ui.window.clock, 1.6) / 1.6);
-  const bool known = rerun->fraction >= 0;
-  const float begin = known ? 0 : std::max(0.0f, phase * 1.3f - 0.3f),
-              end = known ? static_cast<float>(std::clamp(rerun->fraction, 0.02, 1.0))
-                          : std::min(1.0f, phase * 1.3f);
-  list.AddRectFilled({bar.x + begin * length, bar.y}, {bar.x + end * length, bar.y + thick},
-                     to_u32(ui.colors.accent), thick / 2);
-  ImGui::SetCursorScreenPos({at.x + width - pad - ui.px(72), at.y + ui.px(46)});
-  if (widgets::plain_button(ui, "Cancel", true, ui.px(72))) ui.commands.post("cancel-rerun");
+  overlay::progress_box(ui,
+                        "Tile " + std::to_string(rerun->tile) + " of round " + std::to_string(rerun->round) +
+                            " is made once more",
+                        rerun->fraction, "cancel-rerun", at, width);
 }
 
 void MosaicView::draw(Ui& ui) {

@@ -48,6 +48,15 @@ std::array<double, 2> depth_range(const CameraPose& pose, Vec3 eye, const Box3& 
 
 } // namespace
 
+CameraPose turned_pose(double yaw, double pitch, double fov) {
+  CameraPose pose;
+  const double cy = std::cos(yaw / 2), sy = std::sin(yaw / 2), cp = std::cos(pitch / 2),
+               sp = std::sin(pitch / 2);
+  pose.orientation = {cy * sp, sy * cp, -sy * sp, cy * cp};
+  pose.fov = fov;
+  return pose;
+}
+
 void Camera::set(const CameraPose& pose, bool ease) {
   to_ = pose;
   if (ease) {

@@ -24,6 +24,10 @@ struct CameraPose {
   friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
+/// Around the origin, turned by so many radians about y, and before that about x: a negative `pitch` looks
+/// down.
+CameraPose turned_pose(double yaw, double pitch, double fov);
+
 class Camera {
  public:
   const CameraPose& pose() const { return pose_; }

@@ -6,9 +6,11 @@
 #include "gl/program.h"
 #include "gl/shader_source.h"
 #include "scene/frame_targets.h"
+#include "scene/full_screen_passes.h"
 #include "scene/line_batch.h"
 #include "scene/markers.h"
 #include "scene/mesh_batch.h"
+#include "scene/programs.h"
 #include "scene/view_frame.h"
 
 #include <glad/gl.h>
@@ -27,22 +29,12 @@ struct MosaicPrograms {
 Result<MosaicPrograms> build_mosaic_programs() {
   const gl::ShaderSource source(embedded::shaders(), "");
   MosaicPrograms programs;
-  const struct {
-    gl::Program& program;
-    const char *name, *vertex, *fragment;
-  } entries[] = {{programs.background, "background", "fullscreen.vert", "background.frag"},
-                 {programs.mesh, "mesh_opaque", "mesh.vert", "mesh_opaque.frag"},
-                 {programs.line, "line", "line.vert", "line.frag"},
-                 {programs.marker, "marker", "marker.vert", "marker.frag"},
-                 {programs.copy, "copy", "fullscreen.vert", "copy.frag"}};
-  for (const auto& entry : entries) {
-    const auto vertex = source.load(entry.vertex), fragment = source.load(entry.fragment);
-    if (!vertex) return vertex.error();
-    if (!fragment) return fragment.error();
-    auto program = gl::Program::build(entry.name, *vertex, *fragment);
-    if (!program) return program.error();
-    entry.program = std::move(*program);
-  }
+  const ProgramEntry entries[] = {{programs.background, "background", "fullscreen.vert", "background.frag"},
+                                  {programs.mesh, "mesh_opaque", "mesh.vert", "mesh_opaque.frag"},
+                                  {programs.line, "line", "line.vert", "line.frag"},
+                                  {programs.marker, "marker", "marker.vert", "marker.frag"},
+                                  {programs.copy, "copy", "fullscreen.vert", "copy.frag"}};
+  if (const Status built = build_programs(source, entries); !built) return built.error();
   return programs;
 }
 
@@ -74,14 +66,11 @@ void add_brick_outline(LineBuilder& lines, const Box3& box, const SceneSpace& sp
 
 struct MosaicPicture::Impl {
   Impl(MosaicPrograms compiled, const gl::Device& found)
-      : programs(std::move(compiled)), most_samples(found.max_samples) {
-    glGenVertexArrays(1, &empty_array);
-  }
-  ~Impl() { glDeleteVertexArrays(1, &empty_array); }
+      : programs(std::move(compiled)), most_samples(found.max_samples) {}
 
   MosaicPrograms programs;
   int most_samples;
-  GLuint empty_array = 0; ///< full-screen passes have no vertices
+  FullScreenPasses passes;
   FrameTargets targets;
   FrameBlock block;
   std::shared_ptr<const MosaicScene> scene;
@@ -97,7 +86,6 @@ struct MosaicPicture::Impl {
   void upload();
   void upload_lit(std::optional<std::uint32_t> tile);
   void draw(const FrameRequest& request);
-  void average(float part);
 };
 
 void MosaicPicture::Impl::upload() {
@@ -141,22 +129,7 @@ void MosaicPicture::Impl::upload_lit(std::optional<std::uint32_t> tile) {
 }
 
 void MosaicPicture::Impl::draw(const FrameRequest& request) {
-  glDisable(GL_BLEND);
-  glDisable(GL_DEPTH_TEST);
-  glDepthMask(GL_TRUE);
-  glClearDepth(1);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  programs.background.use();
-  programs.background.set("top", colors.ground_top);
-  programs.background.set("bottom", colors.ground_bottom);
-  programs.background.set("rows", glm::vec2(0, 1));
-  programs.background.set("opacity", 1.0f);
-  glBindVertexArray(empty_array);
-  glDepthMask(GL_FALSE);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
+  passes.begin_opaque(programs.background, colors, glm::vec2(0, 1), 1);
   MeshStyle style;
   style.back_shade = 0.7f;
   style.edge_color = glm::vec4(colors.zero_set_edge, 0.55f);
@@ -174,20 +147,6 @@ void MosaicPicture::Impl::draw(const FrameRequest& request) {
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
-}
-
-void MosaicPicture::Impl::average(float part) {
-  if (!targets.prepare_average()) return;
-  targets.averaging.bind(targets.width, targets.height);
-  glEnable(GL_BLEND);
-  glBlendColor(0, 0, 0, part);
-  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
-  programs.copy.use();
-  targets.color.bind(0);
-  programs.copy.set("picture", 0);
-  glBindVertexArray(empty_array);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDisable(GL_BLEND);
 }
 
 MosaicPicture::MosaicPicture() = default;
@@ -219,7 +178,7 @@ Renderer::Frame MosaicPicture::render(const Camera& camera, std::optional<std::u
   // Averaging smooths edges without samples.
   const int samples = request.still > 0 ? 1 : std::min(4, m.most_samples);
   if (!m.targets.resize(request.width, request.height, samples, 1, 1)) return {};
-  if (request.still == 1) m.average(1);
+  if (request.still == 1) m.passes.average(m.targets, m.programs.copy, m.targets.color, 1);
   m.upload_lit(lit);
   Camera bounded = camera;
   if (m.scene)
@@ -231,11 +190,9 @@ Renderer::Frame MosaicPicture::render(const Camera& camera, std::optional<std::u
   (samples > 1 ? m.targets.multisampled : m.targets.opaque).bind(request.width, request.height);
   m.draw(request);
   if (samples > 1) m.targets.multisampled.resolve_into(m.targets.opaque, request.width, request.height, true);
-  if (request.still > 0) m.average(1 / static_cast<float>(request.still + 1));
-  glBindVertexArray(0);
-  glUseProgram(0);
-  glActiveTexture(GL_TEXTURE0);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (request.still > 0)
+    m.passes.average(m.targets, m.programs.copy, m.targets.color, 1 / static_cast<float>(request.still + 1));
+  leave_frame();
   return {(request.still > 0 ? m.targets.average : m.targets.color).id(), m.targets.width, m.targets.height};
 }
 

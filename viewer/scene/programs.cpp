@@ -3,12 +3,22 @@
 
 namespace isoscope {
 
+Status build_programs(const gl::ShaderSource& source, std::span<const ProgramEntry> entries) {
+  for (const ProgramEntry& entry : entries) {
+    const auto vertex = source.load(entry.vertex);
+    if (!vertex) return vertex.error();
+    const auto fragment = source.load(entry.fragment);
+    if (!fragment) return fragment.error();
+    auto program = gl::Program::build(entry.name, *vertex, *fragment);
+    if (!program) return program.error();
+    entry.program = std::move(*program);
+  }
+  return {};
+}
+
 Result<Programs> Programs::build(const gl::ShaderSource& source) {
   Programs programs;
-  const struct {
-    gl::Program& program;
-    const char *name, *vertex, *fragment;
-  } entries[] = {
+  const ProgramEntry entries[] = {
       {programs.background, "background", "fullscreen.vert", "background.frag"},
       {programs.mesh_opaque, "mesh_opaque", "mesh.vert", "mesh_opaque.frag"},
       {programs.mesh_translucent, "mesh_translucent", "mesh.vert", "mesh_translucent.frag"},
@@ -33,15 +43,7 @@ Result<Programs> Programs::build(const gl::ShaderSource& source) {
       {programs.section_detail, "section_detail", "fullscreen.vert", "section_detail.frag"},
       {programs.copy, "copy", "fullscreen.vert", "copy.frag"},
   };
-  for (const auto& entry : entries) {
-    const auto vertex = source.load(entry.vertex);
-    if (!vertex) return vertex.error();
-    const auto fragment = source.load(entry.fragment);
-    if (!fragment) return fragment.error();
-    auto program = gl::Program::build(entry.name, *vertex, *fragment);
-    if (!program) return program.error();
-    entry.program = std::move(*program);
-  }
+  if (const Status built = build_programs(source, entries); !built) return built.error();
   return programs;
 }
 

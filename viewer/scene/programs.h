@@ -6,8 +6,17 @@
 #include "gl/shader_source.h"
 
 #include <array>
+#include <span>
 
 namespace isoscope {
+
+/// A program and the names of its shaders.
+struct ProgramEntry {
+  gl::Program& program;
+  const char *name, *vertex, *fragment;
+};
+/// Compiles them all; fails with device and the driver's log.
+Status build_programs(const gl::ShaderSource& source, std::span<const ProgramEntry> entries);
 
 struct Programs {
   gl::Program background, mesh_opaque, mesh_translucent, mesh_flat, line, marker, sample, point, composite,
@@ -17,7 +26,7 @@ struct Programs {
   std::array<gl::Program, 2> volume, volume_haze, volume_moving, volume_detail, volume_haze_detail;
   gl::Program section_detail;
 
-  /// Compiles them all; fails with device and the driver's log.
+  /// Fails as build_programs().
   static Result<Programs> build(const gl::ShaderSource& source);
 };
 

@@ -6,6 +6,7 @@
 #include "gl/shader_source.h"
 #include "scene/first_box.h"
 #include "scene/frame_targets.h"
+#include "scene/full_screen_passes.h"
 #include "scene/overlay.h"
 #include "scene/picking.h"
 #include "scene/programs.h"
@@ -35,9 +36,7 @@ struct Renderer::Impl {
   Impl(Programs compiled, gl::ShaderSource shaders, const gl::Device& found)
       : programs(std::move(compiled)), source(std::move(shaders)), device(found), control(found.software) {
     revision = source.revision();
-    glGenVertexArrays(1, &empty_array);
   }
-  ~Impl() { glDeleteVertexArrays(1, &empty_array); }
 
   Programs programs;
   gl::ShaderSource source;
@@ -46,7 +45,7 @@ struct Renderer::Impl {
   QualityControl control;
   FrameTargets targets, section_targets, tile_targets;
   FrameBlock block;
-  GLuint empty_array = 0; ///< full-screen passes have no vertices
+  FullScreenPasses passes;
 
   LayerInputs shown;
   std::shared_ptr<const DistanceGrid> grid;
@@ -68,7 +67,7 @@ struct Renderer::Impl {
   ViewFrame view_frame(const Camera& camera, const ViewSettings& view, const FrameRequest& request, int width,
                        int height) const;
   /// Takes the result into the average, by that part.
-  void average(FrameTargets& drawn, float part);
+  void average(FrameTargets& drawn, float part) { passes.average(drawn, programs.copy, drawn.result, part); }
   Renderer::Frame finish(FrameTargets& drawn, std::chrono::steady_clock::time_point start,
                          const FrameRequest& request);
   PickScene pick_scene_data() const {
@@ -160,22 +159,8 @@ void Renderer::Impl::upload_frame(const Camera& camera, const ClipSettings& clip
 
 void Renderer::Impl::draw_opaque(const ViewFrame& frame, const FrameRequest& request,
                                  const FrameQuality& quality) {
-  glDisable(GL_BLEND);
-  glDisable(GL_DEPTH_TEST);
-  glDepthMask(GL_TRUE);
-  glClearDepth(1);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  programs.background.use();
-  programs.background.set("top", frame.colors.ground_top);
-  programs.background.set("bottom", frame.colors.ground_bottom);
-  programs.background.set("rows", frame.rows);
-  programs.background.set("opacity", request.transparent_background ? 0.0f : 1.0f);
-  glBindVertexArray(empty_array);
-  glDepthMask(GL_FALSE);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
+  passes.begin_opaque(programs.background, frame.colors, frame.rows,
+                      request.transparent_background ? 0.0f : 1.0f);
   layers.draw_opaque(programs, frame, quality);
 }
 
@@ -216,24 +201,8 @@ void Renderer::Impl::composite(const FrameTargets& drawn, bool with_cells, bool 
   }
   program.set("with_cells", with_cells ? 1 : 0);
   program.set("with_volume", with_volume ? 1 : 0);
-  glBindVertexArray(empty_array);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  passes.draw();
   glDepthMask(GL_TRUE);
-}
-
-void Renderer::Impl::average(FrameTargets& drawn, float part) {
-  if (!drawn.prepare_average()) return;
-  drawn.averaging.bind(drawn.width, drawn.height);
-  glDisable(GL_DEPTH_TEST);
-  glEnable(GL_BLEND);
-  glBlendColor(0, 0, 0, part);
-  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
-  programs.copy.use();
-  drawn.result.bind(0);
-  programs.copy.set("picture", 0);
-  glBindVertexArray(empty_array);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDisable(GL_BLEND);
 }
 
 Renderer::Frame Renderer::Impl::finish(FrameTargets& drawn, std::chrono::steady_clock::time_point start,
@@ -242,10 +211,7 @@ Renderer::Frame Renderer::Impl::finish(FrameTargets& drawn, std::chrono::steady_
     average(drawn, 1 / static_cast<float>(request.still + 1));
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
-  glBindVertexArray(0);
-  glUseProgram(0);
-  glActiveTexture(GL_TEXTURE0);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  leave_frame();
   glFinish();
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   control.took(request.quality, seconds);
@@ -356,7 +322,7 @@ Renderer::Frame Renderer::render(const Camera& camera, const ViewSettings& view,
   if (with_volume) {
     targets.volume.bind(volume_width, volume_height);
     glDisable(GL_DEPTH_TEST);
-    glBindVertexArray(r.empty_array);
+    r.passes.bind();
     const auto row = [&](int strip) { return volume_height * strip / request.strips; };
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, row(request.strip), volume_width, row(request.strip + 1) - row(request.strip));
@@ -387,7 +353,7 @@ Renderer::Frame Renderer::render_section(const SectionView& section, const ViewS
   plane.shape = ClipSettings::Shape::none;
   r.upload_frame(camera, plane, request, frame);
   targets.output.bind(request.width, request.height);
-  glBindVertexArray(r.empty_array);
+  r.passes.bind();
   r.section.draw(r.programs, frame, r.layers.tolerance, request.transparent_background ? 0.0f : 1.0f);
   return r.finish(targets, start, request);
 }

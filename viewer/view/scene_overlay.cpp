@@ -242,19 +242,13 @@ void invitation(Ui& ui, ImVec2 low, ImVec2 size) {
   if (widgets::plain_button(ui, "Gallery", true, width)) ui.commands.post("gallery");
 }
 
-void progress(Ui& ui, const ShownRun& m, const char* cancel, ImVec2 low, ImVec2 size) {
-  const bool preparing = m.run.phase == SessionPhase::preparing;
-  const bool waiting = !preparing && !m.playhead.idle() && !m.state();
-  const bool painting = !preparing && m.grid.working();
-  if (!preparing && !waiting && !painting) return;
-  std::string text = preparing ? "Preparing: " + (m.run.part.empty() ? std::string("input") : m.run.part)
-                     : waiting ? "Reading the journal"
-                               : "Painting Ω";
-  const double fraction = preparing ? m.run.fraction : painting ? m.grid.fraction() : -1.0;
-  const float width = ui.px(280), high = ui.px(preparing ? 84 : 46);
-  const ImVec2 at{low.x + (size.x - width) / 2,
-                  preparing ? low.y + (size.y - high) / 2 : low.y + size.y - high - ui.px(16)};
-  pill(ui, at, {at.x + width, at.y + high});
+float progress_box_height(const Ui& ui, bool with_cancel) {
+  return ui.px(with_cancel ? 84 : 46);
+}
+
+void progress_box(Ui& ui, const std::string& text, double fraction, const char* cancel, ImVec2 at,
+                  float width) {
+  pill(ui, at, {at.x + width, at.y + progress_box_height(ui, cancel != nullptr)});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float pad = ui.px(14);
   widgets::draw_text(list, ui.fonts.small, {at.x + pad, at.y + ui.px(10)}, to_u32(ui.colors.text), text);
@@ -267,9 +261,24 @@ void progress(Ui& ui, const ShownRun& m, const char* cancel, ImVec2 low, ImVec2 
                                   : std::min(1.0f, phase * 1.3f);
   list.AddRectFilled({bar.x + begin * length, bar.y}, {bar.x + end * length, bar.y + thick},
                      to_u32(ui.colors.accent), thick / 2);
-  if (!preparing) return;
+  if (cancel == nullptr) return;
   ImGui::SetCursorScreenPos({at.x + width - pad - ui.px(72), at.y + ui.px(46)});
   if (widgets::plain_button(ui, "Cancel", true, ui.px(72))) ui.commands.post(cancel);
+}
+
+void progress(Ui& ui, const ShownRun& m, const char* cancel, ImVec2 low, ImVec2 size) {
+  const bool preparing = m.run.phase == SessionPhase::preparing;
+  const bool waiting = !preparing && !m.playhead.idle() && !m.state();
+  const bool painting = !preparing && m.grid.working();
+  if (!preparing && !waiting && !painting) return;
+  std::string text = preparing ? "Preparing: " + (m.run.part.empty() ? std::string("input") : m.run.part)
+                     : waiting ? "Reading the journal"
+                               : "Painting Ω";
+  const double fraction = preparing ? m.run.fraction : painting ? m.grid.fraction() : -1.0;
+  const float width = ui.px(280), high = progress_box_height(ui, preparing);
+  const ImVec2 at{low.x + (size.x - width) / 2,
+                  preparing ? low.y + (size.y - high) / 2 : low.y + size.y - high - ui.px(16)};
+  progress_box(ui, text, fraction, preparing ? cancel : nullptr, at, width);
 }
 
 } // namespace isoscope::overlay

@@ -4,6 +4,8 @@
 
 #include "ui/ui.h"
 
+#include <string>
+
 namespace isoscope::overlay {
 
 /// `corner`: the view's top right.
@@ -25,6 +27,12 @@ void section_caption(const Ui& ui, ImVec2 low, ImVec2 size);
 void hover_tip(const Ui& ui);
 /// What to do where there is no model: open one, or choose from the gallery.
 void invitation(Ui& ui, ImVec2 low, ImVec2 size);
+/// What is being done, in words and as a bar: part of it, or < 0 where that is not known. With Cancel, which
+/// posts the command, where there is one.
+void progress_box(Ui& ui, const std::string& text, double fraction, const char* cancel, ImVec2 at,
+                  float width);
+/// How high it is.
+float progress_box_height(const Ui& ui, bool with_cancel);
 /// What is being prepared of a run, with Cancel, which posts the command.
 void progress(Ui& ui, const ShownRun& run, const char* cancel, ImVec2 low, ImVec2 size);
 
