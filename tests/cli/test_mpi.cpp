@@ -1,5 +1,6 @@
 // Tiles by the ranks of an MPI job: one, two and three of them, killed and gone on with, make the mesh that
 // isoscope-run makes.
+#include "cli/tile_line.h"
 #include "input/temporary_folder.h"
 #include "support/run_program.h"
 
@@ -13,12 +14,6 @@ using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
-
-const std::string model = "gallery:sphere --tolerance 4% --effort 1 --quiet --tile-memory 1MiB ";
-
-std::string quoted(const std::filesystem::path& p) {
-  return "'" + p.string() + "'";
-}
 
 /// mpirun with more ranks than cores, by whoever runs the tests.
 std::string by_ranks(int ranks) {

@@ -1,4 +1,5 @@
 // Runs in tiles as people type them: at once, in parts, killed, by GNU parallel; one mesh.
+#include "cli/tile_line.h"
 #include "input/temporary_folder.h"
 #include "support/run_program.h"
 
@@ -11,15 +12,7 @@
 using namespace isoscope;
 using namespace isoscope::test;
 
-namespace {
-
-const std::string model = "gallery:sphere --tolerance 4% --effort 1 --quiet --tile-memory 1MiB ";
-
-std::string quoted(const std::filesystem::path& p) {
-  return "'" + p.string() + "'";
-}
-
-} // namespace
+namespace {} // namespace
 
 TEST_CASE("A run in tiles is certified, tells how far it is, and goes on where a kill left it") {
   const TemporaryFolder folder;

@@ -1,9 +1,9 @@
 // Tiles in many hands: what is said of each, how far all are, and how they are dealt out.
 #include "input/temporary_folder.h"
+#include "tiles/cut_model.h"
 #include "tiles/tile_dealer.h"
 #include "tiles/tile_mosaic.h"
 #include "tiles/tile_progress.h"
-#include "tiles/tile_work.h"
 
 #include <doctest/doctest.h>
 
@@ -19,14 +19,7 @@ using namespace isoscope;
 namespace {
 
 TileFolder cut_sphere(const std::filesystem::path& folder) {
-  RunParameters p;
-  p.input = "gallery:sphere";
-  p.tolerance = {4, true};
-  p.effort = 0;
-  RunControl control;
-  auto made = cut_into_tiles(p, folder, 1 << 20, control);
-  REQUIRE(made.ok());
-  return *made;
+  return test::cut(folder, test::parameters_of("gallery:sphere", 4, 0));
 }
 
 TileRound round_of(const TileFolder& folder) {

@@ -3,8 +3,8 @@
 #include "recording/recording_reader.h"
 #include "run/parameters_json.h"
 #include "run/passing_gate.h"
+#include "tiles/cut_model.h"
 #include "tiles/tile_run.h"
-#include "tiles/tile_work.h"
 
 #include <doctest/doctest.h>
 
@@ -15,14 +15,7 @@ using namespace isoscope;
 namespace {
 
 TileFolder cut_torus(const std::filesystem::path& folder) {
-  RunParameters p;
-  p.input = "gallery:torus";
-  p.tolerance = {2, true};
-  p.effort = 1;
-  RunControl control;
-  auto made = cut_into_tiles(p, folder, 1 << 20, control);
-  REQUIRE(made.ok());
-  return *made;
+  return test::cut(folder, test::parameters_of("gallery:torus", 2));
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 #include "run/voxel_soup.h"
 #include "simplify/first_surface.h"
 #include "support/models.h"
-#include "tiles/tile_work.h"
+#include "tiles/cut_model.h"
 
 #include <doctest/doctest.h>
 
@@ -21,23 +21,6 @@ using namespace isoscope;
 using namespace isoscope::test;
 
 namespace {
-
-constexpr double mebibyte = 1 << 20;
-
-RunParameters parameters_of(const std::string& input, double percent) {
-  RunParameters p;
-  p.input = input;
-  p.tolerance = {percent, true};
-  p.effort = 1;
-  return p;
-}
-
-TileFolder cut(const std::filesystem::path& folder, const RunParameters& p, double mebibytes) {
-  RunControl control;
-  auto made = cut_into_tiles(p, folder, mebibytes * mebibyte, control);
-  REQUIRE(made.ok());
-  return *made;
-}
 
 JoinedTiles joined(const TileFolder& folder) {
   RunControl control;
