@@ -38,6 +38,8 @@ class Camera {
   /// True once a person or a script has set the view: loading a model must not move it then.
   bool was_set() const { return was_set_; }
   void mark_set() { was_set_ = true; }
+  /// Whoever set it has left: it is the program's own again, and shows the whole model.
+  void release() { was_set_ = false; }
 
   /// Looks at the box from the present direction so that it fills a view of that aspect, width to height.
   void frame(const Box3& box, bool ease, double aspect = 1);
