@@ -21,7 +21,7 @@ AppModel::AppModel(const std::function<void()>& notify)
     const double genus = expected->load();
     return std::isnan(genus) ? std::nullopt : std::optional(genus);
   });
-  camera.set(turned_pose(0.6, -0.42, 35)); // from above right in front: depth is seen at once
+  camera.set(first_pose());
   add_commands();
   add_values();
 }

@@ -169,6 +169,7 @@ void LessonRunner::go(std::size_t stop) {
   window_.filter = {};
   window_.blinking = false;
   window_.preview_delta.reset();
+  window_.camera.set(first_pose()); // a prepared scene is seen from one side, whatever was seen before
   window_.frame_all();
   // What questions keep for themselves.
   for (const auto& [name, value] : {std::pair{"inspect.shrink", "0"}, {"topology.shown", "off"}})

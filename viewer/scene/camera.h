@@ -27,6 +27,8 @@ struct CameraPose {
 /// Around the origin, turned by so many radians about y, and before that about x: a negative `pitch` looks
 /// down.
 CameraPose turned_pose(double yaw, double pitch, double fov);
+/// From above right in front, where depth is seen at once: how a model is first looked at.
+CameraPose first_pose();
 
 class Camera {
  public:
