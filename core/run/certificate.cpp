@@ -112,15 +112,16 @@ bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
   }
   c.max_distance = std::max(c.max_distance, worst);
   if (outside > 0) {
-    c.failures.push_back(std::to_string(outside) + " facets leave the tolerance volume, the worst by d = " +
-                         general(worst / delta, 4) + " δ at " + place(where, proof_digits) + ".");
+    c.failures.push_back(counted(outside, "facet leaves", "facets leave") +
+                         " the tolerance volume, the worst by d = " + general(worst / delta, 4) + " δ at " +
+                         place(where, proof_digits) + ".");
   }
   if (!complete) {
     if (outside == 0) c.max_distance = std::numeric_limits<double>::infinity();
     return false;
   }
   if (undecided > 0) {
-    c.failures.push_back(std::to_string(undecided) + " facets could be proven neither inside nor outside.");
+    c.failures.push_back(counted(undecided, "facet") + " could be proven neither inside nor outside.");
   }
   check_sides_exactly(mesh, volume.field(), c);
   return true;
@@ -322,7 +323,8 @@ void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expecte
                          " instead of " + std::to_string(*expected.euler_characteristic) + ", that of " +
                          expected.source + ".");
   if (expected.components && *expected.components != c.components)
-    c.failures.push_back("There are " + std::to_string(c.components) + " components instead of " +
+    c.failures.push_back((c.components == 1 ? "There is " : "There are ") +
+                         counted(c.components, "component") + " instead of " +
                          std::to_string(*expected.components) + ".");
   if (expected.boundary_loops && *expected.boundary_loops != c.boundary_loops)
     c.failures.push_back("Its border has " + counted(c.boundary_loops, "loop") + " instead of " +
