@@ -2,6 +2,7 @@
 #include "tolerance/facet_certificate.h"
 
 #include "tolerance/rounding.h"
+#include "tolerance/surface_certificate.h"
 
 #include <array>
 #include <vector>
@@ -102,6 +103,8 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
     verdict.witness = facet[0];
     return verdict;
   }
+  if (const ClosestPointIndex* surface = field.surface(); surface != nullptr && search.judge == nullptr)
+    return certify_on_surface(field, *surface, facet, accept, reject, search);
   if (field.meets_boundary(facet) == std::optional(false)) {
     const ClosestPoint closest = field.closest_near(centroid(facet), search.guess);
     if (closest.distance() <= accept) {
