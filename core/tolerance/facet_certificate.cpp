@@ -103,7 +103,10 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
     verdict.witness = facet[0];
     return verdict;
   }
-  if (const ClosestPointIndex* surface = field.surface(); surface != nullptr && search.judge == nullptr)
+  // Who learns from one witness needs it inside of a piece, as the middle of what is wrong there; who gathers
+  // them takes those at corners, which cost less.
+  if (const ClosestPointIndex* surface = field.surface();
+      surface != nullptr && search.witnesses != nullptr && search.judge == nullptr)
     return certify_on_surface(field, *surface, facet, accept, reject, search);
   if (field.meets_boundary(facet) == std::optional(false)) {
     const ClosestPoint closest = field.closest_near(centroid(facet), search.guess);

@@ -101,6 +101,8 @@ TEST_CASE("facets are proven with parts in fewer pieces, and none that is outsid
     for (Vec3& p : facet) p = 0.6 * near[0] + 0.4 * p;
     const double accept = 0.8, reject = 0.79;
     FacetSearch search;
+    std::vector<Vec3> witnesses;
+    search.witnesses = &witnesses;
     const FacetVerdict without = certify_facet(index, facet, accept, reject, search);
     search.parts = &parts;
     const FacetVerdict with = certify_facet(index, facet, accept, reject, search);
@@ -114,6 +116,8 @@ TEST_CASE("facets are proven with parts in fewer pieces, and none that is outsid
     } else {
       ++outside;
       CHECK(index.distance(with.witness) > reject);
+      REQUIRE_FALSE(witnesses.empty());
+      for (const Vec3 w : witnesses) CHECK(index.distance(w) > reject);
     }
   }
   CHECK(inside > 100);
