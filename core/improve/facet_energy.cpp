@@ -122,6 +122,17 @@ FacetQuality measure_facet(const InputSurface& input, const Triangle3& t, std::s
   return judge(sums, t, input.delta());
 }
 
+double energy_of_sample(const InputSurface& input, const Triangle3& t, double d, std::size_t others) {
+  std::size_t count = others + (input.rooms().samples != nullptr ? 8 : 0);
+  int most = 2;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int steps = sampling_steps(distance(t[k], t[(k + 1) % 3]), input.delta());
+    most = std::max(most, steps);
+    count += static_cast<std::size_t>(steps);
+  }
+  return power_12(d / input.delta()) / static_cast<double>(count + inner_samples(most).size());
+}
+
 void measure_facet(const InputSurface& input, FacetComplex& complex, std::uint32_t f) {
   Facet& facet = complex.facets[f];
   const FacetQuality quality =

@@ -51,6 +51,10 @@ FacetQuality judge(const FacetSums& sums, const Triangle3& facet, double delta);
 FacetQuality measure_facet(const InputSurface& input, const Triangle3& facet,
                            std::span<const Barycentric> extra, std::span<const SideSample> sides,
                            TriangleId& seed, LabelPair labels = {+1, -1});
+/// What a sample of such a distance alone adds to the energy of a facet that has at most `others` besides
+/// those of its place.
+double energy_of_sample(const InputSurface& input, const Triangle3& facet, double distance,
+                        std::size_t others);
 /// The same for a facet of a complex, stored in it.
 void measure_facet(const InputSurface& input, FacetComplex& complex, std::uint32_t f);
 

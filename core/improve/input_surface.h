@@ -6,8 +6,10 @@
 #include "improve/room_distance.h"
 #include "input/triangle_soup.h"
 #include "tolerance/field.h"
+#include "tolerance/flat_parts.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -48,6 +50,8 @@ class InputSurface {
   double delta() const { return delta_; }
   const ToleranceField& field() const { return *field_; }
   const BorderGate* gate() const { return gate_; }
+  /// Where many triangles of the input lie in one plane; null where it has none.
+  const FlatParts* parts() const { return parts_ && parts_->size() > 0 ? &*parts_ : nullptr; }
   /// What keeps walls between their rooms; nothing does where there are two sides only.
   void set_rooms(const RoomSamples& rooms) { rooms_ = rooms; }
   const RoomSamples& rooms() const { return rooms_; }
@@ -62,6 +66,7 @@ class InputSurface {
   const BorderGate* gate_;
   double delta_, on_surface_, enough_;
   RoomSamples rooms_;
+  std::optional<FlatParts> parts_;
   std::vector<Vec3> normals_; ///< by site; zero for degenerate triangles
 };
 

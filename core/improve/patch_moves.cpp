@@ -8,6 +8,7 @@
 namespace isoscope {
 namespace {
 
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double least_gain = 0.995;     ///< of a relocation: new energy over old
 constexpr double least_flip_gain = 0.98; ///< of a flip
 constexpr double flip_from = 0.7;        ///< flips are tried where the largest d exceeds this share of δ
@@ -83,14 +84,16 @@ std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, c
   StarEvaluator evaluator(input, star);
   const Vec3 pa = complex.points[a], pb = complex.points[b];
   const Vec3 middle = 0.5 * (pa + pb);
-  Placement best = evaluator.evaluate(allowed(middle) ? middle : kernel->center);
-  if (effort.three_starts) {
+  Placement best =
+      evaluator.evaluate(allowed(middle) ? middle : kernel->center, unbounded, effort.farthest_start);
+  if (effort.three_starts)
     for (const Vec3 p : {pa, pb}) {
       if (!allowed(p)) continue;
-      if (Placement other = evaluator.evaluate(p); other.energy < best.energy) best = std::move(other);
+      Placement other = evaluator.evaluate(p, best.energy, effort.farthest_start);
+      if (other.energy < best.energy) best = std::move(other);
     }
-    best = evaluator.evaluate(best.point);
-  }
+  if (!(best.energy < unbounded)) return std::nullopt;
+  if (effort.three_starts) best = evaluator.evaluate(best.point);
   evaluator.improve(best, effort.rounds, kernel);
   return candidate(best);
 }
@@ -152,6 +155,20 @@ std::optional<FlipPlan> flip_corners(const FacetComplex& complex, std::uint32_t 
   return plan;
 }
 
+std::optional<FlipPlan> flip_of_edge(const FacetComplex& complex, std::uint32_t a, std::uint32_t b) {
+  if (!complex.has_edge(a, b) || complex.on_curve(a, b)) return std::nullopt;
+  const std::uint32_t f = complex.facet_left_of(a, b);
+  if (f == Facet::none) return std::nullopt;
+  return flip_corners(complex, f, complex.facets[f].corner(a));
+}
+
+double distance_of_new_edge(const InputSurface& input, const FacetComplex& complex, const FlipPlan& plan) {
+  const Vec3 c = complex.points[plan.c], d = complex.points[plan.d];
+  const int steps = sampling_steps(distance(c, d), input.delta());
+  return input.sample(d + (steps / 2) / static_cast<double>(steps) * (c - d), complex.facets[plan.f].seed)
+      .distance;
+}
+
 std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex& complex, std::uint32_t f,
                                   std::size_t k) {
   std::optional<FlipPlan> corners = flip_corners(complex, f, k);
@@ -161,8 +178,14 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
   if (!first.folded && !second.folded && std::max(first.largest, second.largest) < flip_from * input.delta())
     return std::nullopt;
   const double allowed = least_flip_gain * (first.energy + second.energy);
-  plan.seeds = {first.seed, first.seed};
   const std::array<Triangle3, 2> after = flipped_triangles(complex, plan);
+  // Most flips fail, and most of these at this one sample.
+  const double d = distance_of_new_edge(input, complex, plan);
+  const std::size_t others =
+      first.extra.size() + second.extra.size() + first.sides.size() + second.sides.size();
+  if (energy_of_sample(input, after[0], d, others) + energy_of_sample(input, after[1], d, others) > allowed)
+    return std::nullopt;
+  plan.seeds = {first.seed, first.seed};
   for (const Facet* facet : {&first, &second}) carry_samples(complex, *facet, after, plan);
   plan.quality[0] = measure_facet(input, after[0], plan.extra[0], plan.sides[0], plan.seeds[0], first.labels);
   if (plan.quality[0].folded || plan.quality[0].energy > allowed) return std::nullopt;
@@ -176,17 +199,16 @@ std::optional<FlipPlan> plan_flip(const InputSurface& input, const FacetComplex&
 std::optional<FlipPlan> force_flip(const InputSurface& input, SurfacePatch& patch, std::uint32_t a,
                                    std::uint32_t b, double most_distance) {
   FacetComplex& complex = patch.complex;
-  if (!patch.may_lose_facet(a) || !patch.may_lose_facet(b) || complex.on_curve(a, b)) return std::nullopt;
-  const std::uint32_t f = complex.facet_left_of(a, b);
-  if (f == Facet::none) return std::nullopt;
-  std::optional<FlipPlan> plan = flip_corners(complex, f, complex.facets[f].corner(a));
+  if (!patch.may_lose_facet(a) || !patch.may_lose_facet(b)) return std::nullopt;
+  std::optional<FlipPlan> plan = flip_of_edge(complex, a, b);
   if (!plan || complex.has_edge(plan->c, plan->d)) return std::nullopt;
   const std::optional<std::uint32_t> tet = tet_of(patch, *plan);
   if (patch.in_t && !tet) return std::nullopt;
-  plan->seeds = {complex.facets[f].seed, complex.facets[plan->g].seed};
+  if (distance_of_new_edge(input, complex, *plan) > most_distance) return std::nullopt;
+  plan->seeds = {complex.facets[plan->f].seed, complex.facets[plan->g].seed};
   const std::array<Triangle3, 2> after = flipped_triangles(complex, *plan);
   for (std::size_t i = 0; i < 2; ++i) {
-    plan->quality[i] = measure_facet(input, after[i], {}, {}, plan->seeds[i], complex.facets[f].labels);
+    plan->quality[i] = measure_facet(input, after[i], {}, {}, plan->seeds[i], complex.facets[plan->f].labels);
     if (plan->quality[i].largest > most_distance) return std::nullopt;
   }
   apply_flip(complex, *plan);

@@ -4,6 +4,7 @@
 #include "improve/placement.h"
 #include "improve/surface_patch.h"
 
+#include <limits>
 #include <optional>
 
 namespace isoscope {
@@ -19,9 +20,12 @@ struct PlacementEffort {
   bool three_starts = true; ///< the best of the midpoint and both ends, or the midpoint alone
   int rounds = 4;
   double folded_surcharge = 3; ///< δ, on the cost where a facet would be folded
+  /// Absolute: nothing is placed where the star has a sample farther away at every start.
+  double farthest_start = std::numeric_limits<double>::infinity();
 };
 
-/// Places the merged vertex of ab, within the kernel if one is given; nothing where the link condition fails.
+/// Places the merged vertex of ab, within the kernel if one is given; nothing where the link condition fails
+/// or all starts are too far away.
 /// Where one end alone is on the border it stays where it is. The stars of a and b must be complete.
 std::optional<CollapseCandidate> collapse_candidate(const InputSurface& input, const FacetComplex& complex,
                                                     std::uint32_t a, std::uint32_t b,
@@ -47,6 +51,10 @@ struct FlipPlan {
 /// Two facets and their edge, from f's k-th corner to its next, as a flip without samples or quality; nothing
 /// where the edge has one facet only or is on a curve.
 std::optional<FlipPlan> flip_corners(const FacetComplex& complex, std::uint32_t f, std::size_t k);
+/// The same for the edge from a to b; nothing where that is none.
+std::optional<FlipPlan> flip_of_edge(const FacetComplex& complex, std::uint32_t a, std::uint32_t b);
+/// d somewhere on the edge that a flip makes, at a sample that both its facets have.
+double distance_of_new_edge(const InputSurface& input, const FacetComplex& complex, const FlipPlan& plan);
 /// Whether flipping the edge of f from its k-th to its next corner lowers the energy; asked only where a
 /// facet comes near the limit or is folded. Connectivity is the caller's: c and d must not be joined, a and b
 /// must keep three facets, one on the border.

@@ -147,7 +147,7 @@ DistanceSample StarEvaluator::sample(Vec3 p, double weight, TriangleId& guess) {
   return s;
 }
 
-Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
+Placement StarEvaluator::evaluate(Vec3 x, double most_energy, double most_distance) {
   const std::size_t n = star_->wedges.size();
   Placement result;
   result.point = x;
@@ -161,7 +161,7 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
     spoke_steps_[i] = sampling_steps(distance(spokes_[i].rim, x), input_->delta());
   const RoomSamples& rooms = input_->rooms();
   // What is summed so far, over the final number of samples, never exceeds the energy.
-  double energy = 0;
+  double energy = 0, largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Star::Wedge& wedge = star_->wedges[i];
     const auto inner = inner_samples(longest_steps(i)).size();
@@ -173,12 +173,14 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
   }
   const auto add = [&](std::size_t wedge, const DistanceSample& s) {
     energy += sums_[wedge].add(s, *input_) / counts_[wedge];
+    largest = std::max(largest, s.distance);
   };
-  const auto give_up = [&] { result.energy = energy; };
+  const auto is_enough = [&] { return energy > most_energy || largest > most_distance; };
+  const auto give_up = [&] { result.energy = std::numeric_limits<double>::infinity(); };
   const DistanceSample center = sample(x, 1, center_guess_);
   for (std::size_t i = 0; i < n; ++i) add(i, center);
   for (std::size_t i = 0; i < spokes_.size(); ++i) {
-    if (energy > most_energy) return give_up(), result;
+    if (is_enough()) return give_up(), result;
     const Vec3 along = spokes_[i].rim - x;
     for (int j = 1; j < spoke_steps_[i]; ++j) {
       const double t = j / static_cast<double>(spoke_steps_[i]);
@@ -187,7 +189,7 @@ Placement StarEvaluator::evaluate(Vec3 x, double most_energy) {
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    if (energy > most_energy) return give_up(), result;
+    if (is_enough()) return give_up(), result;
     const Triangle3 t = facet(i, x);
     Spoke& spoke = spokes_[first_[i]];
     const auto inner = inner_samples(longest_steps(i));

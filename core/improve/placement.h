@@ -55,9 +55,10 @@ struct Placement {
 class StarEvaluator {
  public:
   StarEvaluator(const InputSurface& input, const Star& star);
-  /// Judges the star with its vertex at x. May stop once the energy is known to exceed `most_energy`; the
-  /// placement is then unfit for anything else.
-  Placement evaluate(Vec3 x, double most_energy = std::numeric_limits<double>::infinity());
+  /// Judges the star with its vertex at x. May stop once the energy is known to exceed `most_energy`, or some
+  /// d `most_distance`; the placement's energy is then infinite, and it is unfit for anything else.
+  Placement evaluate(Vec3 x, double most_energy = std::numeric_limits<double>::infinity(),
+                     double most_distance = std::numeric_limits<double>::infinity());
   /// Improves a placement that evaluate() just returned by at most `rounds` steps, each of which minimises
   /// the maximum of the linearised distances (p-norms of growing p) and is kept when the true energy falls.
   /// With a kernel, which must contain the placement's point, no step leaves it.

@@ -39,9 +39,9 @@ Proof prove(const InputSurface& input, FacetComplex& complex) {
     if (!facet.alive() || facet.proven) continue;
     const Triangle3 t = complex.triangle(facet);
     witnesses.clear();
-    const FacetVerdict verdict =
-        certify_facet(input.field(), t, delta, reject_from * delta,
-                      FacetSearch{certificate_budget, facet.seed, &witnesses, most_witnesses});
+    const FacetVerdict verdict = certify_facet(input.field(), t, delta, reject_from * delta,
+                                               FacetSearch{certificate_budget, facet.seed, &witnesses,
+                                                           most_witnesses, nullptr, nullptr, input.parts()});
     if (verdict.kind == FacetVerdict::Kind::inside) {
       facet.proven = true;
       continue;
@@ -308,6 +308,13 @@ PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch
   collapse_to(*rules.input, patch, a, b, target);
   if (options.sweeps > 0) return repair(rules, patch, options);
   return settle(rules, patch, a, collapse_retries);
+}
+
+bool is_worth_a_flip(const SurfaceRules& rules, const FacetComplex& complex, std::uint32_t a,
+                     std::uint32_t b) {
+  const std::optional<FlipPlan> plan = flip_of_edge(complex, a, b);
+  return plan &&
+         distance_of_new_edge(*rules.input, complex, *plan) <= most_flip_excess * rules.input->delta();
 }
 
 std::optional<PatchVerdict> flip_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,

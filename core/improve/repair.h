@@ -54,6 +54,10 @@ struct PatchVerdict : Refusal {
 /// rim stays covered.
 PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
                                   std::uint32_t b, Vec3 target, const RepairOptions& options);
+/// Whether flip_with_repair() is worth a try: there is such an edge, and the one that would replace it does
+/// not begin too far above δ.
+bool is_worth_a_flip(const SurfaceRules& rules, const FacetComplex& complex, std::uint32_t a,
+                     std::uint32_t b);
 /// Flips the edge ab (local ids) against the energy and repairs the patch without flipping it back; nothing
 /// where the flip cannot be made or begins too far above δ. Everything is checked but the same.
 std::optional<PatchVerdict> flip_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,

@@ -3,7 +3,6 @@
 
 #include "base/parallel.h"
 #include "base/scramble.h"
-#include "improve/patch_claims.h"
 
 #include <algorithm>
 #include <deque>
@@ -32,25 +31,19 @@ struct FlipAttempt {
   std::optional<PatchVerdict> verdict;
 };
 
-/// Takes edges from the front whose patches are apart; those that overlap go back in their order.
-std::vector<FlipAttempt> gather(const LiveSurface& surface, std::deque<Edge>& edges, PatchClaims& claims) {
-  const std::size_t size = std::clamp<std::size_t>(surface.vertex_count() / 16, 1, most_batch);
+/// Tries that are made side by side, wherever they are: few of those that would do come too late.
+constexpr std::size_t flips_at_once = 8;
+
+/// Takes edges from the front that may be flipped.
+std::vector<FlipAttempt> gather(const LiveSurface& surface, const SurfaceRules& rules,
+                                std::deque<Edge>& edges) {
   std::vector<FlipAttempt> attempts;
-  std::vector<Edge> aside;
-  claims.begin_batch();
-  for (std::size_t looked = 0; looked < most_looked_at && !edges.empty() && attempts.size() < size;
-       ++looked) {
-    const Edge e = edges.front();
+  while (!edges.empty() && attempts.size() < flips_at_once) {
+    const auto [a, b] = edges.front();
     edges.pop_front();
-    if (surface.frozen(e.first) || surface.frozen(e.second)) continue;
-    if (!surface.complex().has_edge(e.first, e.second)) continue;
-    if (auto patch = claims.take(surface, e.first, e.second, rings)) {
-      attempts.push_back({e, std::move(*patch), {}});
-    } else {
-      aside.push_back(e);
-    }
+    if (surface.frozen(a) || surface.frozen(b) || !is_worth_a_flip(rules, surface.complex(), a, b)) continue;
+    attempts.push_back({{a, b}, surface.patch(vertices_around(surface.complex(), {a, b}, rings)), {}});
   }
-  edges.insert(edges.begin(), aside.begin(), aside.end());
   return attempts;
 }
 
@@ -60,23 +53,30 @@ ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeO
                    const RunControl& control) {
   ShakeFigures figures;
   std::deque<Edge> edges = edges_in_order(surface.complex(), options.pass);
-  PatchClaims claims(surface.complex().points.size());
   while (!edges.empty() && figures.attempts < options.most_attempts && !control.cancelled()) {
-    std::vector<FlipAttempt> attempts = gather(surface, edges, claims);
-    parallel_until(attempts.size(), 1, control, [&](std::size_t i) {
+    std::vector<FlipAttempt> attempts = gather(surface, rules, edges);
+    const bool complete = parallel_until(attempts.size(), 1, control, [&](std::size_t i) {
       FlipAttempt& a = attempts[i];
       a.verdict = flip_with_repair(rules, a.patch, a.patch.local_vertex(a.edge.first),
                                    a.patch.local_vertex(a.edge.second), options.repair);
     });
+    if (!complete) break;
+    std::vector<Edge> too_late;
     for (const FlipAttempt& a : attempts) {
       if (!a.verdict) continue;
       ++figures.attempts;
-      if (!a.verdict->accepted() || !surface.check(a.patch).accepted()) continue;
+      if (!a.verdict->accepted()) continue;
+      if (!surface.up_to_date(a.patch)) {
+        too_late.push_back(a.edge);
+        continue;
+      }
+      if (!surface.check(a.patch).accepted()) continue;
       // What failed by much is not worth another try after this.
       surface.commit(a.patch, EventKind::relaxation);
       ++figures.flipped;
       figures.largest = std::max(figures.largest, a.patch.largest_distance(rules.input->delta()));
     }
+    edges.insert(edges.begin(), too_late.begin(), too_late.end());
   }
   return figures;
 }

@@ -22,8 +22,9 @@ struct ShakeFigures {
 
 /// Tries every edge once in an order that follows from ids and `pass`: flips it whatever the energy becomes,
 /// repairs the star of its ends and their neighbours, and commits what is proven as any collapse with repair
-/// is. In parallel, in batches of edges whose neighbourhoods are apart; the result does not depend on the
-/// number of threads. Stops early, with a valid surface, when cancelled.
+/// is. In parallel, in batches of a size that does not depend on the threads, of which flips that come too
+/// late are tried again; the result does not depend on the number of threads. Stops early, with a valid
+/// surface, when cancelled.
 ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeOptions& options,
                    const RunControl& control);
 

@@ -22,10 +22,11 @@ class ImproverObserver {
 struct CollapseRoundOptions {
   double cost_limit = 0; ///< edges are tried up to this cost, absolute
   std::size_t most_attempts = std::numeric_limits<std::size_t>::max(); ///< after these no batch is begun
-  std::size_t most_in_vain = std::numeric_limits<std::size_t>::max(); ///< the same of tries in a row that fail
-  int rings = 0;             ///< free vertices: this many edges from the edge's ends
-  RepairOptions repair;      ///< repair.sweeps 0: without repair
-  PlacementEffort placement; ///< of the targets
+  std::size_t most_in_vain =
+      std::numeric_limits<std::size_t>::max(); ///< the same of tries in a row that fail
+  int rings = 0;                               ///< free vertices: this many edges from the edge's ends
+  RepairOptions repair;                        ///< repair.sweeps 0: without repair
+  PlacementEffort placement;                   ///< of the targets
 };
 
 /// Edges that failed, with the number of commits by then. They are tried again only when something near them

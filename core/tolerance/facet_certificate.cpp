@@ -2,6 +2,7 @@
 #include "tolerance/facet_certificate.h"
 
 #include "tolerance/rounding.h"
+#include "tolerance/surface_certificate.h"
 
 #include <array>
 #include <vector>
@@ -102,6 +103,11 @@ FacetVerdict certify_facet(const ToleranceField& field, const Triangle3& facet, 
     verdict.witness = facet[0];
     return verdict;
   }
+  // Who learns from one witness needs it inside of a piece, as the middle of what is wrong there; who gathers
+  // them takes those at corners, which cost less.
+  if (const ClosestPointIndex* surface = field.surface();
+      surface != nullptr && search.witnesses != nullptr && search.judge == nullptr)
+    return certify_on_surface(field, *surface, facet, accept, reject, search);
   if (field.meets_boundary(facet) == std::optional(false)) {
     const ClosestPoint closest = field.closest_near(centroid(facet), search.guess);
     if (closest.distance() <= accept) {

@@ -9,6 +9,8 @@
 
 namespace isoscope {
 
+class FlatParts;
+
 /// The outcome for one triangle and its witness.
 struct FacetVerdict {
   enum class Kind { inside, outside, undecided };
@@ -40,6 +42,7 @@ struct FacetSearch {
   /// Asked now and then; once true the facet stays undecided, unless it was found outside.
   const std::function<bool()>* stop = nullptr;
   const PieceJudge* judge = nullptr; ///< absent: every point beyond the limit violates
+  const FlatParts* parts = nullptr;  ///< of the surface that the field is the distance to, where known
 };
 
 /// Accepts when d <= accept is proven everywhere (rounded outward), rejects at a point found with d > reject
