@@ -9,7 +9,7 @@ namespace isoscope {
 
 namespace {
 
-constexpr std::array<GalleryEntry, 18> entries{{
+constexpr std::array<GalleryEntry, 19> entries{{
     {"bracket", "Angle bracket",
      "Long thin triangles, sharp edges and drilled holes do not matter: only the volume around them does, "
      "and refinement "
@@ -77,6 +77,10 @@ constexpr std::array<GalleryEntry, 18> entries{{
      "What a scanner sees from one place, with holes behind three knobs: each is kept, or filled between the "
      "vertices of its border.",
      3.0, -2, 0, 0, 4},
+    {"half-scan", "Points from one side",
+     "The same as points, with noise: nothing says where they end but balls, in which the samples around the "
+     "sheet hang together there.",
+     4.0, -2, 0, 0, 4},
 }};
 
 TriangleSoup make_nested_spheres() {
@@ -168,6 +172,8 @@ Result<TriangleSoup> make_gallery_model(std::string_view name) {
     model = make_hemisphere(24);
   else if (name == "range-scan")
     model = make_range_scan(100);
+  else if (name == "half-scan")
+    model = make_scan(make_range_scan(100), 12000, 0.006, 0, {});
   else {
     std::string names;
     for (const GalleryEntry& e : entries) names += (names.empty() ? "" : ", ") + std::string(e.name);

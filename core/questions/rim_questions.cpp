@@ -74,24 +74,25 @@ const Rim* open_rim(const Scene& scene) {
 std::optional<RimInspection> inspect_rim(const Scene& scene, Vec3 p) {
   const Rim* rim = open_rim(scene);
   if (rim == nullptr || !scene.input) return std::nullopt;
-  const ClosestPointIndex& index = scene.volume->index();
-  const ClosestPoint closest = index.closest(p), on_rim = rim->curve().closest(p);
+  const ClosestPoint closest = scene.volume->field().closest(p), on_rim = rim->curve().closest(p);
   RimInspection x;
   x.closest = closest.point;
   x.distance = closest.distance();
-  x.over_rim =
-      scene.volume->open_sides()->is_open(closest.triangle) && rim->is_nearest(p, closest.distance());
+  const OpenSides& sides = *scene.volume->open_sides();
+  x.over_rim = sides.is_open(closest.triangle) && sides.is_over_rim(p, closest);
   x.on_rim = on_rim.point;
   x.to_rim = on_rim.distance();
   x.loop = rim->loop_near(p);
+  if (sides.by_samples()) return x;
   // The curve has the open pieces in their order.
   std::size_t left = on_rim.triangle.index();
   for (const RimPiece& piece : rim->pieces()) {
     if (!piece.open || left-- > 0) continue;
-    const Segment3 edge = edge_of(index.triangle(piece.triangle), piece);
-    x.edge = {number_of(scene.input->points, edge[0]), number_of(scene.input->points, edge[1])};
+    const Segment3 edge = edge_of(scene.volume->index().triangle(piece.triangle), piece);
+    std::array ends{number_of(scene.input->points, edge[0]), number_of(scene.input->points, edge[1])};
     for (std::size_t k = 0; k < 2; ++k)
-      if (distance(edge[k], x.on_rim) <= at_corner * scene.delta) x.edge = {x.edge[k], x.edge[k]};
+      if (distance(edge[k], x.on_rim) <= at_corner * scene.delta) ends[1 - k] = ends[k];
+    x.edge = ends;
     break;
   }
   return x;

@@ -23,8 +23,9 @@ struct RimInspection {
   double to_rim = 0;      ///< the distance to it
   std::uint32_t loop = 0; ///< the number of its loop
   /// The border edge of the input that it lies on, by points of the input; equal where it is one of them.
-  std::array<std::uint32_t, 2> edge{};
-  bool at_vertex() const { return edge[0] == edge[1]; }
+  /// None where balls found the rim.
+  std::optional<std::array<std::uint32_t, 2>> edge;
+  bool at_vertex() const { return edge && (*edge)[0] == (*edge)[1]; }
 };
 /// Nothing where the input has no open rim.
 std::optional<RimInspection> inspect_rim(const Scene& scene, Vec3 p);

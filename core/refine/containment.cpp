@@ -161,7 +161,11 @@ std::optional<Vec3> ContainmentCondition::sides_joined_beyond(TetId t) const {
     for (std::size_t j = 0; j < 4; ++j) {
       if (complex.label(v[i]) >= complex.label(v[j])) continue;
       const Vec3 p = complex.position(v[i]), q = complex.position(v[j]);
-      if (excess[i] + excess[j] > distance(p, q) * (1 + 1e-9)) return 0.5 * (p + q);
+      if (excess[i] + excess[j] <= distance(p, q) * (1 + 1e-9)) continue;
+      const Vec3 middle = 0.5 * (p + q);
+      // Beyond the rim of open surfaces both sides meet.
+      const OpenSides* open = context_.volume().open_sides();
+      if (open == nullptr || !open->is_open(field.closest(middle).triangle)) return middle;
     }
   return std::nullopt;
 }

@@ -57,6 +57,13 @@ OneWay one_way(std::span<const Segment3> segments, const ClosestPointIndex& to, 
   return result;
 }
 
+/// From one side of a sheet of points to the other by a place of it, each end where φ is `level`.
+Segment3 segment_beside(const ToleranceField& field, const OpenSides& sides, Vec3 p, double level) {
+  Segment3 segment = sides.places_beside(p);
+  for (Vec3& end : segment) end = field.at_level(end, field.closest(end), level).value_or(end);
+  return segment;
+}
+
 TriangleMesh fillings(const TriangleMesh& mesh, const FilledHoles& holes) {
   TriangleMesh filling{mesh.points, {}};
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
@@ -157,15 +164,16 @@ std::optional<BorderProof> prove_border(const TriangleMesh& mesh, const Toleranc
 std::optional<std::string> unseparated_sheet(const TriangleMesh& mesh, const ToleranceVolume& volume,
                                              const std::function<bool()>& stop) {
   const ClosestPointIndex facets(TriangleSoup{mesh.points, mesh.triangles, {}});
-  const ClosestPointIndex& input = volume.index();
+  const ToleranceField& input = volume.field();
   const OpenSides& sides = *volume.open_sides();
   const double delta = volume.thresholds().delta;
   const std::size_t stride = input.size() / most_segments + 1, count = (input.size() + stride - 1) / stride;
   std::vector<std::uint8_t> unseparated(count, 0);
   const auto segment = [&](TriangleId t) {
-    const Triangle3& c = input.triangle(t);
+    if (!volume.has_surface()) return segment_beside(input, sides, input.place_of(t), beyond * delta);
+    const Triangle3& c = volume.index().triangle(t);
     const Vec3 n = beyond * delta * normalized(cross(c[1] - c[0], c[2] - c[0]));
-    return std::array{centroid(c) - n, centroid(c) + n};
+    return Segment3{centroid(c) - n, centroid(c) + n};
   };
   const auto side = [&](Vec3 p) {
     const ClosestPoint closest = input.closest(p);
@@ -173,8 +181,7 @@ std::optional<std::string> unseparated_sheet(const TriangleMesh& mesh, const Tol
   };
   const bool complete = parallel_until(count, 16, stop, [&](std::size_t i) {
     const TriangleId t(i * stride);
-    if (!sides.is_open(t) || sides.rim().curve().distance(centroid(input.triangle(t))) < off_rim * delta)
-      return;
+    if (!sides.is_open(t) || sides.rim().curve().distance(input.place_of(t)) < off_rim * delta) return;
     const auto [a, b] = segment(t);
     if (side(a) * side(b) >= 0) return;
     unseparated[i] = facets.crossings(a, b).size() % 2 == 0;
@@ -185,7 +192,7 @@ std::optional<std::string> unseparated_sheet(const TriangleMesh& mesh, const Tol
   const auto n = static_cast<std::size_t>(std::count(first, unseparated.end(), 1));
   const TriangleId at(static_cast<std::size_t>(first - unseparated.begin()) * stride);
   return "The mesh does not lie between the two sides of the input at " +
-         place(centroid(input.triangle(at)), proof_digits) +
+         place(input.place_of(at), proof_digits) +
          (n == 1 ? "." : " and in " + counted(n - 1, "other place") + ".");
 }
 

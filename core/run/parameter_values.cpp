@@ -53,6 +53,23 @@ Status Robust::check(const FieldFacts& field, const std::string& asked) const {
   return check_range(field, asked, neighbors);
 }
 
+std::string BallTestFactor::text() const {
+  return gamma == automatic ? "auto" : gamma == off ? "off" : shortest(gamma);
+}
+
+std::optional<BallTestFactor> BallTestFactor::read(std::string_view text) {
+  if (text == "auto") return BallTestFactor{automatic};
+  if (text == "off") return BallTestFactor{off};
+  double gamma = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), gamma);
+  if (failure != std::errc() || end != text.data() + text.size() || !(gamma > 0)) return std::nullopt;
+  return BallTestFactor{gamma};
+}
+
+Status BallTestFactor::check(const FieldFacts& field, const std::string& asked) const {
+  return gamma == automatic || gamma == off ? Status() : check_range(field, asked, gamma);
+}
+
 std::string Levels::text() const {
   return given() ? shortest(low) + " " + shortest(high) : "none";
 }

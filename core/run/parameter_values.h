@@ -5,6 +5,7 @@
 #include "base/status.h"
 #include "simplify/hole_filling.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,6 +45,21 @@ struct Robust {
 
 constexpr auto fields_of(const Robust*) {
   return std::tuple{field(&Robust::neighbors, {.name = "", .help = ""})};
+}
+
+/// γ of the ball test (§4.1), and whether points that enclose nothing are taken for an open surface by it.
+struct BallTestFactor {
+  static constexpr double automatic = 0, off = -1;
+  static constexpr std::array<double, 3> usual{2, 1.6, 1.3}; ///< what automatic tries, in this order
+  double gamma = automatic;
+  std::string text() const; ///< "2", "auto" or "off"
+  static std::optional<BallTestFactor> read(std::string_view text);
+  Status check(const FieldFacts& field, const std::string& asked) const;
+  friend bool operator==(const BallTestFactor&, const BallTestFactor&) = default;
+};
+
+constexpr auto fields_of(const BallTestFactor*) {
+  return std::tuple{field(&BallTestFactor::gamma, {.name = "", .help = ""})};
 }
 
 /// The values of a grid between which Ω lies; both 0: not given.

@@ -43,6 +43,7 @@ struct RunParameters {
   std::optional<double> cover = 3;
   /// Of points; of triangles, where it is a number, that a sample of their area is taken for them.
   Robust robust;
+  BallTestFactor gamma;                                   ///< of points
   SidesMode sides = SidesMode::automatic;                 ///< what tells inside from outside
   Fill fill;                                              ///< holes of open surfaces that are closed
   std::array<bool, 4> conditions{true, true, true, true}; ///< 1 to 4 of §2.3
@@ -279,6 +280,27 @@ constexpr auto fields_of(const RunParameters*) {
                     "and lets outliers vanish. Auto: 12, or 40 where more than 5 % of the points are "
                     "outliers. Off: the plain distance. For triangles a number takes a sample of their area "
                     "as points. Needs a restart."}),
+      field(&P::gamma,
+            {.name = "gamma",
+             .symbol = "γ",
+             .help = "γ of points of an open surface, from 1.2 to 8: where the samples in a ball of γδ' "
+                     "around a point hang together, the surface ends; auto: 2, or less where sheets are "
+                     "narrow, for points that enclose nothing at any tolerance; a number is for loose "
+                     "triangles too; off: such input is refused; default auto",
+             .words = "γ, radius in δ' of the balls that find where points end, auto or off",
+             .range = {.low = 1.2,
+                       .high = 8,
+                       .remedy = "2 suits most; less where sheets are narrow, more where they are uneven."},
+             .unreadable = "no number, auto or off",
+             .unreadable_remedy = "2 suits most; auto leaves points that enclose something closed.",
+             .place = 9,
+             .title = "Ball test γ",
+             .tip = "Of points of an open surface: where the samples in a ball of γδ' around a point hang "
+                    "together, the surface ends, and they are the boundary samples B. Auto: 2, or less "
+                    "where sheets are narrow, for points that enclose nothing at any tolerance. A number is "
+                    "for triangles that are not joined too. Off: such input is refused. Needs a restart. "
+                    "§4.1",
+             .counted_in = " δ'"}),
       field(&P::sides,
             {.name = "sides",
              .symbol = "sides",

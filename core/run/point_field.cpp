@@ -112,7 +112,8 @@ PointDistances::Quantiles quantiles(std::vector<double> distances) {
 /// `opened`: a passage was found at the study's saddle.
 Error nothing_inside(const DeltaStudy& study, double delta, bool opened) {
   const std::string what = "At this tolerance the volume around the points encloses nothing";
-  if (!study.found()) return {ErrorCode::open_surface, what + ".", "Are these points of a closed surface?"};
+  if (!study.found())
+    return {ErrorCode::open_surface, what + ".", "Points of an open surface are taken with --gamma auto."};
   const std::string why =
       opened || delta < study.least
           ? ": it has holes, as between the points near " + place(study.saddle(), place_digits) + "."
@@ -121,7 +122,7 @@ Error nothing_inside(const DeltaStudy& study, double delta, bool opened) {
           : ": it has holes.";
   return {ErrorCode::open_surface, what + why,
           "Ω encloses something for δ from " + general(study.least, 3) + " to " + general(study.most, 3) +
-              ": choose --tolerance auto, or a length between them."};
+              ": choose --tolerance auto, or a length between them; of an open surface --gamma 2."};
 }
 
 /// Whether Ω' is open where the study saw an inside open: balls outside of Ω' around the nodes of a lattice
@@ -186,7 +187,7 @@ std::vector<bool> PointField::kept() const {
   return kept;
 }
 
-std::vector<std::string> PointField::notes(double delta, double longest_edge) const {
+std::vector<std::string> PointField::notes(double delta, double longest_edge, bool open) const {
   std::vector<std::string> notes;
   const auto n = static_cast<double>(points->points.size());
   const auto length = [&](double l) {
@@ -201,7 +202,9 @@ std::vector<std::string> PointField::notes(double delta, double longest_edge) co
     made += "φ is the witnessed k-distance with k = " + std::to_string(neighbors) +
             (automatic ? ", as " + percent(outlying, 1) + " of the points stand far from all others." : ".");
   notes.push_back(std::move(made));
-  if (study.found()) {
+  if (open) {
+    // Nothing is asked to be enclosed.
+  } else if (study.found()) {
     std::string interval = "Ω encloses what the points are on for δ from " + length(study.least) + " to " +
                            length(study.most) + "; the first opening is near " +
                            place(study.saddle(), place_digits) + ".";
@@ -319,23 +322,31 @@ MadePointField with_all_sites(const MadePointField& from, const RunControl& cont
   return made;
 }
 
+std::vector<std::uint8_t> sheets_among(const ToleranceVolume& volume) {
+  std::vector<std::array<bool, 2>> has(volume.volume_component_count()); // an inside, an outside
+  for (const BoundaryComponent& c : volume.boundary_components())
+    has[c.volume_component][volume.regions()[c.region.index()].label < 0 ? 0 : 1] = true;
+  std::vector<std::uint8_t> sheets;
+  for (const auto& [inside, outside] : has) sheets.push_back(inside && outside ? 0 : 1);
+  return sheets;
+}
+
 Result<MadePointField> without_blobs(const MadePointField& from, const ToleranceVolume& volume,
-                                     const RunControl& control) {
+                                     bool may_be_sheets, const RunControl& control) {
   const auto regions = volume.regions();
-  if (std::none_of(regions.begin(), regions.end(), [](const Region& r) { return r.label < 0 && !r.shallow; }))
+  if (!may_be_sheets &&
+      std::none_of(regions.begin(), regions.end(), [](const Region& r) { return r.label < 0 && !r.shallow; }))
     return nothing_inside(from.points->study, volume.thresholds().delta, false);
-  if (has_hidden_opening(*from.points, volume))
+  if (!may_be_sheets && has_hidden_opening(*from.points, volume))
     return nothing_inside(from.points->study, volume.thresholds().delta, true);
   const std::size_t components = volume.volume_component_count();
-  std::vector<std::array<bool, 2>> has(components); // an inside, an outside
-  for (const BoundaryComponent& c : volume.boundary_components())
-    has[c.volume_component][regions[c.region.index()].label < 0 ? 0 : 1] = true;
+  const std::vector<std::uint8_t> one_sided = sheets_among(volume);
   std::vector<DroppedPoints> blobs(components);
   std::vector<Box3> boxes(components);
   const std::size_t n = from.index->size();
   for (std::uint32_t s = 0; s < n; ++s) {
     const std::uint32_t c = volume.volume_component(TriangleId(s));
-    if (c == VolumeComponents::none || (has[c][0] && has[c][1])) continue;
+    if (c == VolumeComponents::none || one_sided[c] == 0) continue;
     const Vec3 at = from.index->site(TriangleId(s)).center;
     if (blobs[c].points++ == 0) blobs[c] = {DroppedPoints::Why::blob, 1, at, 0, 1};
     boxes[c].add(at);
@@ -345,15 +356,21 @@ Result<MadePointField> without_blobs(const MadePointField& from, const Tolerance
   for (std::size_t c = 0; c < components; ++c) {
     if (blobs[c].points == 0) continue;
     blobs[c].size = boxes[c].longest_edge();
+    const bool small = static_cast<double>(blobs[c].points) < largest_blob * static_cast<double>(n);
+    if (!small && may_be_sheets) {
+      blobs[c].points = 0;
+      continue;
+    }
     all += blobs[c].points;
     dropped.push_back(blobs[c]);
-    if (static_cast<double>(blobs[c].points) < largest_blob * static_cast<double>(n)) continue;
+    if (small) continue;
     return Error{ErrorCode::open_surface,
                  "A part of the points, " +
                      percent(static_cast<double>(blobs[c].points), static_cast<double>(n)) +
                      " of them around " + place(blobs[c].place, place_digits) +
                      ", encloses nothing at this tolerance.",
-                 "A larger tolerance closes gaps; remove the part if it is none of the surface."};
+                 "A larger tolerance closes gaps; --gamma 2 takes the part for an open surface; remove it if "
+                 "it is none of the surface."};
   }
   if (dropped.empty()) return from;
   std::stable_sort(dropped.begin(), dropped.end(),
@@ -373,7 +390,7 @@ Result<MadePointField> without_blobs(const MadePointField& from, const Tolerance
 Result<double> proposed_tolerance(const DeltaStudy& study) {
   if (study.found()) return study.proposed;
   return Error{ErrorCode::open_surface, "No tolerance was found at which the volume encloses something.",
-               "Are these points of a closed surface? Give --tolerance to see what Ω is at one."};
+               "Points of an open surface are taken with --gamma auto."};
 }
 
 std::optional<PointDistances> measure_points(const PointField& points, const TriangleMesh& mesh, double limit,

@@ -44,7 +44,8 @@ struct PointField {
 
   std::size_t dropped_points() const;
   /// "Robust distance with k = 12 ...": what was found, a sentence each.
-  std::vector<std::string> notes(double delta, double longest_edge) const;
+  /// `open`: the points are taken for an open surface.
+  std::vector<std::string> notes(double delta, double longest_edge, bool open) const;
   /// By point: whether some site stands for it.
   std::vector<bool> kept() const;
 };
@@ -82,10 +83,13 @@ MadePointField without_strays(const MadePointField& from, double delta, double b
 MadePointField with_all_sites(const MadePointField& from, const RunControl& control);
 
 /// Without the parts of Ω' that have regions of one side only and less than a twentieth of the sites; the
-/// same index where there are none. Fails with open_surface where a part is larger, naming the place, and
-/// where nothing is inside.
+/// same index where there are none. Where larger ones are no sheets, fails with open_surface, naming the
+/// place, and where nothing is inside.
 Result<MadePointField> without_blobs(const MadePointField& from, const ToleranceVolume& volume,
-                                     const RunControl& control);
+                                     bool may_be_sheets, const RunControl& control);
+
+/// A 1 by component of Ω' for those that have regions of one side only.
+std::vector<std::uint8_t> sheets_among(const ToleranceVolume& volume);
 
 /// δ by the study, with its own words where there is none that suits.
 Result<double> proposed_tolerance(const DeltaStudy& study);

@@ -11,6 +11,7 @@
 #include "run/run_input.h"
 #include "tolerance/facet_copies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -23,6 +24,9 @@ constexpr double study_resolution = 0.003;
 /// inside but is no thickening.
 constexpr int near_tolerances = 6, most_tolerances = 12, most_without_thickening = 3;
 constexpr double next_tolerance = 1.1, next_far_tolerance = 1.25;
+/// Tolerances of open sheets of points that are tried: from so many times what lies between the points.
+constexpr double least_sheet_delta = 2, next_sheet_delta = 1.15;
+constexpr int most_sheet_deltas = 10, most_sheet_trials = 5;
 
 Error cancelled_error(const RunControl& control) {
   return {ErrorCode::cancelled,
@@ -70,7 +74,7 @@ Status check_memory(const SampleEstimate& estimate, double sigma, double delta, 
 ToleranceVolume::Options Preparation::volume_options(double delta) const {
   return {delta,
           parameters_.containment == Containment::certified ? ToleranceVolume::Options().boundary_ratio : 1.0,
-          parameters_.most_bytes()};
+          parameters_.most_bytes(), true, parameters_.gamma.gamma > BallTestFactor::automatic};
 }
 
 Error Preparation::refused(Error error, const Scene& at) const {
@@ -84,9 +88,13 @@ Error Preparation::refused(Error error, const Scene& at) const {
   }
   if (error.code != ErrorCode::open_surface || at.field->surface() == nullptr) return error;
   control_.report("tolerance that closes the input", -1);
-  return with_closing_tolerance(std::move(error),
-                                {at.field, at.input_topology, kept_area_, volume_options(at.delta)},
-                                parameters_, control_);
+  const bool gaps = error.remedy == open_surface_near({}).remedy;
+  error = with_closing_tolerance(std::move(error),
+                                 {at.field, at.input_topology, kept_area_, volume_options(at.delta)},
+                                 parameters_, control_);
+  if (gaps && parameters_.gamma.gamma == BallTestFactor::automatic)
+    error.remedy += " Loose triangles are taken for an open surface with --gamma 2.";
+  return error;
 }
 
 /// The field of what is kept of the input, and what is known of its surface.
@@ -120,7 +128,43 @@ Result<double> Preparation::find_delta(Scene& made, const std::shared_ptr<const 
     made.study = std::make_shared<const DeltaStudy>(
         study_delta(*made.field, study_resolution * made.longest_edge, control_));
   if (control_.cancelled()) return cancelled_error(control_);
-  return proposed_tolerance(*made.study);
+  return points_.points && !sheet_gammas().empty() ? find_sheet_delta(made) : proposed_tolerance(*made.study);
+}
+
+/// γ to be tried, where parts that enclose nothing are taken for open surfaces though no triangles are joined
+/// to sheets; else none.
+std::vector<double> Preparation::sheet_gammas() const {
+  const double gamma = parameters_.gamma.gamma;
+  if (gamma == BallTestFactor::off) return {};
+  if (gamma != BallTestFactor::automatic) return {gamma};
+  if (!points_.points || points_.points->study.found()) return {};
+  return {BallTestFactor::usual.begin(), BallTestFactor::usual.end()};
+}
+
+/// The least δ from which on Ω keeps what it is: as few parts, tunnels through sheets and pockets in them as
+/// at the next two that are tried. What points leave between them goes with their spacing.
+Result<double> Preparation::find_sheet_delta(Scene& made) {
+  const double spacing = std::sqrt(made.field->area() / static_cast<double>(made.field->size()));
+  double delta = least_sheet_delta * spacing;
+  std::vector<long> counts;
+  for (int tried = 0; tried < most_sheet_deltas; ++tried, delta *= next_sheet_delta) {
+    points_ = with_all_sites(points_, control_);
+    made.delta = delta;
+    if (Status settled = settle_points(made); !settled) return settled.error();
+    const auto built =
+        ToleranceVolume::build(made.field, made.input_topology, volume_options(delta), control_);
+    if (control_.cancelled()) return cancelled_error(control_);
+    if (!built) return built.error();
+    const auto parts = static_cast<long>(built->volume_component_count());
+    long sum = 0; // of χ of ∂Ω: twice that of Ω
+    for (const BoundaryComponent& c : built->boundary_components()) sum += c.euler_characteristic;
+    counts.push_back(2 * parts - sum / 2 + 2 * static_cast<long>(built->regions().size()));
+    const std::size_t n = counts.size();
+    if (n >= 3 && counts[n - 3] <= std::min(counts[n - 2], counts[n - 1])) break;
+  }
+  points_ = with_all_sites(points_, control_);
+  use_points(made);
+  return delta / next_sheet_delta;
 }
 
 /// Leaves points out that do not belong to the surface at this δ.
@@ -142,9 +186,10 @@ Status Preparation::build_volume(Scene& made, std::shared_ptr<const TriangleSoup
         ToleranceVolume::build(made.field, made.input_topology, volume_options(made.delta), control_);
     if (!built) return built.error();
     if (points_.points) {
-      auto rest = without_blobs(points_, *built, control_);
+      auto rest = without_blobs(points_, *built, !sheet_gammas().empty(), control_);
       if (!rest) return rest.error();
       if (rest->index == points_.index) {
+        if (Status open = open_sheets(made, *built, sheets_among(*built)); !open) return open;
         volume_.emplace(std::move(*built));
         return {};
       }
@@ -153,6 +198,7 @@ Status Preparation::build_volume(Scene& made, std::shared_ptr<const TriangleSoup
       if (control_.cancelled()) return cancelled_error(control_);
       continue;
     }
+    if (Status open = open_sheets(made, *built, built->loose_sheets()); !open) return open;
     const std::vector<ThinPart> parts = find_thin_parts(*built);
     const bool all = parts.size() == built->volume_component_count();
     if (!parts.empty() && thin == ThinParts::refuse && (!drop || all)) {
@@ -169,9 +215,40 @@ Status Preparation::build_volume(Scene& made, std::shared_ptr<const TriangleSoup
   }
 }
 
+/// Finds the sides of what encloses nothing.
+Status Preparation::open_sheets(Scene& made, ToleranceVolume& volume,
+                                const std::vector<std::uint8_t>& sheets) const {
+  made.sheets.reset();
+  if (std::find(sheets.begin(), sheets.end(), 1) == sheets.end()) return {};
+  auto found = find_point_sheets(volume, sheets, sheet_gammas(), control_);
+  if (control_.cancelled()) return cancelled_error(control_);
+  if (!found) return found.error();
+  made.sheets = std::move(*found);
+  volume.open(made.sheets->sides, control_);
+  return {};
+}
+
+/// Where δ is to be found, larger ones are tried: pinholes between points are narrower than the cells show
+/// that it was found from.
+Status Preparation::build_volume_of_sheets(Scene& made, const std::shared_ptr<const TriangleSoup>& soup) {
+  const double given = made.delta;
+  Status first;
+  for (int tried = 0; tried < most_sheet_trials; ++tried, made.delta *= next_sheet_delta) {
+    points_ = with_all_sites(points_, control_);
+    if (Status settled = settle_points(made); !settled) return settled;
+    Status built = build_volume(made, soup, ThinParts::accept);
+    if (built) return {};
+    if (tried == 0) first = std::move(built);
+    if (!parameters_.tolerance.automatic || first.error().code != ErrorCode::open_surface) break;
+  }
+  made.delta = given;
+  return first;
+}
+
 /// What the study says of δ is right to about a tenth: a hole may be open that it takes for closed, or a neck
 /// closed. Where δ is to be found, larger ones are tried; where it is given, for what to do instead.
 Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<const TriangleSoup>& soup) {
+  if (!sheet_gammas().empty()) return build_volume_of_sheets(made, soup);
   const double given = made.delta;
   struct Found {
     double delta;
@@ -264,7 +341,7 @@ void Preparation::warn(Scene& made, const CriteriaParameters& criteria) const {
   if (!made.left_out.empty()) made.warnings.push_back({left_out_words(made.left_out), 0});
   for (const std::string& note : volume_->side_notes()) made.warnings.push_back({note, 0});
   if (made.points)
-    for (std::string& note : made.points->notes(made.delta, made.longest_edge))
+    for (std::string& note : made.points->notes(made.delta, made.longest_edge, made.sheets.has_value()))
       made.warnings.push_back({std::move(note), 0});
 }
 

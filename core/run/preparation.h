@@ -8,6 +8,7 @@
 #include "run/parameters.h"
 #include "run/point_field.h"
 #include "tolerance/parameter_check.h"
+#include "tolerance/point_sheets.h"
 #include "tolerance/sample_estimate.h"
 #include "tolerance/thin_parts.h"
 #include "tolerance/tolerance_volume.h"
@@ -26,6 +27,7 @@ struct Scene {
   std::vector<InputNote> notes;                ///< on reading it; `warnings` has them in words
   std::shared_ptr<const ToleranceField> field; ///< of the input without them
   std::shared_ptr<const PointField> points;    ///< where that is a field of points
+  std::optional<PointSheets> sheets;           ///< of points and loose triangles that are of an open surface
   std::shared_ptr<const DeltaStudy> study;     ///< of its tolerances: of points, and where δ was found
   double delta = 0;                            ///< absolute
   double longest_edge = 0;
@@ -79,7 +81,11 @@ class Preparation {
                     std::optional<double> delta);
   void use_points(Scene& made) const;
   Result<double> find_delta(Scene& made, const std::shared_ptr<const TriangleSoup>& soup);
+  std::vector<double> sheet_gammas() const;
+  Status build_volume_of_sheets(Scene& made, const std::shared_ptr<const TriangleSoup>& soup);
+  Result<double> find_sheet_delta(Scene& made);
   Status settle_points(Scene& made);
+  Status open_sheets(Scene& made, ToleranceVolume& volume, const std::vector<std::uint8_t>& sheets) const;
   Status build_volume(Scene& made, std::shared_ptr<const TriangleSoup> kept, ThinParts thin);
   Status build_volume_of_points(Scene& made, const std::shared_ptr<const TriangleSoup>& soup);
   void examine(const Scene& made);

@@ -175,7 +175,12 @@ Json rim_json(const Scene& scene) {
                      {"length", loop.length},
                      {"diameter", loop.diameter},
                      {"flatness", loop.flatness}});
-  return {{"samples", scene.samples->over_rim.size()}, {"loops", loops}};
+  Json json{{"samples", scene.samples->over_rim.size()}, {"loops", loops}};
+  if (scene.sheets)
+    json["ball_test"] = {{"gamma", scene.sheets->gamma},
+                         {"samples", scene.sheets->samples},
+                         {"boundary_samples", scene.sheets->boundary_samples}};
+  return json;
 }
 
 /// What was in force, δ and σ as they were for this input; what says which input it is stands with that.

@@ -128,6 +128,7 @@ class Sampler {
 
   /// Single normals err where the sheet meets itself; all samples that hang together do not.
   Status settle_open_sides(const RunControl& control) {
+    if (volume_.open_sides()->by_samples()) return {};
     SideVotes result = vote_on_sides(volume_, samples_, control);
     if (control.cancelled()) return {};
     if (result.crossing) return crossing_sheets_near(*result.crossing);

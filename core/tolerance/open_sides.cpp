@@ -29,22 +29,55 @@ PseudoNormals normals_of(const ClosestPointIndex& index, std::span<const std::in
 OpenSides::OpenSides(std::shared_ptr<const ClosestPointIndex> index, std::vector<std::uint32_t> component,
                      std::vector<std::uint8_t> open, std::span<const std::int8_t> turns, double boundary,
                      const RunControl& control)
-    : index_(std::move(index)), component_(std::move(component)), open_(std::move(open)), boundary_(boundary),
-      wall_margin_(by_wall * boundary), normals_(normals_of(*index_, turns)),
+    : field_(index), index_(std::move(index)), component_(std::move(component)), open_(std::move(open)),
+      boundary_(boundary), wall_margin_(by_wall * boundary), normals_(normals_of(*index_, turns)),
       rim_(*index_, by_triangle(component_, open_), turns, boundary, control) {}
+
+OpenSides::OpenSides(std::shared_ptr<const ToleranceField> field, std::vector<std::uint32_t> component,
+                     std::vector<std::uint8_t> open, const std::array<std::vector<Vec3>, 2>& samples, Rim rim,
+                     double rim_margin, double boundary)
+    : field_(std::move(field)), component_(std::move(component)), open_(std::move(open)), boundary_(boundary),
+      wall_margin_(by_wall * boundary), rim_margin_(rim_margin), rim_(std::move(rim)) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::vector<WeightedPoint> points;
+    for (const Vec3 p : samples[k]) points.push_back({p, 0});
+    samples_[k] = std::make_shared<const WeightedPointIndex>(points, 0);
+  }
+}
 
 bool OpenSides::all_open() const {
   return std::all_of(open_.begin(), open_.end(), [](std::uint8_t open) { return open != 0; });
 }
 
 int OpenSides::side(Vec3 p, const ClosestPoint& closest) const {
-  if (rim_.is_nearest(p, closest.distance())) return 0;
+  if (is_over_rim(p, closest)) return 0;
+  if (!index_) return side_by_samples(p, closest);
   const Vec3 n = normals_.at(closest.triangle, index_->triangle(closest.triangle), closest.point);
   const double rise = dot(n, p - closest.point);
   if (!votes_.empty())
     if (const int side = vote_near(closest.point + boundary_ * normalized(p - closest.point)); side != 0)
       return side;
   return rise > 0 ? +1 : rise < 0 ? -1 : 0;
+}
+
+int OpenSides::side_by_samples(Vec3 p, const ClosestPoint& closest) const {
+  // Beyond Ω' the side is that of the wall before it; within, a site may be on the other side of p than the
+  // rest of the sheet.
+  const double beyond = closest.distance() - boundary_;
+  if (beyond > 0) p = p - beyond * field_->gradient(p, closest);
+  const double behind = samples_[0]->distance(p), before = samples_[1]->distance(p);
+  return before < behind ? +1 : behind < before ? -1 : 0;
+}
+
+/// How near a point of the rim is to p that is as near as the input. Weights make points farther away than
+/// their places are.
+double OpenSides::rim_reach(Vec3 p, const ClosestPoint& closest) const {
+  if (field_->is_distance()) return closest.distance() + rim_margin_;
+  return distance(p, field_->place_of(closest.triangle)) + rim_margin_;
+}
+
+std::array<Vec3, 2> OpenSides::places_beside(Vec3 p) const {
+  return {samples_[0]->closest(p).point, samples_[1]->closest(p).point};
 }
 
 /// The side of the nearest vote within reach, 0 where there is none.
@@ -82,15 +115,15 @@ PieceVerdict OpenSides::judge_outside(const Triangle3& piece, Vec3 center, const
   if (radius <= judged_by_center * delta) return PieceVerdict::passes;
   if (radius > judged_by_corners * delta) return PieceVerdict::divide;
   const bool all = std::all_of(piece.begin(), piece.end(), [&](Vec3 p) {
-    return is_by_wall(p, index_->closest_near(p, closest.triangle));
+    return is_by_wall(p, field_->closest_near(p, closest.triangle));
   });
   return all ? PieceVerdict::passes : PieceVerdict::divide;
 }
 
 std::size_t OpenSides::memory_bytes() const {
   return component_.capacity() * sizeof(std::uint32_t) + open_.capacity() + normals_.memory_bytes() +
-         rim_.memory_bytes() + votes_.capacity() * sizeof(SideVote) +
-         (vote_grid_ ? vote_grid_->memory_bytes() : 0);
+         rim_.memory_bytes() + (samples_[0] ? samples_[0]->memory_bytes() + samples_[1]->memory_bytes() : 0) +
+         votes_.capacity() * sizeof(SideVote) + (vote_grid_ ? vote_grid_->memory_bytes() : 0);
 }
 
 } // namespace isoscope

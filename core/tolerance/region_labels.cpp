@@ -172,9 +172,9 @@ std::optional<Vec3> place_of_fin(const ToleranceVolume& volume, const OpenSides&
   return end_on_wall(volume, sides, enough, shortest_run * volume.thresholds().boundary);
 }
 
-/// A component among the open ones whose triangles, if it has more than one, are no sheet.
-std::optional<std::uint32_t> open_soup(const ToleranceVolume& volume, const std::vector<std::uint8_t>& open,
-                                       const std::vector<EdgeUse>& uses) {
+/// The components among the open ones whose triangles, if they have more than one, are no sheet.
+std::vector<std::uint32_t> open_soups(const ToleranceVolume& volume, const std::vector<std::uint8_t>& open,
+                                      const std::vector<EdgeUse>& uses) {
   std::vector<std::size_t> sides(open.size(), 0), linked(open.size(), 0);
   for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
     while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) ++end;
@@ -184,11 +184,12 @@ std::optional<std::uint32_t> open_soup(const ToleranceVolume& volume, const std:
       linked[component] += end - i > 1;
     }
   }
+  std::vector<std::uint32_t> soups;
   for (std::uint32_t c = 0; c < open.size(); ++c)
     if (open[c] != 0 && sides[c] > 3 &&
         static_cast<double>(linked[c]) < sheet_share * static_cast<double>(sides[c]))
-      return c;
-  return std::nullopt;
+      soups.push_back(c);
+  return soups;
 }
 
 /// A 1 by component for those that are open.
@@ -232,7 +233,8 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
   const ClosestPointIndex& index = volume.index();
   const WeldedMesh mesh = weld(index);
   const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
-  if (const auto soup = open_soup(volume, open, uses)) return open_component_error(volume, *soup);
+  if (const auto soups = open_soups(volume, open, uses); !soups.empty())
+    return open_component_error(volume, soups.front());
   const PatchTurns patches = orient_patches(mesh, uses);
   if (patches.one_sided) {
     const TriangleId at = index.closest(*patches.one_sided).triangle;
@@ -262,6 +264,16 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
   for (std::uint32_t c = 0; c < open.size(); ++c)
     if (open[c] != 0 && rimmed[c] == 0) return open_component_error(volume, c);
   return sides;
+}
+
+std::vector<std::uint8_t> find_loose_sheets(const ToleranceVolume& volume, const RunControl& control) {
+  std::vector<std::uint8_t> open = find_open_components(volume, control);
+  if (control.cancelled()) return {};
+  const WeldedMesh mesh = weld(volume.index());
+  const auto soups = open_soups(volume, open, sorted_edge_uses(mesh.triangles));
+  if (soups.empty() || soups.size() < static_cast<std::size_t>(std::count(open.begin(), open.end(), 1)))
+    return {};
+  return open;
 }
 
 std::vector<ThicknessProbe> probe_thickness(const ToleranceVolume& volume, std::uint32_t component,

@@ -20,6 +20,10 @@ std::vector<int> label_by_sides(const ToleranceVolume& volume, const RunControl&
 Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& volume,
                                                          const RunControl& control);
 
+/// A 1 by component of Ω' for open ones whose triangles are not joined; empty where there are none, or others
+/// are open too. Of no use once the control is cancelled.
+std::vector<std::uint8_t> find_loose_sheets(const ToleranceVolume& volume, const RunControl& control);
+
 /// Labels for soups: alternating sides from the unbounded region. Where three regions or more meet a
 /// component of Ω', as they do at pockets, rays decide if they agree; where they do not there are none: the
 /// input has rooms. Regions that lie behind open surfaces only are pockets along these and have the side that

@@ -69,6 +69,26 @@ Rim::Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
   build_curve();
 }
 
+Rim::Rim(std::span<const RimCurve> curves, const ToleranceField& field, double boundary)
+    : boundary_(boundary) {
+  std::uint32_t first = 0;
+  for (const RimCurve& curve : curves) {
+    const auto n = static_cast<std::uint32_t>(curve.corners.size());
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t next = (i + 1) % n;
+      const Vec3 a = curve.corners[i], b = curve.corners[next], along = normalized(b - a);
+      const Vec3 away = curve.away[i] + curve.away[next];
+      pieces_.push_back(
+          {a, b, normalized(away - dot(away, along) * along), field.closest(0.5 * (a + b)).triangle, true});
+      nodes_.push_back({first + i, first + next});
+    }
+    first += n;
+  }
+  find_loops();
+  describe_loops();
+  build_curve();
+}
+
 void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
               std::span<const std::int8_t> turns, const RunControl& control) {
   WeldedMesh mesh = weld(index);

@@ -40,6 +40,12 @@ struct RimLoop {
   double flatness = 1;
 };
 
+/// A closed curve that stands for a rim where the input has no edges to tell it.
+struct RimCurve {
+  std::vector<Vec3> corners; ///< in order; the last is joined to the first
+  std::vector<Vec3> away;    ///< by corner: unit, along the sheet and away from it
+};
+
 /// The border edges of a surface, cut into pieces, and a hierarchy over the open ones. Const and thread-safe.
 class Rim {
  public:
@@ -51,6 +57,10 @@ class Rim {
   /// δ'. Of no use once the control is cancelled.
   Rim(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
       std::span<const std::int8_t> turns, double boundary, const RunControl& control);
+
+  /// Curves that were found otherwise, all of them open. Their pieces have the site of the field that is
+  /// nearest for a triangle.
+  Rim(std::span<const RimCurve> curves, const ToleranceField& field, double boundary);
 
   /// The same with more pieces that are open: those with a 1.
   Rim opened(std::span<const std::uint8_t> more) const;

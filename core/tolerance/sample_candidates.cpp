@@ -131,6 +131,8 @@ class Subdivision {
     const ToleranceVolume::Escape escape = volume_.escape(candidate.point, own);
     candidate.reached = escape.reached;
     candidate.region = escape.region;
+    if (volume_.open_sides() != nullptr && volume_.open_sides()->is_open(own.triangle))
+      return set_label(candidate, volume_.open_sides()->side(candidate.point, own));
     const bool has_side = escape.distance > volume_.thresholds().reject;
     if (escape.region.valid())
       set_label(candidate, volume_.regions()[escape.region.index()].label);

@@ -78,6 +78,23 @@ void ToleranceVolume::settle_open_sides(std::shared_ptr<const OpenSides> sides) 
   if (open_sides_) keep_border_to(open_segments(open_sides_->rim()));
 }
 
+void ToleranceVolume::open(std::shared_ptr<const OpenSides> sides, const RunControl& control) {
+  open_sides_found_ = std::move(sides);
+  settle_open_sides(open_sides_found_);
+  for (Region& r : regions_) {
+    const ClosestPoint closest = field_->closest(r.deepest);
+    if (r.unbounded || !(r.shallow || has_surface()) || !open_sides_->is_open(closest.triangle)) continue;
+    if (const int side = open_sides_->side(r.deepest, closest); side != 0) r.label = side;
+  }
+  // The ways up from there lead to the outside on both sides of a sheet.
+  for (std::size_t i = 0; i < basins_.size(); ++i) {
+    const TriangleId site = octree_->cell(static_cast<Regions::CellIndex>(i)).triangle;
+    if (site.valid() && open_sides_->is_open(site)) basins_[i] = 0;
+  }
+  for (BoundaryComponent& c : boundary_components_) c.label = regions_[c.region.index()].label;
+  witnesses_ = find_witnesses(*this, control);
+}
+
 void ToleranceVolume::keep_border_to(std::vector<Segment3> rim) {
   border_gate_ = std::make_shared<const BorderGate>(std::move(rim), thresholds_.delta);
 }
@@ -140,8 +157,12 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
   if (v.has_surface() && !v.sides_.known()) {
     auto found = find_open_sides(v, control);
     if (control.cancelled()) return stopped;
-    if (!found) return found.error();
-    v.open_sides_found_ = std::move(*found);
+    if (!found) {
+      if (options.loose_sheets && options.open_surfaces) v.loose_sheets_ = find_loose_sheets(v, control);
+      if (v.loose_sheets_.empty()) return found.error();
+    } else {
+      v.open_sides_found_ = std::move(*found);
+    }
     if (v.open_sides_found_ && !options.open_surfaces)
       return open_surface_near(v.open_sides_found_->rim().pieces()[0].a);
     v.settle_open_sides(v.open_sides_found_);

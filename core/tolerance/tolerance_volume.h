@@ -107,6 +107,9 @@ class ToleranceVolume {
     double boundary_ratio = 0.95;                                ///< δ'/δ in (0, 1]
     double most_bytes = std::numeric_limits<double>::infinity(); ///< that the octree's main cells may take
     bool open_surfaces = true; ///< false: they are refused, as by those who look for a δ that closes them
+    /// Whether open parts whose triangles are not joined are taken: what builds it gives it their sides, by
+    /// open().
+    bool loose_sheets = false;
   };
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
@@ -123,6 +126,7 @@ class ToleranceVolume {
 
   const ToleranceThresholds& thresholds() const { return thresholds_; }
   const ToleranceField& field() const { return *field_; }
+  const std::shared_ptr<const ToleranceField>& shared_field() const { return field_; }
   /// Whether the field is the distance to triangles: normals, crossings and parity exist.
   bool has_surface() const { return field_->surface() != nullptr; }
   /// The triangles, where has_surface().
@@ -137,6 +141,12 @@ class ToleranceVolume {
   const std::shared_ptr<const OpenSides>& open_sides_found() const { return open_sides_found_; }
   /// Takes them, and has the border keep to their rim.
   void settle_open_sides(std::shared_ptr<const OpenSides> sides);
+  /// By component of Ω', 1 for those that are open and whose triangles are not joined; empty where there are
+  /// none, or the options do not take them.
+  const std::vector<std::uint8_t>& loose_sheets() const { return loose_sheets_; }
+  /// Takes the sides of parts that enclose nothing and of which no triangles tell them. `control`: of what is
+  /// found anew for that.
+  void open(std::shared_ptr<const OpenSides> sides, const RunControl& control);
   /// The open rim of the input, to which the border of Z keeps (§4.1); null where Z is closed.
   const BorderGate* border_gate() const { return border_gate_.get(); }
   void keep_border_to(std::vector<Segment3> rim);
@@ -263,6 +273,7 @@ class ToleranceVolume {
   std::vector<std::uint32_t> volume_components_;       ///< by site
   std::size_t volume_component_count_ = 0;
   std::vector<std::int8_t> basins_; ///< by cell
+  std::vector<std::uint8_t> loose_sheets_;
 };
 
 /// What pieces of Z beyond Ω count for until Z is cut along the rim of open surfaces; empty where there are

@@ -54,7 +54,7 @@ TEST_CASE("a square with a hole: boundary samples name the border, holes are ahe
     CHECK(x->distance == doctest::Approx(0.95 * run->scene->delta).epsilon(1e-3));
     // The border that it names has the place of the rim.
     const auto& points = run->scene->input->points;
-    const Segment3 edge{points[x->edge[0]], points[x->edge[1]]};
+    const Segment3 edge{points[(*x->edge)[0]], points[(*x->edge)[1]]};
     CHECK(distance_to(edge, x->on_rim) < 1e-6);
     at_vertices += x->at_vertex() ? 1u : 0u;
   }

@@ -21,8 +21,10 @@ std::string delta_text(double length, double delta) {
 
 /// What of the input's border a place lies on.
 std::string border_text(const RimInspection& x) {
-  if (x.at_vertex()) return "vertex " + std::to_string(x.edge[0]);
-  return "edge " + std::to_string(x.edge[0]) + " – " + std::to_string(x.edge[1]);
+  if (!x.edge) return "found by balls";
+  const auto [from, to] = *x.edge;
+  if (x.at_vertex()) return "vertex " + std::to_string(from);
+  return "edge " + std::to_string(from) + " – " + std::to_string(to);
 }
 
 /// The loop of a sample's rim; a click flies there.

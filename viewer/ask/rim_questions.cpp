@@ -122,8 +122,10 @@ void Investigation::add_rim_values(NamedValues& t) {
   sample("over", "whether the closest point of the selected sample lies on the open rim", &X::over_rim);
   sample("distance", "from the selected sample to the open rim, in δ",
          [delta](const X& x) { return x.to_rim / delta(); });
-  sample("on", "what of the input's border is nearest to it: edge or vertex",
-         [](const X& x) { return x.at_vertex() ? "vertex" : "edge"; });
+  sample("on", "what of the input's border is nearest to it: edge or vertex; balls, where these found it",
+         [](const X& x) { return !x.edge         ? "balls"
+                                 : x.at_vertex() ? "vertex"
+                                                 : "edge"; });
   sample("hole", "the number of the hole that it is nearest to", [](const X& x) { return x.loop + 1; });
 
   const auto report = t.readings(

@@ -100,22 +100,32 @@ void control(Ui& ui, P& p, const Field<P, Tolerance>& f) {
   widgets::quiet_text(ui, also + ", longest edge " + short_number(edge));
 }
 
-/// A number, or the word for none: off, or found by the run.
-void control(Ui& ui, P& p, const Field<P, Robust>& f) {
-  int& k = (p.*(f.member)).neighbors;
-  constexpr std::array<const char*, 3> kinds{"auto", "off", "k"};
-  int chosen = k == Robust::automatic ? 0 : k == Robust::off ? 1 : 2;
+/// A number, or the word for none: off, or found by the run. `kind` is the type that has these two as values.
+template <class Kind, class T, class Fits>
+void number_or_word(Ui& ui, const Field<P, Kind>& f, T& value, const char* letter, const char* format,
+                    T usual, Fits&& fits) {
+  const std::array<const char*, 3> kinds{"auto", "off", letter};
+  int chosen = value == Kind::automatic ? 0 : value == Kind::off ? 1 : 2;
   if (chosen == 2) {
-    double value = k;
+    auto typed_value = static_cast<double>(value);
     ImGui::SetNextItemWidth(ui.px(46));
-    // 0 and 1 stand for the two words.
-    if (typed(f, value, "%.0f", [](double v) { return fits_whole(v) && (v < 0 || v >= 2); }))
-      k = static_cast<int>(std::round(value));
+    if (typed(f, typed_value, format, fits))
+      value = static_cast<T>(std::is_integral_v<T> ? std::round(typed_value) : typed_value);
     ImGui::SameLine(0, ui.px(6));
   }
   if (!widgets::segmented(ui, f.name.data(), kinds, chosen)) return;
-  constexpr int usual = 12;
-  k = chosen == 0 ? Robust::automatic : chosen == 1 ? Robust::off : usual;
+  value = chosen == 0 ? Kind::automatic : chosen == 1 ? Kind::off : usual;
+}
+
+void control(Ui& ui, P& p, const Field<P, Robust>& f) {
+  // 0 and 1 stand for the two words.
+  number_or_word(ui, f, (p.*(f.member)).neighbors, "k", "%.0f", 12,
+                 [](double v) { return fits_whole(v) && (v < 0 || v >= 2); });
+}
+
+void control(Ui& ui, P& p, const Field<P, BallTestFactor>& f) {
+  number_or_word(ui, f, (p.*(f.member)).gamma, "γ", "%.2g", BallTestFactor::usual.front(),
+                 [](double) { return true; });
 }
 
 void control(Ui& ui, P& p, const Field<P, Levels>& f) {
