@@ -31,7 +31,7 @@ double longest_edge(const Triangle3& t) {
 class PiecesInTile {
  public:
   PiecesInTile(const TileGrid& grid, const ProofPlan& plan, const GridPlace& tile)
-      : grid_(grid), plan_(plan), tile_(tile), box_(grid.bounds(plan.tiling, tile)) {}
+      : plan_(plan), box_(grid.bounds(plan.tiling, tile)) {}
 
   bool holds(Vec3 p) const { return box_.holds(p); }
   Box3 box() const { return {box_.lo, box_.hi}; }
@@ -45,7 +45,7 @@ class PiecesInTile {
       open.pop_back();
       if (!box_of(t).meets(box())) continue;
       if (plan_.tiling.whole || longest_edge(t) <= plan_.piece) {
-        if (holds(centroid(t))) pieces.push_back(t);
+        if (holds(middle(t))) pieces.push_back(t);
         continue;
       }
       for (const Triangle3& half : halves(t)) open.push_back(half);
@@ -54,9 +54,15 @@ class PiecesInTile {
   }
 
  private:
-  const TileGrid& grid_;
+  /// In the box of the corners, whatever rounding does.
+  static Vec3 middle(const Triangle3& t) {
+    const Box3 box = box_of(t);
+    Vec3 p = centroid(t);
+    for (int i = 0; i < 3; ++i) p[i] = std::clamp(p[i], box.lo[i], box.hi[i]);
+    return p;
+  }
+
   const ProofPlan& plan_;
-  GridPlace tile_;
   ChangeBox box_;
 };
 
