@@ -14,12 +14,8 @@
 #include "tolerance/facet_certificate.h"
 #include "tolerance/self_intersections.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <utility>
 

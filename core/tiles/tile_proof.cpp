@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
 
 namespace isoscope {
 namespace {
@@ -21,7 +20,6 @@ constexpr double first_reach = 4;        ///< where facets are looked for that a
 /// or this far beyond.
 constexpr double longest_piece = 1.0 / 8;
 
-/// Which edge is the longest, and how long.
 double longest_edge(const Triangle3& t) {
   const std::size_t i = longest_edge_of(t);
   return distance(t[i], t[(i + 1) % 3]);
@@ -71,8 +69,8 @@ class TileProver {
  public:
   TileProver(const TileFolder& folder, const ProofPlan& plan, const GridPlace& tile,
              const RunControl& control)
-      : folder_(folder), plan_(plan), grid_(folder.grid()), pieces_(grid_, plan, tile), control_(control),
-        delta_(folder.manifest().delta), stop_([&control] { return control.out_of_grace(); }) {}
+      : folder_(folder), plan_(plan), pieces_(folder.grid(), plan, tile), control_(control),
+        delta_(folder.manifest().delta), stop_([&control] { return control.cancelled(); }) {}
 
   Result<TileProof> prove() {
     auto z = folder_.z_before(plan_.round, pieces_.box());
@@ -93,6 +91,7 @@ class TileProver {
       for (const Triangle3& piece : pieces_.of(t)) walls.push_back(piece);
     if (facets_.empty() && walls.empty()) return std::move(proof_);
     const ClosestPointIndex index(soup_of(std::move(*input)), control_);
+    if (stop_()) return stopped();
     if (Status contained = judge_containment(index); !contained) return contained.error();
     if (!walls.empty()) {
       if (Status covered = judge_walls(std::move(walls)); !covered) return covered.error();
@@ -100,7 +99,7 @@ class TileProver {
       if (!witnesses) return witnesses.error();
       proof_.witnesses = std::move(*witnesses);
     }
-    if (plan_.measure_normals && !index.empty())
+    if (!index.empty())
       proof_.normals = measure_normals(
           facets_, {index, plan_.facet_area, [this](Vec3 p) { return pieces_.holds(p); }}, control_);
     if (stop_()) return stopped();
@@ -111,20 +110,16 @@ class TileProver {
   static Error stopped() { return {ErrorCode::cancelled, "The proof was stopped.", "Join the tiles again."}; }
 
   Status judge_containment(const ClosestPointIndex& index) {
-    struct FacetFigures {
-      ContainmentFigures figures;
-      std::size_t pieces = 0;
-    };
-    std::vector<FacetFigures> figures(facets_.size());
+    std::vector<ContainmentFigures> figures(facets_.size());
     const FacetSearch search{proof_budget, {}, nullptr, 0, &stop_};
     const bool complete = parallel_until(facets_.size(), 64, stop_, [&](std::size_t f) {
       for (const Triangle3& piece : pieces_.of(facets_[f]))
-        add_verdict(certify_facet(index, piece, delta_, delta_, search), figures[f].figures);
+        add_verdict(certify_facet(index, piece, delta_, delta_, search), figures[f]);
     });
     if (!complete || stop_()) return stopped();
     ContainmentFigures& all = proof_.containment;
     for (std::size_t f = 0; f < figures.size(); ++f) {
-      const ContainmentFigures& one = figures[f].figures;
+      const ContainmentFigures& one = figures[f];
       all.max_distance = std::max(all.max_distance, one.max_distance);
       if (one.worst > all.worst) all.worst = one.worst, all.where = one.where;
       if (one.outside > 0)
@@ -159,7 +154,6 @@ class TileProver {
 
   const TileFolder& folder_;
   const ProofPlan& plan_;
-  TileGrid grid_;
   PiecesInTile pieces_;
   const RunControl& control_;
   double delta_;
@@ -186,15 +180,7 @@ Result<ProofPlan> plan_proof(const TileFolder& folder, const CoverTest& cover) {
     plan.tiling.whole = grid.is_whole(plan.tiling.level);
   }
   plan.piece = longest_piece * std::ldexp(bricks_of_tile * grid.brick(), plan.tiling.level);
-  std::set<GridPlace> tiles;
-  for (const BrickLoad& load : *loads) {
-    const GridPlace lo = grid.tile_of(plan.tiling, grid.brick_of(load.box.lo));
-    const GridPlace hi = grid.tile_of(plan.tiling, grid.brick_of(load.box.hi));
-    for (GridPlace at = lo; at[0] <= hi[0]; ++at[0])
-      for (at[1] = lo[1]; at[1] <= hi[1]; ++at[1])
-        for (at[2] = lo[2]; at[2] <= hi[2]; ++at[2]) tiles.insert(at);
-  }
-  plan.tiles.assign(tiles.begin(), tiles.end());
+  plan.tiles = tiles_met(grid, plan.tiling, *loads);
   const Status read = folder.each_facet_before(plan.round, [&](const Triangle3& f) {
     plan.facet_area += length(area_vector(f));
     ++plan.facets;

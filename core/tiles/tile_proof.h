@@ -24,7 +24,6 @@ struct ProofPlan {
   double facet_area = 0;        ///< of Z
   std::uint64_t facets = 0;     ///< of Z
   CoverTest cover;
-  bool measure_normals = true;
 };
 /// The plan for Z as it is once all rounds are complete, in the largest tiles that fit the folder's memory.
 /// Reads Z once. Fails with io, bad_input.
@@ -40,7 +39,7 @@ struct TileProof {
   std::vector<Vec3> witnesses; ///< of {d > δ}
   std::vector<NormalMeasurement> normals;
 };
-/// Fails with cancelled once the control is out of grace, with io, bad_input, and as witnesses_of_piece().
+/// Fails with cancelled, with io, bad_input, and as witnesses_of_piece().
 Result<TileProof> prove_tile(const TileFolder& folder, const ProofPlan& plan, const GridPlace& tile,
                              const RunControl& control);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace isoscope {
 namespace {
@@ -38,6 +39,19 @@ double heaviest_tile(const TileGrid& grid, std::int32_t level, const std::vector
     for (const auto& [tile, bytes] : tiles) heaviest = std::max(heaviest, bytes);
   }
   return heaviest;
+}
+
+std::vector<GridPlace> tiles_met(const TileGrid& grid, const Tiling& tiling,
+                                 const std::vector<BrickLoad>& loads) {
+  std::set<GridPlace> tiles;
+  for (const BrickLoad& load : loads) {
+    const GridPlace lo = grid.tile_of(tiling, grid.brick_of(load.box.lo));
+    const GridPlace hi = grid.tile_of(tiling, grid.brick_of(load.box.hi));
+    for (GridPlace at = lo; at[0] <= hi[0]; ++at[0])
+      for (at[1] = lo[1]; at[1] <= hi[1]; ++at[1])
+        for (at[2] = lo[2]; at[2] <= hi[2]; ++at[2]) tiles.insert(at);
+  }
+  return {tiles.begin(), tiles.end()};
 }
 
 BrickCounts::BrickCounts(const Box3& box, double least) : finest_(largest_brick(box), box) {

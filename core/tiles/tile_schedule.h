@@ -14,6 +14,9 @@ constexpr double bytes_of_tile_facet = 500, bytes_of_tile_triangle = 200;
 
 /// Bytes that the heaviest tile of a level takes, in any of its shifts.
 double heaviest_tile(const TileGrid& grid, std::int32_t level, const std::vector<BrickLoad>& loads);
+/// The tiles in which anything of the bricks' facets may lie, ascending.
+std::vector<GridPlace> tiles_met(const TileGrid& grid, const Tiling& tiling,
+                                 const std::vector<BrickLoad>& loads);
 /// Counts what begins where, in bricks so fine that those of any grid that may be taken can be told.
 class BrickCounts {
  public:

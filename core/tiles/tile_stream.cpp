@@ -14,7 +14,6 @@
 #include "tolerance/welded_mesh.h"
 
 #include <algorithm>
-#include <map>
 #include <system_error>
 
 namespace isoscope {
@@ -187,20 +186,9 @@ class StreamedCut {
   /// Each brick with facets is in one of the tiles that have files; vertices in others, which have none, are
   /// the highest of their facets.
   Status judge(const TileFolder& made) {
-    std::vector<GridPlace> met;
     const auto loads = made.loads_before(1);
     if (!loads) return loads.error();
-    const TileGrid grid = made.grid();
-    for (const BrickLoad& load : *loads) {
-      const GridPlace lo = grid.tile_of({}, grid.brick_of(load.box.lo));
-      const GridPlace hi = grid.tile_of({}, grid.brick_of(load.box.hi));
-      for (GridPlace at = lo; at[0] <= hi[0]; ++at[0])
-        for (at[1] = lo[1]; at[1] <= hi[1]; ++at[1])
-          for (at[2] = lo[2]; at[2] <= hi[2]; ++at[2]) met.push_back(at);
-    }
-    std::sort(met.begin(), met.end());
-    met.erase(std::unique(met.begin(), met.end()), met.end());
-    tiles_ = std::move(met);
+    tiles_ = tiles_met(made.grid(), {}, *loads);
     const Status judged =
         each_tile(made, "closed surface", [&](std::size_t, const TriangleMesh& mesh, const auto& in_tile) {
           const TileSurface surface = judge_surface(mesh, in_tile, [this] { return control_.cancelled(); });
@@ -272,8 +260,7 @@ class StreamedCut {
     const std::vector<SurfacePart>& components = parts_.components();
     std::vector<Vec3> points;
     for (const SurfacePart& c : components) points.push_back(c.vertex);
-    RayWinding around(points);
-    std::vector<int> windings(points.size(), 0);
+    RayWinding around(std::move(points));
     const Status counted =
         each_tile(made, "cavities",
                   [&](std::size_t i, const TriangleMesh& mesh, const std::function<bool(Vec3)>& in_tile) {
@@ -283,7 +270,7 @@ class StreamedCut {
                     return Status();
                   });
     if (!counted) return counted;
-    windings = around.windings();
+    const std::vector<int> windings = around.windings();
     for (std::size_t c = 0; c < components.size(); ++c)
       if (windings[c] % 2 != 0) turned[c] = turned[c] != 0 ? 0 : 1;
     return {};
