@@ -23,8 +23,7 @@ template <class T, class Less> class ExternalSort {
         less_(less) {}
 
   void add(const T& record) {
-    if (records_.size() == records_.capacity())
-      records_.reserve(std::min(most_, std::max(least_records, 2 * records_.size())));
+    if (records_.empty()) records_.reserve(most_); // what is not written to takes no memory
     records_.push_back(record);
     ++size_;
     if (records_.size() >= most_) spill();

@@ -37,8 +37,12 @@ ScratchFile::ScratchFile(ScratchFile&& other) noexcept
 
 void ScratchFile::append(const void* data, std::size_t bytes) {
   const char* from = static_cast<const char*>(data);
-  buffer_.insert(buffer_.end(), from, from + bytes);
-  if (buffer_.size() >= bytes_at_once) flush();
+  while (bytes > 0) { // much at once is not to be there twice
+    const std::size_t some = std::min(bytes, bytes_at_once - buffer_.size());
+    buffer_.insert(buffer_.end(), from, from + some);
+    from += some, bytes -= some;
+    if (buffer_.size() >= bytes_at_once) flush();
+  }
 }
 
 void ScratchFile::flush() const {
