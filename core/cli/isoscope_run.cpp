@@ -206,7 +206,8 @@ int run(int argc, char** argv) {
   progress.finish();
   if (!result) return fail(result.error(), exit_status(result.error().code));
 
-  if (const std::string crumbs = crumbs_note(result->crumbs, result->mesh); !crumbs.empty()) note(crumbs);
+  if (const std::string crumbs = crumbs_note(result->crumbs, result->size().vertices); !crumbs.empty())
+    note(crumbs);
 
   constexpr int stopped_at_breakpoint = 5;
   int status = gate.hit() ? stopped_at_breakpoint : result->exit_status();

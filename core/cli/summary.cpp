@@ -36,7 +36,7 @@ std::string normal_words(const NormalDeviation& n) {
 /// What is proven of all of Z in the words of the field.
 std::string containment_words(const Certificate& c, const Scene& scene) {
   const std::string most = number("%.4f", c.max_distance / scene.delta) + " δ";
-  switch (scene.field->kind()) {
+  switch (scene.field ? scene.field->kind() : FieldKind::triangles) {
   case FieldKind::surfaces:
     return "between the two surfaces, which no facet meets";
   case FieldKind::grid:
@@ -70,7 +70,7 @@ std::string holds_words(const RunResult& result, const Scene& scene) {
              number("%.4f", c.border->from_rim / scene.delta) + " δ of each other";
   if (const auto filled = std::count(result.holes.facets.begin(), result.holes.facets.end(), 1); filled > 0)
     words += ", but for " + counted(static_cast<std::size_t>(filled), "face") + " that fill holes";
-  if (c.cover_limit && c.cover_note.empty() && scene.field->surface() != nullptr)
+  if (c.cover_limit && c.cover_note.empty() && (!scene.field || scene.field->surface() != nullptr))
     words += ", the input covered within " + number("%.4g", *c.cover_limit) + " δ";
   if (c.topology == Topology::as_expected) words += ", topology as expected";
   return words;
@@ -162,30 +162,31 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                     const std::vector<StageStatistics>& stages, const std::string& stopped_at) {
   const Certificate& c = result.certificate;
   std::string text;
+  const MeshSize given = scene.input_size, made = result.size();
   const std::string inner = parameters.inside.empty() ? "" : " and " + parameters.inside;
   text += line("Input",
                parameters.input + inner + ": " +
-                   (scene.input->is_point_set() ? counted(scene.input->points.size(), "point")
-                                                : grouped(scene.input->points.size()) + " vertices, " +
-                                                      grouped(scene.input->triangles.size()) + " faces") +
+                   (given.triangles == 0
+                        ? counted(given.vertices, "point")
+                        : grouped(given.vertices) + " vertices, " + grouped(given.triangles) + " faces") +
                    "; δ = " + number("%.6g", scene.delta) + " (" +
-                   (scene.input->gives_volume() ? "given" : parameters.tolerance.text()) +
+                   (scene.input && scene.input->gives_volume() ? "given" : parameters.tolerance.text()) +
                    "), σ = " + number("%.3g", parameters.sigma_ratio(scene.default_sigma)) + " δ");
-  text += line("Samples",
-               grouped(scene.samples->size()) + " on " +
-                   counted(scene.boundary_components.size(), "boundary component") + ", " +
-                   (scene.samples->over_rim.empty()
-                        ? std::string()
-                        : grouped(scene.samples->over_rim.size()) + " more over the rim of " +
-                              counted(scene.volume->open_sides()->rim().loops().size(), "loop") + ", ") +
-                   number("%.2f", scene.sampling_seconds) + " s");
-  if (const std::size_t held = scene.volume->held(); held > 0)
-    text += line("Thin parts", counted(held, "point") + " held, so that the mesh stays near to them");
+  if (scene.samples->size() > 0)
+    text += line("Samples",
+                 grouped(scene.samples->size()) + " on " +
+                     counted(scene.boundary_components.size(), "boundary component") + ", " +
+                     (scene.samples->over_rim.empty()
+                          ? std::string()
+                          : grouped(scene.samples->over_rim.size()) + " more over the rim of " +
+                                counted(scene.volume->open_sides()->rim().loops().size(), "loop") + ", ") +
+                     number("%.2f", scene.sampling_seconds) + " s");
+  if (scene.held > 0)
+    text += line("Thin parts", counted(scene.held, "point") + " held, so that the mesh stays near to them");
   for (const StageStatistics& stage : stages) text += line(name(stage.stage), stage_words(stage));
   text += line("Output",
-               counted(result.mesh.points.size(), "vertex", "vertices") + ", " +
-                   counted(result.mesh.triangles.size(), "face") + ", " + counted(c.components, "component") +
-                   ", χ = " + std::to_string(c.euler_characteristic) +
+               counted(made.vertices, "vertex", "vertices") + ", " + counted(made.triangles, "face") + ", " +
+                   counted(c.components, "component") + ", χ = " + std::to_string(c.euler_characteristic) +
                    (c.boundary_loops > 0 ? ", " + counted(c.boundary_loops, "boundary loop") : "") +
                    region_words(c) + (result.form == ZeroForm::free ? ", on Z alone" : ", inside T"));
   if (result.normals.points > 0) text += line("Normals", normal_words(result.normals));

@@ -10,8 +10,8 @@
 #include "cli/progress_line.h"
 #include "cli/summary.h"
 #include "cli/verbs.h"
-#include "input/mesh_io.h"
 #include "run/report.h"
+#include "tiles/tile_join.h"
 #include "tiles/tile_progress.h"
 #include "tiles/tile_run.h"
 #include "tiles/tile_work.h"
@@ -45,7 +45,7 @@ class Work {
 
 /// What is left once all tiles are there.
 int deliver(const TileFolder& folder, const Outputs& outputs, bool quiet, Work& work) {
-  const auto joined = join_tiles(folder, work.control);
+  const auto joined = join_tiles(folder, outputs.mesh, work.control);
   if (!joined) return work.ended(joined.error());
   work.finish();
   const auto note = [](const std::string& text) {
@@ -55,8 +55,6 @@ int deliver(const TileFolder& folder, const Outputs& outputs, bool quiet, Work& 
   if (!joined->scene->thickening_note.empty()) note(joined->scene->thickening_note);
   const RunResult& result = joined->result;
   int status = result.exit_status();
-  if (!outputs.mesh.empty())
-    if (Status written = write_mesh(outputs.mesh, result.mesh); !written) status = fail(written.error(), 1);
   const bool to_stdout = outputs.report == "-";
   if (!outputs.report.empty()) {
     const std::string text = report_json(joined->parameters, *joined->scene, result, {});

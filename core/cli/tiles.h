@@ -10,9 +10,10 @@
 namespace isoscope {
 
 inline const std::string usual_tile_memory = "2GiB";
-inline const std::string tile_memory_help =
-    "memory that improving one tile may take, as 2GiB or 512MiB: it decides how large tiles are; default " +
-    usual_tile_memory;
+inline const std::string tile_memory_help = "memory that cutting, improving one tile, and joining may take, "
+                                            "as 2GiB or 512MiB: it decides how large tiles "
+                                            "are; default " +
+                                            usual_tile_memory;
 
 /// "2GiB" in bytes. Fails with usage.
 Result<double> read_bytes(const std::string& text);

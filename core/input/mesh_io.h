@@ -5,7 +5,11 @@
 #include "base/status.h"
 #include "input/triangle_soup.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 
 namespace isoscope {
 
@@ -19,6 +23,17 @@ Result<TriangleSoup> read_mesh(const std::filesystem::path& file);
 /// coordinates. Labels, where the mesh has them, are properties of faces, "front" and "back", in PLY and
 /// groups in OBJ; OFF and STL have no place for them.
 Status write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh);
+
+/// A mesh that is told piece by piece, as one that need not be in memory; each piece again as often as asked.
+struct MeshSource {
+  using TakePoint = std::function<void(Vec3)>;
+  using TakeFacet = std::function<void(const std::array<std::uint32_t, 3>&, const Triangle3&)>;
+  std::size_t vertices = 0, facets = 0;
+  std::function<Status(const TakePoint&)> each_point;
+  std::function<Status(const TakeFacet&)> each_facet; ///< by its points' numbers, and where these are
+};
+/// The same, without labels. Fails as the source does, too.
+Status write_mesh(const std::filesystem::path& file, const MeshSource& source);
 
 /// Whether write_mesh could write there now: known extension, folder exists and is writable. To be asked
 /// before long work.

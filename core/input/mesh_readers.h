@@ -11,24 +11,49 @@
 
 namespace isoscope {
 
-/// What a file says: points and polygons, or points alone, all indices in range, all coordinates finite.
+/// Takes what a file says piece by piece. Faces may name points that come later; readers of what has no
+/// numbers give triangles.
+class PolygonSink {
+ public:
+  virtual ~PolygonSink() = default;
+  /// The file is read from its beginning once more: what was taken does not count.
+  virtual void restart() = 0;
+  virtual void take_point(Vec3 p) = 0;
+  virtual void take_face(std::span<const std::uint32_t> face) = 0;
+  virtual void take_triangle(const Triangle3& t) = 0;
+};
+
+/// What a file says: points and polygons, or points alone, all indices in range, all coordinates finite. With
+/// a sink that has all but the notes.
 struct PolygonFile {
+  explicit PolygonFile(PolygonSink* taker = nullptr) : sink(taker) {
+    if (sink != nullptr) sink->restart();
+  }
+  PolygonSink* sink;
+  std::uint64_t point_count = 0, face_count = 0; ///< of all
   std::vector<Vec3> points;
   std::vector<std::uint32_t> corners;      ///< of all faces, one after the other
   std::vector<std::uint32_t> corner_count; ///< of each face
   std::vector<InputNote> notes;            ///< what had to be guessed
 
+  void add_point(Vec3 p) {
+    ++point_count;
+    if (sink != nullptr) return sink->take_point(p);
+    points.push_back(p);
+  }
   void add_face(std::span<const std::uint32_t> face) {
+    ++face_count;
+    if (sink != nullptr) return sink->take_face(face);
     corners.insert(corners.end(), face.begin(), face.end());
     corner_count.push_back(static_cast<std::uint32_t>(face.size()));
   }
 };
 
-PolygonFile read_off(FileScanner& in);
-PolygonFile read_obj(FileScanner& in);
-PolygonFile read_ply(FileScanner& in);
-PolygonFile read_stl_ascii(FileScanner& in);
-PolygonFile read_stl_binary(FileScanner& in);
+PolygonFile read_off(FileScanner& in, PolygonSink* sink = nullptr);
+PolygonFile read_obj(FileScanner& in, PolygonSink* sink = nullptr);
+PolygonFile read_ply(FileScanner& in, PolygonSink* sink = nullptr);
+PolygonFile read_stl_ascii(FileScanner& in, PolygonSink* sink = nullptr);
+PolygonFile read_stl_binary(FileScanner& in, PolygonSink* sink = nullptr);
 /// Points alone, a row of numbers each.
 PolygonFile read_xyz(FileScanner& in);
 

@@ -46,109 +46,168 @@ template <class T> void append_little_endian(PendingFile& out, T value) {
   out.append(bytes.data(), bytes.size());
 }
 
-void write_off(PendingFile& out, const TriangleMesh& mesh) {
-  out.append("OFF\n" + std::to_string(mesh.points.size()) + ' ' + std::to_string(mesh.triangles.size()) +
-             " 0\n");
-  for (const Vec3 p : mesh.points) out.append(coordinates(p));
-  for (const auto& [a, b, c] : mesh.triangles)
-    out.append("3 " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n');
+/// The file that is written, and whether all coordinates fit it.
+struct MeshFile {
+  PendingFile out;
+  double limit = std::numeric_limits<double>::max();
+  bool fits = true;
+
+  void check(Vec3 p) {
+    for (int i = 0; i < 3; ++i) fits = fits && std::abs(p[i]) <= limit;
+  }
+};
+
+using Corners = std::array<std::uint32_t, 3>;
+
+Status write_off(MeshFile& file, const MeshSource& mesh) {
+  PendingFile& out = file.out;
+  out.append("OFF\n" + std::to_string(mesh.vertices) + ' ' + std::to_string(mesh.facets) + " 0\n");
+  const Status points = mesh.each_point([&](Vec3 p) {
+    file.check(p);
+    out.append(coordinates(p));
+  });
+  if (!points) return points;
+  return mesh.each_facet([&](const Corners& t, const Triangle3&) {
+    out.append("3 " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) + '\n');
+  });
 }
 
-void write_obj(PendingFile& out, const TriangleMesh& mesh) {
-  for (const Vec3 p : mesh.points) out.append("v " + coordinates(p));
-  // A group for each two labels, the larger one, which facets are seen from, first.
+std::string face_line(const Corners& t) {
+  return "f " + std::to_string(std::uint64_t{t[0]} + 1) + ' ' + std::to_string(std::uint64_t{t[1]} + 1) +
+         ' ' + std::to_string(std::uint64_t{t[2]} + 1) + '\n';
+}
+
+/// A group for each two labels, the larger one, which facets are seen from, first.
+void write_groups(PendingFile& out, const TriangleMesh& mesh) {
   std::vector<std::size_t> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto pair = [&](std::size_t i) { return std::pair(-mesh.labels[i].front, -mesh.labels[i].back); };
-  if (!mesh.labels.empty())
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t i, std::size_t j) { return pair(i) < pair(j); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return pair(i) < pair(j); });
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::size_t i = order[k];
-    if (!mesh.labels.empty() && (k == 0 || pair(i) != pair(order[k - 1])))
+    if (k == 0 || pair(i) != pair(order[k - 1]))
       out.append("g front_" + std::to_string(mesh.labels[i].front) + "_back_" +
                  std::to_string(mesh.labels[i].back) + '\n');
-    const auto& [a, b, c] = mesh.triangles[i];
-    out.append("f " + std::to_string(std::uint64_t{a} + 1) + ' ' + std::to_string(std::uint64_t{b} + 1) +
-               ' ' + std::to_string(std::uint64_t{c} + 1) + '\n');
+    out.append(face_line(mesh.triangles[i]));
   }
 }
 
-void write_ply(PendingFile& out, const TriangleMesh& mesh) {
-  out.append("ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.points.size()) +
+/// `labelled`: the same mesh where it has labels; else null.
+Status write_obj(MeshFile& file, const MeshSource& mesh, const TriangleMesh* labelled) {
+  const Status points = mesh.each_point([&](Vec3 p) {
+    file.check(p);
+    file.out.append("v " + coordinates(p));
+  });
+  if (!points) return points;
+  if (labelled == nullptr)
+    return mesh.each_facet([&](const Corners& t, const Triangle3&) { file.out.append(face_line(t)); });
+  write_groups(file.out, *labelled);
+  return {};
+}
+
+Status write_ply(MeshFile& file, const MeshSource& mesh, const TriangleMesh* labelled) {
+  PendingFile& out = file.out;
+  out.append("ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.vertices) +
              "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-             std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\n" +
-             (mesh.labels.empty() ? "" : "property char front\nproperty char back\n") + "end_header\n");
-  for (const Vec3 p : mesh.points)
+             std::to_string(mesh.facets) + "\nproperty list uchar int vertex_indices\n" +
+             (labelled == nullptr ? "" : "property char front\nproperty char back\n") + "end_header\n");
+  const Status points = mesh.each_point([&](Vec3 p) {
+    file.check(p);
     for (int i = 0; i < 3; ++i) append_little_endian(out, p[i]);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+  });
+  if (!points) return points;
+  std::size_t facet = 0;
+  return mesh.each_facet([&](const Corners& t, const Triangle3&) {
     append_little_endian(out, std::uint8_t{3});
-    for (const std::uint32_t v : mesh.triangles[i]) append_little_endian(out, v);
-    if (mesh.labels.empty()) continue;
-    append_little_endian(out, mesh.labels[i].front);
-    append_little_endian(out, mesh.labels[i].back);
-  }
+    for (const std::uint32_t v : t) append_little_endian(out, v);
+    if (labelled == nullptr) return;
+    append_little_endian(out, labelled->labels[facet].front);
+    append_little_endian(out, labelled->labels[facet].back);
+    ++facet;
+  });
 }
 
-void write_stl(PendingFile& out, const TriangleMesh& mesh) {
+Status write_stl(MeshFile& file, const MeshSource& mesh) {
+  PendingFile& out = file.out;
+  file.limit = double{std::numeric_limits<float>::max()};
   std::array<char, 80> header{};
   const std::string_view title = "Isoscope binary STL";
   std::copy(title.begin(), title.end(), header.begin());
   out.append(header.data(), header.size());
-  append_little_endian(out, static_cast<std::uint32_t>(mesh.triangles.size()));
+  append_little_endian(out, static_cast<std::uint32_t>(mesh.facets));
   const auto append_point = [&](Vec3 p) {
     for (int i = 0; i < 3; ++i) append_little_endian(out, static_cast<float>(p[i]));
   };
-  for (const auto& t : mesh.triangles) {
-    const Vec3 a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
-    append_point(normalized(cross(b - a, c - a)));
-    for (const Vec3 p : {a, b, c}) append_point(p);
+  return mesh.each_facet([&](const Corners&, const Triangle3& t) {
+    append_point(normalized(cross(t[1] - t[0], t[2] - t[0])));
+    for (const Vec3 p : t) {
+      file.check(p);
+      append_point(p);
+    }
     append_little_endian(out, std::uint16_t{0});
-  }
+  });
 }
 
-Status check_mesh(const fs::path& file, const TriangleMesh& mesh, Format format) {
+Status write_source(const fs::path& file, const MeshSource& source, const TriangleMesh* labelled) {
+  const Result<Format> format = format_of(file);
+  if (!format) return format.error();
   const std::string name = printable(file.native(), 1000);
-  for (const auto& t : mesh.triangles)
-    for (const std::uint32_t v : t)
-      if (v >= mesh.points.size())
-        return Error{
-            ErrorCode::internal, name + ": a triangle to be written refers to a missing vertex.", {}};
-  const double limit =
-      format == Format::stl ? double{std::numeric_limits<float>::max()} : std::numeric_limits<double>::max();
-  for (const Vec3 p : mesh.points)
-    for (int i = 0; i < 3; ++i)
-      if (!(std::abs(p[i]) <= limit))
-        return Error{ErrorCode::io, name + ": a coordinate is beyond what this format can hold.",
-                     "Write OFF instead."};
-  return {};
+  if (source.facets == 0) return Error{ErrorCode::io, name + " is not written: the mesh is empty.", ""};
+  MeshFile to;
+  if (Status opened = to.out.open(file); !opened) return opened;
+  Status written;
+  switch (*format) {
+  case Format::off:
+    written = write_off(to, source);
+    break;
+  case Format::obj:
+    written = write_obj(to, source, labelled);
+    break;
+  case Format::ply:
+    written = write_ply(to, source, labelled);
+    break;
+  case Format::stl:
+    written = write_stl(to, source);
+    break;
+  }
+  if (!written) return written;
+  if (!to.fits)
+    return Error{ErrorCode::io, name + ": a coordinate is beyond what this format can hold.",
+                 "Write OFF instead."};
+  return to.out.commit();
+}
+
+MeshSource source_of(const TriangleMesh& mesh) {
+  MeshSource source;
+  source.vertices = mesh.points.size();
+  source.facets = mesh.triangles.size();
+  source.each_point = [&mesh](const MeshSource::TakePoint& take) {
+    for (const Vec3 p : mesh.points) take(p);
+    return Status();
+  };
+  source.each_facet = [&mesh](const MeshSource::TakeFacet& take) {
+    for (const auto& t : mesh.triangles) take(t, {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
+    return Status();
+  };
+  return source;
 }
 
 } // namespace
 
+Status write_mesh(const fs::path& file, const MeshSource& source) {
+  return write_source(file, source, nullptr);
+}
+
 Status write_mesh(const fs::path& file, const TriangleMesh& mesh) {
-  const Result<Format> format = format_of(file);
-  if (!format) return format.error();
-  if (mesh.triangles.empty())
-    return Error{ErrorCode::io, printable(file.native(), 1000) + " is not written: the mesh is empty.", ""};
-  if (Status sound = check_mesh(file, mesh, *format); !sound) return sound;
-  PendingFile out;
-  if (Status opened = out.open(file); !opened) return opened;
-  switch (*format) {
-  case Format::off:
-    write_off(out, mesh);
-    break;
-  case Format::obj:
-    write_obj(out, mesh);
-    break;
-  case Format::ply:
-    write_ply(out, mesh);
-    break;
-  case Format::stl:
-    write_stl(out, mesh);
-    break;
-  }
-  return out.commit();
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= mesh.points.size())
+        return Error{ErrorCode::internal,
+                     printable(file.native(), 1000) +
+                         ": a triangle to be written refers to a missing vertex.",
+                     {}};
+  return write_source(file, source_of(mesh), mesh.labels.empty() ? nullptr : &mesh);
 }
 
 Status check_writable_mesh(const fs::path& file) {

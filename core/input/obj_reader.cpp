@@ -11,7 +11,7 @@ namespace {
 
 class ObjReader {
  public:
-  explicit ObjReader(FileScanner& in) : in_(in) {}
+  ObjReader(FileScanner& in, PolygonSink* sink) : in_(in), mesh_(sink) {}
 
   PolygonFile read() {
     for (in_.skip_empty_lines(); in_.peek() != FileScanner::end_of_file; in_.skip_empty_lines()) {
@@ -25,12 +25,11 @@ class ObjReader {
                       "Is it an OBJ file? Export it anew.");
       in_.next_line();
     }
-    if (largest_ >= mesh_.points.size() && largest_line_ > 0)
+    if (largest_ >= mesh_.point_count && largest_line_ > 0)
       in_.fail("a face on line " + std::to_string(largest_line_) + " refers to vertex " +
-                   std::to_string(largest_ + 1) + ", but there are only " +
-                   std::to_string(mesh_.points.size()),
+                   std::to_string(largest_ + 1) + ", but there are only " + std::to_string(mesh_.point_count),
                export_anew);
-    if (dropped_ > 0 && !mesh_.corner_count.empty())
+    if (dropped_ > 0 && mesh_.face_count > 0)
       in_.fail_at(first_dropped_, "a coordinate is not finite", "Remove such vertices or export it anew.");
     if (dropped_ > 0) {
       std::erase_if(mesh_.points, [](Vec3 p) { return !is_finite(p); });
@@ -64,14 +63,14 @@ class ObjReader {
     if (!is_finite(p) && dropped_++ == 0) first_dropped_ = in_.line();
     for (std::string_view w = next_word(); !w.empty(); w = next_word())
       in_.to_attribute(w); // weight or colour
-    mesh_.points.push_back(p);
+    mesh_.add_point(p);
   }
 
   void read_face() {
     face_.clear();
     for (std::string_view w = next_word(); !w.empty(); w = next_word()) {
       const std::int64_t i = in_.to_integer(w.substr(0, w.find('/')));
-      const auto count = static_cast<std::int64_t>(mesh_.points.size());
+      const auto count = static_cast<std::int64_t>(mesh_.point_count);
       // Counted from 1, or from the newest vertex backwards when negative.
       const std::int64_t v = i > 0 ? i - 1 : count + i;
       if (i == 0 || v < 0 || v >= std::int64_t{0xffffffff})
@@ -99,8 +98,8 @@ class ObjReader {
 
 } // namespace
 
-PolygonFile read_obj(FileScanner& in) {
-  return ObjReader(in).read();
+PolygonFile read_obj(FileScanner& in, PolygonSink* sink) {
+  return ObjReader(in, sink).read();
 }
 
 } // namespace isoscope

@@ -16,7 +16,7 @@ bool begins_number(int c) {
 
 class OffReader {
  public:
-  explicit OffReader(FileScanner& in) : in_(in) {}
+  OffReader(FileScanner& in, PolygonSink* sink) : in_(in), sink_(sink) {}
 
   PolygonFile read() {
     read_header();
@@ -84,7 +84,7 @@ class OffReader {
 
   /// A line for each vertex and each face, with colours and the like behind what is needed.
   PolygonFile read_lines() {
-    PolygonFile mesh;
+    PolygonFile mesh(sink_);
     for (std::uint64_t i = 0; i < vertices_; ++i) {
       add_vertex(mesh);
       std::uint64_t more = 0;
@@ -113,7 +113,7 @@ class OffReader {
   PolygonFile read_words(std::uint64_t attributes) {
     in_.return_to(data_);
     dropped_ = 0;
-    PolygonFile mesh;
+    PolygonFile mesh(sink_);
     for (std::uint64_t i = 0; i < vertices_; ++i) {
       add_vertex(mesh);
       for (std::uint64_t k = 0; k < attributes; ++k)
@@ -130,7 +130,7 @@ class OffReader {
   void add_vertex(PolygonFile& mesh) {
     const Vec3 p = read_vertex();
     if (faces_ > 0 || is_finite(p))
-      mesh.points.push_back(p);
+      mesh.add_point(p);
     else if (dropped_++ == 0)
       first_dropped_ = in_.line();
   }
@@ -171,6 +171,7 @@ class OffReader {
   }
 
   FileScanner& in_;
+  PolygonSink* sink_;
   FileScanner::Mark data_;
   std::vector<std::uint32_t> face_;
   bool homogeneous_ = false; ///< 4OFF: a fourth coordinate divides the others
@@ -190,8 +191,8 @@ bool is_off_keyword(std::string_view word) {
   return word.substr(0, end - 3).find_first_not_of("STCNstcn4") == std::string_view::npos;
 }
 
-PolygonFile read_off(FileScanner& in) {
-  return OffReader(in).read();
+PolygonFile read_off(FileScanner& in, PolygonSink* sink) {
+  return OffReader(in, sink).read();
 }
 
 } // namespace isoscope

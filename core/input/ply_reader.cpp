@@ -78,7 +78,7 @@ const Property* corner_list(const Element& element) {
 
 class PlyReader {
  public:
-  explicit PlyReader(FileScanner& in) : in_(in) {}
+  PlyReader(FileScanner& in, PolygonSink* sink) : in_(in), mesh_(sink) {}
 
   PolygonFile read() {
     read_header();
@@ -202,7 +202,7 @@ class PlyReader {
         if (dropped_++ == 0 && encoding_ == Encoding::ascii) first_dropped_ = in_.line();
         continue;
       }
-      mesh_.points.push_back(point);
+      mesh_.add_point(point);
     }
   }
 
@@ -289,8 +289,8 @@ class PlyReader {
 
 } // namespace
 
-PolygonFile read_ply(FileScanner& in) {
-  return PlyReader(in).read();
+PolygonFile read_ply(FileScanner& in, PolygonSink* sink) {
+  return PlyReader(in, sink).read();
 }
 
 } // namespace isoscope

@@ -19,7 +19,7 @@ constexpr std::size_t header_bytes = 84, record_bytes = 50;
 /// Keywords in any case, with or without a blank in "end loop" and the like.
 class AsciiStl {
  public:
-  explicit AsciiStl(FileScanner& in) : in_(in) {}
+  AsciiStl(FileScanner& in, PolygonSink* sink) : in_(in), mesh_(sink) {}
 
   PolygonFile read() {
     for (;;) {
@@ -86,6 +86,7 @@ class AsciiStl {
       key = next_keyword("outer loop");
     }
     face_.clear();
+    streamed_.clear();
     for (;;) {
       key = next_keyword("endloop");
       if (same_word(key, "endloop")) break;
@@ -93,17 +94,30 @@ class AsciiStl {
         in_.fail_here("\"" + printable(key) + "\" stands where a vertex is expected", export_anew);
       Vec3 p;
       for (int i = 0; i < 3; ++i) p[i] = in_.to_number(in_.word_across_lines("a vertex' coordinates", 0));
-      face_.push_back(numbers_.number(p));
+      if (mesh_.sink != nullptr) {
+        if (streamed_.size() < 4) streamed_.push_back(p);
+      } else {
+        face_.push_back(numbers_.number(p));
+      }
     }
+    if (mesh_.sink != nullptr) return stream_facet();
     if (face_.size() < 3) in_.fail_here("a facet of fewer than three corners", export_anew);
     expect("endfacet");
     mesh_.add_face(face_);
+  }
+
+  void stream_facet() {
+    if (streamed_.size() != 3) in_.fail_here("a facet of other than three corners", export_anew);
+    expect("endfacet");
+    ++mesh_.face_count;
+    mesh_.sink->take_triangle({streamed_[0], streamed_[1], streamed_[2]});
   }
 
   FileScanner& in_;
   PolygonFile mesh_;
   PointNumbers numbers_{mesh_.points};
   std::vector<std::uint32_t> face_;
+  std::vector<Vec3> streamed_; ///< corners of a facet for a sink
 };
 
 std::uint32_t little_endian(const char* bytes) {
@@ -115,7 +129,7 @@ std::uint32_t little_endian(const char* bytes) {
 /// Reads the triangles that are there, whatever the header announces.
 class BinaryStl {
  public:
-  explicit BinaryStl(FileScanner& in) : in_(in) {}
+  BinaryStl(FileScanner& in, PolygonSink* sink) : in_(in), mesh_(sink) {}
 
   PolygonFile read() {
     std::array<char, header_bytes> header{};
@@ -130,7 +144,7 @@ class BinaryStl {
     if (!open) read_announced(std::min(announced_, whole));
     passed_ = triangles_;
     read_on(whole);
-    if (mesh_.corner_count.empty() && announced_ > 0) fail_short();
+    if (mesh_.face_count == 0 && announced_ > 0) fail_short();
     tell((whole - passed_) * record_bytes + rest);
     return std::move(mesh_);
   }
@@ -151,10 +165,12 @@ class BinaryStl {
     std::array<std::uint32_t, 3> face{};
     for (std::size_t k = 0; k < 3; ++k) {
       for (int c = 0; c < 3; ++c) largest_ = std::max(largest_, std::abs(t[k][c]));
-      face[k] = numbers_.number(t[k]);
+      if (mesh_.sink == nullptr) face[k] = numbers_.number(t[k]);
     }
-    mesh_.add_face(face);
     ++triangles_;
+    if (mesh_.sink == nullptr) return mesh_.add_face(face);
+    ++mesh_.face_count;
+    mesh_.sink->take_triangle(t);
   }
 
   void read_announced(std::uint64_t count) {
@@ -228,12 +244,12 @@ bool is_whole_binary_stl(std::string_view head, std::uint64_t size) {
   return size == header_bytes + record_bytes * std::uint64_t{little_endian(head.data() + 80)};
 }
 
-PolygonFile read_stl_ascii(FileScanner& in) {
-  return AsciiStl(in).read();
+PolygonFile read_stl_ascii(FileScanner& in, PolygonSink* sink) {
+  return AsciiStl(in, sink).read();
 }
 
-PolygonFile read_stl_binary(FileScanner& in) {
-  return BinaryStl(in).read();
+PolygonFile read_stl_binary(FileScanner& in, PolygonSink* sink) {
+  return BinaryStl(in, sink).read();
 }
 
 } // namespace isoscope

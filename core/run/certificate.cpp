@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/place.h"
+#include "run/certificate_verdicts.h"
 #include "run/exposed_input.h"
 #include "run/mesh_connectivity.h"
 #include "run/proof_budget.h"
@@ -13,12 +14,8 @@
 #include "tolerance/facet_certificate.h"
 #include "tolerance/self_intersections.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -40,19 +37,12 @@ Triangle3 corners(const TriangleMesh& mesh, std::size_t f) {
 /// False when it was stopped, as with those below.
 bool check_intersections(const TriangleMesh& mesh, Certificate& c, const Stop& stop) {
   if (!c.manifold || !c.oriented) {
-    c.failures.emplace_back(
-        c.regions.empty() ? "Intersections were not tested because the mesh is no closed oriented 2-manifold."
-                          : "Intersections were not tested because a region's boundary is no closed oriented "
-                            "2-manifold.");
+    tell_intersections_untested(c);
     return true;
   }
   const auto pairs = self_intersections(mesh.points, mesh.triangles, stop);
   if (!pairs) return false;
-  c.intersection_free = pairs->empty();
-  if (!pairs->empty()) {
-    c.failures.push_back(std::to_string(pairs->size()) + " pairs of facets intersect, one at " +
-                         place(corners(mesh, pairs->front().first)[0], proof_digits) + ".");
-  }
+  tell_intersections(pairs->size(), pairs->empty() ? Vec3() : corners(mesh, pairs->front().first)[0], c);
   return true;
 }
 
@@ -89,51 +79,13 @@ bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
                          verdicts[f] = certify_facet(volume.field(), corners(mesh, f), delta, delta, search);
                      }) &&
       !stop();
+  ContainmentFigures figures;
+  for (const FacetVerdict& v : verdicts) add_verdict(v, figures);
   c.within_tolerance = complete && !mesh.triangles.empty();
-  std::size_t outside = 0, undecided = 0;
-  double worst = 0;
-  Vec3 where;
-  for (std::size_t f = 0; f < verdicts.size(); ++f) {
-    const FacetVerdict& v = verdicts[f];
-    if (v.kind == FacetVerdict::Kind::inside) {
-      c.max_distance = std::max(c.max_distance, v.max_distance);
-      continue;
-    }
-    c.within_tolerance = false;
-    if (v.kind == FacetVerdict::Kind::undecided) {
-      ++undecided;
-    } else {
-      ++outside;
-      if (v.closest.distance() > worst) {
-        worst = v.closest.distance();
-        where = v.witness;
-      }
-    }
-  }
-  c.max_distance = std::max(c.max_distance, worst);
-  if (outside > 0) {
-    c.failures.push_back(counted(outside, "facet leaves", "facets leave") +
-                         " the tolerance volume, the worst by d = " + general(worst / delta, 4) + " δ at " +
-                         place(where, proof_digits) + ".");
-  }
-  if (!complete) {
-    if (outside == 0) c.max_distance = std::numeric_limits<double>::infinity();
-    return false;
-  }
-  if (undecided > 0) {
-    c.failures.push_back(counted(undecided, "facet") + " could be proven neither inside nor outside.");
-  }
+  tell_containment(figures, complete, delta, c);
+  if (!complete) return false;
   check_sides_exactly(mesh, volume.field(), c);
   return true;
-}
-
-/// "the input is farther than 3 δ from the mesh in 2 places, the farthest 33.2 δ at (0, 1, 2)"
-std::string uncovered_words(const Certificate& c, double delta) {
-  return "the input is farther than " + general(*c.cover_limit, 4) + " δ from the mesh in " +
-         (c.uncovered_count == 1 ? "one place, "
-                                 : std::to_string(c.uncovered_count) + " places, the farthest ") +
-         general(c.uncovered.front().distance / delta, 4) + " δ at " +
-         place(c.uncovered.front().point, proof_digits);
 }
 
 bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, const CoverTest& test,
@@ -157,29 +109,8 @@ bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, con
   if (control.out_of_grace()) return false;
   const Coverage coverage =
       judge_coverage(*input.walls, index, c.input_distance, *test.limit * delta, delta, control);
-  c.uncovered = coverage.places;
-  c.uncovered_count = coverage.count;
-  switch (coverage.verdict) {
-  case Coverage::Verdict::covered:
-    c.covers = true;
-    return true;
-  case Coverage::Verdict::undecided:
-    if (control.out_of_grace()) return false;
-    c.failures.emplace_back("Whether the mesh covers the input could not be decided.");
-    return true;
-  case Coverage::Verdict::uncovered:
-    break;
-  }
-  if (c.uncovered.empty()) return true;
-  std::string words = uncovered_words(c, delta);
-  if (test.thin_may_go) {
-    c.covers = true;
-    c.cover_note = "Only the sides had to be separated: " + words +
-                   ", where something thinner than 2 δ was closed over or cut.";
-  } else {
-    words.front() = 'T';
-    c.failures.push_back(words + ".");
-  }
+  if (coverage.verdict == Coverage::Verdict::undecided && control.out_of_grace()) return false;
+  tell_coverage(coverage, test, delta, c);
   return true;
 }
 
@@ -192,7 +123,6 @@ double winding_number(const TriangleMesh& mesh, Vec3 p) {
 
 bool check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,
                       const Stop& stop) {
-  std::size_t more = 0;
   const auto witnesses = volume.witnesses();
   std::vector<double> winding(witnesses.size(), 0);
   // A witness is a sum over the whole mesh: each is worth the question.
@@ -201,24 +131,7 @@ bool check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, C
                      [&](std::size_t i) { winding[i] = winding_number(mesh, witnesses[i].point); }) &&
       !stop();
   if (!complete) return false;
-  c.separates = true;
-  for (std::size_t i = 0; i < witnesses.size(); ++i) {
-    const Witness& w = witnesses[i];
-    const double expected = w.label < 0 ? 1 : 0;
-    if (w.cover) continue; // what comes of those is told by the distances
-    if (std::abs(winding[i] - expected) < 0.01) continue;
-    if (!c.separates) {
-      ++more;
-      continue;
-    }
-    c.separates = false;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f", winding[i]);
-    c.failures.push_back("The mesh winds " + std::string(text) + " times around the region at " +
-                         place(w.point, proof_digits) + " instead of " +
-                         (w.label < 0 ? "once." : "not at all."));
-  }
-  if (more > 0) c.failures.push_back("So it does with " + std::to_string(more) + " other regions.");
+  tell_separation(witnesses, winding, c);
   return true;
 }
 
@@ -286,60 +199,14 @@ bool check_border(const TriangleMesh& mesh, const ToleranceVolume& volume, const
 
 void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expected, Certificate& c,
                        const RunControl& control) {
-  using Topology = Certificate::Topology;
-  const bool asked = expected.euler_characteristic || expected.components;
-  const bool met = expected.euler_characteristic.value_or(c.euler_characteristic) == c.euler_characteristic &&
-                   expected.components.value_or(c.components) == c.components &&
-                   expected.boundary_loops.value_or(c.boundary_loops) == c.boundary_loops;
-  c.topology = !asked              ? Topology::not_asked
-               : met               ? Topology::as_expected
-               : expected.required ? Topology::wrong
-                                   : Topology::missed;
-  switch (c.topology) {
-  case Topology::as_expected:
-    return;
-  case Topology::not_asked:
-    c.topology_note = !expected.nothing.empty()
-                          ? "Nothing is expected of the topology: " + expected.nothing + "."
-                          : "Asked for was the " + expected.source + ": any topology will do.";
-    return;
-  case Topology::missed:
-    c.topology_note = "The topology is not guaranteed, as Ω is no thickening: the output has χ = " +
-                      std::to_string(c.euler_characteristic) + " in " + std::to_string(c.components) +
-                      (c.components == 1 ? " component" : " components") + ", ";
-    if (expected.euler_characteristic)
-      c.topology_note += "χ = " + std::to_string(*expected.euler_characteristic) + " in ";
-    c.topology_note += std::to_string(expected.components.value_or(c.components)) +
-                       (expected.boundary_loops ? " with " + counted(*expected.boundary_loops, "loop") +
-                                                      " (" + std::to_string(c.boundary_loops) + " found)"
-                                                : std::string()) +
-                       " from " + expected.source + " was aimed at.";
-    return;
-  case Topology::wrong:
-    break;
-  }
-  if (expected.euler_characteristic && *expected.euler_characteristic != c.euler_characteristic)
-    c.failures.push_back("The Euler characteristic is " + std::to_string(c.euler_characteristic) +
-                         " instead of " + std::to_string(*expected.euler_characteristic) + ", that of " +
-                         expected.source + ".");
-  if (expected.components && *expected.components != c.components)
-    c.failures.push_back((c.components == 1 ? "There is " : "There are ") +
-                         counted(c.components, "component") + " instead of " +
-                         std::to_string(*expected.components) + ".");
-  if (expected.boundary_loops && *expected.boundary_loops != c.boundary_loops)
-    c.failures.push_back("Its border has " + counted(c.boundary_loops, "loop") + " instead of " +
-                         std::to_string(*expected.boundary_loops) + ".");
+  tell_topology(expected, c);
+  if (c.topology != Certificate::Topology::wrong) return;
   if (!c.closed_manifold || !c.oriented || !c.regions.empty()) return;
   if (const std::string places = topology_places(mesh, control); !places.empty())
     c.failures.back() += " " + places;
 }
 
 } // namespace
-
-std::string_view name(Certificate::Topology topology) {
-  constexpr std::array<std::string_view, 4> names{"as expected", "wrong", "missed", "not asked"};
-  return names[static_cast<std::size_t>(topology)];
-}
 
 Certificate certify(const TriangleMesh& given, const ToleranceVolume& volume,
                     const ExpectedTopology& expected, const RunControl& control, const CoverTest& cover,
@@ -379,7 +246,7 @@ Certificate certify(const TriangleMesh& given, const ToleranceVolume& volume,
   control.report("certificate", 0.7);
   note(check_coverage(mesh, volume, cover, c, control), "coverage of the input");
   check_expectation(mesh, expected, c, control);
-  if (!open.empty()) c.failures.push_back("The run was stopped before this was found out: " + open + ".");
+  tell_left_open(open, c);
   control.report("certificate", 1);
   return c;
 }

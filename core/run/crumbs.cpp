@@ -23,9 +23,9 @@ Result<InputWithoutCrumbs> without_crumbs(std::shared_ptr<const TriangleSoup> so
                                 general(limit, 6) + " δ and left out (--drop-small)."};
 }
 
-std::string crumbs_note(const SmallParts& crumbs, const TriangleMesh& mesh) {
-  if (crumbs.vertices == 0 || crumbs.vertices == mesh.points.size()) return {};
-  return grouped(crumbs.vertices) + " of " + grouped(mesh.points.size()) + " vertices went to " +
+std::string crumbs_note(const SmallParts& crumbs, std::size_t vertices) {
+  if (crumbs.vertices == 0 || crumbs.vertices == vertices) return {};
+  return grouped(crumbs.vertices) + " of " + grouped(vertices) + " vertices went to " +
          counted(crumbs.components, "component") + " smaller than " + general(crumb_size, 6) +
          " δ; --drop-small " + general(crumb_size, 6) + " leaves such small parts of the input out.";
 }

@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "input/small_components.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -23,7 +24,7 @@ struct InputWithoutCrumbs {
 Result<InputWithoutCrumbs> without_crumbs(std::shared_ptr<const TriangleSoup> soup, double limit,
                                           double delta, const RunControl& control);
 
-/// How many vertices of Z went to crumbs and what helps; empty when there are none, or nothing else.
-std::string crumbs_note(const SmallParts& crumbs, const TriangleMesh& mesh);
+/// How many of the vertices of Z went to crumbs and what helps; empty when there are none, or nothing else.
+std::string crumbs_note(const SmallParts& crumbs, std::size_t vertices);
 
 } // namespace isoscope

@@ -22,7 +22,9 @@ struct DirectedEdge {
 
 } // namespace
 
-void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
+void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c,
+                        const std::function<bool(std::uint32_t)>& counts) {
+  const auto counted = [&](std::uint32_t v) { return !counts || counts(v); };
   std::vector<DirectedEdge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
@@ -41,8 +43,12 @@ void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
   c.closed_manifold = c.manifold = !mesh.triangles.empty();
   c.oriented = c.manifold;
   if (mesh.triangles.empty()) c.failures.emplace_back("The mesh is empty.");
+  std::size_t facets = 0;
+  for (const auto& t : mesh.triangles)
+    if (counted(std::min({t[0], t[1], t[2]}))) ++facets;
   for (const auto& t : mesh.triangles) {
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) continue;
+    if (!counted(std::min({t[0], t[1], t[2]}))) continue;
     c.closed_manifold = c.manifold = c.oriented = false;
     c.failures.push_back("A facet at " + place(mesh.points[t[0]], proof_digits) + " has a vertex twice.");
     break;
@@ -50,6 +56,7 @@ void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
   DisjointSets pieces(mesh.triangles.size());
   std::size_t undirected = 0;
   for (const DirectedEdge& e : edges) {
+    if (!counted(std::min(e.from, e.to))) continue;
     const auto [same, same_end] = facets_of(e.from, e.to);
     const auto [twin, twin_end] = facets_of(e.to, e.from);
     const auto along = same_end - same, against = twin_end - twin;
@@ -79,7 +86,7 @@ void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
   }
   std::size_t used = 0;
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    if (degree[v] == 0) continue;
+    if (degree[v] == 0 || !counted(v)) continue;
     ++used;
     if (!c.oriented) continue;
     auto first = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{v, 0, 0});
@@ -105,12 +112,12 @@ void check_connectivity(const TriangleMesh& mesh, bool open, Certificate& c) {
       c.closed_manifold = c.manifold = false;
     }
   }
-  if (!c.closed_manifold) c.boundary_loops = count_loops(border_edges(mesh), mesh.points.size());
+  if (!c.closed_manifold && !counts) c.boundary_loops = count_loops(border_edges(mesh), mesh.points.size());
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     if (pieces.find(f) == f) ++c.components;
   }
   c.euler_characteristic =
-      static_cast<long>(used) - static_cast<long>(undirected) + static_cast<long>(mesh.triangles.size());
+      static_cast<long>(used) - static_cast<long>(undirected) + static_cast<long>(facets);
 }
 
 std::string name_of_region(int label) {

@@ -15,11 +15,7 @@ namespace {
 constexpr double wanted_points = 50000;
 constexpr double straight_angle = 180;
 
-/// One point: the angle between the normals, the area it stands for, the component of Ω it lies in.
-struct Measurement {
-  double degrees = 0, area = 0;
-  std::uint32_t component = 0;
-};
+using Measurement = NormalMeasurement;
 
 /// The vector times a power of two, so that products of it stay in the range of a double at any size of the
 /// model.
@@ -31,20 +27,21 @@ Vec3 near_one(Vec3 v) {
 }
 
 /// Measures at the centroids of the k² congruent pieces of a facet.
-void measure_facet(const Triangle3& facet, std::size_t k, const ToleranceVolume& volume, Measurement* out) {
+void measure_facet(const Triangle3& facet, std::size_t k, const NormalQuestion& question, Measurement* out) {
   const Vec3 area = area_vector(facet), normal = near_one(area);
   const auto pieces = static_cast<double>(k);
   TriangleId guess;
   const auto measure = [&](double u, double v) {
     const Vec3 p = facet[0] + u / pieces * (facet[1] - facet[0]) + v / pieces * (facet[2] - facet[0]);
-    guess = volume.index().closest_near(p, guess).triangle;
-    const Vec3 input = near_one(area_vector(volume.index().triangle(guess)));
     Measurement& m = *out++;
+    if (question.counts && !question.counts(p)) return;
+    guess = question.index.closest_near(p, guess).triangle;
+    const Vec3 input = near_one(area_vector(question.index.triangle(guess)));
     if (squared_length(input) == 0) return;
     m.degrees =
         std::atan2(length(cross(normal, input)), dot(normal, input)) * straight_angle / std::numbers::pi;
     m.area = length(area) / (pieces * pieces);
-    m.component = volume.volume_component(guess);
+    if (question.component_of) m.component = question.component_of(guess);
   };
   constexpr double near = 1.0 / 3, far = 2.0 / 3;
   for (std::size_t i = 0; i < k; ++i) {
@@ -54,34 +51,6 @@ void measure_facet(const Triangle3& facet, std::size_t k, const ToleranceVolume&
       if (i + j + 1 < k) measure(u + far, v + far);
     }
   }
-}
-
-/// Nothing when it was stopped.
-std::vector<Measurement> measure_all(const TriangleMesh& mesh, const ToleranceVolume& volume,
-                                     const RunControl& control) {
-  const auto corners = [&](std::size_t f) -> Triangle3 {
-    const auto& t = mesh.triangles[f];
-    return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
-  };
-  double area = 0;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) area += length(area_vector(corners(f)));
-  if (!(area > 0)) return {};
-
-  std::vector<std::size_t> pieces(mesh.triangles.size()), offset(mesh.triangles.size() + 1, 0);
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    const double share = length(area_vector(corners(f))) / area;
-    pieces[f] =
-        std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(std::sqrt(wanted_points * share))));
-    offset[f + 1] = offset[f] + pieces[f] * pieces[f];
-  }
-  std::vector<Measurement> measurements(offset.back());
-  const auto stop = [&control] { return control.out_of_grace(); };
-  const bool complete = parallel_until(mesh.triangles.size(), 16, stop, [&](std::size_t f) {
-    measure_facet(corners(f), pieces[f], volume, measurements.data() + offset[f]);
-  });
-  if (!complete) return {};
-  std::erase_if(measurements, [](const Measurement& m) { return !(m.area > 0); });
-  return measurements;
 }
 
 /// Turns the input around in every component of Ω where most of the mesh disagrees with it.
@@ -105,15 +74,47 @@ double percentile(const std::vector<Measurement>& measurements, double area, dou
 
 } // namespace
 
+std::vector<NormalMeasurement> measure_normals(std::span<const Triangle3> facets,
+                                               const NormalQuestion& question, const RunControl& control) {
+  if (!(question.area > 0)) return {};
+  std::vector<std::size_t> pieces(facets.size()), offset(facets.size() + 1, 0);
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const double share = length(area_vector(facets[f])) / question.area;
+    pieces[f] =
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(std::sqrt(wanted_points * share))));
+    offset[f + 1] = offset[f] + pieces[f] * pieces[f];
+  }
+  std::vector<NormalMeasurement> measurements(offset.back());
+  const auto stop = [&control] { return control.out_of_grace(); };
+  const bool complete = parallel_until(facets.size(), 16, stop, [&](std::size_t f) {
+    measure_facet(facets[f], pieces[f], question, measurements.data() + offset[f]);
+  });
+  if (!complete) return {};
+  std::erase_if(measurements, [](const Measurement& m) { return !(m.area > 0); });
+  return measurements;
+}
+
 NormalDeviation measure_normal_deviation(const TriangleMesh& mesh, const ToleranceVolume& volume,
                                          const RunControl& control) {
+  std::vector<Triangle3> facets;
+  facets.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles)
+    facets.push_back({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
+  double area = 0;
+  for (const Triangle3& f : facets) area += length(area_vector(f));
+  const auto component = [&volume](TriangleId t) { return volume.volume_component(t); };
+  return deviation_of(measure_normals(facets, {volume.index(), area, {}, component}, control),
+                      volume.input().consistently_oriented, volume.volume_component_count());
+}
+
+NormalDeviation deviation_of(std::vector<NormalMeasurement> measurements, bool oriented,
+                             std::size_t components) {
   NormalDeviation result;
-  result.oriented = volume.input().consistently_oriented;
-  std::vector<Measurement> measurements = measure_all(mesh, volume, control);
+  result.oriented = oriented;
   result.points = measurements.size();
   if (measurements.empty()) return result;
   if (result.oriented) {
-    agree_with_majority(measurements, volume.volume_component_count());
+    agree_with_majority(measurements, components);
   } else {
     for (Measurement& m : measurements) m.degrees = std::min(m.degrees, straight_angle - m.degrees);
   }

@@ -6,6 +6,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
 
 namespace isoscope {
 
@@ -29,5 +33,24 @@ struct NormalDeviation {
 /// ends it with nothing measured.
 NormalDeviation measure_normal_deviation(const TriangleMesh& mesh, const ToleranceVolume& volume,
                                          const RunControl& control = {});
+
+/// What that is made of, for those who measure a mesh part by part: a place, the angle between the normals
+/// there, the area it stands for, and the component of Ω it lies in.
+struct NormalMeasurement {
+  double degrees = 0, area = 0;
+  std::uint32_t component = 0;
+};
+struct NormalQuestion {
+  const ClosestPointIndex& index;                             ///< the input, or what of it is near
+  double area = 0;                                            ///< of all facets of the mesh
+  std::function<bool(Vec3)> counts;                           ///< places that are measured; empty: all
+  std::function<std::uint32_t(TriangleId)> component_of = {}; ///< empty: there is one
+};
+/// Nothing where it was stopped.
+std::vector<NormalMeasurement> measure_normals(std::span<const Triangle3> facets,
+                                               const NormalQuestion& question, const RunControl& control);
+/// `components`: as many as are named.
+NormalDeviation deviation_of(std::vector<NormalMeasurement> measurements, bool oriented,
+                             std::size_t components);
 
 } // namespace isoscope

@@ -24,6 +24,7 @@ struct RunResult {
       failure; ///< why the stages ended before the last one: then the mesh is what was reached
   RefinementOutcome refinement;
   TriangleMesh mesh;                      ///< Z
+  std::optional<MeshSize> streamed;       ///< of a Z that went to its file piece by piece: then mesh is empty
   Stage last_stage = Stage::refinement;   ///< the stage that was reached
   ZeroForm form = ZeroForm::interpolated; ///< free: the last stage ran on Z alone
   FilledHoles holes;                      ///< of the mesh
@@ -33,7 +34,8 @@ struct RunResult {
   std::optional<PointDistances> points; ///< to Z, where the input is points
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
-  std::string branch;      ///< where it left another run and how; empty: it began at the beginning
+  std::string branch; ///< where it left another run and how; empty: it began at the beginning
+  MeshSize size() const { return streamed.value_or(MeshSize{mesh.points.size(), mesh.triangles.size()}); }
   int exit_status() const; ///< 0 finished and certified, 1 not certified or not finished, 4 stopped
 };
 

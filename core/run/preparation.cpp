@@ -45,7 +45,8 @@ std::optional<double> expected_genus(const Scene& scene) {
 }
 
 std::string tolerance_text(const RunParameters& parameters, const Scene& scene) {
-  return scene.input->gives_volume() ? shortest(scene.delta) : parameters.tolerance.text();
+  const bool given = scene.input && scene.input->gives_volume();
+  return given ? shortest(scene.delta) : parameters.tolerance.text();
 }
 
 Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes) {
@@ -417,6 +418,8 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;
 
   scene->volume = std::make_shared<const ToleranceVolume>(volume_->without_octree());
+  scene->input_size = {scene->input->points.size(), scene->input->triangles.size()};
+  scene->held = volume_->held();
   scene->thresholds = volume_->thresholds();
   scene->regions.assign(volume_->regions().begin(), volume_->regions().end());
   scene->boundary_components.assign(volume_->boundary_components().begin(),

@@ -21,17 +21,25 @@
 
 namespace isoscope {
 
-/// What is known about a run before its first operation; immutable once published.
+/// How much there is of a mesh.
+struct MeshSize {
+  std::size_t vertices = 0, triangles = 0;
+};
+
+/// What is known about a run before its first operation; immutable once published. Of a run in tiles, which
+/// has neither input nor Ω in memory, what says so below is null.
 struct Scene {
-  std::shared_ptr<const TriangleSoup> input;   ///< as given, with the parts that the run leaves out
+  std::shared_ptr<const TriangleSoup> input;   ///< as given, with the parts that the run leaves out; or null
   std::vector<InputNote> notes;                ///< on reading it; `warnings` has them in words
-  std::shared_ptr<const ToleranceField> field; ///< of the input without them
+  MeshSize input_size;                         ///< of it
+  std::shared_ptr<const ToleranceField> field; ///< of the input without them; or null
   std::shared_ptr<const PointField> points;    ///< where that is a field of points
   std::optional<PointSheets> sheets;           ///< of points and loose triangles that are of an open surface
   std::shared_ptr<const DeltaStudy> study;     ///< of its tolerances: of points, and where δ was found
   double delta = 0;                            ///< absolute
   double longest_edge = 0;
-  std::shared_ptr<const ToleranceVolume> volume; ///< without its octree: what evaluations ask
+  std::shared_ptr<const ToleranceVolume> volume; ///< without its octree: what evaluations ask; or null
+  std::size_t held = 0;                          ///< points in thin parts that Z keeps on their side
   double default_sigma = 0.5;                    ///< σ/δ of this input in certified mode when none is given
   ToleranceThresholds thresholds;
   std::vector<Region> regions;

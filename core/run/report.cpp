@@ -229,7 +229,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
   Json warnings = Json::array();
   for (const ParameterWarning& w : scene.warnings) warnings.push_back(w.message);
   if (!scene.thickening_note.empty()) warnings.push_back(scene.thickening_note);
-  if (const std::string note = crumbs_note(result.crumbs, result.mesh); !note.empty())
+  if (const std::string note = crumbs_note(result.crumbs, result.size().vertices); !note.empty())
     warnings.push_back(note);
   const long chi = c.euler_characteristic;
 
@@ -240,8 +240,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"inside", p.inside},
         {"levels", p.levels.text()},
         {"label", p.label ? Json(*p.label) : Json(nullptr)},
-        {"vertices", scene.input->points.size()},
-        {"faces", scene.input->triangles.size()},
+        {"vertices", scene.input_size.vertices},
+        {"faces", scene.input_size.triangles},
         {"longest_edge", scene.longest_edge},
         {"closed_manifold", scene.input_topology.closed_manifold},
         {"self_intersection_free", scene.input_topology.self_intersection_free},
@@ -256,7 +256,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
        {{"count", scene.samples->size()},
         {"components", components},
         {"covering_radius", scene.samples->covering_radius},
-        {"held_in_thin_parts", scene.volume ? scene.volume->held() : 0},
+        {"held_in_thin_parts", scene.held},
         {"undecided_cells", scene.samples->undecided_cells},
         {"regions", scene.regions.size()}}},
       {"expected",
@@ -280,8 +280,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"orientation", result.refinement.unmet_orientation},
         {"containment", result.refinement.uncertified}}},
       {"output",
-       {{"vertices", result.mesh.points.size()},
-        {"faces", result.mesh.triangles.size()},
+       {{"vertices", result.size().vertices},
+        {"faces", result.size().triangles},
         {"components", c.components},
         {"euler_characteristic", chi},
         {"boundary_loops", c.boundary_loops},
@@ -293,7 +293,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"regions", regions_json(scene, c)},
         {"crumbs", {{"components", result.crumbs.components}, {"vertices", result.crumbs.vertices}}},
         {"embedding", result.form == ZeroForm::free ? "Z alone" : "T"},
-        {"empty", result.mesh.triangles.empty()}}},
+        {"empty", result.size().triangles == 0}}},
       {"normals", normals_json(result.normals)},
       {"certificate",
        {{"holds", c.holds()},

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::array<char, 8> magic{'i', 's', 'o', 't', 'i', 'l', 'e', '1'};
 
+constexpr std::uint64_t facets_at_once = 4096;
+
 struct Head {
   std::array<char, 8> name = magic;
   std::uint64_t bricks = 0, facets = 0;
@@ -116,6 +118,23 @@ Status write_facets(const std::filesystem::path& file, const TileGrid& grid, std
 Result<std::vector<BrickEntry>> read_bricks(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return read_entries(in, file);
+}
+
+Status each_facet(const std::filesystem::path& file, const std::function<void(const Triangle3&)>& take) {
+  std::ifstream in(file, std::ios::binary);
+  const auto entries = read_entries(in, file);
+  if (!entries) return entries.error();
+  std::uint64_t left = 0;
+  for (const BrickEntry& e : *entries) left += e.count;
+  std::vector<Triangle3> some;
+  for (; left > 0; left -= some.size()) {
+    some.resize(std::min<std::uint64_t>(left, facets_at_once));
+    in.read(reinterpret_cast<char*>(some.data()),
+            static_cast<std::streamsize>(some.size() * sizeof(Triangle3)));
+    if (!in) return damaged(file);
+    for (const Triangle3& f : some) take(f);
+  }
+  return {};
 }
 
 Status read_facets(const std::filesystem::path& file, const Box3& box, std::vector<Triangle3>& facets) {

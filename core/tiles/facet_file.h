@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace isoscope {
@@ -32,6 +33,8 @@ void make_canonical(std::vector<Triangle3>& facets);
 Status write_facets(const std::filesystem::path& file, const TileGrid& grid, std::vector<Triangle3> facets);
 /// The bricks of a file, ascending. Fails with io, or bad_input where the file is no such file or damaged.
 Result<std::vector<BrickEntry>> read_bricks(const std::filesystem::path& file);
+/// All facets of a file, brick by brick, some at a time in memory. Fails as read_bricks().
+Status each_facet(const std::filesystem::path& file, const std::function<void(const Triangle3&)>& take);
 /// Adds the facets of those bricks whose box meets `box`. Fails as read_bricks().
 Status read_facets(const std::filesystem::path& file, const Box3& box, std::vector<Triangle3>& facets);
 

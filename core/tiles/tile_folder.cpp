@@ -113,15 +113,22 @@ Status write_by_tile(const fs::path& folder, const TileGrid& grid, const std::ve
   return {};
 }
 
-Result<std::vector<BrickLoad>> loads_of(const fs::path& z, const fs::path& input) {
+Status each_of_files(const std::vector<fs::path>& files, const std::function<void(const Triangle3&)>& take) {
+  for (const fs::path& file : files)
+    if (Status read = each_facet(file, take); !read) return read;
+  return {};
+}
+
+Result<std::vector<BrickLoad>> loads_of(const std::vector<fs::path>& z, const std::vector<fs::path>& input) {
   std::map<GridPlace, BrickLoad> bricks;
   for (const bool of_z : {true, false})
-    for (const fs::path& file : files_in(of_z ? z : input)) {
+    for (const fs::path& file : of_z ? z : input) {
       const auto entries = read_bricks(file);
       if (!entries) return entries.error();
       for (const BrickEntry& e : *entries) {
         BrickLoad& load = bricks[e.brick];
         load.brick = e.brick;
+        load.box.add(e.box);
         (of_z ? load.facets : load.triangles) += e.count;
       }
     }
@@ -132,13 +139,19 @@ Result<std::vector<BrickLoad>> loads_of(const fs::path& z, const fs::path& input
 
 } // namespace
 
+Status check_tile(const TileRound& round, std::size_t tile) {
+  if (tile < round.tiles.size()) return {};
+  return Error{ErrorCode::usage,
+               "Round " + std::to_string(round.number) + " has no tile " + std::to_string(tile) + ".",
+               "It has " + std::to_string(round.tiles.size()) + ", from 0 on."};
+}
+
 bool TileFolder::exists(const fs::path& folder) {
   std::error_code failed;
   return fs::exists(manifest_file(folder), failed);
 }
 
-Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manifest,
-                                      const std::vector<Triangle3>& z, const std::vector<Triangle3>& input) {
+Result<TileFolder> TileFolder::prepare(const fs::path& folder, TileManifest manifest) {
   if (exists(folder))
     return Error{ErrorCode::usage, folder.string() + " has tiles already.",
                  "Go on with them, or name another folder."};
@@ -148,25 +161,44 @@ Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manif
     fs::create_directories(folder / part, failed);
     if (failed) return Error{ErrorCode::io, (folder / part).string() + " cannot be made.", ""};
   }
-  const double least = 4 * manifest.delta;
-  manifest.triangles = input.size();
-  manifest.box = {};
-  for (const Triangle3& t : input)
-    for (const Vec3 p : t) manifest.box.add(p);
-  manifest.box = manifest.box.grown(manifest.delta);
-  manifest.brick = fitting_brick(manifest.box, manifest.memory, least, z, input);
-  TileFolder made(folder, manifest);
-  if (Status written = write_by_tile(folder / "input", made.grid(), input); !written) return written.error();
-  if (Status written = write_by_tile(z_folder(folder, 0), made.grid(), z); !written) return written.error();
+  std::error_code failed;
+  fs::create_directories(z_folder(folder, 0), failed);
+  if (failed) return Error{ErrorCode::io, z_folder(folder, 0).string() + " cannot be made.", ""};
+  return TileFolder(folder, std::move(manifest));
+}
+
+Status TileFolder::seal(const TileManifest& manifest) const {
   Json held = Json::array();
   for (const Vec3 p : manifest.held) held.push_back({p.x, p.y, p.z});
-  const Json json{
-      {"version", version()},          {"parameters", Json::parse(parameters_json(manifest.parameters))},
-      {"delta", manifest.delta},       {"brick", manifest.brick},
-      {"box", box_json(manifest.box)}, {"triangles", manifest.triangles},
-      {"memory", manifest.memory},     {"held", std::move(held)}};
-  if (Status written = write_text_file(manifest_file(folder), json.dump(1) + "\n"); !written)
-    return written.error();
+  const Json json{{"version", version()},
+                  {"parameters", Json::parse(parameters_json(manifest.parameters))},
+                  {"delta", manifest.delta},
+                  {"brick", manifest.brick},
+                  {"box", box_json(manifest.box)},
+                  {"triangles", manifest.triangles},
+                  {"vertices", manifest.vertices},
+                  {"euler_characteristic", manifest.euler_characteristic},
+                  {"components", manifest.components},
+                  {"memory", manifest.memory},
+                  {"held", std::move(held)}};
+  return write_text_file(manifest_file(folder_), json.dump(1) + "\n");
+}
+
+Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manifest,
+                                      const std::vector<Triangle3>& z, const std::vector<Triangle3>& input) {
+  manifest.triangles = input.size();
+  Box3 box;
+  for (const Triangle3& t : input) box.add(isoscope::box_of(t));
+  manifest.box = box.grown(manifest.delta);
+  BrickCounts counts(manifest.box, 4 * manifest.delta);
+  for (const Triangle3& f : z) ++counts.at(canonical(f)[0]).facets;
+  for (const Triangle3& t : input) ++counts.at(canonical(t)[0]).triangles;
+  manifest.brick = counts.fitting_brick(manifest.memory);
+  const auto made = prepare(folder, manifest);
+  if (!made) return made.error();
+  if (Status written = write_by_tile(folder / "input", made->grid(), input); !written) return written.error();
+  if (Status written = write_by_tile(z_folder(folder, 0), made->grid(), z); !written) return written.error();
+  if (Status sealed = made->seal(manifest); !sealed) return sealed.error();
   return open(folder);
 }
 
@@ -185,6 +217,9 @@ Result<TileFolder> TileFolder::open(const fs::path& folder) {
     m.brick = json->at("brick").get<double>();
     m.box = box_of(json->at("box"));
     m.triangles = json->at("triangles").get<std::uint64_t>();
+    m.vertices = json->at("vertices").get<std::uint64_t>();
+    m.euler_characteristic = json->at("euler_characteristic").get<long>();
+    m.components = json->at("components").get<std::size_t>();
     m.memory = json->at("memory").get<double>();
     for (const Json& p : json->at("held")) m.held.push_back({p.at(0), p.at(1), p.at(2)});
   } catch (const Json::exception&) {
@@ -192,6 +227,14 @@ Result<TileFolder> TileFolder::open(const fs::path& folder) {
                  "Cut the input anew."};
   }
   return TileFolder(folder, std::move(m));
+}
+
+fs::path TileFolder::input_file(const GridPlace& tile) const {
+  return folder_ / "input" / (name_of(tile) + ".facets");
+}
+
+fs::path TileFolder::first_z_file(const GridPlace& tile) const {
+  return output(0, tile);
 }
 
 fs::path TileFolder::output(std::uint32_t round, const GridPlace& tile) const {
@@ -202,15 +245,37 @@ fs::path TileFolder::note(std::uint32_t round, const GridPlace& tile) const {
   return z_folder(folder_, round) / (name_of(tile) + ".json");
 }
 
-Result<std::vector<Triangle3>> TileFolder::z_before(std::uint32_t round, const Box3& box) const {
-  if (round < 2) return facets_of_files(files_in(z_folder(folder_, 0)), box);
+Result<std::vector<fs::path>> TileFolder::files_before(std::uint32_t round) const {
+  if (round < 2) return files_in(z_folder(folder_, 0));
   // By their names: what another machine has just written may be missing in a list that is some seconds old.
   const auto before = read_round(round_file(folder_, round - 1), round - 1);
   if (!before) return before.error();
   std::vector<fs::path> files;
   for (const TileWork& w : before->tiles) files.push_back(output(before->number, w.tile));
   std::sort(files.begin(), files.end());
-  return facets_of_files(files, box);
+  return files;
+}
+
+Result<std::vector<Triangle3>> TileFolder::z_before(std::uint32_t round, const Box3& box) const {
+  const auto files = files_before(round);
+  if (!files) return files.error();
+  return facets_of_files(*files, box);
+}
+
+Status TileFolder::each_facet_before(std::uint32_t round,
+                                     const std::function<void(const Triangle3&)>& take) const {
+  const auto files = files_before(round);
+  return files ? each_of_files(*files, take) : Status(files.error());
+}
+
+Status TileFolder::each_input_triangle(const std::function<void(const Triangle3&)>& take) const {
+  return each_of_files(files_in(folder_ / "input"), take);
+}
+
+Result<std::vector<BrickLoad>> TileFolder::loads_before(std::uint32_t round) const {
+  const auto files = files_before(round);
+  if (!files) return files.error();
+  return loads_of(*files, files_in(folder_ / "input"));
 }
 
 Result<std::vector<Triangle3>> TileFolder::input(const Box3& box) const {
@@ -238,7 +303,7 @@ Result<std::vector<TileRound>> TileFolder::begun() const {
 
 Result<std::optional<TileRound>> TileFolder::plan(const std::vector<TileRound>& begun) const {
   const auto done = static_cast<std::uint32_t>(begun.size());
-  const auto loads = loads_of(z_folder(folder_, done), folder_ / "input");
+  const auto loads = loads_of(files_in(z_folder(folder_, done)), files_in(folder_ / "input"));
   if (!loads) return loads.error();
   TileRound round;
   round.number = done + 1;

@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,12 +26,21 @@ namespace isoscope {
 /// What tiles.json says.
 struct TileManifest {
   RunParameters parameters;
-  double delta = 0; ///< absolute
-  double brick = 0; ///< side, a power of two
-  Box3 box;         ///< of the input
-  std::uint64_t triangles = 0;
+  double delta = 0;                          ///< absolute
+  double brick = 0;                          ///< side, a power of two
+  Box3 box;                                  ///< of the input
+  std::uint64_t triangles = 0, vertices = 0; ///< of the input
+  long euler_characteristic = 0;
+  std::size_t components = 0;
   double memory = 0;      ///< bytes that the improver may take for a tile
   std::vector<Vec3> held; ///< points in thin parts that Z keeps on their side, so that it stays near
+};
+
+/// Z and the input by brick: how many facets begin there, and the box of these.
+struct BrickLoad {
+  GridPlace brick{};
+  std::uint64_t facets = 0, triangles = 0;
+  Box3 box;
 };
 
 /// One tile of a round.
@@ -46,12 +56,22 @@ struct TileRound {
   std::vector<TileWork> tiles;
 };
 
+/// Fails with usage where a round has no tile of that number.
+Status check_tile(const TileRound& round, std::size_t tile);
+
 class TileFolder {
  public:
   /// Makes the folder from a first Z and the input, both oriented; the box, the bricks and the number of
   /// triangles follow from them. Fails with usage where the folder has tiles already, with io.
   static Result<TileFolder> create(const std::filesystem::path& folder, TileManifest manifest,
                                    const std::vector<Triangle3>& z, const std::vector<Triangle3>& input);
+  /// The same in steps, for who has not all of it in memory. First the folder, of a manifest that has all but
+  /// what is found out on the way; then input_file() and first_z_file() of each tile of the first tiling are
+  /// to be written, and what they hold can be read back; seal() makes tiles of them. Both fail as create().
+  static Result<TileFolder> prepare(const std::filesystem::path& folder, TileManifest manifest);
+  Status seal(const TileManifest& manifest) const;
+  std::filesystem::path input_file(const GridPlace& tile) const;
+  std::filesystem::path first_z_file(const GridPlace& tile) const;
   /// Fails with usage where there are no tiles, with bad_input where they cannot be read.
   static Result<TileFolder> open(const std::filesystem::path& folder);
   /// Whether a folder has tiles.
@@ -83,11 +103,17 @@ class TileFolder {
   /// a round that is over by then may lack some.
   Result<std::vector<Triangle3>> z_before(std::uint32_t round, const Box3& box) const;
   Result<std::vector<Triangle3>> input(const Box3& box) const;
+  /// The same of all of space, one by one.
+  Status each_facet_before(std::uint32_t round, const std::function<void(const Triangle3&)>& take) const;
+  Status each_input_triangle(const std::function<void(const Triangle3&)>& take) const;
+  /// The bricks of both, ascending.
+  Result<std::vector<BrickLoad>> loads_before(std::uint32_t round) const;
 
  private:
   TileFolder(std::filesystem::path folder, TileManifest manifest)
       : folder_(std::move(folder)), manifest_(std::move(manifest)) {}
   Result<std::vector<TileRound>> begun() const;
+  Result<std::vector<std::filesystem::path>> files_before(std::uint32_t round) const;
   Result<std::optional<TileRound>> plan(const std::vector<TileRound>& begun) const;
   Result<std::optional<TileRound>> next(const std::vector<TileRound>& begun) const;
 

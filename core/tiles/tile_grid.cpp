@@ -5,14 +5,6 @@
 #include <limits>
 
 namespace isoscope {
-namespace {
-
-std::int32_t floor_div(std::int32_t a, std::int32_t b) {
-  return a / b - (a % b < 0 ? 1 : 0);
-}
-
-} // namespace
-
 GridPlace TileGrid::brick_of(Vec3 p) const {
   GridPlace at{};
   for (int a = 0; a < 3; ++a)

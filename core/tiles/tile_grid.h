@@ -23,6 +23,11 @@ struct Tiling {
 };
 constexpr std::int32_t shifts = 4, bricks_of_tile = 4;
 
+/// Rounded down.
+constexpr std::int32_t floor_div(std::int32_t a, std::int32_t b) {
+  return a / b - (a % b < 0 ? 1 : 0);
+}
+
 /// The grid: bricks begin at multiples of their side, which is a power of two, so that each has its bounds
 /// exactly.
 class TileGrid {

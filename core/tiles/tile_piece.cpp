@@ -61,7 +61,7 @@ Result<std::unique_ptr<const TileGround>> TileGround::make(const TriangleSoup& i
                                                            const std::vector<Vec3>& held,
                                                            const ChangeBox& box, const RunControl& control) {
   std::unique_ptr<TileGround> made(new TileGround(input, delta, box, control));
-  auto witnesses = witnesses_of_piece(made->index_, delta, control);
+  auto witnesses = witnesses_of_piece(made->index_, delta, all_of_space, control);
   if (!witnesses) return witnesses.error();
   made->witnesses_ = std::move(*witnesses);
   made->witnesses_.insert(made->witnesses_.end(), held.begin(), held.end());

@@ -64,10 +64,7 @@ bool tells_held_point(const Journal& journal, const Event& e) {
 } // namespace
 
 Result<TileStart> tile_start(const TileFolder& folder, const TileRound& round, std::size_t tile) {
-  if (tile >= round.tiles.size())
-    return Error{ErrorCode::usage,
-                 "Round " + std::to_string(round.number) + " has no tile " + std::to_string(tile) + ".",
-                 "Tiles count from 0, as isoscope-run tiles status tells."};
+  if (Status there = check_tile(round, tile); !there) return there.error();
   const TileManifest& m = folder.manifest();
   TileStart start;
   start.box = folder.grid().bounds(round.tiling, round.tiles[tile].tile);

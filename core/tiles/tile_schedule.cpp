@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace isoscope {
 namespace {
 
 /// Below this share of its facets four rounds are the last of their level; of one that larger tiles follow.
 constexpr double worthwhile = 0.01, worthwhile_below = 0.1;
+/// From the largest brick to the finest.
+constexpr int most_halvings = 8;
 /// Of what lies around a tile and is read with it.
 constexpr double surroundings = 1.3;
 
@@ -38,20 +41,41 @@ double heaviest_tile(const TileGrid& grid, std::int32_t level, const std::vector
   return heaviest;
 }
 
-double fitting_brick(const Box3& box, double memory, double least, const std::vector<Triangle3>& z,
-                     const std::vector<Triangle3>& input) {
-  double brick = largest_brick(box);
-  for (; brick / 2 >= least; brick /= 2) {
-    const TileGrid grid(brick, box);
-    std::map<GridPlace, BrickLoad> bricks;
-    for (const Triangle3& f : z) ++bricks[grid.brick_of(canonical(f)[0])].facets;
-    for (const Triangle3& t : input) ++bricks[grid.brick_of(canonical(t)[0])].triangles;
+std::vector<GridPlace> tiles_met(const TileGrid& grid, const Tiling& tiling,
+                                 const std::vector<BrickLoad>& loads) {
+  std::set<GridPlace> tiles;
+  for (const BrickLoad& load : loads) {
+    const GridPlace lo = grid.tile_of(tiling, grid.brick_of(load.box.lo));
+    const GridPlace hi = grid.tile_of(tiling, grid.brick_of(load.box.hi));
+    for (GridPlace at = lo; at[0] <= hi[0]; ++at[0])
+      for (at[1] = lo[1]; at[1] <= hi[1]; ++at[1])
+        for (at[2] = lo[2]; at[2] <= hi[2]; ++at[2]) tiles.insert(at);
+  }
+  return {tiles.begin(), tiles.end()};
+}
+
+BrickCounts::BrickCounts(const Box3& box, double least) : finest_(largest_brick(box), box) {
+  for (int depth = 0; depth < most_halvings && finest_.brick() / 2 >= least; ++depth)
+    finest_ = TileGrid(finest_.brick() / 2, box);
+}
+
+double BrickCounts::fitting_brick(double memory) const {
+  double brick = largest_brick(finest_.box());
+  for (; brick > finest_.brick(); brick /= 2) {
+    const auto share = static_cast<std::int32_t>(brick / finest_.brick());
+    std::map<GridPlace, BrickLoad> coarse;
+    for (const auto& [place, load] : bricks_) {
+      BrickLoad& sum =
+          coarse[{floor_div(place[0], share), floor_div(place[1], share), floor_div(place[2], share)}];
+      sum.facets += load.facets;
+      sum.triangles += load.triangles;
+    }
     std::vector<BrickLoad> loads;
-    for (auto& [place, load] : bricks) {
+    for (auto& [place, load] : coarse) {
       load.brick = place;
       loads.push_back(load);
     }
-    if (heaviest_tile(grid, 0, loads) <= memory) break;
+    if (heaviest_tile(TileGrid(brick, finest_.box()), 0, loads) <= memory) break;
   }
   return brick;
 }

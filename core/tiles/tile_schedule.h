@@ -3,6 +3,7 @@
 
 #include "tiles/tile_folder.h"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -11,18 +12,26 @@ namespace isoscope {
 /// What a facet of Z and a triangle of the input take while a tile is improved, bytes.
 constexpr double bytes_of_tile_facet = 500, bytes_of_tile_triangle = 200;
 
-/// Z and the input by brick: how many facets begin there.
-struct BrickLoad {
-  GridPlace brick{};
-  std::uint64_t facets = 0, triangles = 0;
-};
-
 /// Bytes that the heaviest tile of a level takes, in any of its shifts.
 double heaviest_tile(const TileGrid& grid, std::int32_t level, const std::vector<BrickLoad>& loads);
-/// The brick, a power of two, whose tiles of four bricks a side take no more than `memory`, as large as can
-/// be; not below `least`.
-double fitting_brick(const Box3& box, double memory, double least, const std::vector<Triangle3>& z,
-                     const std::vector<Triangle3>& input);
+/// The tiles in which anything of the bricks' facets may lie, ascending.
+std::vector<GridPlace> tiles_met(const TileGrid& grid, const Tiling& tiling,
+                                 const std::vector<BrickLoad>& loads);
+/// Counts what begins where, in bricks so fine that those of any grid that may be taken can be told.
+class BrickCounts {
+ public:
+  /// `least`: side of the smallest brick that may be.
+  BrickCounts(const Box3& box, double least);
+  /// Of the brick that holds a facet's lowest vertex.
+  BrickLoad& at(Vec3 lowest) { return bricks_[finest_.brick_of(lowest)]; }
+  /// The brick, a power of two, whose tiles of four bricks a side take no more than `memory`, as large as can
+  /// be.
+  double fitting_brick(double memory) const;
+
+ private:
+  TileGrid finest_;
+  std::map<GridPlace, BrickLoad> bricks_;
+};
 
 /// What follows the rounds that are complete; nothing where no further one is worthwhile. A level ends when
 /// its four shifts have taken little away; tiles double as long as they fit, with effort 1 below the last

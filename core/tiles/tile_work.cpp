@@ -1,13 +1,12 @@
 // From files to a mesh, through the improver, and back to files.
 #include "tiles/tile_work.h"
 
-#include "base/memory.h"
 #include "base/numbers.h"
-#include "base/stopwatch.h"
-#include "run/crumbs.h"
+#include "run/preparation.h"
 #include "simplify/first_surface.h"
 #include "tiles/tile_notes.h"
 #include "tiles/tile_piece.h"
+#include "tiles/tile_stream.h"
 
 #include <algorithm>
 #include <chrono>
@@ -107,6 +106,10 @@ Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::fi
                  "Leave --start out."};
   p.start = FirstZ::input;
   p.time_limit = 0; // the control has it, for all parts together
+  if (is_to_be_streamed(p, memory)) {
+    if (Status valid = check(p); !valid) return valid.error();
+    return stream_into_tiles(p, folder, memory, control);
+  }
   Preparation preparation(p, control);
   const auto scene = preparation.make(nullptr, {}, ThinParts::refuse);
   if (!scene) return scene.error();
@@ -116,6 +119,9 @@ Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::fi
   manifest.parameters = p;
   manifest.delta = (*scene)->delta;
   manifest.memory = memory;
+  manifest.vertices = first.mesh.points.size();
+  manifest.euler_characteristic = *preparation.volume().input().euler_characteristic;
+  manifest.components = preparation.volume().input().components;
   for (const Witness& w : preparation.volume().witnesses())
     if (w.cover) manifest.held.push_back(w.point);
   const std::vector<Triangle3> facets = facets_of(first.mesh);
@@ -177,48 +183,6 @@ Status make_all_tiles(const TileFolder& folder, const RunControl& control) {
       if (Status made = make_tile_if_missing(folder, **round, *tile, control); !made) return made;
     }
   }
-}
-
-Result<JoinedTiles> join_tiles(const TileFolder& folder, RunControl& control) {
-  const Stopwatch watch;
-  const auto round = folder.round();
-  if (!round) return round.error();
-  if (*round)
-    return Error{ErrorCode::usage,
-                 "Round " + std::to_string((*round)->number) + " has " +
-                     std::to_string(folder.pending(**round).size()) + " of " +
-                     std::to_string((*round)->tiles.size()) + " tiles left.",
-                 "Make them first: isoscope-run tiles step."};
-  const auto rounds = folder.complete_rounds();
-  if (!rounds) return rounds.error();
-  auto z = folder.z_before(*rounds + 1, all_of_space);
-  if (!z) return z.error();
-  auto input = folder.input(all_of_space);
-  if (!input) return input.error();
-  RunParameters p = folder.manifest().parameters;
-  p.tolerance = {folder.manifest().delta, false};
-  p.drop_small = 0; // those are gone
-  Preparation preparation(p, control);
-  auto soup = soup_of(std::move(*input));
-  soup.name = std::filesystem::path(p.input).stem().string();
-  const auto scene =
-      preparation.make(std::make_shared<const TriangleSoup>(std::move(soup)), {}, ThinParts::accept);
-  if (!scene) return scene.error();
-  JoinedTiles joined;
-  joined.parameters = p;
-  joined.scene = *scene;
-  RunResult& r = joined.result;
-  r.mesh = mesh_of(std::move(*z));
-  r.last_stage = Stage::improve;
-  r.form = ZeroForm::free;
-  r.certificate = certify(r.mesh, preparation.volume(), (*scene)->expected, control,
-                          {p.cover, p.topology == TopologyMode::separate, true});
-  if (control.cancelled()) r.end = control.timed_out() ? RunResult::End::limit : RunResult::End::stopped;
-  r.crumbs = count_small_parts(r.mesh, crumb_size * (*scene)->delta);
-  r.normals = measure_normal_deviation(r.mesh, preparation.volume(), control);
-  r.seconds = watch.seconds();
-  r.peak_memory_bytes = peak_memory_bytes();
-  return joined;
 }
 
 } // namespace isoscope

@@ -1,9 +1,9 @@
-// The three parts of a run in tiles: cut, step, join.
+// Two of the three parts of a run in tiles, cut and step; for the third see tile_join.h.
 #pragma once
 
 #include "base/run_control.h"
 #include "base/status.h"
-#include "run/pipeline.h"
+#include "run/parameters.h"
 #include "tiles/tile_folder.h"
 
 #include <filesystem>
@@ -33,14 +33,5 @@ Status make_tile_if_missing(const TileFolder& folder, const TileRound& round, st
 /// Makes all tiles that are left, round after round. Programs that do this at once share the tiles; towards
 /// the end of a round one that another machine was at last is made anew, as it may have been left.
 Status make_all_tiles(const TileFolder& folder, const RunControl& control);
-
-struct JoinedTiles {
-  RunParameters parameters;
-  std::shared_ptr<const Scene> scene;
-  RunResult result;
-};
-/// The mesh of a folder whose rounds are all complete, with its certificate. Fails with usage where tiles are
-/// left.
-Result<JoinedTiles> join_tiles(const TileFolder& folder, RunControl& control);
 
 } // namespace isoscope

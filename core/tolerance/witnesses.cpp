@@ -22,14 +22,15 @@ constexpr double offset_margin = 1e-4;
 /// At most about so many triangles are looked at.
 constexpr std::size_t most_triangles = 200000;
 constexpr int climb_steps = 60;
+constexpr Box3 everywhere{{-Box3::inf, -Box3::inf, -Box3::inf}, {Box3::inf, Box3::inf, Box3::inf}};
 constexpr std::size_t triangles_per_task = 256;
 
-/// The OUT cells whose centres lie beyond δ, with a union-find across faces.
+/// The OUT cells whose centres lie beyond δ and within a box, with a union-find across faces.
 class DeepCells {
  public:
   /// Of no use once the control is cancelled.
-  DeepCells(const Regions& octree, double delta, const RunControl& control)
-      : octree_(octree), delta_(delta), parent_(octree.size()) {
+  DeepCells(const Regions& octree, double delta, const Box3& within, const RunControl& control)
+      : octree_(octree), delta_(delta), within_(within), parent_(octree.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
     SparsePoll poll(control);
     for (CellIndex i = 0; i < octree.size() && !poll.cancelled(); ++i) {
@@ -49,8 +50,11 @@ class DeepCells {
   bool deep(CellIndex i) const {
     const Regions::Cell& c = octree_.cell(i);
     return c.child == Regions::none && c.kind == Regions::Kind::out &&
-           static_cast<double>(c.distance) > delta_;
+           static_cast<double>(c.distance) > delta_ && holds(octree_.center(c));
   }
+
+  /// Whether p lies in the box.
+  bool holds(Vec3 p) const { return within_.meets({p, p}); }
 
   /// Whether p lies in the ball about the centre of its cell that holds nothing of Ω.
   bool joined(Vec3 p) const {
@@ -78,6 +82,7 @@ class DeepCells {
  private:
   const Regions& octree_;
   double delta_;
+  Box3 within_;
   std::vector<CellIndex> parent_;
 
   CellIndex find(CellIndex i) const {
@@ -96,7 +101,7 @@ class DeepCells {
 };
 
 /// Climbs from a point beyond δ by balls outside of Ω; true when it comes to where a group of cells is, else
-/// `p` is the farthest point reached.
+/// `p` is the farthest point reached in their box.
 bool climb(const ToleranceField& field, const DeepCells& cells, double delta, Vec3& p, double& depth) {
   ClosestPoint at = field.closest(p);
   depth = at.distance();
@@ -104,6 +109,7 @@ bool climb(const ToleranceField& field, const DeepCells& cells, double delta, Ve
     if (cells.joined(p)) return true;
     const double radius = 0.99 * (at.distance() - delta);
     const Vec3 q = p + radius * normalized(p - at.point);
+    if (!cells.holds(q)) break;
     const ClosestPoint next = field.closest_near(q, at.triangle);
     if (next.distance() <= at.distance() + 1e-3 * radius) break;
     p = q;
@@ -119,18 +125,20 @@ struct Climbed {
   double depth = 0;
 };
 
-/// What climbs from both sides of the triangles, at distance δ, come to, where that is no group of cells.
+/// What climbs from both sides of the triangles whose middles lie in a box, at distance δ, come to, where
+/// that is no group of cells.
 std::vector<Climbed> climb_from_triangles(const ClosestPointIndex& index, const DeepCells& cells,
-                                          double delta, const RunControl& control) {
+                                          double delta, const Box3& from, const RunControl& control) {
   const std::size_t stride = index.size() / most_triangles + 1, looked = (index.size() + stride - 1) / stride;
   std::vector<Climbed> found(2 * looked);
   parallel_until(looked, triangles_per_task, control, [&](std::size_t i) {
     const Triangle3& t = index.triangle(TriangleId(i * stride));
     const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
-    if (normal == Vec3{}) return;
+    const Vec3 middle = centroid(t);
+    if (normal == Vec3{} || !from.meets({middle, middle})) return;
     for (std::size_t side = 0; side < 2; ++side) {
       const double offset = (side == 0 ? 1 : -1) * delta * (1 + offset_margin);
-      Vec3 p = centroid(t) + offset * normal;
+      Vec3 p = middle + offset * normal;
       double depth = index.distance(p);
       if (depth <= delta * (1 + 0.5 * offset_margin) || climb(index, cells, delta, p, depth)) continue;
       found[2 * i + side] = {p, depth};
@@ -167,7 +175,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
     if (r.depth > delta * (1 + offset_margin) && !beside_sheet(r.deepest))
       witnesses.push_back({r.deepest, r.label, r.depth});
   }
-  const DeepCells cells(volume.octree(), delta, control);
+  const DeepCells cells(volume.octree(), delta, everywhere, control);
   for (const CellIndex i : cells.deepest(control)) {
     if (control.cancelled()) return witnesses;
     const Regions::Cell& c = volume.octree().cell(i);
@@ -177,7 +185,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
     if (const int label = label_of(volume, p); label != 0) witnesses.push_back({p, label, depth});
   }
   if (!volume.sides().known() || !volume.has_surface()) return witnesses;
-  for (const Climbed& c : climb_from_triangles(volume.index(), cells, delta, control)) {
+  for (const Climbed& c : climb_from_triangles(volume.index(), cells, delta, everywhere, control)) {
     if (control.cancelled()) break;
     if (!is_known(c, witnesses, delta))
       witnesses.push_back({c.point, volume.sides().label(c.point), c.depth});
@@ -185,7 +193,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
   return witnesses;
 }
 
-Result<std::vector<Vec3>> witnesses_of_piece(const ClosestPointIndex& piece, double delta,
+Result<std::vector<Vec3>> witnesses_of_piece(const ClosestPointIndex& piece, double delta, const Box3& within,
                                              const RunControl& control) {
   constexpr double reach = 3; // in δ
   const double boundary = ToleranceVolume::Options().boundary_ratio;
@@ -194,14 +202,14 @@ Result<std::vector<Vec3>> witnesses_of_piece(const ClosestPointIndex& piece, dou
       piece, {.boundary = boundary * delta, .main_side = side, .min_side = side, .margin = reach * delta},
       control);
   if (!octree) return octree.error();
-  const DeepCells cells(*octree, delta, control);
+  const DeepCells cells(*octree, delta, within.grown((reach - 1) * delta), control);
   std::vector<Climbed> found;
   for (const CellIndex i : cells.deepest(control)) {
     const Vec3 p = octree->center(octree->cell(i));
     if (const double depth = piece.distance(p); depth > delta * (1 + offset_margin))
       found.push_back({p, depth});
   }
-  for (const Climbed& c : climb_from_triangles(piece, cells, delta, control)) {
+  for (const Climbed& c : climb_from_triangles(piece, cells, delta, within, control)) {
     if (control.cancelled()) break;
     if (!is_known(c, found, delta)) found.push_back(c);
   }

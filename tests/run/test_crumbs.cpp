@@ -73,7 +73,7 @@ TEST_CASE("Vertices of Z that went to crumbs are told with what helps") {
   REQUIRE(run.run());
   CHECK(run.result->certificate.components == 3);
   CHECK(run.result->crumbs.components == 2);
-  const std::string note = crumbs_note(run.result->crumbs, run.result->mesh);
+  const std::string note = crumbs_note(run.result->crumbs, run.result->size().vertices);
   CHECK(note.find("2 components smaller than 4 δ") != std::string::npos);
   CHECK(note.find("--drop-small 4") != std::string::npos);
   const Json report =
@@ -82,7 +82,7 @@ TEST_CASE("Vertices of Z that went to crumbs are told with what helps") {
   CHECK(report["output"]["crumbs"]["vertices"] == run.result->crumbs.vertices);
   CHECK(report["warnings"].back() == note);
   // Where there is nothing but crumbs, nothing is said.
-  CHECK(crumbs_note({2, run.result->mesh.points.size()}, run.result->mesh).empty());
+  CHECK(crumbs_note({2, run.result->mesh.points.size()}, run.result->mesh.points.size()).empty());
 }
 
 TEST_CASE("Small components of the input are left out and told, in a recording as in the run") {

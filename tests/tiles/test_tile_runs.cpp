@@ -8,6 +8,7 @@
 #include "simplify/first_surface.h"
 #include "support/models.h"
 #include "tiles/cut_model.h"
+#include "tiles/tile_join.h"
 
 #include <doctest/doctest.h>
 
@@ -24,9 +25,22 @@ namespace {
 
 JoinedTiles joined(const TileFolder& folder) {
   RunControl control;
-  auto made = join_tiles(folder, control);
+  auto made = join_tiles(folder, {}, control);
   REQUIRE(made.ok());
   return *made;
+}
+
+/// As it is written.
+TriangleMesh mesh_of_tiles(const TileFolder& folder) {
+  RunControl control;
+  const auto file = folder.folder() / "joined.off";
+  const auto made = join_tiles(folder, file, control);
+  REQUIRE(made.ok());
+  const auto read = read_mesh(file);
+  REQUIRE(read.ok());
+  CHECK(made->result.size().vertices == read->points.size());
+  CHECK(made->result.size().triangles == read->triangles.size());
+  return {read->points, read->triangles};
 }
 
 /// Without tiles.
@@ -93,7 +107,7 @@ TEST_CASE("Runs in tiles end certified, with the topology of the input and not m
     CHECK(run.result.certificate.euler_characteristic == chi);
     CHECK(run.result.exit_status() == 0);
     const double whole = static_cast<double>(whole_vertices(p));
-    CHECK(static_cast<double>(run.result.mesh.points.size()) <= 1.2 * whole);
+    CHECK(static_cast<double>(run.result.size().vertices) <= 1.2 * whole);
   }
 }
 
@@ -114,7 +128,7 @@ TEST_CASE("Sheets near to each other, with vertices on the planes of tiles, neve
   CHECK(run.result.certificate.holds());
   CHECK(run.result.certificate.components == 2);
   CHECK(run.result.certificate.euler_characteristic == 4);
-  CHECK(run.result.mesh.points.size() <= 60); // two boxes have 16 corners
+  CHECK(run.result.size().vertices <= 60); // two boxes have 16 corners
 }
 
 TEST_CASE("The mesh is the same backwards, by two at once, and after stops in the middle of tiles") {
@@ -123,7 +137,7 @@ TEST_CASE("The mesh is the same backwards, by two at once, and after stops in th
   const auto mesh_by = [&](const char* name, const std::function<void(const TileFolder&)>& make) {
     const TileFolder tiles = cut(folder / name, p, 1);
     make(tiles);
-    return joined(tiles).result.mesh;
+    return mesh_of_tiles(tiles);
   };
   const TriangleMesh once =
       mesh_by("once", [](const TileFolder& tiles) { REQUIRE(make_all_tiles(tiles, RunControl()).ok()); });
@@ -175,7 +189,7 @@ TEST_CASE("What cannot be cut, joined or gone on with is said") {
   const TileFolder tiles = cut(folder / "a", p, 1);
   CHECK(message(cut_into_tiles(p, folder / "a", mebibyte, control)).find("has tiles already") !=
         std::string::npos);
-  CHECK(message(join_tiles(tiles, control)).find("tiles left") != std::string::npos);
+  CHECK(message(join_tiles(tiles, {}, control)).find("tiles left") != std::string::npos);
   CHECK(is_run_of(tiles, p, mebibyte));
   RunParameters other = p;
   other.tolerance.value = 4;
@@ -195,5 +209,5 @@ TEST_CASE("Elephant in tiles" * doctest::test_suite("soak")) {
   const JoinedTiles run = joined(tiles);
   CHECK(run.result.certificate.holds());
   CHECK(run.result.certificate.euler_characteristic == -4);
-  CHECK(static_cast<double>(run.result.mesh.points.size()) <= 1.05 * static_cast<double>(whole_vertices(p)));
+  CHECK(static_cast<double>(run.result.size().vertices) <= 1.05 * static_cast<double>(whole_vertices(p)));
 }

@@ -88,7 +88,7 @@ Status App::setup(const ProgramOptions& options) {
   const bool first = m.draft.input.empty() && !m.scripted && !m.settings.greeted;
   if (m.draft.input.empty()) m.draft = for_input(m.draft, gallery_input(gallery().front().name));
   if (options.tolerance_given) m.draft.tolerance = options.run.tolerance;
-  m.steering.begin(options.paused, options.follow);
+  if (Status begun = m.steering.begin(options.paused, options.follow); !begun) m.report(begun.error());
   if (first) m.overlay = Overlay::welcome;
   if (!options.recording.empty())
     if (Status recorded = m.session.record(options.recording); !recorded) return recorded.error();

@@ -148,7 +148,7 @@ void certificate(Ui& ui) {
                        c.cover_note.empty() && c.covers, "δ", true);
   point_distances(ui, *result, delta);
   for (const std::string& failure : c.failures) widgets::quiet_text(ui, failure, true);
-  if (const std::string crumbs = crumbs_note(result->crumbs, result->mesh); !crumbs.empty())
+  if (const std::string crumbs = crumbs_note(result->crumbs, result->size().vertices); !crumbs.empty())
     widgets::quiet_text(ui, crumbs, true);
   for (const std::string& note : {c.topology_note, c.cover_note, c.gap_note})
     if (!note.empty()) widgets::quiet_text(ui, note, true);

@@ -148,10 +148,7 @@ void Mosaic::show(bool on) {
 Status Mosaic::rerun(std::size_t tile) {
   if (!folder_ || !news_ || news_->progress.round.number == 0) return usage("There are no tiles yet.");
   const TileRound& round = news_->progress.round;
-  if (tile >= round.tiles.size())
-    return Error{ErrorCode::usage,
-                 "Round " + std::to_string(round.number) + " has no tile " + std::to_string(tile) + ".",
-                 "It has " + std::to_string(round.tiles.size()) + ", from 0 on."};
+  if (Status there = check_tile(round, tile); !there) return there;
   const auto file = recording_file(*folder_, round.number, tile);
   if (!file) return file.error();
   const auto seen = maker_.answered();

@@ -65,10 +65,8 @@ Status open_model(Steering& m, const Arguments& a) {
     else
       return wrong_arguments("\"" + a[i] + "\" is one file too many.");
   }
-  if (inside.empty() && second.empty() && TileFolder::exists(a[0])) return m.open_tiles(a[0]);
-  if (second.empty())
-    m.open(a[0], paused, inside);
-  else if (inside.empty())
+  if (second.empty()) return m.open(a[0], paused, inside);
+  if (inside.empty())
     m.open_between(a[0], second, paused);
   else
     return wrong_arguments("Two files, or one inside the other, not both.");

@@ -15,20 +15,19 @@ Status Steering::open_tiles(const std::string& folder) {
   return {};
 }
 
-void Steering::open(const std::string& input, bool paused, const std::string& inside) {
-  if (inside.empty() && TileFolder::exists(input)) {
-    if (const Status opened = open_tiles(input); !opened) window.report(opened.error());
-    return;
-  }
+Status Steering::open(const std::string& input, bool paused, const std::string& inside) {
+  const RunParameters before = window.draft;
   window.draft = for_input(window.draft, input);
   window.draft.inside = inside;
-  begin(paused);
+  Status begun = begin(paused);
+  if (!begun) window.draft = before;
+  return begun;
 }
 
 void Steering::follow(const std::string& copy) {
   window.draft = for_input(window.draft, copy);
   window.draft.inside.clear();
-  begin(false, true);
+  if (Status begun = begin(false, true); !begun) window.report(begun.error());
 }
 
 void Steering::open_between(const std::string& one, const std::string& other, bool paused) {
@@ -40,15 +39,14 @@ void Steering::open_between(const std::string& one, const std::string& other, bo
 void Steering::take_walls() {
   const auto walls = walls_.take();
   if (!walls) return;
-  if (*walls)
-    open((*walls)->outer, walls_paused_, (*walls)->inner);
-  else
-    window.report(walls->error());
+  const Status opened =
+      *walls ? open((*walls)->outer, walls_paused_, (*walls)->inner) : Status(walls->error());
+  if (!opened) window.report(opened.error());
 }
 
-void Steering::begin(bool paused, bool follow) {
+Status Steering::begin(bool paused, bool follow) {
   const std::string input = window.draft.input;
-  if (TileFolder::exists(input)) return open(input);
+  if (window.draft.inside.empty() && TileFolder::exists(input)) return open_tiles(input);
   tiles.show(false);
   if (!input.starts_with(gallery_prefix) && window.draft.inside.empty() && !window.scripted)
     window.settings.add_recent(input);
@@ -61,6 +59,7 @@ void Steering::begin(bool paused, bool follow) {
     window.session.open_recording(input);
   else
     window.session.start(window.draft, nullptr, paused);
+  return {};
 }
 
 Status Steering::restart() {
@@ -135,7 +134,7 @@ void Steering::forget() {
 }
 
 void Steering::show_tile(const TileRerun& rerun) {
-  open(rerun.file);
+  if (const Status opened = open(rerun.file); !opened) window.report(opened.error());
   if (rerun.box.empty()) return;
   // The tile is looked at from where it was chosen.
   CameraPose pose = window.camera.goal();

@@ -35,8 +35,8 @@ class Steering {
 
   /// Starts a run of a file or gallery:NAME with the draft's parameters; a gallery model brings its own δ,
   /// points ask for theirs to be found, a recording (.isorun) all its parameters. `inside`: the inner one of
-  /// two surfaces between which Ω lies.
-  void open(const std::string& input, bool paused = false, const std::string& inside = {});
+  /// two surfaces between which Ω lies. A folder of tiles is shown. Fails as open_tiles().
+  Status open(const std::string& input, bool paused = false, const std::string& inside = {});
   /// Shows a copy of a recording that grows on another machine, and goes on as more of it comes.
   void follow(const std::string& copy);
   /// Starts a run of what lies between two closed surfaces, once it is known which is the outer one.
@@ -44,8 +44,9 @@ class Steering {
   /// Shows a folder of tiles instead of the run. Fails as TileFolder::open().
   Status open_tiles(const std::string& folder);
   /// Starts a run with the draft as it is, or shows the folder of tiles that its input is; `follow`: where it
-  /// is a recording, as a copy that grows elsewhere, which one on a network's file system is always.
-  void begin(bool paused = false, bool follow = false);
+  /// is a recording, as a copy that grows elsewhere, which one on a network's file system is always. Fails as
+  /// open_tiles().
+  Status begin(bool paused = false, bool follow = false);
   bool idle() const { return walls_.idle(); }
   /// Begins the end of what is asked, and waits for nothing.
   void abandon() { walls_.abandon(); }
