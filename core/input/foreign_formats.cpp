@@ -17,6 +17,8 @@ constexpr std::string_view from_cad =
 constexpr std::string_view from_modeller =
     "Open it in a modelling program and export it as OFF, OBJ, PLY or STL.";
 constexpr std::string_view from_scanner = "Convert it to PLY or XYZ, as CloudCompare does.";
+constexpr std::string_view from_volume =
+    "It holds a volume: convert it to NRRD, as 3D Slicer does, and give the levels with it.";
 constexpr std::string_view no_mesh = "Give the mesh itself as OFF, OBJ, PLY or STL.";
 
 constexpr ForeignFormat formats[] = {
@@ -35,6 +37,10 @@ constexpr ForeignFormat formats[] = {
     {"PK\x05\x06"sv, 0, "an empty zip archive", no_mesh},
     {"ISO-10303-21"sv, 0, "a STEP file", from_cad},
     {"**ABCDEFGHIJKLMNOPQRSTUVWXYZ"sv, 0, "a Parasolid file", from_cad},
+    {"S      1"sv, 72, "an IGES file", from_cad},
+    {"AC10"sv, 0, "a DWG drawing", from_cad},
+    {"0\nSECTION"sv, 0, "a DXF drawing", from_modeller},
+    {"0\r\nSECTION"sv, 0, "a DXF drawing", from_modeller},
     {"3D Geometry File Format"sv, 0, "a Rhino file", from_modeller},
     {"BLENDER"sv, 0, "a Blender file", from_modeller},
     {"Kaydara FBX"sv, 0, "an FBX file", from_modeller},
@@ -47,6 +53,15 @@ constexpr ForeignFormat formats[] = {
     {"# vtk DataFile"sv, 0, "a VTK file", from_modeller},
     {"MeshVersionFormatted"sv, 0, "a Medit mesh", from_modeller},
     {"$MeshFormat"sv, 0, "a Gmsh mesh", from_modeller},
+    {"n+1\0"sv, 344, "a NIfTI volume", from_volume},
+    {"ni1\0"sv, 344, "a NIfTI header", from_volume},
+    {"DICM"sv, 128, "a DICOM image", from_volume},
+    {"ObjectType"sv, 0, "a MetaImage header", from_volume},
+    {"NDims"sv, 0, "a MetaImage header", from_volume},
+    {"MAP "sv, 208, "an MRC volume", from_volume},
+    {"II*\0"sv, 0, "a TIFF image", from_volume},
+    {"MM\0*"sv, 0, "a TIFF image", from_volume},
+    {"\x89HDF\r\n"sv, 0, "an HDF5 file", no_mesh},
     {"<!doctype html"sv, 0, "a web page, not the model it may link to", "Download the file itself."},
     {"<html"sv, 0, "a web page, not the model it may link to", "Download the file itself."},
     {"<?xml"sv, 0, "an XML file (COLLADA, X3D, AMF, SVG or another)", from_modeller},

@@ -119,10 +119,10 @@ std::shared_ptr<const BoundarySamples> Playback::samples() const {
 
 const SampleSets& Playback::sample_sets() {
   const auto set = samples();
-  if (!sets_ || sets_set_ != sample_set_) {
+  if (!sets_ || sets_of_ != set) {
     static constexpr std::span<const Vec3> nothing;
     sets_ = std::make_unique<SampleSets>(set ? std::span<const Vec3>(set->positions) : nothing);
-    sets_set_ = sample_set_;
+    sets_of_ = set;
     sets_->assign_all(complex_);
     sets_step_ = step_;
     return *sets_;

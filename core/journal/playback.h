@@ -53,8 +53,8 @@ class Playback {
   std::uint16_t sample_set_ = 0;
   Step step_ = 0;
   std::unique_ptr<SampleSets> sets_;
-  Step sets_step_ = 0;         ///< the step `sets_` is right for
-  std::uint16_t sets_set_ = 0; ///< the sample set it was made of
+  Step sets_step_ = 0;                             ///< the step `sets_` is right for
+  std::shared_ptr<const BoundarySamples> sets_of_; ///< what it was made of; null before there are samples
 
   std::size_t keyframe_bytes_ = 0;
   std::size_t work_since_keyframe_ = 0; ///< tetrahedra touched going forward beyond the last keyframe

@@ -67,11 +67,11 @@ void check_samples_anew(const StateSnapshot& s, StateReport& report) {
   }
   if (misplaced > 0) {
     held.state = State::broken;
-    held.words = std::to_string(misplaced) + " samples are not in the tetrahedron that is recorded.";
+    held.words = counted(misplaced, "sample is", "samples are") + " not in the tetrahedron that is recorded.";
   }
   if (wrong > 0) {
     classes.state = State::broken;
-    classes.words = std::to_string(wrong) + " samples have another ε than shown.";
+    classes.words = counted(wrong, "sample has", "samples have") + " another ε than shown.";
   }
 }
 

@@ -71,8 +71,8 @@ std::string words_of(const TopologyReport& r) {
                                        : "Components and χ of Z are those") +
             source + ".";
   } else {
-    words = "Z has " + std::to_string(r.verdict.components) +
-            " components and χ = " + std::to_string(r.verdict.euler_characteristic);
+    words = "Z has " + counted(r.verdict.components, "component") +
+            " and χ = " + std::to_string(r.verdict.euler_characteristic);
     if (r.expected.boundary_loops) words += " with " + counted(r.verdict.boundary_loops, "boundary loop");
     if (r.expected.components && r.expected.euler_characteristic)
       words += "; expected are " + std::to_string(*r.expected.components) + " and " +

@@ -48,17 +48,17 @@ void tell_containment(const ContainmentFigures& figures, bool complete, double d
   if (figures.outside + figures.undecided > 0) c.within_tolerance = false;
   c.max_distance = std::max({c.max_distance, figures.max_distance, figures.worst});
   if (figures.outside > 0) {
-    c.failures.push_back(
-        std::to_string(figures.outside) + " facets leave the tolerance volume, the worst by d = " +
-        general(figures.worst / delta, 4) + " δ at " + place(figures.where, proof_digits) + ".");
+    c.failures.push_back(counted(figures.outside, "facet leaves", "facets leave") +
+                         " the tolerance volume, the worst by d = " + general(figures.worst / delta, 4) +
+                         " δ at " + place(figures.where, proof_digits) + ".");
   }
   if (!complete) {
     if (figures.outside == 0) c.max_distance = std::numeric_limits<double>::infinity();
     return;
   }
   if (figures.undecided > 0) {
-    c.failures.push_back(std::to_string(figures.undecided) +
-                         " facets could be proven neither inside nor outside.");
+    c.failures.push_back(counted(figures.undecided, "facet") +
+                         " could be proven neither inside nor outside.");
   }
 }
 
@@ -147,7 +147,8 @@ void tell_topology(const ExpectedTopology& expected, Certificate& c) {
                          " instead of " + std::to_string(*expected.euler_characteristic) + ", that of " +
                          expected.source + ".");
   if (expected.components && *expected.components != c.components)
-    c.failures.push_back("There are " + std::to_string(c.components) + " components instead of " +
+    c.failures.push_back((c.components == 1 ? "There is " : "There are ") +
+                         counted(c.components, "component") + " instead of " +
                          std::to_string(*expected.components) + ".");
   if (expected.boundary_loops && *expected.boundary_loops != c.boundary_loops)
     c.failures.push_back("Its border has " + counted(c.boundary_loops, "loop") + " instead of " +

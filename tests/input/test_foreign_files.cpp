@@ -63,6 +63,16 @@ TEST_CASE("other kinds of files are named, whatever their extension claims") {
       {std::string("ASTM-E57\x01\0\0\0", 12), "E57", "Convert"},
       {"# vtk DataFile Version 3.0\n", "VTK", "export"},
       {"$MeshFormat\n2.2 0 8\n", "Gmsh", "export"},
+      {std::string(72, ' ') + "S      1\n", "IGES", "CAD"},
+      {"AC1015\x01", "DWG", "CAD"},
+      {"  0\r\nSECTION\r\n  2\r\nHEADER\r\n", "DXF", "export"},
+      {"0\nSECTION\n2\nENTITIES\n", "DXF", "export"},
+      {std::string("\x5c\x01\0\0", 4) + std::string(340, '\0') + std::string("n+1\0", 4), "NIfTI", "NRRD"},
+      {std::string(128, '\0') + "DICM\x02", "DICOM", "NRRD"},
+      {"ObjectType = Image\nNDims = 3\n", "MetaImage", "NRRD"},
+      {std::string("\x40\0\0\0", 4) + std::string(204, '\0') + "MAP \x44\x44", "MRC", "NRRD"},
+      {std::string("II*\0\x08\0\0\0", 8), "TIFF", "NRRD"},
+      {"\x89HDF\r\n\x1a\n", "HDF5", "Give"},
   };
   for (const Foreign& foreign : files) {
     CAPTURE(foreign.named);

@@ -158,6 +158,21 @@ quit
                    "gallery:sphere --tolerance 12% --until refinement --size 900x600") == 0);
 }
 
+TEST_CASE("the first stop of a lesson shows its whole model, whatever was open before") {
+  const std::string script = R"(
+lesson whole-way
+wait settled
+expect lesson.stop == 1 and filled > 0.5 and filled < 1.7
+lesson-next
+wait answers
+expect lesson.stop == 2 and filled > 0.5 and filled < 1.7
+quit
+)";
+  CHECK(run_window("lesson-first-model", script, "--size 640x400") == 0);
+  CHECK(run_window("lesson-after-another", "wait settled\nlook z\n" + script,
+                   "gallery:sphere --tolerance 12% --until refinement --size 640x400") == 0);
+}
+
 TEST_CASE("a lesson is gone through by the mouse") {
   CHECK(run_window("lesson-mouse", R"(
 wait settled

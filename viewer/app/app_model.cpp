@@ -21,7 +21,7 @@ AppModel::AppModel(const std::function<void()>& notify)
     const double genus = expected->load();
     return std::isnan(genus) ? std::nullopt : std::optional(genus);
   });
-  camera.set(turned_pose(0.6, -0.42, 35)); // from above right in front: depth is seen at once
+  camera.set(first_pose());
   add_commands();
   add_values();
 }
@@ -108,8 +108,7 @@ void AppModel::place_view() {
   if (box.empty()) return;
   camera.set_scene_bounds(box);
   if (view.clip.shape == ClipSettings::Shape::none && !section_set) {
-    view.clip.point = box.center();
-    view.clip.radius = 0.15 * box.longest_edge();
+    center_clip();
     clip_placed_ = true;
   }
 }
@@ -144,8 +143,10 @@ void AppModel::blink() {
 void AppModel::watch_view() {
   history.set_window(scripted ? 0 : 0.5);
   unsigned unasked = 0;
-  if (!camera.was_set()) unasked |= ViewHistory::camera;
-  if (!section_set) unasked |= ViewHistory::section;
+  if (!camera.was_set() && !camera_was_set_) unasked |= ViewHistory::camera;
+  if (!section_set && !section_was_set_) unasked |= ViewHistory::section;
+  camera_was_set_ = camera.was_set();
+  section_was_set_ = section_set;
   if (presenter.on && transport.moving()) unasked |= ViewHistory::selection; // of moments
   if (std::exchange(clip_placed_, false)) unasked |= ViewHistory::look;
   if (!state()) unasked = ~0u;

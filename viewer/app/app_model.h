@@ -68,9 +68,10 @@ class AppModel : public WindowState {
   void watch_view();
   /// The genus that the active run's Z should have, NaN where nothing is known; the run's thread asks it.
   std::shared_ptr<std::atomic<double>> expected_genus_;
-  bool clip_placed_ = false;            ///< by the program, in this update
-  std::uint64_t framed_generation_ = 0; ///< the run whose bounds the camera knows
-  std::uint64_t history_warned_ = 0;    ///< the run whose journal was found too large
+  bool camera_was_set_ = false, section_was_set_ = false; ///< in the update before
+  bool clip_placed_ = false;                              ///< by the program, in this update
+  std::uint64_t framed_generation_ = 0;                   ///< the run whose bounds the camera knows
+  std::uint64_t history_warned_ = 0;                      ///< the run whose journal was found too large
 };
 
 /// Made for scripts, and how long the window takes, which they measure.

@@ -111,15 +111,9 @@ void LessonRunner::give_look_back() {
   const PaneLayout kept = window_.kept_layout();
   window_.end_loan(LayoutGuest::lesson);
   if (!window_.has_guest(LayoutGuest::two_views)) look.panes = kept;
-  window_.requests.frame_all = window_.requests.frame_selection = false;
+  window_.requests.frame_selection = false;
   window_.take(look);
-  if (!before_->camera_set) {
-    // One that nobody has set frames what is open.
-    const CameraPose pose = window_.camera.goal();
-    window_.camera = Camera();
-    window_.camera.set(pose);
-    window_.camera.set_scene_bounds(window_.scene_bounds());
-  }
+  if (!before_->camera_set) window_.camera.release();
   window_.section_set = before_->section_set;
   before_.reset();
 }
@@ -170,12 +164,13 @@ void LessonRunner::go(std::size_t stop) {
   ViewSettings plain;
   plain.theme = window_.view.theme;
   window_.view = plain;
+  window_.center_clip();
   window_.selection = {};
   window_.filter = {};
   window_.blinking = false;
-  window_.section_set = false;
   window_.preview_delta.reset();
-  window_.requests.frame_all = true;
+  window_.camera.set(first_pose()); // a prepared scene is seen from one side, whatever was seen before
+  window_.frame_all();
   // What questions keep for themselves.
   for (const auto& [name, value] : {std::pair{"inspect.shrink", "0"}, {"topology.shown", "off"}})
     if (const NamedValue* kept = values_.find(name)) static_cast<void>(kept->set(value));

@@ -26,14 +26,16 @@ struct PlayheadRequest {
   std::uint64_t generation = 0; ///< of the session's run: another value means another journal
   std::shared_ptr<const Journal> journal;
   Step step = 0;
+  bool sampled = false; ///< the journal has samples: step 0 is there before them, and looks otherwise then
   SnapshotOptions options;
   /// What the journal and the keyframes may take together in memory, bytes. Half of it is the journal's: what
   /// is older goes to the disk; keyframes get the rest.
   std::size_t history_limit = std::size_t{2048} << 20;
   friend bool operator==(const PlayheadRequest& a, const PlayheadRequest& b) {
     return a.generation == b.generation && a.journal == b.journal && a.step == b.step &&
-           a.history_limit == b.history_limit && a.options.orientation == b.options.orientation &&
-           a.options.recent == b.options.recent && a.options.criteria == b.options.criteria;
+           a.sampled == b.sampled && a.history_limit == b.history_limit &&
+           a.options.orientation == b.options.orientation && a.options.recent == b.options.recent &&
+           a.options.criteria == b.options.criteria;
   }
 };
 

@@ -38,6 +38,7 @@ void ShownRun::request_state(Step recent, std::size_t history_limit, bool moving
   wanted.generation = run.generation;
   wanted.journal = run.journal;
   wanted.step = transport.step();
+  wanted.sampled = !run.journal->sample_sets().empty();
   wanted.history_limit = history_limit;
   wanted.options.recent = recent;
   wanted.options.orientation = !moving || (transport.at_live_end(live_step()) && !running());

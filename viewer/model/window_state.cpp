@@ -88,6 +88,19 @@ void WindowState::bring_into_sight(AnswerKind which) {
   answer.awaited = false;
 }
 
+void WindowState::center_clip() {
+  const Box3 box = scene_bounds();
+  if (box.empty()) return;
+  view.clip.point = box.center();
+  view.clip.radius = 0.15 * box.longest_edge();
+}
+
+void WindowState::frame_all() {
+  requests.frame_selection = false;
+  camera.release();
+  section_set = false;
+}
+
 ViewMemento WindowState::memento() const {
   ViewMemento m;
   m.view = {camera.goal(), view, section};

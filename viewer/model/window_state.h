@@ -71,7 +71,7 @@ struct WindowRequests {
   std::optional<std::string> copy;
   double hands = 0; ///< seconds for which a script lets the real mouse and keys act
   bool paste = false, close = false;
-  bool frame_selection = false, frame_all = false;
+  bool frame_selection = false;
 };
 
 /// What is selected and hovered, and which kinds a pick may hit.
@@ -218,6 +218,10 @@ class WindowState : public ShownRun {
   void bring_into_sight(AnswerKind which);
 
   /// What undo would bring back of the present window, and bringing it back.
+  /// The clip goes to the middle of the model.
+  void center_clip();
+  /// The whole model is seen, by camera and section, also as panes come and go, until somebody moves them.
+  void frame_all();
   ViewMemento memento() const;
   void take(const ViewMemento& memento);
   /// Shows a stored view; the theme stays.

@@ -89,10 +89,9 @@ void add_cost_ellipsoid(AttemptBuilder& b, const EdgeXray& xray, Vec3 target, gl
   const CollapseCost cost(xray.star);
   const Vec3 optimum = xray.attempt.optimum;
   const double least = cost(optimum), level = cost(target) - least;
-  Box3 box;
-  for (const auto& v : xray.star.vertices) box.add(v.position);
-  // Where the planes are parallel the surface never ends.
-  const double reach = 0.75 * box.longest_edge(), unit = 1e-2 * box.longest_edge();
+  // Where the planes are nearly parallel the surface hardly ends: what is drawn stays near the edge.
+  const double edge = length(xray.star.vertices[1].position - xray.star.vertices[0].position);
+  const double reach = 3 * std::max(edge, length(target - optimum)), unit = 1e-2 * reach;
   if (!(level > 0) || !(unit > 0)) return;
   const auto at = [&](Vec3 direction) {
     const double rise = cost(optimum + unit * direction) - least;

@@ -57,6 +57,10 @@ CameraPose turned_pose(double yaw, double pitch, double fov) {
   return pose;
 }
 
+CameraPose first_pose() {
+  return turned_pose(0.6, -0.42, 35);
+}
+
 void Camera::set(const CameraPose& pose, bool ease) {
   to_ = pose;
   if (ease) {

@@ -27,6 +27,8 @@ struct CameraPose {
 /// Around the origin, turned by so many radians about y, and before that about x: a negative `pitch` looks
 /// down.
 CameraPose turned_pose(double yaw, double pitch, double fov);
+/// From above right in front, where depth is seen at once: how a model is first looked at.
+CameraPose first_pose();
 
 class Camera {
  public:
@@ -38,6 +40,8 @@ class Camera {
   /// True once a person or a script has set the view: loading a model must not move it then.
   bool was_set() const { return was_set_; }
   void mark_set() { was_set_ = true; }
+  /// Whoever set it has left: it is the program's own again, and shows the whole model.
+  void release() { was_set_ = false; }
 
   /// Looks at the box from the present direction so that it fills a view of that aspect, width to height.
   void frame(const Box3& box, bool ease, double aspect = 1);

@@ -8,21 +8,30 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace isoscope {
 namespace {
 
 constexpr std::uint32_t offender_color = meaning_color::offender;
 
 struct Builder : AttemptBuilder {
-  void kernel(const KernelPolyhedron& k) {
+  /// `length`: of the edge. A kernel many times as large would hide what it is the kernel of: it fades.
+  void kernel(const KernelPolyhedron& k, double length) {
     const glm::vec3 color = rgb(kernel_color);
+    Box3 box;
+    for (const Vec3& v : k.vertices) box.add(v);
+    constexpr double usual = 4, faintest = 0.2;
+    const double share = box.empty() ? 1.0 : std::clamp(usual * length / box.longest_edge(), faintest, 1.0);
+    const auto fill = static_cast<float>(0.3 * share), outline = static_cast<float>(0.95 * std::sqrt(share));
     for (const auto& face : k.faces) {
       for (std::size_t i = 0; i < face.size(); ++i) {
         const Vec3 a = k.vertices[face[i]], b = k.vertices[face[(i + 1) % face.size()]];
-        if (face[i] < face[(i + 1) % face.size()]) line(a, b, color, 0.95f, 1.5f);
+        if (face[i] < face[(i + 1) % face.size()]) line(a, b, color, outline, 1.5f);
         if (i + 2 < face.size())
           faces.triangle(space.local(k.vertices[face[0]]), space.local(k.vertices[face[i + 1]]),
-                         space.local(k.vertices[face[i + 2]]), color8(color, 0.3f), 0);
+                         space.local(k.vertices[face[i + 2]]), color8(color, fill), 0);
       }
     }
   }
@@ -85,7 +94,7 @@ void AttemptLayer::update(const EdgeXray* xray, const TargetStudy* study, const 
     if (attempt.kernel && attempt.kernel->empty)
       add_empty_kernel(b, *xray, static_cast<double>(frame.view.kernel_push));
     else
-      b.kernel(xray->kernel);
+      b.kernel(xray->kernel, length(xray->star.vertices[1].position - xray->star.vertices[0].position));
     if (frame.view.invalid_regions) add_invalid_regions(*xray, frame.space, b.lines, b.faces);
     if (frame.view.octree_cells) add_octree_cells(attempt, frame.space, b.lines);
     b.offenders(xray->star, attempt.link.offending_t);

@@ -82,6 +82,7 @@ class Renderer {
   struct SectionView {
     double u = 0, v = 0; ///< centre in the plane's coordinates, scene units, relative to clip.point
     double height = 1;   ///< visible height, scene units
+    friend bool operator==(const SectionView&, const SectionView&) = default;
   };
   Frame render_section(const SectionView& section, const ViewSettings& view, const FrameRequest& request);
 

@@ -3,6 +3,9 @@
 
 #include "model/words.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace isoscope {
 namespace {
 
@@ -118,6 +121,11 @@ void add_run_values(NamedValues& t, const WindowState& m) {
   t.add("message", "the last of them",
         [&m] { return m.messages.empty() ? std::string("none") : m.messages.back().text; });
   t.add("distance", "of the camera from its target", [&m] { return m.camera.pose().distance; });
+  t.add("filled", "the model's longest edge over the height of the view, at the camera's target", [&m] {
+    const CameraPose& pose = m.camera.pose();
+    const double height = 2 * pose.distance * std::tan(0.5 * pose.fov * std::numbers::pi / 180);
+    return m.scene_bounds().empty() ? std::nan("") : m.scene_bounds().longest_edge() / height;
+  });
   t.add("heading", "x of the camera's backward axis", [&m] {
     const auto& q = m.camera.pose().orientation;
     return 2 * (q[0] * q[2] + q[3] * q[1]);

@@ -53,7 +53,7 @@ void SceneView::draw(Ui& ui) {
   renderer_->set_preview(preview_);
   zero_map_ = maps_.map();
   renderer_->set_zero_map(zero_map_);
-  frame_requests(ui);
+  frame_selection(ui);
 
   const ImVec2 low = ImGui::GetCursorScreenPos(), all = ImGui::GetContentRegionAvail();
   scene_shown_ = m.view.mode != ViewMode::section;
@@ -243,13 +243,17 @@ void SceneView::frame_untouched(Ui& ui, float aspect) {
   WindowState& m = ui.window;
   Box3 box = m.scene_bounds();
   if (m.camera.was_set() || box.empty()) return;
-  // Before an audience the box that T begins as is seen too.
+  // Before an audience, or where it is drawn, the box that T begins as is seen too.
   const auto state = m.state();
-  if (m.presenter.on && state) box.add(roomy(first_box(*state)));
-  if (aspect == framed_aspect_ && box.lo == framed_box_.lo && box.hi == framed_box_.hi) return;
+  if ((m.presenter.on || m.view.tets.box) && state) box.add(roomy(first_box(*state)));
+  const CameraPose& goal = m.camera.goal();
+  const bool moved = goal.target != framed_.target || goal.distance != framed_.distance;
+  if (!moved && aspect == framed_aspect_ && box.lo == framed_box_.lo && box.hi == framed_box_.hi) return;
+  const bool left = moved && framed_aspect_ != 0; // somebody had moved it and has let go of it
   framed_aspect_ = aspect;
   framed_box_ = box;
-  m.camera.frame(box, m.presenter.on && !m.scripted, static_cast<double>(aspect));
+  m.camera.frame(box, (m.presenter.on || left) && !m.scripted, static_cast<double>(aspect));
+  framed_ = m.camera.goal();
 }
 
 // The same for the section: what the plane cuts of the input is centred.
@@ -259,7 +263,9 @@ void SceneView::place_untouched_section(WindowState& m, float aspect) {
   plane.normal = m.view.clip.normal;
   plane.flipped = m.view.clip.flipped;
   if (m.section_set || !m.run.scene || !m.run.scene->input) return;
-  if (plane == placed_clip_ && placed_scene_ == m.run.scene.get() && placed_aspect_ == aspect) return;
+  if (plane == placed_clip_ && placed_scene_ == m.run.scene.get() && placed_aspect_ == aspect &&
+      m.section == placed_)
+    return;
   placed_clip_ = plane;
   placed_scene_ = m.run.scene.get();
   placed_aspect_ = aspect;
@@ -286,43 +292,46 @@ void SceneView::place_untouched_section(WindowState& m, float aspect) {
   const Vec3 extent = box.extent(), middle = box.center();
   const double margin = 8 * m.run.scene->delta;
   m.section = {middle.x, middle.y, 1.1 * std::max(extent.y, extent.x / static_cast<double>(aspect)) + margin};
+  placed_ = m.section;
 }
 
-void SceneView::frame_requests(Ui& ui) {
+void SceneView::frame_selection(Ui& ui) {
   WindowState& m = ui.window;
   // What is selected may belong to a step that is still being made.
-  const bool ready = m.settled || m.running();
-  const bool all = std::exchange(m.requests.frame_all, false);
-  const bool selected = ready && std::exchange(m.requests.frame_selection, false);
-  if (!all && !selected) return;
-  Box3 box = m.scene_bounds();
-  if (box.empty()) box = renderer_->bounds();
+  if (!m.requests.frame_selection || !(m.settled || m.running())) return;
+  m.requests.frame_selection = false;
   const Pick& pick = m.selection.picked;
   const auto state = m.state();
-  if (all && state && m.view.tets.box) box.add(roomy(first_box(*state)));
-  if (selected && !all && pick.kind != Pick::Kind::none && state) {
-    const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * box.longest_edge();
-    box = pick_bounds(*state, pick);
-    if (box.empty()) box.add(pick.point);
-    if (m.selection.mark) box.add(*m.selection.mark);
-    box = box.grown(margin + 0.5 * box.longest_edge());
-    // What lies on the far side of the model or in a fold of it would be framed from within.
-    const Vec3 now = normalized(m.camera.eye() - m.camera.pose().target);
-    const double reach = 2 * box.longest_edge(); // about the distance of the camera once it is framed
-    const Vec3 normal = surface_normal(*state, pick);
-    const Vec3 from = squared_length(normal) > 0
-                          ? unhidden_direction(state->zero_set, box.center(), now, normal, reach)
-                          : now;
-    if (from != now) m.camera.look_from(from, false);
-  }
+  if (pick.kind == Pick::Kind::none || !state) return m.frame_all();
+  const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * renderer_->bounds().longest_edge();
+  Box3 box = pick_bounds(*state, pick);
+  if (box.empty()) box.add(pick.point);
+  // Tetrahedra at the corners of the first box are looked at where they meet the model.
+  if (const Box3 model = m.scene_bounds(); box.longest_edge() > model.longest_edge() && box.meets(model))
+    for (int i = 0; i < 3; ++i) {
+      box.lo[i] = std::max(box.lo[i], model.lo[i]);
+      box.hi[i] = std::min(box.hi[i], model.hi[i]);
+    }
+  if (m.selection.mark) box.add(*m.selection.mark);
+  // What is nearly as large as the model needs no more around it than the model has.
+  const double around =
+      m.run.scene ? std::min(box.longest_edge(), 0.3 * m.scene_bounds().longest_edge()) : box.longest_edge();
+  box = box.grown(margin + 0.5 * around);
+  // What lies on the far side of the model or in a fold of it would be framed from within.
+  const Vec3 now = normalized(m.camera.eye() - m.camera.pose().target);
+  const double reach = 2 * box.longest_edge(); // about the distance of the camera once it is framed
+  const Vec3 normal = surface_normal(*state, pick);
+  const Vec3 from = squared_length(normal) > 0
+                        ? unhidden_direction(state->zero_set, box.center(), now, normal, reach)
+                        : now;
+  if (from != now) m.camera.look_from(from, false);
   m.camera.frame(box, !m.scripted,
                  m.scene_area[3] > 0 ? static_cast<double>(m.scene_area[2] / m.scene_area[3]) : 1);
   m.camera.mark_set();
   const PlaneAxes axes = plane_axes(m.view.clip.normal);
   const Vec3 offset = box.center() - m.view.clip.point;
-  m.section.u = dot(offset, axes.u);
-  m.section.v = dot(offset, axes.v);
-  m.section.height = 1.15 * box.longest_edge();
+  m.section = {dot(offset, axes.u), dot(offset, axes.v), 1.15 * box.longest_edge()};
+  m.section_set = true;
 }
 
 } // namespace isoscope

@@ -36,7 +36,7 @@ class SceneView {
   /// While nobody has moved the section, what the plane cuts of the input is centred.
   void place_untouched_section(WindowState& window, float aspect);
   /// Moves camera or section to what was asked for.
-  void frame_requests(Ui& ui);
+  void frame_selection(Ui& ui);
 
  private:
   using Area = ViewArea;
@@ -68,7 +68,9 @@ class SceneView {
   ClipHandle clip_handle_;
   float framed_aspect_ = 0; ///< what the camera was framed for, while nobody has moved it
   Box3 framed_box_;
+  CameraPose framed_;
   ClipSettings placed_clip_;
+  Renderer::SectionView placed_;
   const void* placed_scene_ = nullptr;
   float placed_aspect_ = 0;
   bool dragged_ = false; ///< the section

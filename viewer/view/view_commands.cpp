@@ -118,11 +118,11 @@ void add_view_commands(CommandTable& table, WindowState& m) {
                 .checked = [&m, to = mode.mode] { return m.view.mode == to; }}});
   table.add({{.name = "frame-all",
               .title = "Frame everything",
-              .help = "Moves the camera so that the whole model is seen.",
+              .help = "Shows the whole model, also as panes come and go, until the camera is moved.",
               .menu = "View",
               .icon = icon::home,
               .keys = {{'A'}},
-              .run = does([&m] { m.requests.frame_all = true; })},
+              .run = does([&m] { m.frame_all(); })},
              {.name = "look",
               .title = "Look along an axis",
               .usage = "x | y | z | -x | -y | -z",
