@@ -47,6 +47,28 @@ TEST_CASE("What is no positive finite number is refused as a tolerance, by name"
   }
 }
 
+TEST_CASE("γ of the ball test is a number from 1.2 to 8, auto or off") {
+  const auto read = [](const char* text) {
+    return read_field<BallTestFactor>(field_of(&RunParameters::gamma), "--gamma", text);
+  };
+  for (const char* text : {"auto", "off", "2", "1.2", "8"}) {
+    CAPTURE(text);
+    const auto gamma = read(text);
+    REQUIRE(gamma.ok());
+    CHECK(gamma->text() == text);
+  }
+  CHECK(RunParameters().gamma.gamma == BallTestFactor::automatic);
+  for (const char* text : {"", "0", "-1", "nan", "2x"}) {
+    CAPTURE(text);
+    CHECK_FALSE(read(text).ok());
+  }
+  for (const double gamma : {1.1, 9.0}) {
+    RunParameters parameters;
+    parameters.gamma.gamma = gamma;
+    CHECK_FALSE(check(parameters).ok());
+  }
+}
+
 TEST_CASE("Levels are two numbers, the smaller first, or none") {
   const auto read = [](const char* text) {
     return read_field<Levels>(field_of(&RunParameters::levels), "--levels", text);
