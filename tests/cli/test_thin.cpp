@@ -123,5 +123,5 @@ TEST_CASE("An empty mesh is never written") {
   CHECK(run_batch({"replay", run}).says("stopped"));
   CHECK(run_batch({"replay", run, "-o", out}).says("is not written"));
   CHECK(!std::filesystem::exists(out));
-  CHECK(write_mesh(out, {}).error().code == ErrorCode::io);
+  CHECK(write_mesh(out, TriangleMesh{}).error().code == ErrorCode::io);
 }
