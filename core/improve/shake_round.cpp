@@ -32,15 +32,13 @@ struct FlipAttempt {
 };
 
 /// Tries that are made side by side, wherever they are: few of those that would do come too late.
-constexpr std::size_t largest_batch = 8, vertices_by_try = 16;
+constexpr std::size_t flips_at_once = 8;
 
 /// Takes edges from the front that may be flipped.
 std::vector<FlipAttempt> gather(const LiveSurface& surface, const SurfaceRules& rules,
                                 std::deque<Edge>& edges) {
-  const std::size_t size =
-      std::clamp<std::size_t>(surface.vertex_count() / vertices_by_try, 1, largest_batch);
   std::vector<FlipAttempt> attempts;
-  while (!edges.empty() && attempts.size() < size) {
+  while (!edges.empty() && attempts.size() < flips_at_once) {
     const auto [a, b] = edges.front();
     edges.pop_front();
     if (surface.frozen(a) || surface.frozen(b) || !is_worth_a_flip(rules, surface.complex(), a, b)) continue;

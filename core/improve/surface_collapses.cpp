@@ -31,8 +31,8 @@ bool is_close(const Refusal& refusal) {
 }
 
 /// Attempts with repair that are made side by side, wherever they are: most of them fail, so that few of
-/// those that would do come too late. On a small surface all are near each other.
-constexpr std::size_t largest_repair_batch = 8, vertices_by_repair = 16;
+/// those that would do come too late.
+constexpr std::size_t repairs_at_once = 8;
 
 /// Targets begin at the best of an edge's middle and ends. Of 5,062 on elephant, fandisk and joint at 1 %
 /// that began farther away than this many times the limit one came below it.
@@ -152,9 +152,7 @@ void Round::gather() {
   attempts_.clear();
   claims_.begin_batch();
   const std::size_t size =
-      with_repair()
-          ? std::clamp<std::size_t>(surface_.vertex_count() / vertices_by_repair, 1, largest_repair_batch)
-          : std::clamp<std::size_t>(surface_.vertex_count() / 32, 1, most_batch);
+      with_repair() ? repairs_at_once : std::clamp<std::size_t>(surface_.vertex_count() / 32, 1, most_batch);
   std::vector<Entry> aside;
   for (std::size_t looked = 0; looked < most_looked_at && !queue_.empty(); ++looked) {
     if (attempts_.size() + stale_.size() >= size) break;

@@ -22,7 +22,7 @@ using namespace isoscope::test;
 namespace {
 
 constexpr std::string_view golden_model = "sphere";
-constexpr std::uint64_t golden_digest = 0x231e09411c96c4fb;
+constexpr std::uint64_t golden_digest = 0x3e2bb2098db6a983;
 
 } // namespace
 
