@@ -1,11 +1,11 @@
-// A file that is unlinked as soon as it is open.
+// A nameless file behind a buffer.
 #include "base/scratch_file.h"
+
+#include "base/nameless_file.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <string>
 #include <system_error>
 #include <utility>
 
@@ -18,14 +18,8 @@ constexpr std::size_t bytes_at_once = 1 << 18;
 
 } // namespace
 
-ScratchFile::ScratchFile(const std::filesystem::path& folder) : folder_(folder) {
-  std::string name = (folder / ".isoscope-scratch-XXXXXX").string();
-  descriptor_ = ::mkstemp(name.data());
-  if (descriptor_ < 0)
-    error_ = errno;
-  else
-    ::unlink(name.c_str());
-}
+ScratchFile::ScratchFile(const std::filesystem::path& folder)
+    : folder_(folder), descriptor_(open_nameless(folder)), error_(descriptor_ < 0 ? errno : 0) {}
 
 ScratchFile::~ScratchFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -46,13 +40,7 @@ void ScratchFile::append(const void* data, std::size_t bytes) {
 }
 
 void ScratchFile::flush() const {
-  std::size_t done = 0;
-  while (error_ == 0 && done < buffer_.size()) {
-    const ssize_t n = ::pwrite(descriptor_, buffer_.data() + done, buffer_.size() - done,
-                               static_cast<off_t>(written_ + done));
-    if (n < 0 && errno != EINTR) error_ = errno;
-    if (n > 0) done += static_cast<std::size_t>(n);
-  }
+  if (error_ == 0) error_ = write_all(descriptor_, buffer_.data(), buffer_.size(), written_);
   written_ += buffer_.size();
   buffer_.clear();
 }

@@ -1,6 +1,8 @@
 // Anonymous mappings that are replaced by mappings of a file, in place and at once.
 #include "base/spill_pool.h"
 
+#include "base/nameless_file.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -19,28 +21,6 @@ namespace {
 std::size_t whole_pages(std::size_t bytes) {
   static const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   return (std::max<std::size_t>(bytes, 1) + page - 1) / page * page;
-}
-
-/// A file without a name; -1 with errno where it cannot be made.
-int open_nameless(const std::filesystem::path& folder) {
-  const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  if (file >= 0 || (errno != EOPNOTSUPP && errno != EISDIR)) return file;
-  std::string name = (folder / "isoscope-history-XXXXXX").string();
-  const int named = ::mkostemp(name.data(), O_CLOEXEC);
-  if (named >= 0) ::unlink(name.c_str());
-  return named;
-}
-
-int write_all(int file, const std::byte* data, std::size_t bytes, std::size_t offset) {
-  while (bytes > 0) {
-    const ssize_t written = ::pwrite(file, data, bytes, static_cast<off_t>(offset));
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return written < 0 ? errno : ENOSPC;
-    data += written;
-    offset += static_cast<std::size_t>(written);
-    bytes -= static_cast<std::size_t>(written);
-  }
-  return 0;
 }
 
 } // namespace

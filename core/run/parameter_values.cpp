@@ -1,6 +1,8 @@
 // Texts of parameters and back.
 #include "run/parameter_values.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -43,10 +45,9 @@ std::string Robust::text() const {
 std::optional<Robust> Robust::read(std::string_view text) {
   if (text == "auto") return Robust{automatic};
   if (text == "off") return Robust{off};
-  int neighbors = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), neighbors);
-  if (failure != std::errc() || end != text.data() + text.size() || neighbors < 2) return std::nullopt;
-  return Robust{neighbors};
+  const auto neighbors = read_number<int>(text);
+  if (!neighbors || *neighbors < 2) return std::nullopt;
+  return Robust{*neighbors};
 }
 
 Status Robust::check(const FieldFacts& field, const std::string& asked) const {
@@ -60,10 +61,9 @@ std::string BallTestFactor::text() const {
 std::optional<BallTestFactor> BallTestFactor::read(std::string_view text) {
   if (text == "auto") return BallTestFactor{automatic};
   if (text == "off") return BallTestFactor{off};
-  double gamma = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), gamma);
-  if (failure != std::errc() || end != text.data() + text.size() || !(gamma > 0)) return std::nullopt;
-  return BallTestFactor{gamma};
+  const auto gamma = read_number(text);
+  if (!gamma || !(*gamma > 0)) return std::nullopt;
+  return BallTestFactor{*gamma};
 }
 
 Status BallTestFactor::check(const FieldFacts& field, const std::string& asked) const {
