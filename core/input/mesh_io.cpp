@@ -20,24 +20,6 @@ constexpr double flat_enough = 1e-6;
 /// Fewer points span no volume.
 constexpr std::size_t fewest_points = 4;
 
-PolygonFile read_polygons(FileScanner& in) {
-  switch (detect_format(in)) {
-  case MeshFormat::off:
-    return read_off(in);
-  case MeshFormat::obj:
-    return read_obj(in);
-  case MeshFormat::ply:
-    return read_ply(in);
-  case MeshFormat::stl_ascii:
-    return read_stl_ascii(in);
-  case MeshFormat::stl_binary:
-    return read_stl_binary(in);
-  case MeshFormat::xyz:
-    return read_xyz(in);
-  }
-  in.fail("is in no format that we know");
-}
-
 bool has_area(const Triangle3& t) {
   return cross(t[1] - t[0], t[2] - t[0]) != Vec3{};
 }
@@ -143,6 +125,25 @@ InputMesh make_soup(const FileScanner& in, PolygonFile&& polygons) {
 }
 
 } // namespace
+
+PolygonFile read_polygons(FileScanner& in, PolygonSink* sink) {
+  switch (detect_format(in)) {
+  case MeshFormat::off:
+    return read_off(in, sink);
+  case MeshFormat::obj:
+    return read_obj(in, sink);
+  case MeshFormat::ply:
+    return read_ply(in, sink);
+  case MeshFormat::stl_ascii:
+    return read_stl_ascii(in, sink);
+  case MeshFormat::stl_binary:
+    return read_stl_binary(in, sink);
+  case MeshFormat::xyz:
+    if (sink != nullptr) in.fail("has points and no faces", "Give a surface.", ErrorCode::unsupported);
+    return read_xyz(in);
+  }
+  in.fail("is in no format that we know");
+}
 
 Result<InputMesh> read_input_mesh(const std::filesystem::path& file, const RunControl& control) {
   return scan_file(file, control, "Simplify or split the model.",

@@ -41,6 +41,11 @@ struct PolygonFile {
     if (sink != nullptr) return sink->take_point(p);
     points.push_back(p);
   }
+  /// Of what has no numbers; there is a sink.
+  void give_triangle(const Triangle3& t) {
+    ++face_count;
+    sink->take_triangle(t);
+  }
   void add_face(std::span<const std::uint32_t> face) {
     ++face_count;
     if (sink != nullptr) return sink->take_face(face);
@@ -56,6 +61,8 @@ PolygonFile read_stl_ascii(FileScanner& in, PolygonSink* sink = nullptr);
 PolygonFile read_stl_binary(FileScanner& in, PolygonSink* sink = nullptr);
 /// Points alone, a row of numbers each.
 PolygonFile read_xyz(FileScanner& in);
+/// Any of these, by content. Fails with unsupported where a sink is given and the file is rows of points.
+PolygonFile read_polygons(FileScanner& in, PolygonSink* sink = nullptr);
 
 /// What is said of points that were left out because some coordinate of them is no number.
 InputNote dropped_points_note(std::uint64_t dropped, std::uint64_t first_line);

@@ -3,7 +3,6 @@
 #include "input/mesh_stream.h"
 
 #include "base/scratch_file.h"
-#include "input/mesh_format.h"
 #include "input/mesh_readers.h"
 
 #include <array>
@@ -72,29 +71,6 @@ class Spool : public PolygonSink {
   std::uint64_t triangles_ = 0;
 };
 
-void read_into(Spool& spool, FileScanner& in) {
-  switch (detect_format(in)) {
-  case MeshFormat::off:
-    read_off(in, &spool);
-    return;
-  case MeshFormat::obj:
-    read_obj(in, &spool);
-    return;
-  case MeshFormat::ply:
-    read_ply(in, &spool);
-    return;
-  case MeshFormat::stl_ascii:
-    read_stl_ascii(in, &spool);
-    return;
-  case MeshFormat::stl_binary:
-    read_stl_binary(in, &spool);
-    return;
-  case MeshFormat::xyz:
-    break;
-  }
-  in.fail("has points and no faces", "Give a surface.", ErrorCode::unsupported);
-}
-
 } // namespace
 
 Result<StreamedFile> stream_triangles(const std::filesystem::path& file, const StreamRoom& room,
@@ -102,7 +78,7 @@ Result<StreamedFile> stream_triangles(const std::filesystem::path& file, const S
                                       const RunControl& control) {
   return scan_file(file, control, "Give more memory.", [&](FileScanner& in) {
     Spool spool(in, room, take);
-    read_into(spool, in);
+    read_polygons(in, &spool);
     return spool.finish();
   });
 }

@@ -109,8 +109,7 @@ class AsciiStl {
   void stream_facet() {
     if (streamed_.size() != 3) in_.fail_here("a facet of other than three corners", export_anew);
     expect("endfacet");
-    ++mesh_.face_count;
-    mesh_.sink->take_triangle({streamed_[0], streamed_[1], streamed_[2]});
+    mesh_.give_triangle({streamed_[0], streamed_[1], streamed_[2]});
   }
 
   FileScanner& in_;
@@ -169,8 +168,7 @@ class BinaryStl {
     }
     ++triangles_;
     if (mesh_.sink == nullptr) return mesh_.add_face(face);
-    ++mesh_.face_count;
-    mesh_.sink->take_triangle(t);
+    mesh_.give_triangle(t);
   }
 
   void read_announced(std::uint64_t count) {
