@@ -77,11 +77,13 @@ Triangle3 canonical(const Triangle3& facet) {
   return turned;
 }
 
+bool comes_before(const Triangle3& a, const Triangle3& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), lies_before);
+}
+
 void make_canonical(std::vector<Triangle3>& facets) {
   for (Triangle3& f : facets) f = canonical(f);
-  std::sort(facets.begin(), facets.end(), [](const Triangle3& a, const Triangle3& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), lies_before);
-  });
+  std::sort(facets.begin(), facets.end(), comes_before);
 }
 
 Status write_facets(const std::filesystem::path& file, const TileGrid& grid, std::vector<Triangle3> facets) {

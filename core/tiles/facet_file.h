@@ -25,7 +25,9 @@ struct BrickEntry {
 
 /// A facet with its lowest vertex first, the way round it had.
 Triangle3 canonical(const Triangle3& facet);
-/// Puts facets in canonical form and in the order of their corners.
+/// The order of their corners, for facets in canonical form.
+bool comes_before(const Triangle3& a, const Triangle3& b);
+/// Puts facets in canonical form and in that order.
 void make_canonical(std::vector<Triangle3>& facets);
 
 /// Writes facets, which become canonical, by brick; the same bytes for the same facets, whatever their order.

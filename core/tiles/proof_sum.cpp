@@ -2,16 +2,13 @@
 #include "tiles/proof_sum.h"
 
 #include "base/point_order.h"
+#include "tiles/facet_file.h"
 
 #include <algorithm>
 #include <iterator>
 
 namespace isoscope {
 namespace {
-
-bool comes_before(const Triangle3& a, const Triangle3& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), lies_before);
-}
 
 /// How many different ones there are.
 std::size_t count_facets(std::vector<Triangle3>& facets) {

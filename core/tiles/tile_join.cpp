@@ -18,9 +18,7 @@ struct PointOrder {
   bool operator()(Vec3 a, Vec3 b) const { return lies_before(a, b); }
 };
 struct FacetOrder {
-  bool operator()(const Triangle3& a, const Triangle3& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), lies_before);
-  }
+  bool operator()(const Triangle3& a, const Triangle3& b) const { return comes_before(a, b); }
 };
 
 /// The number of a point among those that fill a file in their order.

@@ -42,8 +42,7 @@ struct TiledFacet {
 struct TileOrder {
   bool operator()(const TiledFacet& a, const TiledFacet& b) const {
     if (a.tile != b.tile) return a.tile < b.tile;
-    return std::lexicographical_compare(a.facet.begin(), a.facet.end(), b.facet.begin(), b.facet.end(),
-                                        lies_before);
+    return comes_before(a.facet, b.facet);
   }
 };
 
