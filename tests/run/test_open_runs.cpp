@@ -3,7 +3,7 @@
 #include "input/gallery.h"
 #include "journal/playback.h"
 #include "mesh/validity.h"
-#include "run/complete_run.h"
+#include "run/open_run_checks.h"
 #include "tolerance/open_shapes.h"
 
 #include <doctest/doctest.h>
@@ -35,18 +35,6 @@ std::unique_ptr<CompleteRun> finished(TriangleSoup soup, double percent, const c
   REQUIRE(done);
   for (const std::string& failure : run->result->certificate.failures) MESSAGE(failure);
   return run;
-}
-
-void check_certified(const CompleteRun& run, long chi, std::size_t loops, std::size_t components = 1) {
-  const Certificate& c = run.result->certificate;
-  CHECK(c.holds());
-  CHECK(c.euler_characteristic == chi);
-  CHECK(c.boundary_loops == loops);
-  CHECK(c.components == components);
-  CHECK(c.topology == Certificate::Topology::as_expected);
-  REQUIRE(c.border.has_value());
-  CHECK(c.border->to_rim <= run.scene->delta);
-  CHECK(c.border->from_rim <= run.scene->delta);
 }
 
 } // namespace

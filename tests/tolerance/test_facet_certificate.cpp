@@ -1,12 +1,14 @@
 // Facets known to be inside and outside, small planted violations, and the proven bound.
 #include "tolerance/closest_point.h"
 #include "tolerance/facet_certificate.h"
+#include "tolerance/sampled_distance.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
 
 using namespace isoscope;
 using isoscope::testing::Random;
+using isoscope::testing::sampled_maximum;
 using Kind = FacetVerdict::Kind;
 
 namespace {
@@ -16,16 +18,6 @@ TriangleSoup big_square() {
   soup.points = {{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
   soup.triangles = {{0, 1, 2}, {0, 2, 3}};
   return soup;
-}
-
-double sampled_maximum(const ClosestPointIndex& index, const Triangle3& t) {
-  double largest = 0;
-  constexpr int n = 40;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; i + j <= n; ++j)
-      largest = std::max(
-          largest, index.distance(t[0] + (i / double{n}) * (t[1] - t[0]) + (j / double{n}) * (t[2] - t[0])));
-  return largest;
 }
 
 } // namespace
@@ -71,7 +63,7 @@ TEST_CASE("the bound of an accepted facet is at least every sampled distance, an
                           center + size * random.direction()};
     const FacetVerdict verdict = certify_facet(index, facet, accept, reject);
     REQUIRE(verdict.kind != Kind::undecided);
-    const double largest = sampled_maximum(index, facet);
+    const double largest = sampled_maximum(index, facet, 40);
     if (verdict.kind == Kind::inside) {
       ++inside;
       CHECK(largest <= verdict.max_distance);

@@ -2,6 +2,7 @@
 // them.
 #include "tolerance/facet_certificate.h"
 #include "tolerance/flat_parts.h"
+#include "tolerance/sampled_distance.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
@@ -10,6 +11,7 @@
 
 using namespace isoscope;
 using isoscope::testing::Random;
+using isoscope::testing::sampled_maximum;
 using Kind = FacetVerdict::Kind;
 
 namespace {
@@ -34,16 +36,6 @@ TriangleSoup ring() {
   return plate(9, 0.3, [](std::uint32_t i, std::uint32_t j) {
     return !(i >= 3 && i < 6 && j >= 2 && j < 7) && !(i == 8 && j == 0);
   });
-}
-
-double sampled_maximum(const ClosestPointIndex& index, const Triangle3& t) {
-  double largest = 0;
-  constexpr int n = 24;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; i + j <= n; ++j)
-      largest = std::max(
-          largest, index.distance(t[0] + (i / double{n}) * (t[1] - t[0]) + (j / double{n}) * (t[2] - t[0])));
-  return largest;
 }
 
 } // namespace
@@ -111,7 +103,7 @@ TEST_CASE("facets are proven with parts in fewer pieces, and none that is outsid
       ++inside;
       pieces += with.pieces;
       pieces_without += without.pieces;
-      CHECK(sampled_maximum(index, facet) <= with.max_distance);
+      CHECK(sampled_maximum(index, facet, 24) <= with.max_distance);
       CHECK(with.max_distance <= accept);
     } else {
       ++outside;
