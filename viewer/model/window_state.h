@@ -217,11 +217,11 @@ class WindowState : public ShownRun {
   /// Opens the inspector, which brings the answer into sight.
   void bring_into_sight(AnswerKind which);
 
-  /// What undo would bring back of the present window, and bringing it back.
   /// The clip goes to the middle of the model.
   void center_clip();
   /// The whole model is seen, by camera and section, also as panes come and go, until somebody moves them.
   void frame_all();
+  /// What undo would bring back of the present window, and bringing it back.
   ViewMemento memento() const;
   void take(const ViewMemento& memento);
   /// Shows a stored view; the theme stays.

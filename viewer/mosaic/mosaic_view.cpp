@@ -131,7 +131,7 @@ void MosaicView::draw(Ui& ui) {
   overlay::axes(ui, mosaic_.camera, area.low, area.size);
   if (mosaic_.folder() != nullptr)
     overlay::scale_bar(ui, mosaic_.folder()->manifest().delta, area.low, area.size,
-                       overlay::height_at_target(mosaic_.camera));
+                       mosaic_.camera.height_at_target());
   words(ui, area);
 }
 

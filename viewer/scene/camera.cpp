@@ -28,9 +28,6 @@ void store(CameraPose& p, glm::dquat q) {
   q = glm::normalize(q);
   p.orientation = {q.x, q.y, q.z, q.w};
 }
-double half_height(const CameraPose& p) {
-  return p.distance * std::tan(glm::radians(p.fov) / 2);
-}
 
 /// Depths of the box along the view direction, as seen from the eye.
 std::array<double, 2> depth_range(const CameraPose& pose, Vec3 eye, const Box3& box) {
@@ -59,6 +56,10 @@ CameraPose turned_pose(double yaw, double pitch, double fov) {
 
 CameraPose first_pose() {
   return turned_pose(0.6, -0.42, 35);
+}
+
+double Camera::height_at_target() const {
+  return 2 * pose_.distance * std::tan(glm::radians(pose_.fov) / 2);
 }
 
 void Camera::set(const CameraPose& pose, bool ease) {
@@ -135,8 +136,7 @@ void Camera::pan(double dx, double dy, double height, Vec3 pivot) {
   const Vec3 forward = from_glm(q * glm::dvec3(0, 0, -1));
   const double depth = dot(pivot - eye(), forward);
   const bool by_pivot = !pose_.orthographic && depth > 0;
-  const double scale =
-      2 * half_height(pose_) / std::max(height, 1.0) * (by_pivot ? depth / pose_.distance : 1.0);
+  const double scale = height_at_target() / std::max(height, 1.0) * (by_pivot ? depth / pose_.distance : 1.0);
   pose_.target += from_glm(q * glm::dvec3(-dx * scale, dy * scale, 0));
 }
 
@@ -187,7 +187,7 @@ glm::mat4 Camera::projection(double aspect) const {
     depth = {depth[0] - margin, depth[1] + margin};
   }
   if (pose_.orthographic) {
-    const double h = half_height(pose_);
+    const double h = height_at_target() / 2;
     return glm::mat4(glm::ortho(-h * aspect, h * aspect, -h, h, depth[0], depth[1]));
   }
   const double far_plane = std::max(depth[1], 1e-2 * pose_.distance);

@@ -33,6 +33,8 @@ CameraPose first_pose();
 class Camera {
  public:
   const CameraPose& pose() const { return pose_; }
+  /// Scene units over the view's height, where it looks.
+  double height_at_target() const;
   /// Where a transition leads; the pose itself at rest.
   const CameraPose& goal() const { return transition_ < 1 ? to_ : pose_; }
   /// Jumps, or eases over 200 ms of update() time when `ease`.

@@ -4,7 +4,6 @@
 #include "model/words.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace isoscope {
 namespace {
@@ -122,9 +121,8 @@ void add_run_values(NamedValues& t, const WindowState& m) {
         [&m] { return m.messages.empty() ? std::string("none") : m.messages.back().text; });
   t.add("distance", "of the camera from its target", [&m] { return m.camera.pose().distance; });
   t.add("filled", "the model's longest edge over the height of the view, at the camera's target", [&m] {
-    const CameraPose& pose = m.camera.pose();
-    const double height = 2 * pose.distance * std::tan(0.5 * pose.fov * std::numbers::pi / 180);
-    return m.scene_bounds().empty() ? std::nan("") : m.scene_bounds().longest_edge() / height;
+    const Box3 box = m.scene_bounds();
+    return box.empty() ? std::nan("") : box.longest_edge() / m.camera.height_at_target();
   });
   t.add("heading", "x of the camera's backward axis", [&m] {
     const auto& q = m.camera.pose().orientation;

@@ -76,7 +76,7 @@ void OtherView::draw(Ui& ui, Comparison& comparison) {
     overlay::scale_bar(ui, delta, area.low, area.size, m.section.height);
   } else {
     overlay::axes(ui, camera, area.low, area.size);
-    overlay::scale_bar(ui, delta, area.low, area.size, overlay::height_at_target(camera));
+    overlay::scale_bar(ui, delta, area.low, area.size, camera.height_at_target());
   }
   if (state && run->run.journal && state->event)
     overlay::sentence(ui, &*state->event, describe(*run->run.journal, *state->event), area.low,

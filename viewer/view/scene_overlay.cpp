@@ -102,10 +102,6 @@ void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size) {
   }
 }
 
-double height_at_target(const Camera& camera) {
-  return 2 * camera.pose().distance * std::tan(camera.pose().fov * 3.14159265358979 / 360);
-}
-
 void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double height) {
   if (!ui.window.view.scale_bar || delta <= 0 || height <= 0) return;
   const double pixels_per_delta = delta * static_cast<double>(size.y) / height;

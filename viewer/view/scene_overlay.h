@@ -13,8 +13,6 @@ void mode_switch(Ui& ui, ImVec2 corner);
 void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size);
 /// `height`: scene units over the view's height; nothing where `delta` is 0.
 void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double height);
-/// Of a camera, where it looks.
-double height_at_target(const Camera& camera);
 /// An event's text in the top left corner with its glyph; null: none led here. It has `room` pixels, and is
 /// cut to that many lines.
 void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room, int lines = 1);

@@ -117,7 +117,7 @@ void SceneView::draw_scene(Ui& ui, Area area) {
   scene_mouse(ui, area);
   render(ui, area, false);
   WindowState& m = ui.window;
-  const double high = overlay::height_at_target(m.camera);
+  const double high = m.camera.height_at_target();
   if (!ImGui::IsAnyMouseDown()) look_near(m, m.camera.pose().target, high, area.size);
   clip_handle_.draw(ui, area);
   overlay::axes(ui, m.camera, area.low, area.size);
