@@ -213,7 +213,8 @@ TEST_CASE("pictures look as they should") {
   const std::string script = "wait settled\nseek 12\nscreenshot " + picture("scene") +
                              "\nset clip plane\nsplit\ntab plots\nscreenshot " + picture("split") +
                              "\nscene\npick tet 30\ntab timeline\ntheme light\nscreenshot " +
-                             picture("inspector") + "\ntheme dark\ngallery\nwait 3\nscreenshot " +
+                             picture("inspector") +
+                             "\ntheme dark\ngallery\nwait until gallery.ready == on\nwait 1\nscreenshot " +
                              picture("gallery") + "\nquit\n";
   REQUIRE(run_window("pictures", script) == 0);
   for (const char* name : {"scene", "split", "inspector", "gallery"}) compare(name);

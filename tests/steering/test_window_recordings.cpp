@@ -124,8 +124,8 @@ TEST_CASE("a copy that grows is followed, torn and late as it comes, and the pla
   REQUIRE(run_window(
               "there",
               "wait settled\nrecord " + there +
-                  "\nstep 5\nwait settled\nwait until recording.events > 5\nstep 5\nwait settled\n"
-                  "wait until recording.events > 10\nplay\nwait settled\nwait until recording.events > 100\n"
+                  "\nstep 30\nwait settled\nwait until recording.events > 30\nstep 5\nwait settled\n"
+                  "wait until recording.events > 35\nplay\nwait settled\nwait until recording.events > 100\n"
                   "quit\n",
               "gallery:sphere --tolerance 12% --paused") == 0);
   // What carries it: the head, a copy whose end has not come, and then the whole by a rename, each once the

@@ -75,6 +75,8 @@ Status App::setup(const ProgramOptions& options) {
   run_views_ = std::make_unique<RunViews>(*scene_view_, m.comparison);
   timeline_.emplace(m.debug, m.talk, m.investigation, m.comparison);
   overlays_.emplace(m);
+  m.values.add("gallery.ready", "whether every model of the gallery has its picture",
+               [this] { return overlays_->thumbnails().finished(); });
   mosaic_view_ = std::make_unique<MosaicView>(m.mosaic);
   panes_.emplace(m, *run_views_, *mosaic_view_, *timeline_, *overlays_);
   if (options.history_limit > 0) m.settings.history_limit = options.history_limit;
