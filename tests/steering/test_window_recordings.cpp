@@ -42,8 +42,8 @@ TEST_CASE("a run recorded from the window opens in another one and is stepped th
   fs::remove(file);
   REQUIRE(run_window("record",
                      "expect recording == none\nwait settled\nrecord " + file +
-                         "\nexpect recording == writing\nexpect certified == on\nwait 1\n"
-                         "expect recording.events > 100\nquit\n",
+                         "\nexpect recording == writing\nexpect certified == on\n"
+                         "wait until recording.whole == on\nexpect recording.events > 100\nquit\n",
                      "gallery:sphere --tolerance 12%") == 0);
   REQUIRE(fs::exists(file));
   CHECK(run_window("opened",
@@ -102,7 +102,7 @@ TEST_CASE("a file that is no recording is told") {
   const fs::path file = results / "none.isorun";
   std::ofstream(file) << "OFF\n0 0 0\n";
   CHECK(run_window("none",
-                   "open " + file.string() + "\nwait 2\nexpect phase == failed\nexpect messages == 1\nquit\n",
+                   "open " + file.string() + "\nwait until phase == failed\nexpect messages == 1\nquit\n",
                    "gallery:sphere --paused") == 0);
 }
 
@@ -144,8 +144,7 @@ TEST_CASE("a copy that grows is followed, torn and late as it comes, and the pla
                             here + "'; " + seen("copy-3.png") + "cp '" + there + "' '" + here +
                             ".tmp'; mv '" + here + ".tmp' '" + here + "'";
   CHECK(run_window("copy",
-                   "wait 1\nexpect recording == awaited\nexpect recording.copied == on\n" +
-                       shot("copy-1.png") +
+                   "wait until recording == awaited\nexpect recording.copied == on\n" + shot("copy-1.png") +
                        "wait until recording.bytes == 3000\nexpect recording == awaited\n"
                        "wait until recording.torn == on\n" +
                        shot("copy-2.png") +

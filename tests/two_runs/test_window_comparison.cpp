@@ -102,7 +102,7 @@ TEST_CASE("a recording opens beside a run, and the same run does not differ from
   const std::string file = std::string(ISOSCOPE_RESULTS) + "/beside.isorun";
   CHECK(run_window("compare-recording", "record " + file + R"(
 wait settled
-wait 1
+wait until recording.whole == on
 open-beside )" + file + R"(
 wait settled
 expect runs == 2 and compare.same == on and compare.parameters == 0 and compare.first_step == none

@@ -24,6 +24,10 @@ void Steering::add_recording_values(NamedValues& t) {
   const auto of = t.readings(
       "recording.", [this] { return window.run.recording; }, "nan");
   of("events", "events written to it, or read from it", &RecordingState::events);
+  t.add("recording.whole", "whether it has every event so far", [this] {
+    const auto& run = window.run;
+    return run.recording && run.journal && run.recording->events >= run.journal->events().size();
+  });
   of("bytes", "its size on the disk", &RecordingState::bytes);
   of("copied", "whether it is followed as a copy", &RecordingState::copied);
   of("age", "of a copy: seconds since it was written", [](const RecordingState& r) { return age_of(r); });
