@@ -11,15 +11,16 @@ namespace isoscope {
 namespace {
 
 /// Summits go in from high to low: each level lower than the last one by this factor, down to the lowest, in
-/// units of δ. Where the topology is only aimed at, or parts are to be joined, parts of the input may cross,
-/// and what lies lower is as likely to be such a crossing as a handle.
+/// units of δ. Where the topology is only aimed at, parts of the input may cross, and what lies lower is as
+/// likely to be such a crossing as a handle.
 constexpr double level_step = 0.7, lowest_level = 0.01, lowest_level_aimed_at = 0.3;
 /// The same for places between regions and pockets where sides are told by depth, in units of δ'.
 constexpr double highest_basin = 0.98, basin_step = 0.93, lowest_basin = 0.3;
+/// Points beyond the offset of the outside go in down to so much beyond; parts of edges and facets this small
+/// are judged by their middles. In units of δ'.
+constexpr double lowest_offset_level = 0.05, smallest_offset_part = 0.15;
 /// How far apart points along contacts are, in units of δ', at first and at last.
 constexpr double first_contact_spacing = 0.5, finest_contact_spacing = 0.125;
-/// Where parts are to be joined, low places get at most so many times the insertions that came before them.
-constexpr double low_insertions = 1;
 /// From a summit down to its point, the first of so many stations that f has on the wrong side goes in.
 constexpr int climb_stations = 4;
 
@@ -51,7 +52,6 @@ void TopologyCondition::reconsider() {
   summits_.reset();
   contacts_.reset();
   contact_spacing_ = first_contact_spacing;
-  steps_above_.reset();
   enter(context_.criteria().certified ? first_search() : Phase::circumradii);
 }
 
@@ -71,7 +71,7 @@ void TopologyCondition::enter(Phase phase) {
   points_.clear();
   candidates_.clear();
   fruitful_ = false;
-  if (phase == Phase::contacts || phase == Phase::edges || phase == Phase::summits)
+  if (phase == Phase::contacts || phase == Phase::offset || phase == Phase::edges || phase == Phase::summits)
     level_ = context_.volume().thresholds().boundary * level_step;
   if (phase == Phase::basins) level_ = context_.volume().thresholds().boundary * highest_basin;
 }
@@ -132,10 +132,10 @@ bool TopologyCondition::insert_next_point() {
     }
     fruitful_ = false;
   }
-  while (!points_.empty() && points_.back().height >= level_ && !spent()) {
+  while (!points_.empty() && points_.back().height >= level_) {
     const MisclassifiedPoint point = points_.back();
     points_.pop_back();
-    if (!wanted(point) || !insert_point(point)) continue;
+    if (!insert_point(point)) continue;
     fruitful_ = true;
     return true;
   }
@@ -146,6 +146,11 @@ bool TopologyCondition::insert_next_point() {
 void TopologyCondition::advance() {
   if (fruitful_) return;
   if (phase_ == Phase::contacts) return leave_contacts();
+  if (phase_ == Phase::offset) {
+    level_ *= level_step;
+    if (level_ < lowest_offset_level * context_.volume().thresholds().boundary) enter(Phase::given_up);
+    return;
+  }
   if (phase_ == Phase::basins) {
     level_ *= basin_step;
     if (level_ < lowest_basin * context_.volume().thresholds().boundary) enter(Phase::given_up);
@@ -157,9 +162,7 @@ void TopologyCondition::advance() {
   }
   lower_level();
   phase_ = summits_ ? Phase::summits : first_search();
-  if (levels_left()) return;
-  if (expected_.joined && !summits_) return; // the contacts have the last word
-  try_summits();
+  if (!levels_left()) try_summits();
 }
 
 /// Parts in which points are held may be as thin as they like: the last level has all of them.
@@ -169,43 +172,30 @@ void TopologyCondition::lower_level() {
   level_ = lower < last && last <= level_ && volume.held() > 0 ? lowest_level * last : lower;
 }
 
-bool TopologyCondition::thin_parts_matter() const {
-  return expected_.required && (!expected_.joined || context_.volume().held() > 0);
-}
-
-bool TopologyCondition::spent() {
-  if (!expected_.joined || (!summits_ && !low(level_))) return false;
-  const double steps = static_cast<double>(context_.recorder().journal().steps());
-  if (!steps_above_) steps_above_ = steps;
-  return steps > (1 + low_insertions) * *steps_above_;
-}
-
-bool TopologyCondition::levels_left() {
-  if (spent()) return false;
-  if (!thin_parts_matter()) return !low(level_);
+bool TopologyCondition::levels_left() const {
+  if (!expected_.required) return level_ >= lowest_level_aimed_at * context_.volume().thresholds().delta;
   const ToleranceVolume& volume = context_.volume();
   const double lowest = volume.held() > 0 ? lowest_level * lowest_level : lowest_level;
   return level_ >= lowest * volume.thresholds().delta;
 }
 
 void TopologyCondition::try_summits() {
-  if (summits_ || !thin_parts_matter()) return enter(Phase::given_up);
+  if (summits_ || !expected_.required) return enter(Phase::given_up);
   std::vector<MisclassifiedPoint> summits = thin_summits(context_.volume(), context_.control());
   if (context_.cancelled()) return;
   summits_ = std::move(summits);
   enter(Phase::summits);
 }
 
-/// Contacts are looked at more and more finely, then edges and facets, then contacts again, which points
-/// outside may have opened.
+/// Contacts are looked at more and more finely; what is not joined then is found by the offset of the
+/// outside.
 void TopologyCondition::leave_contacts() {
   if (contact_spacing_ > finest_contact_spacing) {
     contact_spacing_ *= 0.5;
     contacts_.reset();
     return;
   }
-  if (!levels_left()) return try_summits();
-  phase_ = Phase::edges;
+  enter(Phase::offset);
 }
 
 void TopologyCondition::collect_points() {
@@ -217,6 +207,11 @@ void TopologyCondition::collect_points() {
   } else if (phase_ == Phase::summits) {
     points_ = *summits_;
     while (!points_.empty() && points_.back().height < level_) points_.pop_back();
+  } else if (phase_ == Phase::offset) {
+    const double boundary = context_.volume().thresholds().boundary;
+    points_ = misclassified_by_offset(
+        context_.live(), OuterOffset(context_.volume(), context_.nearest(), context_.criteria().sigma),
+        level_, smallest_offset_part * boundary, context_.control());
   } else if (phase_ == Phase::basins) {
     points_ = misclassified_basins(context_.live(), context_.volume(), level_, context_.control());
   } else if (phase_ == Phase::edges) {
@@ -225,14 +220,6 @@ void TopologyCondition::collect_points() {
     points_ = misclassified_on_facets(context_.live(), context_.volume(), context_.control());
   }
   std::reverse(points_.begin(), points_.end());
-}
-
-bool TopologyCondition::wanted(const MisclassifiedPoint& point) const {
-  return !expected_.joined || point.label < 0 || (!summits_ && !low(point.height));
-}
-
-bool TopologyCondition::low(double height) const {
-  return height < lowest_level_aimed_at * context_.volume().thresholds().delta;
 }
 
 bool TopologyCondition::misclassified(Vec3 p, int label, TetId t) const {

@@ -34,7 +34,7 @@ class TopologyCondition {
 
  private:
   /// What is tried, in this order.
-  enum class Phase { circumradii, contacts, summits, edges, facets, basins, given_up };
+  enum class Phase { circumradii, contacts, offset, summits, edges, facets, basins, given_up };
   struct Candidate {
     TetId tet;
     std::uint32_t generation = 0;
@@ -55,9 +55,8 @@ class TopologyCondition {
   double level_ = 0; ///< summits lower than this wait
   /// Where parts are to be joined; found when they are needed.
   std::optional<std::vector<MisclassifiedPoint>> contacts_;
-  double contact_spacing_ = 0;        ///< of these, in units of δ'
-  std::optional<double> steps_above_; ///< before low places had their turn, where parts are joined
-  bool fruitful_ = false;             ///< a point went in since the present phase last looked for points
+  double contact_spacing_ = 0; ///< of these, in units of δ'
+  bool fruitful_ = false;      ///< a point went in since the present phase last looked for points
 
   void note_check();
   bool sides_known() const { return context_.volume().input().sides_known(); }
@@ -74,21 +73,12 @@ class TopologyCondition {
   void advance();
   void lower_level();
   void leave_contacts();
-  /// Whether low places are more likely handles than crossings of the input: where it is embedded, and where
-  /// Z has to reach into parts that are thin.
-  bool thin_parts_matter() const;
-  /// Whether a height counts as low there.
-  bool low(double height) const;
-  /// Whether what low places may take is used up.
-  bool spent();
-  bool levels_left();
+  bool levels_left() const;
   /// The last phase: of the input's thin places, or nothing.
   void try_summits();
   void collect_points();
   bool insert_next_point();
   bool insert_point(const MisclassifiedPoint& candidate);
-  /// Not what would open narrow gaps where parts are to be joined.
-  bool wanted(const MisclassifiedPoint& point) const;
   bool misclassified(Vec3 p, int label, TetId t) const;
   void collect_candidates();
   bool refine_largest();

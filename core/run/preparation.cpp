@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/stopwatch.h"
+#include "criteria/outer_offset.h"
 #include "run/closing_tolerance.h"
 #include "run/coordinate_check.h"
 #include "run/cover_witnesses.h"
@@ -317,6 +318,13 @@ Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(double sigma)
   return std::make_shared<const BoundarySamples>(std::move(*samples));
 }
 
+/// Where parts are joined in Ω, what can be made of its outer boundary is counted with the samples.
+void Preparation::count_joined(Scene& made, const CriteriaParameters& criteria) const {
+  const NearestSample nearest(made.samples->positions, made.samples->labels);
+  if (auto counted = OuterOffset(*volume_, nearest, criteria.sigma).topology(control_))
+    made.expected = std::move(*counted);
+}
+
 /// Z need not go into what is thinner than 2δ, but for the cover that is asked for.
 void Preparation::hold_thin_parts(const Scene& made, const CriteriaParameters& criteria) {
   if (!criteria.certified || !parameters_.cover || parameters_.topology == TopologyMode::separate) return;
@@ -412,6 +420,7 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   if (Status closed = volume_->check_passages(); !closed) return refused(closed.error(), *scene);
   scene->samples = *samples;
   scene->expected = expected_topology(*volume_, parameters_.topology);
+  if (scene->expected.joined && !volume_->thickening()) count_joined(*scene, criteria);
   hold_thin_parts(*scene, criteria);
   if (control_.cancelled()) return cancelled_error(control_);
   scene->sample_estimate = estimate_samples(*volume_);

@@ -97,6 +97,7 @@ class Preparation {
   Status build_volume(Scene& made, std::shared_ptr<const TriangleSoup> kept, ThinParts thin);
   Status build_volume_of_points(Scene& made, const std::shared_ptr<const TriangleSoup>& soup);
   void examine(const Scene& made);
+  void count_joined(Scene& made, const CriteriaParameters& criteria) const;
   void hold_thin_parts(const Scene& made, const CriteriaParameters& criteria);
   void warn(Scene& made, const CriteriaParameters& criteria) const;
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <compare>
 #include <optional>
 
@@ -188,9 +189,12 @@ class CornerNumbers {
 class Counter {
  public:
   Counter(const ToleranceVolume& volume, const BoundaryCounting& counting)
-      : volume_(volume), halvings_(counting.halvings), careful_(counting.careful),
+      : volume_(volume), careful_(counting.careful), level_(volume.octree().main_level() + counting.halvings),
+        simplices_(simplices_at_corner()), counts_(volume.boundary_components().size()) {}
+  Counter(const ToleranceVolume& volume, const OffsetCounting& counting)
+      : volume_(volume), careful_(true), offset_(&counting),
         level_(volume.octree().main_level() + counting.halvings), simplices_(simplices_at_corner()),
-        counts_(volume.boundary_components().size()) {}
+        counts_(1) {}
 
   Status run(const RunControl& control) {
     const Regions& octree = volume_.octree();
@@ -201,8 +205,8 @@ class Counter {
     std::vector<LatticeCell> block;
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
       const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
-      if (c.kind != Regions::Kind::ambiguous || c.level != octree.main_level()) continue;
-      const std::uint32_t n = 1u << halvings_;
+      if (!is_counted(c)) continue;
+      const std::uint32_t n = 1u << (level_ - c.level);
       for (std::uint32_t k = 0; k < n * n * n; ++k)
         block.push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
       if (block.size() < counted_block) continue;
@@ -231,9 +235,19 @@ class Counter {
     std::size_t cells = 0;
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
       const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
-      cells += c.kind == Regions::Kind::ambiguous && c.level == octree.main_level() ? 1 : 0;
+      if (is_counted(c)) cells += std::size_t{1} << (3 * (level_ - c.level));
     }
-    return cells << (3 * halvings_);
+    return cells;
+  }
+
+  /// Whether the surface that is counted may pass through a cell.
+  bool is_counted(const Regions::Cell& c) const {
+    const Regions& octree = volume_.octree();
+    if (offset_ == nullptr) return c.kind == Regions::Kind::ambiguous && c.level == octree.main_level();
+    const bool is_leaf = c.child == Regions::none || c.child >= octree.main_size();
+    const double half_diagonal = 0.5 * std::sqrt(3.0) * octree.side(c.level);
+    return is_leaf && c.kind != Regions::Kind::out &&
+           static_cast<double>(c.distance) >= volume_.thresholds().boundary - offset_->reach - half_diagonal;
   }
 
   Vec3 position(std::uint64_t key) const {
@@ -278,8 +292,17 @@ class Counter {
     return result;
   }
 
+  /// Whether a corner is in the set whose boundary is counted.
+  Corner examine_offset(Vec3 p, TriangleId guess) const {
+    const double d = volume_.field().closest_near(p, guess).distance();
+    const double boundary = volume_.thresholds().boundary;
+    if (d < boundary - offset_->reach || volume_.sides().label(p) < 0) return {};
+    return {d >= boundary || offset_->outside(p), RegionId(0), 0};
+  }
+
   Corner examine(std::uint64_t key, TriangleId guess) const {
     const Vec3 p = position(key);
+    if (offset_ != nullptr) return examine_offset(p, guess);
     const auto [told, finer_region] = surroundings(p);
     const bool one_component = volume_.volume_component_count() == 1;
     if (told && (one_component || !told->outside)) return *told;
@@ -355,7 +378,8 @@ class Counter {
         inner = at[s.corners[i]];
     }
     if (!outer || !inner) return;
-    const auto component = volume_.boundary_component(region, inner->volume_component);
+    const auto component = offset_ != nullptr ? std::optional<std::uint16_t>(0)
+                                              : volume_.boundary_component(region, inner->volume_component);
     if (component) counts_[*component].euler_characteristic += s.sign;
     if (!careful_ || s.size > 3) return;
     std::array<std::uint64_t, 2> ends{};
@@ -370,8 +394,8 @@ class Counter {
   }
 
   const ToleranceVolume& volume_;
-  unsigned halvings_;
   bool careful_;
+  const OffsetCounting* offset_ = nullptr; ///< null where all boundaries of Ω' are counted
   unsigned level_;
   std::vector<Simplex> simplices_;
   std::vector<BoundaryCount> counts_;
@@ -385,6 +409,13 @@ count_boundaries(const ToleranceVolume& volume, const BoundaryCounting& counting
   Counter counter(volume, counting);
   if (Status status = counter.run(control); !status.ok()) return status.error();
   return counter.take(control);
+}
+
+Result<BoundaryCount> count_offset(const ToleranceVolume& volume, const OffsetCounting& counting,
+                                   const RunControl& control) {
+  Counter counter(volume, counting);
+  if (Status status = counter.run(control); !status.ok()) return status.error();
+  return counter.take(control).front();
 }
 
 } // namespace isoscope

@@ -6,6 +6,7 @@
 #include "tolerance/tolerance_volume.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace isoscope {
@@ -28,5 +29,16 @@ struct BoundaryCounting {
 /// with cancelled, and with unsupported where a careful count would take too much memory.
 Result<std::vector<BoundaryCount>>
 count_boundaries(const ToleranceVolume& volume, const BoundaryCounting& counting, const RunControl& control);
+
+/// The same for one surface in Ω', the boundary of a set around all that is outside of Ω'. `outside` tells of
+/// points with δ' - reach <= d < δ' outside of the input whether they belong to it; nearer to the input none
+/// does. Pieces are counted too.
+struct OffsetCounting {
+  unsigned halvings = 0; ///< how often the lattice is finer than the octree's main cells
+  double reach = 0;      ///< below δ'
+  std::function<bool(Vec3)> outside;
+};
+Result<BoundaryCount> count_offset(const ToleranceVolume& volume, const OffsetCounting& counting,
+                                   const RunControl& control);
 
 } // namespace isoscope

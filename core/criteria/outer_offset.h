@@ -1,0 +1,41 @@
+// What is to be outside where parts are to be one, as Ω joins them.
+#pragma once
+
+#include "base/run_control.h"
+#include "criteria/nearest_sample.h"
+#include "criteria/topology.h"
+#include "tolerance/tolerance_volume.h"
+
+#include <optional>
+#include <vector>
+
+namespace isoscope {
+
+/// The points within some two thirds of δ' of the region outside of Ω', as its samples tell. Their boundary
+/// lies in Ω; gaps that Ω' closes are inside of it, wherever the input has its own sides. Where walls meet at
+/// a sharp angle the outside of Ω' ends in a wedge as thin as can be; around that they are blunt, so that
+/// their boundary is one whose topology can be counted, and made.
+class OuterOffset {
+ public:
+  /// Both must outlive it. The samples are those of S, of density sigma; the sides of the input are known.
+  OuterOffset(const ToleranceVolume& volume, const NearestSample& samples, double sigma);
+
+  /// How deep p is inside; negative outside.
+  double depth(Vec3 p) const;
+
+  /// What its boundary is, in place of what is expected of Z: nothing where that is not one surface a
+  /// component, or once cancelled. `volume` has its octree still.
+  std::optional<ExpectedTopology> topology(const RunControl& control) const;
+
+ private:
+  const ToleranceVolume& volume_;
+  const NearestSample& samples_;
+  double reach_;
+  struct Ball {
+    Vec3 center;
+    double radius;
+  };
+  std::vector<Ball> held_; ///< in gaps of one part that are held open; they touch its walls
+};
+
+} // namespace isoscope
