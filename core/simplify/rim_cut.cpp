@@ -243,7 +243,7 @@ void RimCut::run() {
     }
     settle_spare_patches();
     join_patches();
-    cut_pinches();
+    const bool parted = cut_pinches();
     if (round >= most_cut_rounds) break;
     const std::vector<Facet> kept = kept_facets();
     const std::vector<Edge> edges = border(kept);
@@ -254,7 +254,7 @@ void RimCut::run() {
       const std::vector<VertexId> stuck = proofs_.stuck();
       if (!stuck.empty())
         set_apart(stuck, Place::beyond, Reason::leaves_volume);
-      else if (!close_gaps() && !wear_away(proofs_.stuck_border()))
+      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !parted)
         break;
     }
     for (const RimSplit& s : splits) {

@@ -98,7 +98,7 @@ class RimCut {
   bool refine_around(Vec3 p);
   std::vector<VertexId> pinches() const;
   bool parts_loops(VertexId v) const;
-  void cut_pinches();
+  bool cut_pinches();
   void set_apart(std::span<const VertexId> vertices, Place place, Reason reason);
   bool wear_away(std::span<const VertexId> vertices);
 

@@ -202,16 +202,20 @@ bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to)
   const auto apart = [this](VertexId a, VertexId b) { return length_by_rim({a, b}); };
   const std::vector<VertexId> way =
       shortest_way(facets_, from, ends, is_allowed, apart, longest_way * volume_.thresholds().delta);
-  if (way.empty() || (patch.kept && way.size() < 3)) return false;
+  if (way.empty() || (patch.kept && way.size() < 2)) return false;
   if (!patch.kept) {
     set_apart(way, Place::beyond, Reason::pinched_border);
     return true;
   }
-  const auto is_between = [&](VertexId v) {
-    return std::find(way.begin() + 1, way.end() - 1, v) < way.end() - 1;
+  const auto is_beside = [&](const Facet& f) {
+    const auto on_way = std::count_if(
+        f.begin(), f.end(), [&](VertexId v) { return std::find(way.begin(), way.end(), v) != way.end(); });
+    const bool between = std::any_of(way.begin() + 1, way.end() - 1,
+                                     [&](VertexId v) { return std::find(f.begin(), f.end(), v) != f.end(); });
+    return between || (way.size() == 2 && on_way == 2);
   };
   for (const Facet& f : facets_)
-    if (std::any_of(f.begin(), f.end(), is_between))
+    if (is_beside(f))
       for (const VertexId v : f)
         if (!is_kept(v) && is_in_volume(v)) places_[v.index()] = Place::kept;
   return true;
@@ -345,12 +349,15 @@ void RimCut::set_apart(std::span<const VertexId> vertices, Place place, Reason r
 }
 
 /// Two parts that meet in a vertex are parted there; between the holes of two loops what is kept is widened.
-void RimCut::cut_pinches() {
-  for (const VertexId v : pinches()) {
-    if (log_.stopped()) return;
+/// False where there are none.
+bool RimCut::cut_pinches() {
+  const std::vector<VertexId> found = pinches();
+  for (const VertexId v : found) {
+    if (log_.stopped()) break;
     const bool widen = is_in_volume(v) && (!is_near_rim(v) || parts_loops(v)) && widened_.insert(v).second;
     set_apart(std::array{v}, widen ? Place::kept : Place::beyond, Reason::pinched_border);
   }
+  return !found.empty();
 }
 
 /// Whether holes of different loops meet in a vertex.
