@@ -8,7 +8,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 
 using namespace isoscope;
@@ -81,6 +83,35 @@ TEST_CASE("Where holes nearly meet, and δ keeps no thickening, border and rim s
     CHECK(run->result->certificate.border->to_rim <= run->scene->delta);
     CHECK(run->result->certificate.border->from_rim <= run->scene->delta);
   }
+}
+
+TEST_CASE("A loop that Ω closes with all that is narrow before it is named") {
+  TriangleSoup funnel;
+  constexpr std::uint32_t around = 24, along = 24;
+  for (std::uint32_t j = 0; j <= along; ++j)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const double height = static_cast<double>(j) / along, angle = 2 * std::numbers::pi * i / around;
+      const double radius = 0.3 * (1 - height) * (1 - height) + 0.01;
+      funnel.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
+    }
+  for (std::uint32_t j = 0; j < along; ++j)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t a = j * around + i, b = j * around + (i + 1) % around;
+      funnel.triangles.push_back({a, b, b + around});
+      funnel.triangles.push_back({a, b + around, a + around});
+    }
+  RunParameters parameters;
+  parameters.tolerance = {3, true};
+  parameters.until = Stage::rim;
+  CompleteRun run(parameters);
+  run.soup = shared(std::move(funnel));
+  REQUIRE(run.run());
+  const Certificate& c = run.result->certificate;
+  CHECK_FALSE(c.holds());
+  CHECK(c.boundary_loops == 1);
+  REQUIRE(c.border.has_value());
+  REQUIRE(c.border->failures.size() == 1);
+  CHECK(c.border->failures[0].find("nowhere near to loop 2 of 2") != std::string::npos);
 }
 
 TEST_CASE("Collapses of Γ keep Z between the places on both sides before the rim") {
