@@ -17,6 +17,8 @@ struct ImproverOptions {
   int effort = 2;
   bool preserve_normals = true; ///< condition 3 is preserved (§2.4); needs samples
   double shrink = 0.7;          ///< of the facet's copy for condition 3, in (0, 1]
+  bool thin = false; ///< first coarsens what is much finer than δ, see thin(); for a Z without border and
+                     ///< labels, not inside T, of which no normals are preserved
 };
 
 /// What a run's criteria ask of the improver.

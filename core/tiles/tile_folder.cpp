@@ -4,6 +4,7 @@
 #include "base/pending_file.h"
 #include "run/parameters_json.h"
 #include "run/report.h"
+#include "tiles/tile_anchors.h"
 #include "tiles/tile_schedule.h"
 
 #include <nlohmann/json.hpp>
@@ -42,6 +43,17 @@ Json box_json(const Box3& b) {
 Box3 box_of(const Json& json) {
   const auto b = json.get<std::array<double, 6>>();
   return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+}
+
+Json points_json(const std::vector<Vec3>& points) {
+  Json json = Json::array();
+  for (const Vec3 p : points) json.push_back({p.x, p.y, p.z});
+  return json;
+}
+std::vector<Vec3> points_of(const Json& json) {
+  std::vector<Vec3> points;
+  for (const Json& p : json) points.push_back({p.at(0), p.at(1), p.at(2)});
+  return points;
 }
 
 Result<Json> read_json(const fs::path& file) {
@@ -167,9 +179,14 @@ Result<TileFolder> TileFolder::prepare(const fs::path& folder, TileManifest mani
   return TileFolder(folder, std::move(manifest));
 }
 
-Status TileFolder::seal(const TileManifest& manifest) const {
-  Json held = Json::array();
-  for (const Vec3 p : manifest.held) held.push_back({p.x, p.y, p.z});
+Status TileFolder::seal(TileManifest manifest, const RunControl& control) const {
+  const RunParameters& p = manifest.parameters;
+  std::optional<double> cover;
+  if (p.cover && p.topology != TopologyMode::separate) cover = *p.cover * manifest.delta;
+  auto anchors = find_anchors(*this, cover, control);
+  if (!anchors) return anchors.error();
+  manifest.witnesses = std::move(anchors->witnesses);
+  manifest.held = std::move(anchors->held);
   const Json json{{"version", version()},
                   {"parameters", Json::parse(parameters_json(manifest.parameters))},
                   {"delta", manifest.delta},
@@ -180,12 +197,14 @@ Status TileFolder::seal(const TileManifest& manifest) const {
                   {"euler_characteristic", manifest.euler_characteristic},
                   {"components", manifest.components},
                   {"memory", manifest.memory},
-                  {"held", std::move(held)}};
+                  {"witnesses", points_json(manifest.witnesses)},
+                  {"held", points_json(manifest.held)}};
   return write_text_file(manifest_file(folder_), json.dump(1) + "\n");
 }
 
 Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manifest,
-                                      const std::vector<Triangle3>& z, const std::vector<Triangle3>& input) {
+                                      const std::vector<Triangle3>& z, const std::vector<Triangle3>& input,
+                                      const RunControl& control) {
   manifest.triangles = input.size();
   Box3 box;
   for (const Triangle3& t : input) box.add(isoscope::box_of(t));
@@ -198,7 +217,7 @@ Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manif
   if (!made) return made.error();
   if (Status written = write_by_tile(folder / "input", made->grid(), input); !written) return written.error();
   if (Status written = write_by_tile(z_folder(folder, 0), made->grid(), z); !written) return written.error();
-  if (Status sealed = made->seal(manifest); !sealed) return sealed.error();
+  if (Status sealed = made->seal(manifest, control); !sealed) return sealed.error();
   return open(folder);
 }
 
@@ -221,7 +240,8 @@ Result<TileFolder> TileFolder::open(const fs::path& folder) {
     m.euler_characteristic = json->at("euler_characteristic").get<long>();
     m.components = json->at("components").get<std::size_t>();
     m.memory = json->at("memory").get<double>();
-    for (const Json& p : json->at("held")) m.held.push_back({p.at(0), p.at(1), p.at(2)});
+    m.witnesses = points_of(json->at("witnesses"));
+    m.held = points_of(json->at("held"));
   } catch (const Json::exception&) {
     return Error{ErrorCode::bad_input, manifest_file(folder).string() + " cannot be read.",
                  "Cut the input anew."};

@@ -9,6 +9,7 @@
 //   recordings/       of tiles that the window made once more
 #pragma once
 
+#include "base/run_control.h"
 #include "base/status.h"
 #include "run/parameters.h"
 #include "tiles/facet_file.h"
@@ -32,8 +33,9 @@ struct TileManifest {
   std::uint64_t triangles = 0, vertices = 0; ///< of the input
   long euler_characteristic = 0;
   std::size_t components = 0;
-  double memory = 0;      ///< bytes that the improver may take for a tile
-  std::vector<Vec3> held; ///< points in thin parts that Z keeps on their side, so that it stays near
+  double memory = 0;           ///< bytes that the improver may take for a tile
+  std::vector<Vec3> witnesses; ///< points of regions deeper than δ, see TileAnchors
+  std::vector<Vec3> held;      ///< points in thin parts that Z keeps on their side, so that it stays near
 };
 
 /// Z and the input by brick: how many facets begin there, and the box of these.
@@ -61,15 +63,18 @@ Status check_tile(const TileRound& round, std::size_t tile);
 
 class TileFolder {
  public:
-  /// Makes the folder from a first Z and the input, both oriented; the box, the bricks and the number of
-  /// triangles follow from them. Fails with usage where the folder has tiles already, with io.
+  /// Makes the folder from a first Z and the input, both oriented; the box, the bricks, the number of
+  /// triangles and the points that Z keeps on their side follow from them. Fails with usage where the folder
+  /// has tiles already, with io, cancelled, and as find_anchors().
   static Result<TileFolder> create(const std::filesystem::path& folder, TileManifest manifest,
-                                   const std::vector<Triangle3>& z, const std::vector<Triangle3>& input);
+                                   const std::vector<Triangle3>& z, const std::vector<Triangle3>& input,
+                                   const RunControl& control = {});
   /// The same in steps, for who has not all of it in memory. First the folder, of a manifest that has all but
   /// what is found out on the way; then input_file() and first_z_file() of each tile of the first tiling are
-  /// to be written, and what they hold can be read back; seal() makes tiles of them. Both fail as create().
+  /// to be written, and what they hold can be read back; seal() finds the points and makes tiles of them.
+  /// Both fail as create().
   static Result<TileFolder> prepare(const std::filesystem::path& folder, TileManifest manifest);
-  Status seal(const TileManifest& manifest) const;
+  Status seal(TileManifest manifest, const RunControl& control) const;
   std::filesystem::path input_file(const GridPlace& tile) const;
   std::filesystem::path first_z_file(const GridPlace& tile) const;
   /// Fails with usage where there are no tiles, with bad_input where they cannot be read.

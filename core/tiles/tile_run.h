@@ -22,7 +22,7 @@ struct TileStart {
   std::shared_ptr<const TriangleSoup> input; ///< the whole one
   TriangleMesh z;                            ///< all of Z before the round
   ChangeBox box;                             ///< in which it changes
-  std::vector<Vec3> held;                    ///< points in the box that Z keeps on their side
+  std::vector<Vec3> kept;                    ///< points in the box that Z keeps on their side
   std::string words;                         ///< "tile 3 of round 2"
 };
 
@@ -41,7 +41,7 @@ class TileRun {
   TileRun(TileStart start, std::shared_ptr<Journal> journal, Gate& gate, RunControl& control);
   /// Fails as Pipeline::prepare().
   Result<std::shared_ptr<const Scene>> prepare();
-  /// Once, after prepare(). Fails as witnesses_of_piece().
+  /// Once, after prepare().
   Result<RunResult> run();
   const TileStart& start() const { return start_; }
 

@@ -84,7 +84,7 @@ class StreamedCut {
     if (Status sorted = sort_into_tiles(all, *made); !sorted) return sorted.error();
     if (Status judged = judge(*made); !judged) return judged.error();
     if (Status turned = turn_outwards(*made); !turned) return turned.error();
-    if (Status sealed = made->seal(manifest_); !sealed) return sealed.error();
+    if (Status sealed = made->seal(manifest_, control_); !sealed) return sealed.error();
     return TileFolder::open(folder_);
   }
 

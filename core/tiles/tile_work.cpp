@@ -53,12 +53,12 @@ Result<Surroundings> read_surroundings(const TileFolder& folder, const TileRound
 Status improve_tile(const TileFolder& folder, const TileRound& round, const ChangeBox& bounds,
                     Surroundings& at, const RunControl& control) {
   const TileManifest& m = folder.manifest();
-  const auto omega = TileGround::make(at.input, m.delta, m.held, bounds, control);
+  const TileGround omega(at.input, m.delta, kept_points(m, bounds), bounds, control);
   if (control.cancelled()) return cancelled_error();
-  if (!omega) return omega.error();
+  at.input = TriangleSoup();
   const ImproverOptions options = tile_options(m.parameters.criteria(m.delta), round.effort);
   Unwatched nobody;
-  improve(at.z, (*omega)->ground(), nullptr, options, control, nobody);
+  improve(at.z, omega.ground(), nullptr, options, control, nobody);
   return control.cancelled() ? Status(cancelled_error()) : Status();
 }
 
@@ -110,7 +110,9 @@ Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::fi
     if (Status valid = check(p); !valid) return valid.error();
     return stream_into_tiles(p, folder, memory, control);
   }
-  Preparation preparation(p, control);
+  RunParameters of_whole = p;
+  of_whole.cover.reset(); // points that are held for it come from tiles
+  Preparation preparation(of_whole, control);
   const auto scene = preparation.make(nullptr, {}, ThinParts::refuse);
   if (!scene) return scene.error();
   if (Status can = can_start_from_input(preparation.volume()); !can) return can.error();
@@ -122,10 +124,8 @@ Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::fi
   manifest.vertices = first.mesh.points.size();
   manifest.euler_characteristic = *preparation.volume().input().euler_characteristic;
   manifest.components = preparation.volume().input().components;
-  for (const Witness& w : preparation.volume().witnesses())
-    if (w.cover) manifest.held.push_back(w.point);
   const std::vector<Triangle3> facets = facets_of(first.mesh);
-  return TileFolder::create(folder, std::move(manifest), facets, facets);
+  return TileFolder::create(folder, std::move(manifest), facets, facets, control);
 }
 
 bool is_run_of(const TileFolder& folder, const RunParameters& parameters, double memory) {

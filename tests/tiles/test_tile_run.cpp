@@ -71,9 +71,9 @@ TEST_CASE("Only what lies in the tile changes, and a recording knows what it beg
   auto start = tile_start(tiles, **round, 0);
   REQUIRE(start.ok());
   CHECK(start->words == "0 of round 1");
-  CHECK(start->held.empty());
-  const Vec3 held = 0.5 * (start->box.lo + start->box.hi);
-  start->held.push_back(held);
+  for (const Vec3 p : start->kept) CHECK(start->box.holds(p));
+  start->kept.push_back(0.5 * (start->box.lo + start->box.hi));
+  const std::vector<Vec3> kept = start->kept;
   const ChangeBox box = start->box;
   const TriangleMesh before = start->z;
   const auto input = start->input;
@@ -96,7 +96,7 @@ TEST_CASE("Only what lies in the tile changes, and a recording knows what it beg
   const auto again = tile_start(parameters, input, *journal);
   REQUIRE(again.has_value());
   CHECK(again->words == "0 of round 1");
-  CHECK(again->held == std::vector<Vec3>{held});
+  CHECK(again->kept == kept);
   CHECK(again->z.points == before.points);
   CHECK(again->z.triangles == before.triangles);
   CHECK(again->box.lo == box.lo);
