@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace isoscope {
@@ -19,9 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// A planner that is late finds files gone that others have done with: so often it looks anew.
-constexpr int looks = 3;
 
 std::string name_of(const GridPlace& p) {
   return std::to_string(p[0]) + "_" + std::to_string(p[1]) + "_" + std::to_string(p[2]);
@@ -216,7 +214,11 @@ Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manif
   const auto made = prepare(folder, manifest);
   if (!made) return made.error();
   if (Status written = write_by_tile(folder / "input", made->grid(), input); !written) return written.error();
-  if (Status written = write_by_tile(z_folder(folder, 0), made->grid(), z); !written) return written.error();
+  if (&z == &input) {
+    if (Status shared = made->share_input(); !shared) return shared.error();
+  } else if (Status written = write_by_tile(z_folder(folder, 0), made->grid(), z); !written) {
+    return written.error();
+  }
   if (Status sealed = made->seal(manifest, control); !sealed) return sealed.error();
   return open(folder);
 }
@@ -255,6 +257,18 @@ fs::path TileFolder::input_file(const GridPlace& tile) const {
 
 fs::path TileFolder::first_z_file(const GridPlace& tile) const {
   return output(0, tile);
+}
+
+Status TileFolder::share_input() const {
+  for (const fs::path& file : files_in(folder_ / "input")) {
+    const fs::path same = z_folder(folder_, 0) / file.filename();
+    std::error_code failed;
+    fs::remove(same, failed);
+    fs::create_hard_link(file, same, failed);
+    if (failed) fs::copy_file(file, same, failed); // where the disk knows no links
+    if (failed) return Error{ErrorCode::io, same.string() + " cannot be made.", ""};
+  }
+  return {};
 }
 
 fs::path TileFolder::output(std::uint32_t round, const GridPlace& tile) const {
@@ -348,21 +362,16 @@ Result<std::optional<TileRound>> TileFolder::next(const std::vector<TileRound>& 
   const std::uint32_t number = (*planned)->number;
   std::error_code failed;
   fs::create_directories(z_folder(folder_, number), failed);
-  // The order is what is_over() rests on.
   if (Status written = write_text_file(round_file(folder_, number), text_of(**planned)); !written)
     return written.error();
-  if (number > 1) fs::remove_all(z_folder(folder_, number - 2), failed);
   return planned;
 }
 
 Result<std::optional<TileRound>> TileFolder::round() const {
-  for (int look = 1;; ++look) {
-    auto rounds = begun();
-    if (!rounds) return rounds.error();
-    if (!rounds->empty() && !pending(rounds->back()).empty()) return std::optional(rounds->back());
-    auto planned = next(*rounds);
-    if (planned || look == looks) return planned;
-  }
+  auto rounds = begun();
+  if (!rounds) return rounds.error();
+  if (!rounds->empty() && !pending(rounds->back()).empty()) return std::optional(rounds->back());
+  return next(*rounds);
 }
 
 Result<std::uint32_t> TileFolder::complete_rounds() const {
@@ -385,6 +394,37 @@ Result<bool> TileFolder::is_last(const TileRound& round) const {
   const auto follows = plan(*rounds);
   if (!follows) return follows.error();
   return !*follows;
+}
+
+Result<TileRound> TileFolder::begun(std::uint32_t number) const {
+  const auto rounds = begun();
+  if (!rounds) return rounds.error();
+  if (number > 0 && number <= rounds->size()) return (*rounds)[number - 1];
+  return Error{ErrorCode::usage, "Round " + std::to_string(number) + " was not begun.",
+               rounds->empty() ? "None was." : "The last one is " + std::to_string(rounds->size()) + "."};
+}
+
+Result<std::optional<std::uint32_t>> TileFolder::in_vain_since(const TileRound& round,
+                                                               const GridPlace& tile) const {
+  using Since = std::optional<std::uint32_t>;
+  if (round.number <= shifts) return Since();
+  const std::uint32_t number = round.number - shifts;
+  const auto before = begun(number);
+  if (!before) return before.error();
+  const bool made_then = std::any_of(before->tiles.begin(), before->tiles.end(),
+                                     [&](const TileWork& w) { return w.tile == tile; });
+  if (!(before->tiling == round.tiling) || before->effort != round.effort || !made_then) return Since();
+  const ChangeBox bounds = grid().bounds(round.tiling, tile);
+  const Box3 box{bounds.lo, bounds.hi};
+  std::set<std::ptrdiff_t> counts;
+  for (const std::uint32_t at : {number, number + 1, round.number}) {
+    const auto facets = z_before(at, box);
+    if (!facets) return facets.error();
+    counts.insert(std::count_if(facets->begin(), facets->end(),
+                                [&](const Triangle3& f) { return box.meets(isoscope::box_of(f)); }));
+    if (counts.size() > 1) return Since();
+  }
+  return Since(number);
 }
 
 bool TileFolder::is_over(std::uint32_t round) const {

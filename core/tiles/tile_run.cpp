@@ -66,15 +66,19 @@ bool tells_kept_point(const Journal& journal, const Event& e) {
 Result<TileStart> tile_start(const TileFolder& folder, const TileRound& round, std::size_t tile) {
   if (Status there = check_tile(round, tile); !there) return there.error();
   const TileManifest& m = folder.manifest();
+  const auto since = folder.in_vain_since(round, round.tiles[tile].tile);
+  if (!since) return since.error();
+  if (*since)
+    return Error{ErrorCode::usage,
+                 "Round " + std::to_string(round.number) + " has left tile " + std::to_string(tile) +
+                     " as it was, as round " + std::to_string(**since) + " took nothing from it.",
+                 "Make a tile of that round once more."};
   TileStart start;
   start.box = folder.grid().bounds(round.tiling, round.tiles[tile].tile);
   start.words = std::to_string(tile) + " of round " + std::to_string(round.number);
   start.kept = kept_points(m, start.box);
   auto z = folder.z_before(round.number, all_of_space);
   auto input = folder.input(all_of_space);
-  if (folder.is_over(round.number))
-    return Error{ErrorCode::usage, "Round " + std::to_string(round.number) + " is over.",
-                 "Tiles of the round that was begun last can be made once more."};
   if (!z) return z.error();
   if (!input) return input.error();
   start.z = mesh_of(std::move(*z));

@@ -26,8 +26,8 @@ struct TileStart {
   std::string words;                         ///< "tile 3 of round 2"
 };
 
-/// Fails with usage where the round is over or has no such tile, as what it was made from is gone then; with
-/// io, bad_input.
+/// Of any round that was begun. Fails with usage where it has no such tile, or has left the tile as it was;
+/// with io, bad_input.
 Result<TileStart> tile_start(const TileFolder& folder, const TileRound& round, std::size_t tile);
 /// What a recording of such a run began with; nothing of any other.
 std::optional<TileStart> tile_start(const RunParameters& parameters,

@@ -31,34 +31,32 @@ class Unwatched : public ImproverObserver {
   bool rejected(const ImproverVerdict&) override { return true; }
 };
 
-/// Z and the input around a tile.
-struct Surroundings {
-  TriangleMesh z;     ///< all facets whose boxes meet the tile
-  TriangleSoup input; ///< within reach of the tile
-};
-
-Result<Surroundings> read_surroundings(const TileFolder& folder, const TileRound& round,
-                                       const ChangeBox& bounds) {
-  const Box3 box{bounds.lo, bounds.hi};
+Result<TriangleMesh> read_z(const TileFolder& folder, const TileRound& round, const Box3& box) {
   auto z = folder.z_before(round.number, box);
   if (!z) return z.error();
   keep_meeting(*z, box);
+  return mesh_of(std::move(*z));
+}
+
+Result<TriangleSoup> read_input(const TileFolder& folder, const Box3& box) {
   const Box3 around = box.grown(tile_input_reach * folder.manifest().delta);
   auto input = folder.input(around);
   if (!input) return input.error();
   keep_meeting(*input, around);
-  return Surroundings{mesh_of(std::move(*z)), soup_of(std::move(*input))};
+  return soup_of(std::move(*input));
 }
 
 Status improve_tile(const TileFolder& folder, const TileRound& round, const ChangeBox& bounds,
-                    Surroundings& at, const RunControl& control) {
+                    TriangleMesh& z, const RunControl& control) {
   const TileManifest& m = folder.manifest();
-  const TileGround omega(at.input, m.delta, kept_points(m, bounds), bounds, control);
+  auto input = read_input(folder, {bounds.lo, bounds.hi});
+  if (!input) return input.error();
+  const TileGround omega(*input, m.delta, kept_points(m, bounds), bounds, control);
   if (control.cancelled()) return cancelled_error();
-  at.input = TriangleSoup();
+  *input = TriangleSoup();
   const ImproverOptions options = tile_options(m.parameters.criteria(m.delta), round.effort);
   Unwatched nobody;
-  improve(at.z, omega.ground(), nullptr, options, control, nobody);
+  improve(z, omega.ground(), nullptr, options, control, nobody);
   return control.cancelled() ? Status(cancelled_error()) : Status();
 }
 
@@ -66,15 +64,16 @@ Status write_tile(const TileFolder& folder, const TileRound& round, const GridPl
                   const RunControl& control) {
   const TileGrid grid = folder.grid();
   const ChangeBox bounds = grid.bounds(round.tiling, place);
-  auto at = read_surroundings(folder, round, bounds);
-  if (folder.is_over(round.number)) return {}; // what was read may be less than there was
-  if (!at) return at.error();
-  const bool any = std::any_of(at->z.triangles.begin(), at->z.triangles.end(), [&](const auto& t) {
-    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return bounds.holds(at->z.points[v]); });
+  auto z = read_z(folder, round, {bounds.lo, bounds.hi});
+  if (!z) return z.error();
+  const auto since = folder.in_vain_since(round, place);
+  if (!since) return since.error();
+  const bool any = std::any_of(z->triangles.begin(), z->triangles.end(), [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return bounds.holds(z->points[v]); });
   });
-  if (any)
-    if (Status improved = improve_tile(folder, round, bounds, *at, control); !improved) return improved;
-  std::vector<Triangle3> own = facets_of(at->z);
+  if (any && !*since)
+    if (Status improved = improve_tile(folder, round, bounds, *z, control); !improved) return improved;
+  std::vector<Triangle3> own = facets_of(*z);
   keep_own(own, grid, round.tiling, place);
   return write_facets(folder.output(round.number, place), grid, std::move(own));
 }
@@ -148,7 +147,6 @@ Status make_tile(const TileFolder& folder, const TileRound& round, std::size_t t
                  "Memory is exhausted by a tile of " + grouped(round.tiles[tile].facets) + " facets.",
                  "Cut the input anew with a smaller --tile-memory, or take a machine that has more."};
   }
-  if (folder.is_over(round.number)) return {}; // others have made it
   if (made)
     hand.made();
   else if (made.error().code != ErrorCode::cancelled)
