@@ -5,7 +5,6 @@
 #include "improve/relaxation.h"
 #include "improve/shake_round.h"
 #include "improve/thinning.h"
-#include "tolerance/nearest_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +113,8 @@ class Improver {
     const ClosestPointIndex* surface = ground.field.surface();
     if (surface == nullptr || mean_width(*surface) < least_width_for_cells * ground.delta)
       return std::nullopt;
-    return std::optional<NearestCells>(std::in_place, *surface, cell_side(*surface, ground.delta));
+    return std::optional<NearestCells>(std::in_place, *surface, cell_side(*surface, ground.delta),
+                                       ground.most_cell_bytes);
   }
   SurfaceRules make_rules(const TriangleMesh& mesh, const ImproverGround& ground,
                           const NearestSample* samples) {

@@ -4,6 +4,7 @@
 
 #include "improve/surface_collapses.h"
 #include "journal/journal.h"
+#include "tolerance/nearest_cells.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <functional>
@@ -41,6 +42,7 @@ struct ImproverGround {
   /// Where Z may change. With it the mesh may be a piece of Z: all facets whose boxes meet this one; the
   /// field has all of the input within 3 δ of it, turned like Z.
   std::optional<ChangeBox> box = std::nullopt;
+  std::size_t most_cell_bytes = NearestCells::most_bytes; ///< for what makes queries faster
 };
 ImproverGround ground_of(const ToleranceVolume& volume);
 

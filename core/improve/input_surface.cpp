@@ -47,7 +47,7 @@ InputSurface::InputSurface(const ToleranceField& field, double delta, const Tria
     return;
   }
   const ClosestPointIndex& index = *field.surface();
-  parts_.emplace(index, control);
+  if (normals == Normals::like_surface || FlatParts::may_be_in(index)) parts_.emplace(index, control);
   if (normals == Normals::as_given) {
     parallel_until(index.size(), 256, control, [&](std::size_t t) {
       const Triangle3& corners = index.triangle(TriangleId(t));

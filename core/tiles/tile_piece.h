@@ -8,6 +8,7 @@
 #include "tiles/tile_grid.h"
 #include "tolerance/closest_point.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace isoscope {
@@ -35,16 +36,21 @@ std::vector<Vec3> kept_points(const TileManifest& manifest, const ChangeBox& box
 class TileGround {
  public:
   /// `kept`: points in the box that Z keeps on their side. Of no use once the control is cancelled.
+  /// `memory`: bytes that the tile may take in all.
   TileGround(const TriangleSoup& input, double delta, std::vector<Vec3> kept, const ChangeBox& box,
-             const RunControl& control)
-      : index_(input, control), delta_(delta), kept_(std::move(kept)), box_(box) {}
-  ImproverGround ground() const { return {index_, delta_, kept_, nullptr, box_}; }
+             double memory, const RunControl& control)
+      : index_(input, control), delta_(delta), kept_(std::move(kept)), box_(box),
+        most_cell_bytes_(
+            static_cast<std::size_t>(std::min(share_of_cells * memory, double(NearestCells::most_bytes)))) {}
+  ImproverGround ground() const { return {index_, delta_, kept_, nullptr, box_, most_cell_bytes_}; }
 
  private:
+  static constexpr double share_of_cells = 0.125; ///< of a tile's memory
   ClosestPointIndex index_;
   double delta_;
   std::vector<Vec3> kept_;
   ChangeBox box_;
+  std::size_t most_cell_bytes_;
 };
 
 /// What the improver is asked for in a tile: condition 3 asks samples, which tiles have not.

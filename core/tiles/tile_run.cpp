@@ -20,6 +20,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::string_view kept_words = "Z keeps this point on its side.";
+/// The whole input is in memory anyhow; answers do not depend on it.
+constexpr double all_memory = std::numeric_limits<double>::infinity();
 constexpr std::string_view start_words = "Z before tile ";
 
 /// What a run in tiles asks of one that shows a tile of it.
@@ -127,7 +129,8 @@ Result<RunResult> TileRun::run() {
   const CriteriaParameters criteria = start_.parameters.criteria(scene_->delta, scene_->default_sigma);
   std::vector<Triangle3> near = facets_of(*start_.input);
   keep_meeting(near, Box3{start_.box.lo, start_.box.hi}.grown(tile_input_reach * scene_->delta));
-  const TileGround omega(soup_of(std::move(near)), scene_->delta, start_.kept, start_.box, control_);
+  const TileGround omega(soup_of(std::move(near)), scene_->delta, start_.kept, start_.box, all_memory,
+                         control_);
   Recorder recorder(*journal_, gate_);
   StageLog log(recorder, control_);
   log.begin(Stage::improve);

@@ -51,7 +51,7 @@ Status improve_tile(const TileFolder& folder, const TileRound& round, const Chan
   const TileManifest& m = folder.manifest();
   auto input = read_input(folder, {bounds.lo, bounds.hi});
   if (!input) return input.error();
-  const TileGround omega(*input, m.delta, kept_points(m, bounds), bounds, control);
+  const TileGround omega(*input, m.delta, kept_points(m, bounds), bounds, m.memory, control);
   if (control.cancelled()) return cancelled_error();
   *input = TriangleSoup();
   const ImproverOptions options = tile_options(m.parameters.criteria(m.delta), round.effort);
