@@ -147,7 +147,8 @@ void SheetCells::restrict(const Triangle3& facet) {
 }
 
 DirectionSet SheetCells::common(const CellRange& r) const {
-  DirectionSet set = slots_.empty() ? 0 : all_directions;
+  if (slots_.empty()) return 0;
+  DirectionSet set = all_directions;
   const auto take = [&](std::uint64_t key) {
     const Slot& slot = slots_[slot_of(key)];
     set &= slot.key == key ? slot.directions : 0;

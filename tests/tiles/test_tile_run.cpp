@@ -123,7 +123,7 @@ TEST_CASE("What cannot be made once more is said") {
 
 TEST_CASE("Tiles of rounds that are over can be made once more, but not what a round has left as it was") {
   const TemporaryFolder folder;
-  const TileFolder tiles = test::cut(folder / "tiles", test::parameters_of("gallery:sphere", 4));
+  const TileFolder tiles = test::cut(folder / "tiles", test::parameters_of("gallery:sphere", 4), 0.3);
   REQUIRE(make_all_tiles(tiles, RunControl()).ok());
   RunControl control;
   const auto second = tiles.begun(2);
