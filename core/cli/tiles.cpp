@@ -279,7 +279,8 @@ int status(int argc, char** argv) {
 const Verb parts[] = {
     {{"cut", "MODEL FOLDER --tolerance P", "cuts an input into tiles"}, cut},
     {{"step", "FOLDER [--tile K]", "improves tiles"}, step},
-    {{"rerun", "FOLDER --tile K --record RUN.isorun", "makes a tile once more and records it"}, rerun},
+    {{"rerun", "FOLDER [--round N] --tile K --record RUN.isorun", "makes a tile once more and records it"},
+     rerun},
     {{"join", "FOLDER -o OUT", "joins them, proves the mesh and writes it"}, join},
     {{"status", "FOLDER", "tells how far they are"}, status},
 };

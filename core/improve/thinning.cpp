@@ -14,7 +14,7 @@ namespace isoscope {
 namespace {
 
 /// In δ: what is proven of changed facets, and how long their edges may be.
-constexpr double largest_reach = 0.95, longest_thinned = 1.0;
+constexpr double largest_reach = 0.95, longest_thinned = 1.34;
 constexpr int sweeps_of_level = 2;
 constexpr int most_levels_of_thinning = 24;
 /// Of a changed facet's height to its longest edge; less only where there was less.
