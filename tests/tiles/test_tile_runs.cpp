@@ -204,7 +204,7 @@ TEST_CASE("Elephant in tiles" * doctest::test_suite("soak")) {
   if (!model) return;
   const TemporaryFolder folder;
   const RunParameters p = parameters_of(model->string(), 0.3);
-  const TileFolder tiles = cut(folder / "tiles", p, 2);
+  const TileFolder tiles = cut(folder / "tiles", p, 2.8);
   REQUIRE(make_all_tiles(tiles, RunControl()).ok());
   const JoinedTiles run = joined(tiles);
   CHECK(run.result.certificate.holds());
