@@ -73,7 +73,7 @@ class Sampler {
     SparsePoll poll(control, cells_between_questions);
     std::vector<Regions::CellIndex> block;
     for (std::size_t i = 0; i < octree.main_size() && !poll.cancelled(); ++i) {
-      const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
+      const Regions::Cell c = octree.cell(static_cast<Regions::CellIndex>(i));
       if (c.kind == Regions::Kind::ambiguous && c.level == octree.main_level())
         block.push_back(static_cast<Regions::CellIndex>(i));
       if (block.empty() || (block.size() < block_size && i + 1 < octree.main_size())) continue;

@@ -200,8 +200,9 @@ class Counter {
       return Error{ErrorCode::unsupported, "The boundaries of Ω are too large to count their pieces.", ""};
     std::vector<LatticeCell> block;
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
-      const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
-      if (c.kind != Regions::Kind::ambiguous || c.level != octree.main_level()) continue;
+      if (octree.kind(static_cast<Regions::CellIndex>(i)) != Regions::Kind::ambiguous) continue;
+      const Regions::Cell c = octree.cell(static_cast<Regions::CellIndex>(i));
+      if (c.level != octree.main_level()) continue;
       const std::uint32_t n = 1u << halvings_;
       for (std::uint32_t k = 0; k < n * n * n; ++k)
         block.push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
@@ -230,7 +231,7 @@ class Counter {
     const Regions& octree = volume_.octree();
     std::size_t cells = 0;
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
-      const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
+      const Regions::Cell c = octree.cell(static_cast<Regions::CellIndex>(i));
       cells += c.kind == Regions::Kind::ambiguous && c.level == octree.main_level() ? 1 : 0;
     }
     return cells << (3 * halvings_);
@@ -261,7 +262,7 @@ class Counter {
         result.corner = Corner{true, RegionId(0), 0};
         return result;
       }
-      const Regions::Cell& c = octree.cell(i);
+      const Regions::Cell c = octree.cell(i);
       const bool reaches = c.level <= level_;
       if (c.kind == Regions::Kind::in && reaches) {
         result.corner = Corner{false, RegionId(), volume_.volume_component(c.triangle)};

@@ -26,7 +26,7 @@ SampleEstimate estimate_samples(const ToleranceVolume& volume) {
   const Regions& octree = volume.octree();
   std::size_t ambiguous = 0;
   for (std::size_t i = 0; i < octree.main_size(); ++i) {
-    const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
+    const Regions::Cell c = octree.cell(static_cast<Regions::CellIndex>(i));
     if (c.kind == Regions::Kind::ambiguous && c.level == octree.main_level()) ++ambiguous;
   }
   const double side = octree.side(octree.main_level());

@@ -35,7 +35,7 @@ class DeepCells {
     SparsePoll poll(control);
     for (CellIndex i = 0; i < octree.size() && !poll.cancelled(); ++i) {
       if (!deep(i)) continue;
-      const Regions::Cell& c = octree.cell(i);
+      const Regions::Cell c = octree.cell(i);
       const Vec3 center = octree.center(c);
       const double reach = 0.5 * octree.side(c.level) * (1 + 1e-6);
       for (int face = 0; face < 6; ++face) {
@@ -48,9 +48,8 @@ class DeepCells {
   }
 
   bool deep(CellIndex i) const {
-    const Regions::Cell& c = octree_.cell(i);
-    return c.child == Regions::none && c.kind == Regions::Kind::out &&
-           static_cast<double>(c.distance) > delta_ && holds(octree_.center(c));
+    return octree_.kind(i) == Regions::Kind::out && static_cast<double>(octree_.distance(i)) > delta_ &&
+           holds(octree_.center(octree_.cell(i)));
   }
 
   /// Whether p lies in the box.
@@ -61,7 +60,7 @@ class DeepCells {
     const CellIndex i = octree_.locate(p);
     if (i == Regions::none) return true;
     if (!deep(i)) return false;
-    const Regions::Cell& c = octree_.cell(i);
+    const Regions::Cell c = octree_.cell(i);
     return distance(p, octree_.center(c)) < static_cast<double>(c.distance) - delta_;
   }
 
@@ -72,7 +71,7 @@ class DeepCells {
     for (CellIndex i = 0; i < octree_.size() && !poll.cancelled(); ++i) {
       if (!deep(i)) continue;
       const auto [at, fresh] = best.emplace(find(i), i);
-      if (!fresh && octree_.cell(i).distance > octree_.cell(at->second).distance) at->second = i;
+      if (!fresh && octree_.distance(i) > octree_.distance(at->second)) at->second = i;
     }
     std::vector<CellIndex> cells;
     for (const auto& [root, cell] : best) cells.push_back(cell);
@@ -178,7 +177,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
   const DeepCells cells(volume.octree(), delta, everywhere, control);
   for (const CellIndex i : cells.deepest(control)) {
     if (control.cancelled()) return witnesses;
-    const Regions::Cell& c = volume.octree().cell(i);
+    const Regions::Cell c = volume.octree().cell(i);
     const Vec3 p = volume.octree().center(c);
     const double depth = volume.field().distance(p);
     if (depth <= delta * (1 + offset_margin) || beside_sheet(p)) continue;
