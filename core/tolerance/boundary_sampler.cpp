@@ -7,6 +7,7 @@
 #include "base/snap.h"
 #include "tolerance/regions.h"
 #include "tolerance/sample_candidates.h"
+#include "tolerance/sample_estimate.h"
 #include "tolerance/sample_grid.h"
 #include "tolerance/sample_units.h"
 #include "tolerance/side_votes.h"
@@ -33,6 +34,8 @@ constexpr std::size_t crevice_budget = 2000;
 /// Wall samples this near to another sample of their side, in units of σ, tell nothing new.
 constexpr double nearest_wall_sample = 0.1;
 constexpr std::uint16_t no_component = 0xffff;
+/// Samples that room is left for, by those that are foreseen.
+constexpr double most_foreseen = 1.3;
 
 /// A cell without a boundary point of its own, to be covered by its neighbours' samples.
 struct OrphanCell {
@@ -54,6 +57,11 @@ class Sampler {
  public:
   Sampler(ToleranceVolume& volume, double sigma) : volume_(volume), grid_(volume.domain().lo, sigma) {
     samples_.sigma = sigma;
+    // Lists that grow would be there twice; what is foreseen and not used takes no memory.
+    const double foreseen = most_foreseen * estimate_samples(volume).samples(sigma);
+    samples_.positions.reserve(static_cast<std::size_t>(foreseen));
+    samples_.labels.reserve(static_cast<std::size_t>(foreseen));
+    samples_.components.reserve(static_cast<std::size_t>(foreseen));
     samples_.snap_unit = snap_unit(volume.field().bounds().longest_edge(), volume.domain());
     options_.target_bound = sigma;
     options_.crevice_side = sigma / 4;
@@ -336,9 +344,9 @@ class Sampler {
   }
 
   ToleranceVolume& volume_;
-  SampleGrid grid_;
-  CandidateOptions options_;
+  SampleGrid grid_; ///< of the samples
   BoundarySamples samples_;
+  CandidateOptions options_;
   std::vector<OrphanCell> orphans_;
   std::vector<std::uint32_t> near_; ///< samples around the cells at hand
   // Of the unit at hand:

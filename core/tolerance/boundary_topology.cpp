@@ -15,7 +15,8 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t counted_block = 32768;
+/// Cells that share their corners, and how many such blocks are counted at once.
+constexpr std::size_t counted_block = 32768, blocks_at_once = 8;
 /// Cells whose pieces are counted at most: some 100 bytes each. Noise leaves pockets in Ω that finer cells
 /// break into pieces as well, so that of points fewer are worth it.
 constexpr std::size_t most_careful_cells = 6'000'000, most_careful_cells_of_points = 1'000'000;
@@ -77,6 +78,12 @@ class Pieces {
 
   void add(std::uint64_t vertex, std::uint16_t component) { recent_.push_back({vertex, component}); }
   void join(std::uint64_t a, std::uint64_t b) { recent_links_.push_back({a, b}); }
+
+  /// Those of other cells, settled.
+  void add(const Pieces& others) {
+    vertices_.insert(vertices_.end(), others.vertices_.begin(), others.vertices_.end());
+    links_.insert(links_.end(), others.links_.begin(), others.links_.end());
+  }
 
   /// After some cells: what they have joined is kept as one link a vertex, beside links to vertices of other
   /// cells, before or after these.
@@ -198,22 +205,26 @@ class Counter {
         volume_.field().kind() == FieldKind::points ? most_careful_cells_of_points : most_careful_cells;
     if (careful_ && (!Pieces::fits(level_) || lattice_cells() > most))
       return Error{ErrorCode::unsupported, "The boundaries of Ω are too large to count their pieces.", ""};
-    std::vector<LatticeCell> block;
+    std::vector<std::vector<LatticeCell>> blocks(1);
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
       if (octree.kind(static_cast<Regions::CellIndex>(i)) != Regions::Kind::ambiguous) continue;
       const Regions::Cell c = octree.cell(static_cast<Regions::CellIndex>(i));
       if (c.level != octree.main_level()) continue;
       const std::uint32_t n = 1u << halvings_;
       for (std::uint32_t k = 0; k < n * n * n; ++k)
-        block.push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
-      if (block.size() < counted_block) continue;
+        blocks.back().push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
+      if (blocks.back().size() < counted_block) continue;
+      control.report("boundary", static_cast<double>(i) / static_cast<double>(octree.main_size()));
+      if (blocks.size() < blocks_at_once) {
+        blocks.emplace_back();
+        continue;
+      }
       if (control.cancelled())
         return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
-      control.report("boundary", static_cast<double>(i) / static_cast<double>(octree.main_size()));
-      count(block, control);
-      block.clear();
+      count(blocks, control);
+      blocks.assign(1, {});
     }
-    count(block, control);
+    count(blocks, control);
     if (control.cancelled())
       return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
     return {};
@@ -308,7 +319,27 @@ class Counter {
     return region;
   }
 
-  void count(const std::vector<LatticeCell>& cells, const RunControl& control) {
+  /// What some cells add to the counts.
+  struct Part {
+    std::vector<long> euler_characteristics; ///< by boundary component
+    Pieces pieces;
+  };
+
+  void count(const std::vector<std::vector<LatticeCell>>& blocks, const RunControl& control) {
+    std::vector<Part> parts(blocks.size());
+    if (!parallel_until(blocks.size(), 1, control, [&](std::size_t b) {
+          parts[b].euler_characteristics.assign(counts_.size(), 0);
+          count(blocks[b], parts[b], control);
+        }))
+      return;
+    for (const Part& part : parts) {
+      for (std::size_t i = 0; i < counts_.size(); ++i)
+        counts_[i].euler_characteristic += part.euler_characteristics[i];
+      pieces_.add(part.pieces);
+    }
+  }
+
+  void count(const std::vector<LatticeCell>& cells, Part& part, const RunControl& control) const {
     CornerNumbers numbers(2 * cells.size());
     std::vector<std::uint32_t> corner_of(8 * cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -324,25 +355,25 @@ class Counter {
       const LatticeCell& c = cells[i];
       std::array<const Corner*, 8> at{};
       for (unsigned k = 0; k < 8; ++k) at[k] = &corners[corner_of[8 * i + k]];
-      count_cell(c, at);
+      count_cell(c, at, part);
     }
-    pieces_.settle();
+    part.pieces.settle();
   }
 
   /// Regions that come close to each other are counted one at a time, each against all that is not in it: so
   /// every count is that of a closed surface.
-  void count_cell(const LatticeCell& cell, const std::array<const Corner*, 8>& at) {
+  void count_cell(const LatticeCell& cell, const std::array<const Corner*, 8>& at, Part& part) const {
     for (unsigned k = 0; k < 8; ++k) {
       if (!at[k]->outside) continue;
       const RegionId region = at[k]->region;
       const auto counted_before = [&](const Corner* c) { return c->outside && c->region == region; };
       if (std::any_of(at.begin(), at.begin() + k, counted_before)) continue;
-      for (const Simplex& s : simplices_) count_simplex(s, cell, at, region);
+      for (const Simplex& s : simplices_) count_simplex(s, cell, at, region, part);
     }
   }
 
   void count_simplex(const Simplex& s, const LatticeCell& cell, const std::array<const Corner*, 8>& at,
-                     RegionId region) {
+                     RegionId region, Part& part) const {
     const auto is_outer = [&](unsigned i) {
       const Corner* c = at[s.corners[i]];
       return c->outside && c->region == region;
@@ -357,7 +388,7 @@ class Counter {
     }
     if (!outer || !inner) return;
     const auto component = volume_.boundary_component(region, inner->volume_component);
-    if (component) counts_[*component].euler_characteristic += s.sign;
+    if (component) part.euler_characteristics[*component] += s.sign;
     if (!careful_ || s.size > 3) return;
     std::array<std::uint64_t, 2> ends{};
     std::size_t count = 0;
@@ -365,9 +396,9 @@ class Counter {
       for (unsigned j = 0; j < s.size; ++j)
         if (is_outer(i) && !is_outer(j)) ends[count++] = Pieces::vertex(cell, s.corners[i], s.corners[j]);
     if (s.size == 3)
-      pieces_.join(ends[0], ends[1]);
+      part.pieces.join(ends[0], ends[1]);
     else if (component)
-      pieces_.add(ends[0], *component);
+      part.pieces.add(ends[0], *component);
   }
 
   const ToleranceVolume& volume_;
