@@ -1,4 +1,5 @@
-// Covers ∂Ω' block by block: candidates in parallel, the choice among them in order.
+// Covers ∂Ω' block by block: candidates in parallel, the choice among them in order, beside the search for
+// the candidates of the next block.
 #include "tolerance/boundary_sampler.h"
 
 #include "base/labels.h"
@@ -93,6 +94,7 @@ class Sampler {
         sample_block(finder, block, control);
       block.clear();
     }
+    cover_found(control);
     count_undecided(control);
     if (control.cancelled()) return stopped_sampling();
     return {};
@@ -198,16 +200,32 @@ class Sampler {
     }
   }
 
-  /// Finds the units of all items in parallel and covers them in order.
+  /// Finds the units of all items in parallel. They are covered in order, while those of the next items are
+  /// found: what that asks of the octree has changed by then as far as it does.
   template <class Item, class Find>
   void sample_all(const std::vector<Item>& items, const Find& find, const RunControl& control) {
     std::vector<std::vector<SampleUnit>> units(items.size());
-    parallel_until(items.size(), 1, control, [&](std::size_t i) { units[i] = find(items[i]); });
+    parallel_until(items.size() + 1, 1, control, [&](std::size_t i) {
+      if (i == 0)
+        cover_found(control);
+      else
+        units[i - 1] = find(items[i - 1]);
+    });
     SparsePoll poll(control, units_between_questions);
     for (auto& list : units)
       for (SampleUnit& unit : list) {
         if (poll.cancelled()) return;
         settle_regions(unit.cells, control);
+      }
+    found_ = std::move(units);
+  }
+
+  /// Covers the units that were found last.
+  void cover_found(const RunControl& control) {
+    SparsePoll poll(control, units_between_questions);
+    for (auto& list : std::exchange(found_, {}))
+      for (SampleUnit& unit : list) {
+        if (poll.cancelled()) return;
         cover(unit);
         unit = {};
       }
@@ -347,6 +365,7 @@ class Sampler {
   SampleGrid grid_; ///< of the samples
   BoundarySamples samples_;
   CandidateOptions options_;
+  std::vector<std::vector<SampleUnit>> found_; ///< not yet covered
   std::vector<OrphanCell> orphans_;
   std::vector<std::uint32_t> near_; ///< samples around the cells at hand
   // Of the unit at hand:

@@ -176,16 +176,17 @@ Result<Regions> Regions::build(const ToleranceField& field, const Options& optio
 }
 
 void Regions::unite_main(const RunControl& control) {
-  SparsePoll poll(control);
-  for (CellIndex i = 0; i < size(); ++i) {
-    if (poll.cancelled()) return;
-    if (kind(i) != Kind::out) continue;
+  const auto find = [this](CellIndex i, std::vector<CellLink>& links) {
+    if (kind(i) != Kind::out) return;
     const Cell c = cell(i);
     for (int face = 0; face < 6; ++face) {
       const CellIndex j = neighbor(c, face);
-      if (j != none && kind(j) == Kind::out) unite(i, j);
+      // Of two of the same level one tells.
+      if (j == none || kind(j) != Kind::out || (at(j).level == c.level && face % 2 == 0)) continue;
+      links.push_back({i, j});
     }
-  }
+  };
+  for_each_link(size(), control, find, [this](const CellLink& link) { unite(link.a, link.b); });
 }
 
 /// The cell of the same or a coarser level across a face; none at the domain's border. Face 2a + s is the
@@ -271,17 +272,17 @@ std::vector<CellLink> Regions::leaf_links(const RunControl& control) const {
   std::vector<CellLink> links;
   // Most leaves have three links. What grows would need room twice.
   links.reserve(size() / 8 * 7 * 3);
-  SparsePoll poll(control);
-  for (CellIndex i = 0; i < size() && !poll.cancelled(); ++i) {
+  const auto find = [this](CellIndex i, std::vector<CellLink>& of_cell) {
     const Cell c = cell(i);
-    if (c.child != none) continue;
+    if (c.child != none) return;
     for (int face = 0; face < 6; ++face) {
       const CellIndex j = neighbor(c, face);
       // Finer neighbours link themselves, and of two of the same level one does.
       if (j == none || child(j) != none || (at(j).level == c.level && face % 2 == 0)) continue;
-      links.push_back({i, j});
+      of_cell.push_back({i, j});
     }
-  }
+  };
+  for_each_link(size(), control, find, [&](const CellLink& link) { links.push_back(link); });
   return links;
 }
 

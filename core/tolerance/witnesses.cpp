@@ -32,19 +32,19 @@ class DeepCells {
   DeepCells(const Regions& octree, double delta, const Box3& within, const RunControl& control)
       : octree_(octree), delta_(delta), within_(within), parent_(octree.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
-    SparsePoll poll(control);
-    for (CellIndex i = 0; i < octree.size() && !poll.cancelled(); ++i) {
-      if (!deep(i)) continue;
-      const Regions::Cell c = octree.cell(i);
-      const Vec3 center = octree.center(c);
-      const double reach = 0.5 * octree.side(c.level) * (1 + 1e-6);
+    const auto find_links = [this](CellIndex i, std::vector<CellLink>& links) {
+      if (!deep(i)) return;
+      const Regions::Cell c = octree_.cell(i);
+      const Vec3 center = octree_.center(c);
+      const double reach = 0.5 * octree_.side(c.level) * (1 + 1e-6);
       for (int face = 0; face < 6; ++face) {
         Vec3 p = center;
         p[face / 2] += face % 2 == 0 ? reach : -reach;
-        const CellIndex n = octree.locate(p);
-        if (n != Regions::none && deep(n)) unite(i, n);
+        const CellIndex n = octree_.locate(p);
+        if (n != Regions::none && deep(n)) links.push_back({i, n});
       }
-    }
+    };
+    for_each_link(octree.size(), control, find_links, [this](const CellLink& l) { unite(l.a, l.b); });
   }
 
   bool deep(CellIndex i) const {
