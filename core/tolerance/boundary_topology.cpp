@@ -2,6 +2,7 @@
 #include "tolerance/boundary_topology.h"
 
 #include "base/disjoint_sets.h"
+#include "base/growing_array.h"
 #include "base/parallel.h"
 #include "base/scramble.h"
 #include "base/sort_unique.h"
@@ -11,12 +12,13 @@
 #include <bit>
 #include <compare>
 #include <optional>
+#include <span>
 
 namespace isoscope {
 namespace {
 
 /// Cells that share their corners, and how many such blocks are counted at once.
-constexpr std::size_t counted_block = 32768, blocks_at_once = 8;
+constexpr std::size_t counted_block = 32768, blocks_at_once = 4;
 /// Cells whose pieces are counted at most: some 100 bytes each. Noise leaves pockets in Ω that finer cells
 /// break into pieces as well, so that of points fewer are worth it.
 constexpr std::size_t most_careful_cells = 6'000'000, most_careful_cells_of_points = 1'000'000;
@@ -81,20 +83,35 @@ class Pieces {
 
   /// Those of other cells, settled.
   void add(const Pieces& others) {
-    vertices_.insert(vertices_.end(), others.vertices_.begin(), others.vertices_.end());
-    links_.insert(links_.end(), others.links_.begin(), others.links_.end());
+    for (std::size_t i = 0; i < others.settled_.size(); ++i) {
+      Settled v = others.settled_[i];
+      v.group += groups_;
+      settled_.push_back(v);
+    }
+    for (std::size_t i = 0; i < others.links_.size(); ++i) links_.push_back(others.links_[i]);
+    groups_ += others.groups_;
   }
 
-  /// After some cells: what they have joined is kept as one link a vertex, beside links to vertices of other
-  /// cells, before or after these.
+  /// After some cells: what they have joined is a group from now on. Links are kept to vertices of other
+  /// cells alone, before or after these.
   void settle() {
     sort_unique(recent_);
     DisjointSets sets(recent_.size());
-    join_all(sets, recent_, recent_links_, {}, [&](const Link& link) { links_.push_back(link); });
-    for (std::size_t i = 0; i < recent_.size(); ++i) {
-      const Vertex& root = recent_[sets.find(static_cast<std::uint32_t>(i))];
-      vertices_.push_back(recent_[i]);
-      if (root.key != recent_[i].key) links_.push_back({recent_[i].key, root.key});
+    for (std::size_t i = 1; i < recent_.size(); ++i)
+      if (recent_[i].key == recent_[i - 1].key)
+        sets.unite(static_cast<std::uint32_t>(i - 1), static_cast<std::uint32_t>(i));
+    for (const Link& link : recent_links_) {
+      const std::size_t i = place_of(link[0], recent_), j = place_of(link[1], recent_);
+      if (i == recent_.size() || j == recent_.size())
+        links_.push_back(link);
+      else
+        sets.unite(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+    }
+    std::vector<std::uint32_t> group(recent_.size());
+    for (std::uint32_t i = 0; i < recent_.size(); ++i) {
+      const std::uint32_t root = sets.find(i);
+      group[i] = root == i ? groups_++ : group[root];
+      settled_.push_back({recent_[i].key, group[i], recent_[i].component});
     }
     recent_.clear();
     recent_links_.clear();
@@ -102,12 +119,24 @@ class Pieces {
 
   /// Of each boundary component; of no use once the control is cancelled.
   std::vector<std::size_t> count(std::size_t components, const RunControl& control) {
-    sort_unique(vertices_);
-    DisjointSets sets(vertices_.size());
-    join_all(sets, vertices_, links_, control, [](const Link&) {});
+    const std::span<Settled> vertices =
+        settled_.size() > 0 ? std::span(&settled_[0], settled_.size()) : std::span<Settled>();
+    std::sort(vertices.begin(), vertices.end(),
+              [](const Settled& a, const Settled& b) { return a.key < b.key; });
+    DisjointSets sets(groups_);
+    for (std::size_t i = 1; i < vertices.size(); ++i)
+      if (vertices[i].key == vertices[i - 1].key) sets.unite(vertices[i].group, vertices[i - 1].group);
+    SparsePoll poll(control);
+    for (std::size_t k = 0; k < links_.size() && !poll.cancelled(); ++k) {
+      // One to what is no vertex joins nothing.
+      const std::size_t i = place_of(links_[k][0], vertices), j = place_of(links_[k][1], vertices);
+      if (i < vertices.size() && j < vertices.size()) sets.unite(vertices[i].group, vertices[j].group);
+    }
     std::vector<std::pair<std::uint16_t, std::uint32_t>> pieces;
-    for (std::size_t i = 0; i < vertices_.size(); ++i)
-      pieces.emplace_back(vertices_[i].component, sets.find(static_cast<std::uint32_t>(i)));
+    for (const Settled& v : vertices) {
+      const std::pair piece{v.component, sets.find(v.group)};
+      if (pieces.empty() || pieces.back() != piece) pieces.push_back(piece);
+    }
     sort_unique(pieces);
     std::vector<std::size_t> counts(components, 0);
     for (const auto& [component, root] : pieces) ++counts[component];
@@ -122,33 +151,27 @@ class Pieces {
   };
   using Link = std::array<std::uint64_t, 2>;
 
-  /// Equal vertices of several components too. Links to what is no vertex of the list join nothing and are
-  /// left.
-  template <class Left>
-  static void join_all(DisjointSets& sets, const std::vector<Vertex>& vertices,
-                       const std::vector<Link>& links, const RunControl& control, const Left& left) {
-    SparsePoll poll(control);
-    for (std::size_t i = 1; i < vertices.size(); ++i)
-      if (vertices[i].key == vertices[i - 1].key)
-        sets.unite(static_cast<std::uint32_t>(i - 1), static_cast<std::uint32_t>(i));
-    const auto find = [&](std::uint64_t key) {
-      return std::lower_bound(vertices.begin(), vertices.end(), Vertex{key, 0});
-    };
-    for (const Link& link : links) {
-      if (poll.cancelled()) return;
-      const auto i = find(link[0]), j = find(link[1]);
-      if (i == vertices.end() || i->key != link[0] || j == vertices.end() || j->key != link[1]) {
-        left(link);
-        continue;
-      }
-      sets.unite(static_cast<std::uint32_t>(i - vertices.begin()),
-                 static_cast<std::uint32_t>(j - vertices.begin()));
-    }
+  /// A vertex of some cells, with what they have joined it to. There are millions.
+  struct Settled {
+    std::uint64_t key;
+    std::uint32_t group;
+    std::uint16_t component;
+  };
+
+  /// Where a key is first among sorted vertices; their number where it is not.
+  template <class Vertices> static std::size_t place_of(std::uint64_t key, const Vertices& vertices) {
+    const auto at = std::lower_bound(vertices.begin(), vertices.end(), key,
+                                     [](const auto& v, std::uint64_t k) { return v.key < k; });
+    const bool found = at != vertices.end() && at->key == key;
+    return found ? static_cast<std::size_t>(at - vertices.begin()) : vertices.size();
   }
 
   static constexpr unsigned piece_key_bits = 20;
-  std::vector<Vertex> vertices_, recent_;
-  std::vector<Link> links_, recent_links_;
+  std::vector<Vertex> recent_;
+  std::vector<Link> recent_links_;
+  GrowingArray<Settled> settled_;
+  GrowingArray<Link> links_;
+  std::uint32_t groups_ = 0;
 };
 
 /// The corners of some cells, each once, by number in the order in which they come first.

@@ -16,6 +16,8 @@ namespace {
 /// Cell positions are 32-bit, and face tests shift them to this level.
 constexpr unsigned deepest_level = 30;
 constexpr std::size_t most_cells = std::size_t{1} << 31;
+/// Ways from the root begin at cells of a level of which there are less than one in so many.
+constexpr std::size_t cells_by_entry = 16;
 /// A flood splits many cells on its way through one.
 constexpr std::uint32_t cells_between_questions = 64;
 
@@ -170,9 +172,26 @@ Result<Regions> Regions::build(const ToleranceField& field, const Options& optio
     level_begin = level_end;
   }
   r.main_size_ = r.size();
+  r.fill_entries();
   r.unite_main(control);
   if (control.cancelled()) return stopped();
   return r;
+}
+
+/// Leaves above the main level are not ambiguous, so that they stay leaves.
+void Regions::fill_entries() {
+  while (entry_level_ < main_level_ && std::size_t{1} << (3 * entry_level_ + 3) <= size() / cells_by_entry)
+    ++entry_level_;
+  const std::uint32_t n = 1u << entry_level_;
+  std::vector<CellIndex> entries(std::size_t{n} * n * n);
+  for (std::uint32_t k = 0; k < entries.size(); ++k) {
+    const std::array u{k & (n - 1), k >> entry_level_ & (n - 1), k >> (2 * entry_level_)};
+    CellIndex i = 0;
+    for (unsigned shift = entry_level_; shift-- > 0 && child(i) != none;)
+      i = child(i) + ((u[0] >> shift) & 1u) + 2 * ((u[1] >> shift) & 1u) + 4 * ((u[2] >> shift) & 1u);
+    entries[k] = i;
+  }
+  entries_ = std::move(entries);
 }
 
 void Regions::unite_main(const RunControl& control) {
@@ -198,7 +217,13 @@ Regions::CellIndex Regions::neighbor(const Cell& c, int face) const {
   if (coordinate == (face % 2 ? last : 0u)) return none;
   coordinate += face % 2 ? 1u : 0xffffffffu;
   CellIndex j = 0;
-  for (unsigned level = 1; level <= c.level; ++level) {
+  unsigned level = 1;
+  if (c.level >= entry_level_) {
+    const unsigned above = c.level - entry_level_;
+    j = entry(p[0] >> above, p[1] >> above, p[2] >> above);
+    level = at(j).level + 1u;
+  }
+  for (; level <= c.level; ++level) {
     const CellIndex below = child(j);
     if (below == none) break;
     const unsigned shift = c.level - level;
@@ -229,38 +254,35 @@ void Regions::split(CellIndex i) {
   for (unsigned k = 0; k < 8; ++k) classify(first + k, guess, {});
 }
 
-namespace {
-
-/// Walks from the root of an octree towards p until ends_at(i), which may split a leaf.
-template <class EndsAt> Regions::CellIndex descend(const Regions& r, Vec3 p, const EndsAt& ends_at) {
-  const Box3 domain = r.domain();
+/// Walks from an entry towards p until ends_at(i), which may split a leaf; p is on the way.
+template <class EndsAt> Regions::CellIndex Regions::descend(Vec3 p, const EndsAt& ends_at) const {
+  const Box3 domain = this->domain();
   for (int a = 0; a < 3; ++a)
-    if (!(p[a] >= domain.lo[a] && p[a] < domain.hi[a])) return Regions::none;
+    if (!(p[a] >= domain.lo[a] && p[a] < domain.hi[a])) return none;
   const double deepest = static_cast<double>(1u << deepest_level);
   std::array<std::uint32_t, 3> u{};
   for (int a = 0; a < 3; ++a) {
-    const double t = (p[a] - domain.lo[a]) / r.side(0) * deepest;
+    const double t = (p[a] - domain.lo[a]) / side(0) * deepest;
     u[static_cast<std::size_t>(a)] = static_cast<std::uint32_t>(std::clamp(t, 0.0, deepest - 1));
   }
-  Regions::CellIndex i = 0;
-  for (unsigned shift = deepest_level - 1;; --shift) {
+  const unsigned above = deepest_level - entry_level_;
+  CellIndex i = entry(u[0] >> above, u[1] >> above, u[2] >> above);
+  for (unsigned shift = deepest_level - 1 - at(i).level;; --shift) {
     if (ends_at(i)) return i;
-    i = r.child(i) + ((u[0] >> shift) & 1u) + 2 * ((u[1] >> shift) & 1u) + 4 * ((u[2] >> shift) & 1u);
+    i = child(i) + ((u[0] >> shift) & 1u) + 2 * ((u[1] >> shift) & 1u) + 4 * ((u[2] >> shift) & 1u);
   }
 }
 
-} // namespace
-
 Regions::CellIndex Regions::locate(Vec3 p) const {
-  return descend(*this, p, [&](CellIndex i) { return child(i) == none; });
+  return descend(p, [&](CellIndex i) { return child(i) == none; });
 }
 
 Regions::CellIndex Regions::locate_among(Vec3 p, std::size_t count) const {
-  return descend(*this, p, [&](CellIndex i) { return child(i) >= count; });
+  return descend(p, [&](CellIndex i) { return child(i) >= count; });
 }
 
 Regions::CellIndex Regions::locate_refining(Vec3 p) {
-  return descend(*this, p, [&](CellIndex i) {
+  return descend(p, [&](CellIndex i) {
     if (child(i) != none) return false;
     if (kind(i) != Kind::ambiguous || at(i).level >= max_level_) return true;
     split(i);
@@ -369,7 +391,7 @@ bool Regions::flood_through(CellIndex start, std::size_t budget, const std::func
 }
 
 std::size_t Regions::memory_bytes() const {
-  return siblings_.size() * sizeof(Siblings);
+  return siblings_.size() * sizeof(Siblings) + entries_.capacity() * sizeof(CellIndex);
 }
 
 } // namespace isoscope

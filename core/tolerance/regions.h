@@ -73,7 +73,7 @@ class Regions {
   /// The same, splitting ambiguous cells on the way.
   CellIndex locate_refining(Vec3 p);
 
-  /// The same among the first `count` cells.
+  /// The same among the first `count` cells, which include the main ones.
   CellIndex locate_among(Vec3 p, std::size_t count) const;
   /// Each two leaves with a common face. Fewer once the control is cancelled.
   std::vector<CellLink> leaf_links(const RunControl& control) const;
@@ -131,6 +131,13 @@ class Regions {
   void classify_children(CellIndex parent);
   void split(CellIndex i);
   void unite_main(const RunControl& control);
+  void fill_entries();
+  /// The cell that the way from the root to this place leads to in the entries' level, or where it ends
+  /// above.
+  CellIndex entry(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+    return entries_[(std::size_t{z} << entry_level_ | y) << entry_level_ | x];
+  }
+  template <class EndsAt> CellIndex descend(Vec3 p, const EndsAt& ends_at) const;
   CellIndex neighbor(const Cell& c, int face) const;
   bool touches(const Cell& a, const Cell& b, int face) const;
   CellIndex compress(CellIndex i);
@@ -144,6 +151,8 @@ class Regions {
   unsigned main_level_ = 0, max_level_ = 0;
   std::size_t main_size_ = 0;
   GrowingArray<Siblings> siblings_;
+  std::vector<CellIndex> entries_{0}; ///< of all places of a level: ways down begin there
+  unsigned entry_level_ = 0;
   std::vector<Passage> passages_;
   std::unordered_map<CellIndex, std::uint32_t> numbers_; ///< by root; looked up only, never iterated
 
