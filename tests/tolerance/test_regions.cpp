@@ -145,6 +145,9 @@ TEST_CASE("cells are halves of their parents, hold their centres, and are of the
     }
   }
   CHECK(leaves + split == octree.size());
+  CHECK(static_cast<double>(octree.memory_bytes()) <
+        1.1 * Regions::bytes_of_cell * static_cast<double>(octree.size() + 8));
+  CHECK(Regions::bytes_of_cell <= 16);
   CHECK(octree.size() > octree.main_size());
 }
 
