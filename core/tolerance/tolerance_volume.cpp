@@ -265,7 +265,7 @@ ToleranceVolume::Escape ToleranceVolume::escape(Vec3 p, const ClosestPoint& clos
     if (d > result.distance) result.reached = w, result.distance = d;
     const Regions::CellIndex i = octree_->locate(w);
     if (i == Regions::none) return result.region = RegionId(0), true;
-    if (octree_->cell(i).kind != Regions::Kind::out) return false;
+    if (octree_->kind(i) != Regions::Kind::out) return false;
     const auto number = octree_->number(i);
     if (number) result.region = RegionId(*number);
     return number.has_value();

@@ -36,25 +36,24 @@ class DeepCells {
   DeepCells(const Regions& octree, double delta, const Box3& within, const RunControl& control)
       : octree_(octree), delta_(delta), within_(within), parent_(octree.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
-    SparsePoll poll(control);
-    for (CellIndex i = 0; i < octree.size() && !poll.cancelled(); ++i) {
-      if (!deep(i)) continue;
-      const Regions::Cell& c = octree.cell(i);
-      const Vec3 center = octree.center(c);
-      const double reach = 0.5 * octree.side(c.level) * (1 + 1e-6);
+    const auto find_links = [this](CellIndex i, std::vector<CellLink>& links) {
+      if (!deep(i)) return;
+      const Regions::Cell c = octree_.cell(i);
+      const Vec3 center = octree_.center(c);
+      const double reach = 0.5 * octree_.side(c.level) * (1 + 1e-6);
       for (int face = 0; face < 6; ++face) {
         Vec3 p = center;
         p[face / 2] += face % 2 == 0 ? reach : -reach;
-        const CellIndex n = octree.locate(p);
-        if (n != Regions::none && deep(n)) unite(i, n);
+        const CellIndex n = octree_.locate(p);
+        if (n != Regions::none && deep(n)) links.push_back({i, n});
       }
-    }
+    };
+    for_each_link(octree.size(), control, find_links, [this](const CellLink& l) { unite(l.a, l.b); });
   }
 
   bool deep(CellIndex i) const {
-    const Regions::Cell& c = octree_.cell(i);
-    return c.child == Regions::none && c.kind == Regions::Kind::out &&
-           static_cast<double>(c.distance) > delta_ && holds(octree_.center(c));
+    return octree_.kind(i) == Regions::Kind::out && static_cast<double>(octree_.distance(i)) > delta_ &&
+           holds(octree_.center(octree_.cell(i)));
   }
 
   /// Whether p lies in the box.
@@ -65,7 +64,7 @@ class DeepCells {
     const CellIndex i = octree_.locate(p);
     if (i == Regions::none) return true;
     if (!deep(i)) return false;
-    const Regions::Cell& c = octree_.cell(i);
+    const Regions::Cell c = octree_.cell(i);
     return distance(p, octree_.center(c)) < static_cast<double>(c.distance) - delta_;
   }
 
@@ -76,7 +75,7 @@ class DeepCells {
     for (CellIndex i = 0; i < octree_.size() && !poll.cancelled(); ++i) {
       if (!deep(i)) continue;
       const auto [at, fresh] = best.emplace(find(i), i);
-      if (!fresh && octree_.cell(i).distance > octree_.cell(at->second).distance) at->second = i;
+      if (!fresh && octree_.distance(i) > octree_.distance(at->second)) at->second = i;
     }
     std::vector<CellIndex> cells;
     for (const auto& [root, cell] : best) cells.push_back(cell);
@@ -214,7 +213,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
   const DeepCells cells(volume.octree(), delta, everywhere, control);
   for (const CellIndex i : cells.deepest(control)) {
     if (control.cancelled()) return witnesses;
-    const Regions::Cell& c = volume.octree().cell(i);
+    const Regions::Cell c = volume.octree().cell(i);
     const Vec3 p = volume.octree().center(c);
     const double depth = volume.field().distance(p);
     if (depth <= delta * (1 + offset_margin) || beside_sheet(p)) continue;
