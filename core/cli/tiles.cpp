@@ -150,16 +150,17 @@ int step(int argc, char** argv) {
 }
 
 int rerun(int argc, char** argv) {
-  CommandLine app{
-      "Makes a tile of the round that was begun last once more, as a run with a journal, and records it: "
-      "all of Z is there, and one tile of it changes. The tiles stay as they are. Ω and the "
-      "certificate are of the whole input, which has to fit into the memory.",
-      "isoscope-run tiles rerun"};
+  CommandLine app{"Makes a tile of a round once more, as a run with a journal, and records it: "
+                  "all of Z is there, and one tile of it changes. The tiles stay as they are. Ω and the "
+                  "certificate are of the whole input, which has to fit into the memory.",
+                  "isoscope-run tiles rerun"};
   std::string folder, tile, recording;
-  unsigned threads = 0;
+  unsigned threads = 0, number_of_round = 0;
   bool quiet = false;
   app.option("FOLDER", folder, "of isoscope-run tiles cut", true);
   app.option("--tile", tile, "the number of the tile, from 0 on", true);
+  app.option("--round", number_of_round,
+             "the number of the round, from 1 on; without it the one that was begun last");
   app.option("--record", recording, "where the recording goes: RUN.isorun", true);
   app.option("--threads", threads, "number of threads, 0 for all cores");
   app.flag("--quiet", quiet, "print nothing but warnings and errors");
@@ -172,10 +173,16 @@ int rerun(int argc, char** argv) {
   if (!number) return fail(number.error(), 2);
   const auto found = TileFolder::open(folder);
   if (!found) return fail(found.error());
-  const auto round = found->last_begun();
-  if (!round) return fail(round.error());
+  const auto last = found->last_begun();
+  if (!last) return fail(last.error());
+  TileRound round = last->value_or(TileRound());
+  if (number_of_round > 0) {
+    auto chosen = found->begun(number_of_round);
+    if (!chosen) return fail(chosen.error(), 2);
+    round = std::move(*chosen);
+  }
   Work work(threads, quiet);
-  const auto made = record_tile(*found, round->value_or(TileRound()), *number, recording, work.control);
+  const auto made = record_tile(*found, round, *number, recording, work.control);
   if (!made) return work.ended(made.error());
   work.finish();
   if (made->result.end != RunResult::End::finished) return 4;
@@ -272,7 +279,8 @@ int status(int argc, char** argv) {
 const Verb parts[] = {
     {{"cut", "MODEL FOLDER --tolerance P", "cuts an input into tiles"}, cut},
     {{"step", "FOLDER [--tile K]", "improves tiles"}, step},
-    {{"rerun", "FOLDER --tile K --record RUN.isorun", "makes a tile once more and records it"}, rerun},
+    {{"rerun", "FOLDER [--round N] --tile K --record RUN.isorun", "makes a tile once more and records it"},
+     rerun},
     {{"join", "FOLDER -o OUT", "joins them, proves the mesh and writes it"}, join},
     {{"status", "FOLDER", "tells how far they are"}, status},
 };

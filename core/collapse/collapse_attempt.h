@@ -62,9 +62,11 @@ inline constexpr std::array check_table{
                Reason::outside_tolerance},
     CheckWords{CollapseCheck::normals, "normals", "normals",
                "Condition 3 is violated nowhere where it was not before. §2.4", Reason::normals},
-    CheckWords{CollapseCheck::witness, "witness", "region witnesses",
-               "The deepest point of each region, and what holds Z in thin parts, stays on its side.",
-               Reason::witness_side},
+    CheckWords{
+        CollapseCheck::witness, "witness", "region witnesses",
+        "The deepest point of each region, and what holds Z in thin parts and at the open rim, stays on "
+        "its side.",
+        Reason::witness_side},
     CheckWords{
         CollapseCheck::border, "border", "border and rim",
         "Where the border of Z moves, it and the open rim of the input stay within δ of each other. §4.1",

@@ -81,6 +81,20 @@ std::size_t violated_tests(const OrientationVerdict& verdict) {
       std::count_if(verdict.tests.begin(), verdict.tests.end(), [](const auto& t) { return !t.good(); }));
 }
 
+/// Whether a point that is on its side stays there.
+TargetVerdict keeps_side(const EdgeStar& star, Vec3 target, const Box3& box, Vec3 x, int label) {
+  if (x.x < box.lo.x || x.x > box.hi.x || x.y < box.lo.y || x.y > box.hi.y || x.z < box.lo.z ||
+      x.z > box.hi.z)
+    return {};
+  const StarLocation after = locate_after(star, target, x);
+  if (after.tet == nullptr) return {};
+  const double f = side_at(star, after, x, label);
+  if (f > 0) return {};
+  const StarLocation before = locate_before(star, x);
+  const double f_before = before.tet == nullptr ? 1 : side_at(star, before, x, label);
+  return f_before > 0 ? Refusal{Reason::witness_side, f, 0, x} : TargetVerdict{};
+}
+
 } // namespace
 
 std::vector<ZeroFacetAfter> zero_facets_after(const EdgeStar& star, Vec3 target) {
@@ -232,19 +246,19 @@ TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationC
 TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume) {
   Box3 box;
   for (const auto& v : star.vertices) box.add(v.position);
-  for (const Witness& witness : volume.witnesses()) {
-    const Vec3 x = witness.point;
-    if (x.x < box.lo.x || x.x > box.hi.x || x.y < box.lo.y || x.y > box.hi.y || x.z < box.lo.z ||
-        x.z > box.hi.z)
-      continue;
-    const StarLocation after = locate_after(star, target, x);
-    if (after.tet == nullptr) continue;
-    const double f = side_at(star, after, x, witness.label);
-    if (f > 0) continue;
-    const StarLocation before = locate_before(star, x);
-    const double f_before = before.tet == nullptr ? 1 : side_at(star, before, x, witness.label);
-    if (f_before > 0) return Refusal{Reason::witness_side, f, 0, x};
-  }
+  for (const Witness& witness : volume.witnesses())
+    if (const TargetVerdict verdict = keeps_side(star, target, box, witness.point, witness.label);
+        verdict.reason != Reason::none)
+      return verdict;
+  // What Z keeps of the rim once it has been cut, its border keeps.
+  if (star.form != ZeroForm::interpolated || volume.border_gate() == nullptr) return {};
+  const SegmentIndex& crossed = volume.border_gate()->crossed();
+  for (const std::uint32_t i : crossed.near(box.center(), 0.5 * length(box.extent())))
+    for (const std::size_t end : {0, 1})
+      if (const TargetVerdict verdict =
+              keeps_side(star, target, box, crossed.segments()[i][end], end == 0 ? -1 : +1);
+          verdict.reason != Reason::none)
+        return verdict;
   return {};
 }
 

@@ -39,7 +39,8 @@ TargetVerdict check_containment(const EdgeStar& star, Vec3 target, const Toleran
 std::optional<TargetVerdict> check_border(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
 /// Condition 3 is violated by no more tests than before (§2.4).
 TargetVerdict check_normals(const EdgeStar& star, Vec3 target, const EvaluationContext& context);
-/// The deepest point of every region inside the star keeps its side.
+/// The deepest point of every region inside the star keeps its side, and until Z is embedded what it passes
+/// between before the open rim.
 TargetVerdict check_witnesses(const EdgeStar& star, Vec3 target, const ToleranceVolume& volume);
 
 } // namespace isoscope

@@ -4,7 +4,7 @@
 #include "criteria/orientation.h"
 #include "improve/relaxation.h"
 #include "improve/shake_round.h"
-#include "tolerance/nearest_cells.h"
+#include "improve/thinning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,19 @@
 namespace isoscope {
 namespace {
 
+/// How wide the triangles are.
+double mean_width(const ClosestPointIndex& input) {
+  return std::sqrt(2 * input.area() / static_cast<double>(std::max<std::size_t>(input.size(), 1)));
+}
+
 /// The cells in which triangles near to Z are listed: a little wider than δ, or half as wide as the
 /// triangles, so that there are few where a few triangles are all there is. Wider cells list more triangles;
 /// of smaller ones many are made for a few questions each.
 double cell_side(const ClosestPointIndex& input, double delta) {
-  const double wide =
-      std::sqrt(2 * input.area() / static_cast<double>(std::max<std::size_t>(input.size(), 1)));
-  return std::max(1.5 * delta, 0.5 * wide);
+  return std::max(1.5 * delta, 0.5 * mean_width(input));
 }
+/// In δ: so many narrower triangles are near to any cell that a walk down the hierarchy is faster.
+constexpr double least_width_for_cells = 0.35;
 
 constexpr int sweeps_after_round = 2;
 constexpr int most_rounds = 20;
@@ -106,8 +111,10 @@ class Improver {
   /// Tens of millions of queries go to the few places where Z may lie.
   static std::optional<NearestCells> make_cells(const ImproverGround& ground) {
     const ClosestPointIndex* surface = ground.field.surface();
-    if (surface == nullptr) return std::nullopt;
-    return std::optional<NearestCells>(std::in_place, *surface, cell_side(*surface, ground.delta));
+    if (surface == nullptr || mean_width(*surface) < least_width_for_cells * ground.delta)
+      return std::nullopt;
+    return std::optional<NearestCells>(std::in_place, *surface, cell_side(*surface, ground.delta),
+                                       ground.most_cell_bytes);
   }
   SurfaceRules make_rules(const TriangleMesh& mesh, const ImproverGround& ground,
                           const NearestSample* samples) {
@@ -254,6 +261,36 @@ class Improver {
   bool stopped_ = false;
 };
 
+/// Tells of a thinned mesh in the ids of what it was made from.
+class Renumbering : public ImproverObserver {
+ public:
+  Renumbering(const ThinnedMesh& thinned, ImproverObserver& observer)
+      : thinned_(thinned), observer_(observer) {}
+  bool accepted(const SurfaceChange& change, const ImproverVerdict& verdict) override {
+    SurfaceChange told = change;
+    for (auto* facets : {&told.removed, &told.added})
+      for (SurfaceChange::Facet& f : *facets) f = {thinned_.facets[f.slot], ids(f.v)};
+    for (SurfaceChange::Move& m : told.moves) m.vertex = thinned_.vertices[m.vertex];
+    for (std::uint32_t& v : told.killed_vertices) v = thinned_.vertices[v];
+    return observer_.accepted(told, renumbered(verdict));
+  }
+  bool rejected(const ImproverVerdict& verdict) override { return observer_.rejected(renumbered(verdict)); }
+
+ private:
+  std::array<std::uint32_t, 3> ids(const std::array<std::uint32_t, 3>& v) const {
+    return {thinned_.vertices[v[0]], thinned_.vertices[v[1]], thinned_.vertices[v[2]]};
+  }
+  ImproverVerdict renumbered(ImproverVerdict verdict) const {
+    verdict.a = thinned_.vertices[verdict.a];
+    verdict.b = thinned_.vertices[verdict.b];
+    if (verdict.facet) verdict.facet = ids(*verdict.facet);
+    return verdict;
+  }
+
+  const ThinnedMesh& thinned_;
+  ImproverObserver& observer_;
+};
+
 } // namespace
 
 ImproverOptions improver_options(const CriteriaParameters& criteria, int effort) {
@@ -279,6 +316,18 @@ ImproverOutcome improve(TriangleMesh& mesh, const ToleranceVolume& volume, const
 ImproverOutcome improve(TriangleMesh& mesh, const ImproverGround& ground, const NearestSample* samples,
                         const ImproverOptions& options, const RunControl& control, ImproverObserver& observer,
                         const RoomInT* room) {
+  if (options.thin) {
+    ThinnedMesh thinned =
+        thin(mesh, {ground.field, ground.delta, ground.witnesses, ground.box}, control, observer);
+    mesh = TriangleMesh();
+    ImproverOptions rest = options;
+    rest.thin = false;
+    ImproverOutcome outcome{ImproverOutcome::End::stopped};
+    Renumbering renumbering(thinned, observer);
+    if (!thinned.stopped) outcome = improve(thinned.mesh, ground, samples, rest, control, renumbering, room);
+    mesh = std::move(thinned.mesh);
+    return outcome;
+  }
   Improver improver(mesh, ground, samples, options, control, observer, room);
   const ImproverOutcome outcome = improver.run();
   mesh = improver.result();

@@ -4,6 +4,7 @@
 
 #include "improve/surface_collapses.h"
 #include "journal/journal.h"
+#include "tolerance/nearest_cells.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <functional>
@@ -17,6 +18,8 @@ struct ImproverOptions {
   int effort = 2;
   bool preserve_normals = true; ///< condition 3 is preserved (§2.4); needs samples
   double shrink = 0.7;          ///< of the facet's copy for condition 3, in (0, 1]
+  bool thin = false; ///< first coarsens what is much finer than δ, see thin(); for a Z without border and
+                     ///< labels, not inside T, of which no normals are preserved
 };
 
 /// What a run's criteria ask of the improver.
@@ -39,6 +42,7 @@ struct ImproverGround {
   /// Where Z may change. With it the mesh may be a piece of Z: all facets whose boxes meet this one; the
   /// field has all of the input within 3 δ of it, turned like Z.
   std::optional<ChangeBox> box = std::nullopt;
+  std::size_t most_cell_bytes = NearestCells::most_bytes; ///< for what makes queries faster
 };
 ImproverGround ground_of(const ToleranceVolume& volume);
 

@@ -7,7 +7,7 @@ bool ImproverLog::accepted(const SurfaceChange& change, const ImproverVerdict& v
   Delta delta = follow(change);
   Event e = event(verdict);
   e.kind = change.kind;
-  e.reason = Reason::minimax_placement;
+  e.reason = verdict.placed;
   if (change.kind == EventKind::relaxation || change.kind == EventKind::shake)
     e.vertex = e.other = VertexId();
   log_.operation(e, std::move(delta), figures());

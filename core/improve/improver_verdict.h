@@ -30,7 +30,8 @@ struct SurfaceChange {
 };
 
 /// What was decided on an edge (or on a sweep) and why. Lengths are absolute. Accepted: `value` is the
-/// largest sampled d of the changed facets, at most δ = `limit`. Refused:
+/// largest sampled d of the changed facets, or a bound of it where one end was the target, at most δ =
+/// `limit`. Refused:
 ///   stays_above          the largest sampled d (value) stays above what a certificate can accept (limit)
 ///   outside_tolerance    d(witness) = value > δ = limit
 ///   folded               a facet is turned away from the input's normals, or has no normal
@@ -45,7 +46,8 @@ struct ImproverVerdict : Refusal {
   EventKind kind = EventKind::collapse; ///< collapse, relaxation, repair or shake
   std::uint32_t a = 0, b = 0;           ///< the edge; b is merged into a. Both 0 for a relaxation or a shake
   Vec3 target;                          ///< where the merged vertex was put first
-  double cost = 0;                      ///< largest sampled d of the merged vertex's star at its target
+  Reason placed = Reason::minimax_placement; ///< how that was found
+  double cost = 0;                           ///< largest sampled d of the merged vertex's star at its target
   std::optional<std::array<std::uint32_t, 3>> facet; ///< refused: the facet that the reason speaks of
   std::vector<RepairSweep> sweeps;
   std::uint32_t moved = 0, flipped = 0;

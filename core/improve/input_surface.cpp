@@ -32,8 +32,9 @@ InputSurface::InputSurface(const ToleranceField& field, double delta, const Tria
                            const RunControl& control, const BorderGate* gate, Normals normals)
     : field_(&field), gate_(gate), delta_(delta), on_surface_(1e-6 * delta), enough_(without_weight * delta),
       normals_(field.size()) {
-  const TriangleSoup soup{surface.points, surface.triangles, {}};
-  const ClosestPointIndex near_surface(soup);
+  const bool asks_surface = field.surface() == nullptr || normals == Normals::like_surface;
+  const ClosestPointIndex near_surface(asks_surface ? TriangleSoup{surface.points, surface.triangles, {}}
+                                                    : TriangleSoup());
   const auto normal_near = [&](Vec3 p) {
     const ClosestPoint near = near_surface.closest(p);
     if (!near.triangle.valid()) return Vec3{};
@@ -46,7 +47,7 @@ InputSurface::InputSurface(const ToleranceField& field, double delta, const Tria
     return;
   }
   const ClosestPointIndex& index = *field.surface();
-  parts_.emplace(index, control);
+  if (normals == Normals::like_surface || FlatParts::may_be_in(index)) parts_.emplace(index, control);
   if (normals == Normals::as_given) {
     parallel_until(index.size(), 256, control, [&](std::size_t t) {
       const Triangle3& corners = index.triangle(TriangleId(t));

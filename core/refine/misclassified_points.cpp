@@ -267,7 +267,7 @@ std::vector<MisclassifiedPoint> misclassified_basins(const LiveTriangulation& li
   std::vector<MisclassifiedPoint> points;
   TetId near;
   for (std::size_t i = 0; i < basins.size() && !poll.cancelled(); ++i) {
-    const Regions::Cell& cell = octree.cell(static_cast<Regions::CellIndex>(i));
+    const Regions::Cell cell = octree.cell(static_cast<Regions::CellIndex>(i));
     const bool was_leaf = cell.child == Regions::none || cell.child >= basins.size();
     const double height = static_cast<double>(cell.distance);
     if (!was_leaf || basins[i] == 0 || height < level || height > basin_reach * level) continue;

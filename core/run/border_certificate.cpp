@@ -81,6 +81,22 @@ std::vector<std::uint32_t> filled_loops(const TriangleMesh& mesh, const Rim& rim
   return loops;
 }
 
+/// The loops of the rim, but for some, that the border is nowhere near to: as words, empty where there are
+/// none.
+std::string bare_loops(const Rim& rim, const ClosestPointIndex& border, double delta,
+                       std::span<const std::uint32_t> but) {
+  std::vector<std::uint8_t> bare(rim.loops().size(), 1);
+  for (const std::uint32_t loop : but) bare[loop] = 0;
+  for (const RimPiece& piece : rim.pieces())
+    if (piece.open && bare[piece.loop] != 0 && border.distance(piece.a) <= delta) bare[piece.loop] = 0;
+  std::string numbers;
+  for (std::size_t i = 0; i < bare.size(); ++i)
+    if (bare[i] != 0) numbers += (numbers.empty() ? "" : ", ") + std::to_string(i + 1);
+  if (numbers.empty()) return {};
+  return " It is nowhere near to loop " + numbers + " of " + std::to_string(bare.size()) +
+         ": what is narrower there than Ω is thick was closed or lost.";
+}
+
 } // namespace
 
 FilledHoles filled_holes(const Journal& journal, Step step, const Complex& complex, const ZeroSet& zero_set) {
@@ -155,9 +171,11 @@ std::optional<BorderProof> prove_border(const TriangleMesh& mesh, const Toleranc
   const OneWay to_rim = one_way(border, rim.curve(), delta, stop);
   if (!to_rim.complete) return std::nullopt;
   proof.to_rim = judge(to_rim, "The border of the mesh", "the open rim");
-  const OneWay from_rim = one_way(open, ClosestPointIndex(flat_triangles(border)), delta, stop);
+  const ClosestPointIndex mesh_border(flat_triangles(border));
+  const OneWay from_rim = one_way(open, mesh_border, delta, stop);
   if (!from_rim.complete) return std::nullopt;
   proof.from_rim = judge(from_rim, "The open rim", "the border of the mesh");
+  if (from_rim.failed > 0) proof.failures.back() += bare_loops(rim, mesh_border, delta, filled);
   return proof;
 }
 

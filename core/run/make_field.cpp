@@ -80,8 +80,9 @@ Result<FieldInput> make_field(const std::shared_ptr<const TriangleSoup>& input,
     made.topology.side_rule = SideRule::depth;
     return made;
   }
+  // What this needs is given back before the index is there.
+  made.topology = analyse_input(*input, parameters.sides, control);
   made.field = build_index(*input, control);
-  if (!control.cancelled()) made.topology = analyse_input(*input, parameters.sides, control);
   return made;
 }
 

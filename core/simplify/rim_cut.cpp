@@ -1,14 +1,12 @@
 // Rounds of splits, each judged in parallel and made in the order of vertices; then one operation drops.
 #include "simplify/rim_cut.h"
 
-#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/sort_unique.h"
-#include "tolerance/border_gate.h"
-#include "tolerance/facet_certificate.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace isoscope {
@@ -17,21 +15,11 @@ namespace {
 /// Halvings towards the wall on an edge.
 constexpr int wall_steps = 50;
 constexpr int most_cut_rounds = 60;
-/// Strips of the input between two loops of the rim are looked for on edges at steps of this, in units of δ,
-/// and at so many at most. Stretches of fewer steps, or with one loop on both sides, are teeth of a jagged
-/// rim.
-constexpr double strip_step = 0.25;
-constexpr int least_strip_steps = 4;
-constexpr int most_strip_steps = 100;
+/// Strips of the input between two loops of the rim are looked for on edges at that many steps at most.
+/// Stretches of fewer steps, or near to one loop on both sides, are teeth of a jagged rim.
+constexpr int least_look_steps = 4;
+constexpr int most_look_steps = 100;
 constexpr int most_strip_rounds = 8;
-/// A vertex this near to where an edge crosses the wall is on it, in units of δ.
-constexpr double at_wall = 0.01;
-/// The longest way along which patches of one loop are joined, in units of δ.
-constexpr double longest_way = 3;
-/// How far from a pinched vertex its edges are cut, in units of δ.
-constexpr double pinch_share = 0.05;
-/// A part of what is kept that is smaller than this is a crumb, in units of δ.
-constexpr double crumb = 4;
 
 } // namespace
 
@@ -40,7 +28,9 @@ RimCut::RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log)
 
 bool RimCut::keeps(Vec3 p) const {
   const ClosestPoint closest = volume_.field().closest(p);
-  return closest.distance() <= volume_.thresholds().delta && !volume_.open_sides()->is_by_wall(p, closest);
+  return closest.distance() <= volume_.thresholds().delta && !volume_.open_sides()->is_by_wall(p, closest) &&
+         std::none_of(worn_.begin(), worn_.end(),
+                      [&](const WornBall& ball) { return distance(ball.center, p) < ball.radius; });
 }
 
 /// Vertices of Z that have no place yet get theirs.
@@ -96,7 +86,7 @@ std::vector<RimCut::Edge> RimCut::crossing_edges() const {
       const Place pa = places_[a.index()], pb = places_[b.index()];
       const bool crosses =
           (pa == Place::kept && pb == Place::beyond) || (pa == Place::beyond && pb == Place::kept);
-      if (crosses && !whole_.contains({a, b})) edges.push_back({a, b});
+      if (crosses && !whole_.contains({a, b}) && !at_end_.contains({a, b})) edges.push_back({a, b});
     }
   sort_unique(edges);
   return edges;
@@ -120,6 +110,9 @@ std::vector<Vec3> RimCut::places_on_edge(const Edge& edge, Vec3 at) const {
   std::vector<Vec3> places{at};
   for (const double parts : {256.0, 64.0, 16.0, 8.0, 4.0, 2.0})
     if (const double fraction = std::floor(t * parts) / parts; fraction > 0)
+      places.push_back(from + fraction * (to - from));
+  if (is_kept(edge[0]) && is_kept(edge[1]))
+    for (const double fraction : {0.4375, 0.5625, 0.375, 0.625, 0.25, 0.75})
       places.push_back(from + fraction * (to - from));
   return places;
 }
@@ -162,7 +155,7 @@ void RimCut::cut_edges(const std::vector<Edge>& edges) {
     if (places_[kept.index()] == Place::beyond) std::swap(kept, beyond);
     if (places_[beyond.index()] != Place::beyond) continue; // found to be on the wall
     if (distance(at[i], live_.complex().position(kept)) <= touching)
-      whole_.insert(edges[i]);
+      at_end_.insert(edges[i]);
     else if (distance(at[i], live_.complex().position(beyond)) <= touching)
       places_[beyond.index()] = Place::wall;
     else
@@ -172,8 +165,8 @@ void RimCut::cut_edges(const std::vector<Edge>& edges) {
 
 /// The middle of the longest stretch between two points beyond that is kept, where it is one of a strip.
 std::optional<Vec3> RimCut::strip_between(Vec3 a, Vec3 b) const {
-  const double step = strip_step * volume_.thresholds().delta;
-  const int steps = std::min(most_strip_steps, static_cast<int>(std::ceil(distance(a, b) / step)));
+  const double step = look_step * volume_.thresholds().delta;
+  const int steps = std::min(most_look_steps, static_cast<int>(std::ceil(distance(a, b) / step)));
   int best = 0, best_end = 0, run = 0;
   for (int k = 1; k < steps; ++k) {
     run = keeps(a + (static_cast<double>(k) / steps) * (b - a)) ? run + 1 : 0;
@@ -181,9 +174,12 @@ std::optional<Vec3> RimCut::strip_between(Vec3 a, Vec3 b) const {
   }
   const auto at = [&](double k) { return a + (k / steps) * (b - a); };
   const Rim& rim = volume_.open_sides()->rim();
-  if (best < least_strip_steps || rim.loop_near(at(best_end - best + 1)) == rim.loop_near(at(best_end)))
+  const Vec3 middle = at(best_end - 0.5 * (best - 1));
+  const bool one_loop = rim.loop_near(at(best_end - best + 1)) == rim.loop_near(at(best_end));
+  if (best < least_look_steps ||
+      (one_loop && rim.curve().distance(middle) <= by_rim * volume_.thresholds().delta))
     return std::nullopt;
-  return at(best_end - 0.5 * (best - 1));
+  return middle;
 }
 
 /// Splits edges between places beyond where they cross a strip of the input with a rim on both sides. False
@@ -193,7 +189,8 @@ bool RimCut::find_strips() {
   for (const Facet& f : facets_)
     for (const Edge& e : rim_edges(f)) {
       const Place pa = places_[e[0].index()], pb = places_[e[1].index()];
-      if (pa == Place::kept || pb == Place::kept || (pa == Place::wall && pb == Place::wall)) continue;
+      const bool crosses_inside = (pa == Place::kept || pb == Place::kept) && !at_end_.contains(e);
+      if (crosses_inside || (is_kept(e[0]) && is_kept(e[1]))) continue;
       if (!whole_.contains(e) && looked_at_.insert(e).second) edges.push_back(e);
     }
   std::sort(edges.begin(), edges.end());
@@ -206,191 +203,6 @@ bool RimCut::find_strips() {
   for (std::size_t i = 0; i < edges.size() && !log_.stopped(); ++i)
     if (at[i]) found |= split({edges[i], Reason::wall_over_rim, *at[i], 0}, *at[i], Place::kept);
   return found;
-}
-
-/// Whether some place of the rim has no border within δ but that of the patch.
-bool RimCut::rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const {
-  const double delta = volume_.thresholds().delta;
-  Box3 box;
-  std::vector<Segment3> own, others;
-  for (const Edge& e : patch.border) {
-    own.push_back(segment(e));
-    for (const Vec3 p : own.back()) box.add(p);
-  }
-  const double near = 0.5 * distance(box.lo, box.hi) + 2 * delta;
-  // Each border edge is one of a patch that is kept and of one that is not.
-  for (const RimPatch& other : all) {
-    if (other.kept != patch.kept || &other == &patch) continue;
-    for (const Edge& e : other.border)
-      if (distance_to(segment(e), box.center()) <= near) others.push_back(segment(e));
-  }
-  return !volume_.border_gate()->covers_rim(own, others).proven;
-}
-
-bool RimCut::lies_inside(const RimPatch& patch) const {
-  const double delta = volume_.thresholds().delta;
-  const Complex& complex = live_.complex();
-  const auto is_inside = [&](std::uint32_t i) {
-    const Facet& f = facets_[i];
-    const Triangle3 t{complex.position(f[0]), complex.position(f[1]), complex.position(f[2])};
-    return certify_facet(volume_.field(), t, delta, delta, rim_piece_budget).kind ==
-           FacetVerdict::Kind::inside;
-  };
-  return std::all_of(patch.facets.begin(), patch.facets.end(), is_inside);
-}
-
-bool RimCut::is_crumb(const RimPatch& patch) const {
-  Box3 box;
-  for (const std::uint32_t i : patch.facets)
-    for (const VertexId v : facets_[i]) box.add(live_.complex().position(v));
-  return distance(box.lo, box.hi) <= crumb * volume_.thresholds().delta;
-}
-
-std::vector<RimPatch> RimCut::patches() const {
-  std::vector<std::uint8_t> kept(facets_.size());
-  for (std::size_t i = 0; i < facets_.size(); ++i) kept[i] = keeps_facet(facets_[i]) ? 1 : 0;
-  return rim_patches(facets_, kept);
-}
-
-void RimCut::settle_spare_patches() {
-  const std::vector<RimPatch> all = patches();
-  for (const RimPatch& patch : all) {
-    if (log_.stopped()) return;
-    if (patch.border.empty() || !(patch.kept ? is_crumb(patch) : lies_inside(patch)) || rim_needs(patch, all))
-      continue;
-    turn(patch);
-  }
-}
-
-/// Drops what is kept, keeps what is dropped.
-void RimCut::turn(const RimPatch& patch) {
-  for (const std::uint32_t i : patch.facets)
-    for (const VertexId v : facets_[i])
-      if (patch.kept)
-        places_[v.index()] = Place::beyond;
-      else if (!is_kept(v))
-        places_[v.index()] = Place::kept;
-}
-
-/// By loop of the rim: how much of the patch's border is nearest to it.
-std::vector<double> RimCut::lengths_by_loop(const RimPatch& patch) const {
-  const Rim& rim = volume_.open_sides()->rim();
-  std::vector<double> lengths(rim.loops().size(), 0);
-  for (const Edge& e : patch.border) lengths[rim.loop_near(point_on(segment(e), 0.5))] += length(e);
-  return lengths;
-}
-
-/// One loop of the rim makes one patch that is dropped and has one that is kept: others are joined to the
-/// largest of their kind where the way is short; crumbs for which there is none are dropped.
-void RimCut::join_patches() {
-  for (bool again = true; again && !log_.stopped();) {
-    again = false;
-    const std::vector<RimPatch> all = patches();
-    std::vector<std::vector<double>> lengths;
-    for (const RimPatch& patch : all) lengths.push_back(lengths_by_loop(patch));
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto longest = std::max_element(lengths[i].begin(), lengths[i].end());
-      if (longest == lengths[i].end() || *longest == 0) continue;
-      const auto loop = static_cast<std::size_t>(longest - lengths[i].begin());
-      std::vector<const RimPatch*> larger;
-      for (std::size_t k = 0; k < all.size(); ++k)
-        if (all[k].kept == all[i].kept && lengths[k][loop] > *longest) larger.push_back(&all[k]);
-      if (larger.empty()) continue;
-      bool changed = join(all[i], larger);
-      again = changed && patches().size() < all.size();
-      if (!again && all[i].kept && is_crumb(all[i])) {
-        turn(all[i]);
-        changed = true;
-        again = patches().size() < all.size();
-      }
-      if (changed) break; // the patches are others now; without progress they wait for the next round
-    }
-  }
-}
-
-/// Holes by a channel, crumbs by what lies around the way, as far as it is in Ω.
-bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to) {
-  const auto vertices_of = [](const std::vector<Edge>& border, std::vector<VertexId>& vertices) {
-    for (const Edge& e : border) vertices.insert(vertices.end(), e.begin(), e.end());
-    sort_unique(vertices);
-  };
-  std::vector<VertexId> from, ends;
-  vertices_of(patch.border, from);
-  for (const RimPatch* other : to) vertices_of(other->border, ends);
-  const auto is_in_volume = [&](VertexId v) {
-    return volume_.field().distance(live_.complex().position(v)) <= volume_.thresholds().delta;
-  };
-  const auto is_allowed = [&](VertexId v) {
-    return is_kept(v) != patch.kept && (is_kept(v) || is_in_volume(v));
-  };
-  const auto apart = [&](VertexId a, VertexId b) {
-    return distance(live_.complex().position(a), live_.complex().position(b));
-  };
-  const std::vector<VertexId> way =
-      shortest_way(facets_, from, ends, is_allowed, apart, longest_way * volume_.thresholds().delta);
-  if (way.empty() || (patch.kept && way.size() < 3)) return false;
-  if (!patch.kept) {
-    take_away(way);
-    return true;
-  }
-  const auto is_between = [&](VertexId v) {
-    return std::find(way.begin() + 1, way.end() - 1, v) < way.end() - 1;
-  };
-  for (const Facet& f : facets_)
-    if (std::any_of(f.begin(), f.end(), is_between))
-      for (const VertexId v : f)
-        if (!is_kept(v) && is_in_volume(v)) places_[v.index()] = Place::kept;
-  return true;
-}
-
-/// Vertices at which what is kept has more than one fan, ascending.
-std::vector<VertexId> RimCut::pinches() const {
-  std::vector<std::pair<VertexId, Edge>> links; // by vertex: the edges of kept facets opposite to it
-  for (const Facet& f : kept_facets())
-    for (std::size_t k = 0; k < 3; ++k) links.push_back({f[k], sorted(Edge{f[(k + 1) % 3], f[(k + 2) % 3]})});
-  std::sort(links.begin(), links.end());
-  std::vector<VertexId> found;
-  for (std::size_t i = 0, end = 0; i < links.size(); i = end) {
-    while (end < links.size() && links[end].first == links[i].first) ++end;
-    std::vector<VertexId> around;
-    for (std::size_t k = i; k < end; ++k)
-      around.insert(around.end(), links[k].second.begin(), links[k].second.end());
-    sort_unique(around);
-    DisjointSets fans(around.size());
-    std::size_t count = around.size();
-    const auto number = [&](VertexId v) {
-      return static_cast<std::uint32_t>(std::lower_bound(around.begin(), around.end(), v) - around.begin());
-    };
-    for (std::size_t k = i; k < end; ++k)
-      count -= fans.unite(number(links[k].second[0]), number(links[k].second[1]));
-    if (count > 1) found.push_back(links[i].first);
-  }
-  return found;
-}
-
-/// Takes vertices away from what is kept, with a little of their edges to what stays.
-void RimCut::take_away(std::span<const VertexId> vertices) {
-  for (const VertexId v : vertices) places_[v.index()] = Place::beyond;
-  for (const VertexId v : vertices) {
-    std::vector<VertexId> around;
-    for (const Facet& f : facets_)
-      if (std::find(f.begin(), f.end(), v) != f.end())
-        for (const VertexId x : f)
-          if (is_kept(x)) around.push_back(x);
-    sort_unique(around);
-    for (const VertexId x : around) {
-      if (log_.stopped()) return;
-      const Vec3 from = live_.complex().position(v), to = live_.complex().position(x);
-      const double share = std::min(0.5, pinch_share * volume_.thresholds().delta / distance(from, to));
-      split({sorted(Edge{v, x}), Reason::pinched_border, from, 0}, from + share * (to - from), Place::wall);
-    }
-    collect_facets();
-  }
-}
-
-void RimCut::cut_pinches() {
-  for (const VertexId v : pinches())
-    if (!log_.stopped()) take_away(std::array{v});
 }
 
 /// Both tetrahedra of each facet of Z with a corner beyond say that it is no part of Z.
@@ -431,7 +243,7 @@ void RimCut::run() {
     }
     settle_spare_patches();
     join_patches();
-    cut_pinches();
+    const bool parted = cut_pinches();
     if (round >= most_cut_rounds) break;
     const std::vector<Facet> kept = kept_facets();
     const std::vector<Edge> edges = border(kept);
@@ -440,8 +252,10 @@ void RimCut::run() {
     if (splits.empty()) {
       // What stays outside of Ω however small its parts are does not belong to what is kept.
       const std::vector<VertexId> stuck = proofs_.stuck();
-      if (stuck.empty()) break;
-      take_away(stuck);
+      if (!stuck.empty())
+        set_apart(stuck, Place::beyond, Reason::leaves_volume);
+      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !parted)
+        break;
     }
     for (const RimSplit& s : splits) {
       if (log_.stopped()) return;

@@ -8,6 +8,7 @@
 #include "simplify/rim_proofs.h"
 #include "tolerance/tolerance_volume.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -22,7 +23,8 @@ namespace isoscope {
 /// the sheet or comes back, holes and crumbs appear beside those that the loops of the rim make: what no part
 /// of the rim needs is closed or dropped, the others are joined to what their loop has made. Edges are split
 /// further until every facet kept is proven inside Ω, every edge of the border within δ of the rim and every
-/// place of the rim within δ of the border, as far as edges are not too short for that.
+/// place of the rim within δ of the border, as far as edges are not too short for that. Then the border is
+/// led along the rim to places that Z passes by, and back from where Z leaves Ω before it is over the rim.
 class RimCut {
  public:
   RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log);
@@ -34,46 +36,72 @@ class RimCut {
   enum class Place : std::uint8_t { unknown, kept, wall, beyond };
   using Edge = RimEdge;
   using Facet = RimFacet;
+  struct WornBall {
+    Vec3 center;
+    double radius;
+  };
+  /// Edges are looked along at steps of this, in units of δ.
+  static constexpr double look_step = 0.25;
+  /// A vertex this near to where an edge crosses the wall is on it, in units of δ.
+  static constexpr double at_wall = 0.01;
+  /// What is so near to the rim, in units of δ, may have the border beside it.
+  static constexpr double by_rim = 0.9;
 
   LiveComplex& live_;
   const ToleranceVolume& volume_;
   StageLog& log_;
   RimProofs proofs_;
-  std::vector<Place> places_; ///< by vertex; of those of Z
-  std::vector<Facet> facets_; ///< of the whole Z, sorted corners, ascending
-  std::set<Edge> whole_;      ///< edges that cross the wall at their kept end, or cannot be split
-  std::set<Edge> looked_at_;  ///< edges that were looked at for strips
+  std::vector<Place> places_;    ///< by vertex; of those of Z
+  std::vector<Facet> facets_;    ///< of the whole Z, sorted corners, ascending
+  std::set<Edge> whole_;         ///< edges that cannot be split
+  std::set<Edge> at_end_;        ///< edges that cross the wall at their kept end
+  std::set<Edge> looked_at_;     ///< edges that were looked at for strips
+  std::set<VertexId> widened_;   ///< vertices in which parts met that were joined there
+  std::vector<Vec3> tried_gaps_; ///< places of the rim
+  std::vector<WornBall> worn_;   ///< nothing is kept in them
 
   bool is_kept(VertexId v) const {
     return places_[v.index()] == Place::kept || places_[v.index()] == Place::wall;
   }
+  bool keeps_facet(const Facet& f) const { return is_kept(f[0]) && is_kept(f[1]) && is_kept(f[2]); }
+  // In rim_cut.cpp: splits along the wall.
   bool keeps(Vec3 p) const;
   void classify();
   void collect_facets();
   std::vector<Facet> kept_facets() const;
-  bool keeps_facet(const Facet& f) const { return is_kept(f[0]) && is_kept(f[1]) && is_kept(f[2]); }
   std::vector<Edge> border(const std::vector<Facet>& kept) const;
+  std::vector<Edge> crossing_edges() const;
   Vec3 wall_between(Vec3 kept, Vec3 beyond) const;
   std::vector<Vec3> places_on_edge(const Edge& edge, Vec3 at) const;
+  /// False where a tetrahedron would turn over at any place that was tried.
+  bool split(const RimSplit& split, Vec3 at, Place place);
+  void cut_edges(const std::vector<Edge>& edges);
+  std::optional<Vec3> strip_between(Vec3 a, Vec3 b) const;
+  bool find_strips();
+  void drop();
+  // In rim_mending.cpp: patches that are none of a loop, gaps before the rim, vertices in which parts meet.
   std::vector<RimPatch> patches() const;
   bool rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const;
   bool lies_inside(const RimPatch& patch) const;
   bool is_crumb(const RimPatch& patch) const;
   std::vector<double> lengths_by_loop(const RimPatch& patch) const;
   void settle_spare_patches();
-  void join_patches();
   void turn(const RimPatch& patch);
+  void join_patches();
   bool join(const RimPatch& patch, const std::vector<const RimPatch*>& to);
-  void take_away(std::span<const VertexId> vertices);
+  bool is_in_volume(VertexId v) const;
+  bool is_near_rim(VertexId v) const;
+  double length_by_rim(const Edge& e) const;
+  std::array<std::vector<VertexId>, 2> border_by_loop(std::uint32_t loop) const;
+  bool close_gaps();
+  bool close_gap(const RimGap& gap);
+  bool refine_around(Vec3 p);
   std::vector<VertexId> pinches() const;
-  void cut_pinches();
-  void cut_edges(const std::vector<Edge>& edges);
-  std::vector<Edge> crossing_edges() const;
-  std::optional<Vec3> strip_between(Vec3 a, Vec3 b) const;
-  bool find_strips();
-  /// False where a tetrahedron would turn over at any place that was tried.
-  bool split(const RimSplit& split, Vec3 at, Place place);
-  void drop();
+  bool parts_loops(VertexId v) const;
+  bool cut_pinches();
+  void set_apart(std::span<const VertexId> vertices, Place place, Reason reason);
+  bool wear_away(std::span<const VertexId> vertices);
+
   Segment3 segment(const Edge& e) const {
     return {live_.complex().position(e[0]), live_.complex().position(e[1])};
   }

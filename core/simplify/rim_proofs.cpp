@@ -13,6 +13,9 @@ namespace {
 
 /// Edges are not split below this length, in units of δ.
 constexpr double shortest_edge = 0.02;
+/// Nor so below this one, where a place of the rim has no border and Z is kept all around it: what is over
+/// the rim there would have been met.
+constexpr double gap_edge = 0.2;
 
 } // namespace
 
@@ -31,6 +34,16 @@ std::vector<VertexId> RimProofs::stuck() const {
         *std::max_element(f.begin(), f.end(), [&](VertexId a, VertexId b) { return d(a) < d(b); }));
   sort_unique(corners);
   return corners;
+}
+
+std::vector<VertexId> RimProofs::stuck_border() const {
+  const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
+  std::vector<VertexId> ends;
+  for (const RimEdge& e : stuck_border_)
+    for (const VertexId v : e)
+      if (curve.distance(live_.complex().position(v)) > volume_.thresholds().delta) ends.push_back(v);
+  sort_unique(ends);
+  return ends;
 }
 
 /// Facets that are kept and not proven to be inside Ω, each by its longest edge.
@@ -72,14 +85,15 @@ void RimProofs::want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits
     if (near_rim_.contains(z.border[i])) continue;
     if (near[i].kind == FacetVerdict::Kind::inside)
       near_rim_.insert(z.border[i]);
-    else
-      want(splits, z, z.border[i], Reason::border_off_rim, near[i].witness, near[i].closest.distance());
+    else if (!want(splits, z, z.border[i], Reason::border_off_rim, near[i].witness,
+                   near[i].closest.distance()))
+      stuck_border_.push_back(z.border[i]);
   }
 }
 
 /// Places of the rim that no border is proven to be within δ of: the facet of Z there goes on to them.
 void RimProofs::want_rim_reached(const RimSurface& z, std::vector<RimSplit>& splits,
-                                 const std::function<bool(VertexId)>& is_kept) const {
+                                 const std::function<bool(VertexId)>& is_kept) {
   if (z.border.empty()) return;
   const double delta = volume_.thresholds().delta;
   std::vector<Segment3> border;
@@ -109,15 +123,28 @@ void RimProofs::want_rim_reached(const RimSurface& z, std::vector<RimSplit>& spl
     return *std::max_element(all.begin(), all.end(),
                              [&](const RimEdge& x, const RimEdge& y) { return rank(x) < rank(y); });
   };
-  for (const FacetVerdict& verdict : reached)
-    want(splits, z, edge_towards(z.facets[zero_set.closest(verdict.witness).triangle.index()]),
-         Reason::rim_off_border, verdict.witness, verdict.closest.distance());
+  for (const FacetVerdict& verdict : reached) {
+    const RimFacet& facet = z.facets[zero_set.closest(verdict.witness).triangle.index()];
+    const RimEdge edge = edge_towards(facet);
+    const auto kept = std::count_if(facet.begin(), facet.end(), is_kept);
+    const bool alike = kept == 0 || kept == 3;
+    if ((!alike || length(edge) > gap_edge * delta) &&
+        want(splits, z, edge, Reason::rim_off_border, verdict.witness, verdict.closest.distance()))
+      continue;
+    if (!alike) continue;
+    const auto d = [&](VertexId v) { return distance(live_.complex().position(v), verdict.witness); };
+    gaps_.push_back(
+        {verdict.witness,
+         *std::min_element(facet.begin(), facet.end(), [&](VertexId a, VertexId b) { return d(a) < d(b); })});
+  }
 }
 
 std::vector<RimSplit> RimProofs::wanted_splits(const RimSurface& z,
                                                const std::function<bool(VertexId)>& is_kept) {
   std::vector<RimSplit> splits;
   stuck_.clear();
+  gaps_.clear();
+  stuck_border_.clear();
   want_inside(z, splits);
   want_near_rim(z, splits);
   want_rim_reached(z, splits, is_kept);

@@ -25,6 +25,12 @@ struct RimSplit {
   double value; ///< the distance there
 };
 
+/// A place of the rim without border near to it, and the vertex of Z that is nearest.
+struct RimGap {
+  Vec3 place;
+  VertexId vertex;
+};
+
 /// Z during the cut.
 struct RimSurface {
   std::span<const RimFacet> facets; ///< all of Z
@@ -44,12 +50,18 @@ class RimProofs {
   /// Of the kept facets that the last call found neither proven nor fit to be split: their corner that is
   /// farthest from the input; ascending.
   std::vector<VertexId> stuck() const;
+  /// Of the border edges that it found not to be within δ of the rim and not fit to be split: their ends that
+  /// are farther than δ from it; ascending.
+  std::vector<VertexId> stuck_border() const;
+  /// Of the places of the rim that the last call found farther than δ from the border, those where Z is kept
+  /// all around the nearest place of it, or nowhere, and too fine to be split there; in the order of the rim.
+  std::span<const RimGap> gaps() const { return gaps_; }
 
  private:
   void want_inside(const RimSurface& z, std::vector<RimSplit>& splits);
   void want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits);
   void want_rim_reached(const RimSurface& z, std::vector<RimSplit>& splits,
-                        const std::function<bool(VertexId)>& is_kept) const;
+                        const std::function<bool(VertexId)>& is_kept);
   /// False where the edge is too short.
   bool want(std::vector<RimSplit>& splits, const RimSurface& z, RimEdge edge, Reason reason, Vec3 witness,
             double value) const;
@@ -61,6 +73,8 @@ class RimProofs {
   const LiveComplex& live_;
   const ToleranceVolume& volume_;
   std::vector<RimFacet> stuck_;
+  std::vector<RimGap> gaps_;
+  std::vector<RimEdge> stuck_border_;
   std::set<RimFacet> proven_;  ///< kept ones that are inside Ω
   std::set<RimEdge> near_rim_; ///< border edges within δ of the rim
 };

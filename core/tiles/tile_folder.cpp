@@ -4,6 +4,7 @@
 #include "base/pending_file.h"
 #include "run/parameters_json.h"
 #include "run/report.h"
+#include "tiles/tile_anchors.h"
 #include "tiles/tile_schedule.h"
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace isoscope {
@@ -18,9 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// A planner that is late finds files gone that others have done with: so often it looks anew.
-constexpr int looks = 3;
 
 std::string name_of(const GridPlace& p) {
   return std::to_string(p[0]) + "_" + std::to_string(p[1]) + "_" + std::to_string(p[2]);
@@ -42,6 +41,17 @@ Json box_json(const Box3& b) {
 Box3 box_of(const Json& json) {
   const auto b = json.get<std::array<double, 6>>();
   return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+}
+
+Json points_json(const std::vector<Vec3>& points) {
+  Json json = Json::array();
+  for (const Vec3 p : points) json.push_back({p.x, p.y, p.z});
+  return json;
+}
+std::vector<Vec3> points_of(const Json& json) {
+  std::vector<Vec3> points;
+  for (const Json& p : json) points.push_back({p.at(0), p.at(1), p.at(2)});
+  return points;
 }
 
 Result<Json> read_json(const fs::path& file) {
@@ -94,8 +104,19 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 }
 
 Result<std::vector<Triangle3>> facets_of_files(const std::vector<fs::path>& files, const Box3& box) {
+  // Counted first: a vector that grows takes up to three times as much.
+  std::vector<fs::path> wanted;
+  std::size_t count = 0;
+  for (const fs::path& file : files) {
+    const auto entries = read_bricks(file);
+    if (!entries) return entries.error();
+    const std::size_t before = count;
+    for (const BrickEntry& e : *entries) count += e.box.meets(box) ? e.count : 0;
+    if (count > before) wanted.push_back(file);
+  }
   std::vector<Triangle3> facets;
-  for (const fs::path& file : files)
+  facets.reserve(count);
+  for (const fs::path& file : wanted)
     if (Status read = read_facets(file, box, facets); !read) return read.error();
   return facets;
 }
@@ -167,9 +188,14 @@ Result<TileFolder> TileFolder::prepare(const fs::path& folder, TileManifest mani
   return TileFolder(folder, std::move(manifest));
 }
 
-Status TileFolder::seal(const TileManifest& manifest) const {
-  Json held = Json::array();
-  for (const Vec3 p : manifest.held) held.push_back({p.x, p.y, p.z});
+Status TileFolder::seal(TileManifest manifest, const RunControl& control) const {
+  const RunParameters& p = manifest.parameters;
+  std::optional<double> cover;
+  if (p.cover && p.topology != TopologyMode::separate) cover = *p.cover * manifest.delta;
+  auto anchors = find_anchors(*this, cover, control);
+  if (!anchors) return anchors.error();
+  manifest.witnesses = std::move(anchors->witnesses);
+  manifest.held = std::move(anchors->held);
   const Json json{{"version", version()},
                   {"parameters", Json::parse(parameters_json(manifest.parameters))},
                   {"delta", manifest.delta},
@@ -180,12 +206,14 @@ Status TileFolder::seal(const TileManifest& manifest) const {
                   {"euler_characteristic", manifest.euler_characteristic},
                   {"components", manifest.components},
                   {"memory", manifest.memory},
-                  {"held", std::move(held)}};
+                  {"witnesses", points_json(manifest.witnesses)},
+                  {"held", points_json(manifest.held)}};
   return write_text_file(manifest_file(folder_), json.dump(1) + "\n");
 }
 
 Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manifest,
-                                      const std::vector<Triangle3>& z, const std::vector<Triangle3>& input) {
+                                      const std::vector<Triangle3>& z, const std::vector<Triangle3>& input,
+                                      const RunControl& control) {
   manifest.triangles = input.size();
   Box3 box;
   for (const Triangle3& t : input) box.add(isoscope::box_of(t));
@@ -197,8 +225,12 @@ Result<TileFolder> TileFolder::create(const fs::path& folder, TileManifest manif
   const auto made = prepare(folder, manifest);
   if (!made) return made.error();
   if (Status written = write_by_tile(folder / "input", made->grid(), input); !written) return written.error();
-  if (Status written = write_by_tile(z_folder(folder, 0), made->grid(), z); !written) return written.error();
-  if (Status sealed = made->seal(manifest); !sealed) return sealed.error();
+  if (&z == &input) {
+    if (Status shared = made->share_input(); !shared) return shared.error();
+  } else if (Status written = write_by_tile(z_folder(folder, 0), made->grid(), z); !written) {
+    return written.error();
+  }
+  if (Status sealed = made->seal(manifest, control); !sealed) return sealed.error();
   return open(folder);
 }
 
@@ -221,7 +253,8 @@ Result<TileFolder> TileFolder::open(const fs::path& folder) {
     m.euler_characteristic = json->at("euler_characteristic").get<long>();
     m.components = json->at("components").get<std::size_t>();
     m.memory = json->at("memory").get<double>();
-    for (const Json& p : json->at("held")) m.held.push_back({p.at(0), p.at(1), p.at(2)});
+    m.witnesses = points_of(json->at("witnesses"));
+    m.held = points_of(json->at("held"));
   } catch (const Json::exception&) {
     return Error{ErrorCode::bad_input, manifest_file(folder).string() + " cannot be read.",
                  "Cut the input anew."};
@@ -235,6 +268,18 @@ fs::path TileFolder::input_file(const GridPlace& tile) const {
 
 fs::path TileFolder::first_z_file(const GridPlace& tile) const {
   return output(0, tile);
+}
+
+Status TileFolder::share_input() const {
+  for (const fs::path& file : files_in(folder_ / "input")) {
+    const fs::path same = z_folder(folder_, 0) / file.filename();
+    std::error_code failed;
+    fs::remove(same, failed);
+    fs::create_hard_link(file, same, failed);
+    if (failed) fs::copy_file(file, same, failed); // where the disk knows no links
+    if (failed) return Error{ErrorCode::io, same.string() + " cannot be made.", ""};
+  }
+  return {};
 }
 
 fs::path TileFolder::output(std::uint32_t round, const GridPlace& tile) const {
@@ -328,21 +373,16 @@ Result<std::optional<TileRound>> TileFolder::next(const std::vector<TileRound>& 
   const std::uint32_t number = (*planned)->number;
   std::error_code failed;
   fs::create_directories(z_folder(folder_, number), failed);
-  // The order is what is_over() rests on.
   if (Status written = write_text_file(round_file(folder_, number), text_of(**planned)); !written)
     return written.error();
-  if (number > 1) fs::remove_all(z_folder(folder_, number - 2), failed);
   return planned;
 }
 
 Result<std::optional<TileRound>> TileFolder::round() const {
-  for (int look = 1;; ++look) {
-    auto rounds = begun();
-    if (!rounds) return rounds.error();
-    if (!rounds->empty() && !pending(rounds->back()).empty()) return std::optional(rounds->back());
-    auto planned = next(*rounds);
-    if (planned || look == looks) return planned;
-  }
+  auto rounds = begun();
+  if (!rounds) return rounds.error();
+  if (!rounds->empty() && !pending(rounds->back()).empty()) return std::optional(rounds->back());
+  return next(*rounds);
 }
 
 Result<std::uint32_t> TileFolder::complete_rounds() const {
@@ -365,6 +405,37 @@ Result<bool> TileFolder::is_last(const TileRound& round) const {
   const auto follows = plan(*rounds);
   if (!follows) return follows.error();
   return !*follows;
+}
+
+Result<TileRound> TileFolder::begun(std::uint32_t number) const {
+  const auto rounds = begun();
+  if (!rounds) return rounds.error();
+  if (number > 0 && number <= rounds->size()) return (*rounds)[number - 1];
+  return Error{ErrorCode::usage, "Round " + std::to_string(number) + " was not begun.",
+               rounds->empty() ? "None was." : "The last one is " + std::to_string(rounds->size()) + "."};
+}
+
+Result<std::optional<std::uint32_t>> TileFolder::in_vain_since(const TileRound& round,
+                                                               const GridPlace& tile) const {
+  using Since = std::optional<std::uint32_t>;
+  if (round.number <= shifts) return Since();
+  const std::uint32_t number = round.number - shifts;
+  const auto before = begun(number);
+  if (!before) return before.error();
+  const bool made_then = std::any_of(before->tiles.begin(), before->tiles.end(),
+                                     [&](const TileWork& w) { return w.tile == tile; });
+  if (!(before->tiling == round.tiling) || before->effort != round.effort || !made_then) return Since();
+  const ChangeBox bounds = grid().bounds(round.tiling, tile);
+  const Box3 box{bounds.lo, bounds.hi};
+  std::set<std::ptrdiff_t> counts;
+  for (const std::uint32_t at : {number, number + 1, round.number}) {
+    const auto facets = z_before(at, box);
+    if (!facets) return facets.error();
+    counts.insert(std::count_if(facets->begin(), facets->end(),
+                                [&](const Triangle3& f) { return box.meets(isoscope::box_of(f)); }));
+    if (counts.size() > 1) return Since();
+  }
+  return Since(number);
 }
 
 bool TileFolder::is_over(std::uint32_t round) const {

@@ -4,11 +4,12 @@
 //   tiles.json        what was cut, with the parameters
 //   input/x_y_z       the input's triangles, turned outwards
 //   rounds/N.json     the tiling of round N, with its tiles, heaviest first
-//   z/N/x_y_z         the facets of Z that a tile of round N has left; z/0 is the first Z
-//   z/N/x_y_z.json    what programs say of that tile, see tile_notes.h
-//   recordings/       of tiles that the window made once more
+//   z/N/x_y_z         the facets of Z that a tile of round N has left; z/0 is the first Z, mostly the input's
+//   own files z/N/x_y_z.json    what programs say of that tile, see tile_notes.h recordings/       of tiles
+//   that the window made once more
 #pragma once
 
+#include "base/run_control.h"
 #include "base/status.h"
 #include "run/parameters.h"
 #include "tiles/facet_file.h"
@@ -32,8 +33,9 @@ struct TileManifest {
   std::uint64_t triangles = 0, vertices = 0; ///< of the input
   long euler_characteristic = 0;
   std::size_t components = 0;
-  double memory = 0;      ///< bytes that the improver may take for a tile
-  std::vector<Vec3> held; ///< points in thin parts that Z keeps on their side, so that it stays near
+  double memory = 0;           ///< bytes that the improver may take for a tile
+  std::vector<Vec3> witnesses; ///< points of regions deeper than δ, see TileAnchors
+  std::vector<Vec3> held;      ///< points in thin parts that Z keeps on their side, so that it stays near
 };
 
 /// Z and the input by brick: how many facets begin there, and the box of these.
@@ -61,16 +63,21 @@ Status check_tile(const TileRound& round, std::size_t tile);
 
 class TileFolder {
  public:
-  /// Makes the folder from a first Z and the input, both oriented; the box, the bricks and the number of
-  /// triangles follow from them. Fails with usage where the folder has tiles already, with io.
+  /// Makes the folder from a first Z and the input, both oriented; the box, the bricks, the number of
+  /// triangles and the points that Z keeps on their side follow from them. Fails with usage where the folder
+  /// has tiles already, with io, cancelled, and as find_anchors().
   static Result<TileFolder> create(const std::filesystem::path& folder, TileManifest manifest,
-                                   const std::vector<Triangle3>& z, const std::vector<Triangle3>& input);
+                                   const std::vector<Triangle3>& z, const std::vector<Triangle3>& input,
+                                   const RunControl& control = {});
   /// The same in steps, for who has not all of it in memory. First the folder, of a manifest that has all but
   /// what is found out on the way; then input_file() and first_z_file() of each tile of the first tiling are
-  /// to be written, and what they hold can be read back; seal() makes tiles of them. Both fail as create().
+  /// to be written, and what they hold can be read back; seal() finds the points and makes tiles of them.
+  /// Both fail as create().
   static Result<TileFolder> prepare(const std::filesystem::path& folder, TileManifest manifest);
-  Status seal(const TileManifest& manifest) const;
+  Status seal(TileManifest manifest, const RunControl& control) const;
   std::filesystem::path input_file(const GridPlace& tile) const;
+  /// Takes the input's files as those of the first Z.
+  Status share_input() const;
   std::filesystem::path first_z_file(const GridPlace& tile) const;
   /// Fails with usage where there are no tiles, with bad_input where they cannot be read.
   static Result<TileFolder> open(const std::filesystem::path& folder);
@@ -93,14 +100,18 @@ class TileFolder {
   Result<std::optional<TileRound>> last_begun() const;
   /// Whether no round follows one whose tiles are all there, as far as its files tell; begins none either.
   Result<bool> is_last(const TileRound& round) const;
-  /// Whether a later round was begun: then all tiles of this one are there, and what they were made from may
-  /// be gone.
+  /// A round that was begun, by its number. Fails with usage where there is no such, with bad_input.
+  Result<TileRound> begun(std::uint32_t number) const;
+  /// Whether a later round was begun: then all tiles of this one are there.
   bool is_over(std::uint32_t round) const;
+  /// The round of the same tiling and effort, shifts before, in which a tile lost no facet, where as many
+  /// meet the tile now as then: it is left as it is this time. Nothing where there is no such round. Fails as
+  /// z_before().
+  Result<std::optional<std::uint32_t>> in_vain_since(const TileRound& round, const GridPlace& tile) const;
 
   std::filesystem::path output(std::uint32_t round, const GridPlace& tile) const;
   std::filesystem::path note(std::uint32_t round, const GridPlace& tile) const;
-  /// Facets of Z before a round, and triangles of the input, whose bricks' boxes meet a box. What was read of
-  /// a round that is over by then may lack some.
+  /// Facets of Z before a round, and triangles of the input, whose bricks' boxes meet a box.
   Result<std::vector<Triangle3>> z_before(std::uint32_t round, const Box3& box) const;
   Result<std::vector<Triangle3>> input(const Box3& box) const;
   /// The same of all of space, one by one.

@@ -3,7 +3,6 @@
 
 #include "base/point_order.h"
 #include "tiles/facet_file.h"
-#include "tolerance/piece_witnesses.h"
 
 #include <algorithm>
 
@@ -57,21 +56,18 @@ void keep_own(std::vector<Triangle3>& facets, const TileGrid& grid, const Tiling
   });
 }
 
-Result<std::unique_ptr<const TileGround>> TileGround::make(const TriangleSoup& input, double delta,
-                                                           const std::vector<Vec3>& held,
-                                                           const ChangeBox& box, const RunControl& control) {
-  std::unique_ptr<TileGround> made(new TileGround(input, delta, box, control));
-  auto witnesses = witnesses_of_piece(made->index_, delta, all_of_space, control);
-  if (!witnesses) return witnesses.error();
-  made->witnesses_ = std::move(*witnesses);
-  made->witnesses_.insert(made->witnesses_.end(), held.begin(), held.end());
-  std::erase_if(made->witnesses_, [&](Vec3 w) { return !box.holds(w); });
-  return std::unique_ptr<const TileGround>(std::move(made));
+std::vector<Vec3> kept_points(const TileManifest& manifest, const ChangeBox& box) {
+  std::vector<Vec3> kept;
+  for (const auto* points : {&manifest.witnesses, &manifest.held})
+    for (const Vec3 p : *points)
+      if (box.holds(p)) kept.push_back(p);
+  return kept;
 }
 
 ImproverOptions tile_options(const CriteriaParameters& criteria, int effort) {
   ImproverOptions options = improver_options(criteria, effort);
   options.preserve_normals = false;
+  options.thin = true;
   return options;
 }
 

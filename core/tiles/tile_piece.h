@@ -2,13 +2,13 @@
 #pragma once
 
 #include "base/run_control.h"
-#include "base/status.h"
 #include "improve/improver.h"
 #include "input/triangle_soup.h"
+#include "tiles/tile_folder.h"
 #include "tiles/tile_grid.h"
 #include "tolerance/closest_point.h"
 
-#include <memory>
+#include <algorithm>
 #include <vector>
 
 namespace isoscope {
@@ -28,22 +28,29 @@ void keep_meeting(std::vector<Triangle3>& facets, const Box3& box);
 void keep_own(std::vector<Triangle3>& facets, const TileGrid& grid, const Tiling& tiling,
               const GridPlace& tile);
 
+/// The points in a tile that Z keeps on their side: a component of {d > δ} that Z could pass by changes in
+/// the tile lies in it, and so does its witness.
+std::vector<Vec3> kept_points(const TileManifest& manifest, const ChangeBox& box);
+
 /// Ω in a tile, from the input within reach of it.
 class TileGround {
  public:
-  /// `held`: points of thin parts, anywhere. Fails as witnesses_of_piece().
-  static Result<std::unique_ptr<const TileGround>> make(const TriangleSoup& input, double delta,
-                                                        const std::vector<Vec3>& held, const ChangeBox& box,
-                                                        const RunControl& control);
-  ImproverGround ground() const { return {index_, delta_, witnesses_, nullptr, box_}; }
+  /// `kept`: points in the box that Z keeps on their side. Of no use once the control is cancelled.
+  /// `memory`: bytes that the tile may take in all.
+  TileGround(const TriangleSoup& input, double delta, std::vector<Vec3> kept, const ChangeBox& box,
+             double memory, const RunControl& control)
+      : index_(input, control), delta_(delta), kept_(std::move(kept)), box_(box),
+        most_cell_bytes_(
+            static_cast<std::size_t>(std::min(share_of_cells * memory, double(NearestCells::most_bytes)))) {}
+  ImproverGround ground() const { return {index_, delta_, kept_, nullptr, box_, most_cell_bytes_}; }
 
  private:
-  TileGround(const TriangleSoup& input, double delta, const ChangeBox& box, const RunControl& control)
-      : index_(input, control), delta_(delta), box_(box) {}
+  static constexpr double share_of_cells = 0.125; ///< of a tile's memory
   ClosestPointIndex index_;
   double delta_;
-  std::vector<Vec3> witnesses_;
+  std::vector<Vec3> kept_;
   ChangeBox box_;
+  std::size_t most_cell_bytes_;
 };
 
 /// What the improver is asked for in a tile: condition 3 asks samples, which tiles have not.

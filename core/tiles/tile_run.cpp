@@ -19,7 +19,9 @@
 namespace isoscope {
 namespace {
 
-constexpr std::string_view held_words = "Z keeps a point of a thin part on its side.";
+constexpr std::string_view kept_words = "Z keeps this point on its side.";
+/// The whole input is in memory anyhow; answers do not depend on it.
+constexpr double all_memory = std::numeric_limits<double>::infinity();
 constexpr std::string_view start_words = "Z before tile ";
 
 /// What a run in tiles asks of one that shows a tile of it.
@@ -57,8 +59,8 @@ class TellingGate : public PassingGate {
   std::size_t events_ = 0;
 };
 
-bool tells_held_point(const Journal& journal, const Event& e) {
-  return e.kind == EventKind::warning && journal.texts()[e.text] == held_words;
+bool tells_kept_point(const Journal& journal, const Event& e) {
+  return e.kind == EventKind::warning && journal.texts()[e.text] == kept_words;
 }
 
 } // namespace
@@ -66,16 +68,19 @@ bool tells_held_point(const Journal& journal, const Event& e) {
 Result<TileStart> tile_start(const TileFolder& folder, const TileRound& round, std::size_t tile) {
   if (Status there = check_tile(round, tile); !there) return there.error();
   const TileManifest& m = folder.manifest();
+  const auto since = folder.in_vain_since(round, round.tiles[tile].tile);
+  if (!since) return since.error();
+  if (*since)
+    return Error{ErrorCode::usage,
+                 "Round " + std::to_string(round.number) + " has left tile " + std::to_string(tile) +
+                     " as it was, as round " + std::to_string(**since) + " took nothing from it.",
+                 "Make a tile of that round once more."};
   TileStart start;
   start.box = folder.grid().bounds(round.tiling, round.tiles[tile].tile);
   start.words = std::to_string(tile) + " of round " + std::to_string(round.number);
-  for (const Vec3 p : m.held)
-    if (start.box.holds(p)) start.held.push_back(p);
+  start.kept = kept_points(m, start.box);
   auto z = folder.z_before(round.number, all_of_space);
   auto input = folder.input(all_of_space);
-  if (folder.is_over(round.number))
-    return Error{ErrorCode::usage, "Round " + std::to_string(round.number) + " is over.",
-                 "Tiles of the round that was begun last can be made once more."};
   if (!z) return z.error();
   if (!input) return input.error();
   start.z = mesh_of(std::move(*z));
@@ -99,7 +104,7 @@ std::optional<TileStart> tile_start(const RunParameters& parameters,
   start.box = {e.point, e.witness};
   start.words = words.substr(start_words.size());
   for (std::size_t i = 0; i < first.event; ++i)
-    if (tells_held_point(recorded, recorded.events()[i])) start.held.push_back(recorded.events()[i].point);
+    if (tells_kept_point(recorded, recorded.events()[i])) start.kept.push_back(recorded.events()[i].point);
   Complex complex;
   complex.apply(first.delta());
   start.z = triangulate(extract_zero_set(complex));
@@ -124,17 +129,16 @@ Result<RunResult> TileRun::run() {
   const CriteriaParameters criteria = start_.parameters.criteria(scene_->delta, scene_->default_sigma);
   std::vector<Triangle3> near = facets_of(*start_.input);
   keep_meeting(near, Box3{start_.box.lo, start_.box.hi}.grown(tile_input_reach * scene_->delta));
-  const auto omega =
-      TileGround::make(soup_of(std::move(near)), scene_->delta, start_.held, start_.box, control_);
-  if (!omega && !control_.cancelled()) return omega.error();
+  const TileGround omega(soup_of(std::move(near)), scene_->delta, start_.kept, start_.box, all_memory,
+                         control_);
   Recorder recorder(*journal_, gate_);
   StageLog log(recorder, control_);
   log.begin(Stage::improve);
-  for (const Vec3 p : start_.held) {
+  for (const Vec3 p : start_.kept) {
     Event e;
     e.kind = EventKind::warning;
     e.point = p;
-    e.text = journal_->add_text(std::string(held_words));
+    e.text = journal_->add_text(std::string(kept_words));
     log.event(e);
   }
   Complex z;
@@ -150,8 +154,8 @@ Result<RunResult> TileRun::run() {
   figures.zero_set_vertices = e.count;
   figures.smallest_height = std::numeric_limits<float>::infinity();
   log.operation(e, std::move(delta), figures);
-  if (omega && !log.stopped())
-    improve_free_piece(z, (*omega)->ground(), tile_options(criteria, start_.parameters.effort), log);
+  if (!control_.cancelled() && !log.stopped())
+    improve_free_piece(z, omega.ground(), tile_options(criteria, start_.parameters.effort), log);
   log.end();
   RunResult result;
   if (log.stopped()) result.end = control_.timed_out() ? RunResult::End::limit : RunResult::End::stopped;

@@ -22,12 +22,12 @@ struct TileStart {
   std::shared_ptr<const TriangleSoup> input; ///< the whole one
   TriangleMesh z;                            ///< all of Z before the round
   ChangeBox box;                             ///< in which it changes
-  std::vector<Vec3> held;                    ///< points in the box that Z keeps on their side
+  std::vector<Vec3> kept;                    ///< points in the box that Z keeps on their side
   std::string words;                         ///< "tile 3 of round 2"
 };
 
-/// Fails with usage where the round is over or has no such tile, as what it was made from is gone then; with
-/// io, bad_input.
+/// Of any round that was begun. Fails with usage where it has no such tile, or has left the tile as it was;
+/// with io, bad_input.
 Result<TileStart> tile_start(const TileFolder& folder, const TileRound& round, std::size_t tile);
 /// What a recording of such a run began with; nothing of any other.
 std::optional<TileStart> tile_start(const RunParameters& parameters,
@@ -41,7 +41,7 @@ class TileRun {
   TileRun(TileStart start, std::shared_ptr<Journal> journal, Gate& gate, RunControl& control);
   /// Fails as Pipeline::prepare().
   Result<std::shared_ptr<const Scene>> prepare();
-  /// Once, after prepare(). Fails as witnesses_of_piece().
+  /// Once, after prepare().
   Result<RunResult> run();
   const TileStart& start() const { return start_; }
 

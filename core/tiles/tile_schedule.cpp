@@ -8,8 +8,8 @@
 namespace isoscope {
 namespace {
 
-/// Below this share of its facets four rounds are the last of their level; of one that larger tiles follow.
-constexpr double worthwhile = 0.01, worthwhile_below = 0.1;
+/// Below this share of its facets four rounds are the last of the last level.
+constexpr double worthwhile = 0.01;
 /// From the largest brick to the finest.
 constexpr int most_halvings = 8;
 /// Of what lies around a tile and is read with it.
@@ -91,12 +91,12 @@ std::optional<NextRound> next_round(const TileGrid& grid, const std::vector<Tile
     ++next.tiling.shift;
     return next;
   }
+  if (heaviest_tile(grid, last.tiling.level + 1, loads) <= memory)
+    return begin_level(grid, last.tiling.level + 1, effort, memory, loads);
   const auto before = static_cast<double>(complete[complete.size() - shifts].facets);
   const double gain = before > 0 ? 1 - static_cast<double>(facets) / before : 0;
   const NextRound again{{last.tiling.level, 0, false}, last.effort};
-  const bool goes_up = heaviest_tile(grid, last.tiling.level + 1, loads) <= memory;
-  if (gain >= (goes_up ? worthwhile_below : worthwhile)) return again;
-  if (goes_up) return begin_level(grid, last.tiling.level + 1, effort, memory, loads);
+  if (gain >= worthwhile) return again;
   if (last.effort < effort) return NextRound{again.tiling, effort};
   return std::nullopt;
 }

@@ -84,7 +84,7 @@ class StreamedCut {
     if (Status sorted = sort_into_tiles(all, *made); !sorted) return sorted.error();
     if (Status judged = judge(*made); !judged) return judged.error();
     if (Status turned = turn_outwards(*made); !turned) return turned.error();
-    if (Status sealed = made->seal(manifest_); !sealed) return sealed.error();
+    if (Status sealed = made->seal(manifest_, control_); !sealed) return sealed.error();
     return TileFolder::open(folder_);
   }
 
@@ -231,9 +231,15 @@ class StreamedCut {
     if (components.size() > 1)
       if (Status nested = find_cavities(made, turned); !nested) return nested;
     const bool any = std::find(turned.begin(), turned.end(), 1) != turned.end();
-    // Files are replaced once all of them have been read.
-    const Status first_z =
-        each_tile(made, "first Z",
+    if (any)
+      if (Status written = write_turned(made, turned); !written) return written;
+    return made.share_input();
+  }
+
+  /// Files are replaced once all of them have been read.
+  Status write_turned(const TileFolder& made, const std::vector<char>& turned) {
+    const Status written =
+        each_tile(made, "orientation",
                   [&](std::size_t i, const TriangleMesh& mesh, const std::function<bool(Vec3)>& in_tile) {
                     std::vector<Triangle3> own;
                     each_facet_in(i, mesh, in_tile, [&](std::size_t component, Triangle3 f) {
@@ -244,12 +250,11 @@ class StreamedCut {
                                ? Status()
                                : write_facets(made.first_z_file(tiles_[i]), made.grid(), std::move(own));
                   });
-    if (!first_z || !any) return first_z;
+    if (!written) return written;
     for (const GridPlace& tile : tiles_) {
       std::error_code failed;
       if (!fs::exists(made.first_z_file(tile), failed)) continue;
-      fs::copy_file(made.first_z_file(tile), made.input_file(tile), fs::copy_options::overwrite_existing,
-                    failed);
+      fs::rename(made.first_z_file(tile), made.input_file(tile), failed);
       if (failed) return Error{ErrorCode::io, made.input_file(tile).string() + " cannot be written.", ""};
     }
     return {};

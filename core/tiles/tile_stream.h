@@ -12,9 +12,9 @@ namespace isoscope {
 
 /// Makes the folder that cut_into_tiles() makes of the same file, with no more than about `memory` bytes of
 /// it at once: it is sorted by tiles on the disk, and judged tile by tile. The input has to be triangles
-/// whose neighbours agree on their sides; nothing is left out of it, and no points are held in thin parts,
-/// for which Ω is needed as a whole. Fails as stream_triangles(), with usage where the input is no closed
-/// surface free of intersections, or asks for what only the whole tells, with io and cancelled.
+/// whose neighbours agree on their sides; nothing is left out of it. Fails as stream_triangles(), with usage
+/// where the input is no closed surface free of intersections, or asks for what only the whole tells, with io
+/// and cancelled.
 Result<TileFolder> stream_into_tiles(const RunParameters& parameters, const std::filesystem::path& folder,
                                      double memory, const RunControl& control);
 

@@ -31,34 +31,32 @@ class Unwatched : public ImproverObserver {
   bool rejected(const ImproverVerdict&) override { return true; }
 };
 
-/// Z and the input around a tile.
-struct Surroundings {
-  TriangleMesh z;     ///< all facets whose boxes meet the tile
-  TriangleSoup input; ///< within reach of the tile
-};
-
-Result<Surroundings> read_surroundings(const TileFolder& folder, const TileRound& round,
-                                       const ChangeBox& bounds) {
-  const Box3 box{bounds.lo, bounds.hi};
+Result<TriangleMesh> read_z(const TileFolder& folder, const TileRound& round, const Box3& box) {
   auto z = folder.z_before(round.number, box);
   if (!z) return z.error();
   keep_meeting(*z, box);
+  return mesh_of(std::move(*z));
+}
+
+Result<TriangleSoup> read_input(const TileFolder& folder, const Box3& box) {
   const Box3 around = box.grown(tile_input_reach * folder.manifest().delta);
   auto input = folder.input(around);
   if (!input) return input.error();
   keep_meeting(*input, around);
-  return Surroundings{mesh_of(std::move(*z)), soup_of(std::move(*input))};
+  return soup_of(std::move(*input));
 }
 
 Status improve_tile(const TileFolder& folder, const TileRound& round, const ChangeBox& bounds,
-                    Surroundings& at, const RunControl& control) {
+                    TriangleMesh& z, const RunControl& control) {
   const TileManifest& m = folder.manifest();
-  const auto omega = TileGround::make(at.input, m.delta, m.held, bounds, control);
+  auto input = read_input(folder, {bounds.lo, bounds.hi});
+  if (!input) return input.error();
+  const TileGround omega(*input, m.delta, kept_points(m, bounds), bounds, m.memory, control);
   if (control.cancelled()) return cancelled_error();
-  if (!omega) return omega.error();
+  *input = TriangleSoup();
   const ImproverOptions options = tile_options(m.parameters.criteria(m.delta), round.effort);
   Unwatched nobody;
-  improve(at.z, (*omega)->ground(), nullptr, options, control, nobody);
+  improve(z, omega.ground(), nullptr, options, control, nobody);
   return control.cancelled() ? Status(cancelled_error()) : Status();
 }
 
@@ -66,15 +64,16 @@ Status write_tile(const TileFolder& folder, const TileRound& round, const GridPl
                   const RunControl& control) {
   const TileGrid grid = folder.grid();
   const ChangeBox bounds = grid.bounds(round.tiling, place);
-  auto at = read_surroundings(folder, round, bounds);
-  if (folder.is_over(round.number)) return {}; // what was read may be less than there was
-  if (!at) return at.error();
-  const bool any = std::any_of(at->z.triangles.begin(), at->z.triangles.end(), [&](const auto& t) {
-    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return bounds.holds(at->z.points[v]); });
+  auto z = read_z(folder, round, {bounds.lo, bounds.hi});
+  if (!z) return z.error();
+  const auto since = folder.in_vain_since(round, place);
+  if (!since) return since.error();
+  const bool any = std::any_of(z->triangles.begin(), z->triangles.end(), [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return bounds.holds(z->points[v]); });
   });
-  if (any)
-    if (Status improved = improve_tile(folder, round, bounds, *at, control); !improved) return improved;
-  std::vector<Triangle3> own = facets_of(at->z);
+  if (any && !*since)
+    if (Status improved = improve_tile(folder, round, bounds, *z, control); !improved) return improved;
+  std::vector<Triangle3> own = facets_of(*z);
   keep_own(own, grid, round.tiling, place);
   return write_facets(folder.output(round.number, place), grid, std::move(own));
 }
@@ -110,7 +109,9 @@ Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::fi
     if (Status valid = check(p); !valid) return valid.error();
     return stream_into_tiles(p, folder, memory, control);
   }
-  Preparation preparation(p, control);
+  RunParameters of_whole = p;
+  of_whole.cover.reset(); // points that are held for it come from tiles
+  Preparation preparation(of_whole, control);
   const auto scene = preparation.make(nullptr, {}, ThinParts::refuse);
   if (!scene) return scene.error();
   if (Status can = can_start_from_input(preparation.volume()); !can) return can.error();
@@ -122,10 +123,8 @@ Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::fi
   manifest.vertices = first.mesh.points.size();
   manifest.euler_characteristic = *preparation.volume().input().euler_characteristic;
   manifest.components = preparation.volume().input().components;
-  for (const Witness& w : preparation.volume().witnesses())
-    if (w.cover) manifest.held.push_back(w.point);
   const std::vector<Triangle3> facets = facets_of(first.mesh);
-  return TileFolder::create(folder, std::move(manifest), facets, facets);
+  return TileFolder::create(folder, std::move(manifest), facets, facets, control);
 }
 
 bool is_run_of(const TileFolder& folder, const RunParameters& parameters, double memory) {
@@ -148,7 +147,6 @@ Status make_tile(const TileFolder& folder, const TileRound& round, std::size_t t
                  "Memory is exhausted by a tile of " + grouped(round.tiles[tile].facets) + " facets.",
                  "Cut the input anew with a smaller --tile-memory, or take a machine that has more."};
   }
-  if (folder.is_over(round.number)) return {}; // others have made it
   if (made)
     hand.made();
   else if (made.error().code != ErrorCode::cancelled)

@@ -20,9 +20,9 @@ Result<TileFolder> cut_into_tiles(const RunParameters& parameters, const std::fi
 bool is_run_of(const TileFolder& folder, const RunParameters& parameters, double memory);
 
 /// Improves the facets of one tile of a round that lie in it with all corners, and writes what it has then.
-/// The bytes depend on the folder alone, not on who makes them when. Where others have ended the round
-/// meanwhile nothing is left to do. Fails with io, bad_input, cancelled, or internal where memory is
-/// exhausted; then nothing is written but a note of it.
+/// A tile from which nothing could be taken the last time, nor has been since, is left as it is. The bytes
+/// depend on the folder alone, not on who makes them when. Fails with io, bad_input, cancelled, or internal
+/// where memory is exhausted; then nothing is written but a note of it.
 Status make_tile(const TileFolder& folder, const TileRound& round, std::size_t tile,
                  const RunControl& control);
 

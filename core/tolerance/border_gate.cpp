@@ -25,7 +25,8 @@ double least_distance(Vec3 p, std::span<const Segment3> segments) {
 
 } // namespace
 
-BorderGate::BorderGate(std::vector<Segment3> rim, double delta) : rim_(std::move(rim)), delta_(delta) {}
+BorderGate::BorderGate(std::vector<Segment3> rim, double delta, std::vector<Segment3> crossed)
+    : rim_(std::move(rim)), crossed_(std::move(crossed)), delta_(delta) {}
 
 BorderVerdict BorderGate::keeps_to_rim(const Segment3& edge) const {
   if (rim_.segments().empty()) return {false, edge[0], std::numeric_limits<double>::infinity()};

@@ -20,10 +20,13 @@ struct BorderVerdict {
 /// The open rim of the input with δ. Immutable and thread-safe.
 class BorderGate {
  public:
-  /// `rim`: where the input ends, without parts that Ω closes.
-  BorderGate(std::vector<Segment3> rim, double delta);
+  /// `rim`: where the input ends, without parts that Ω closes. `crossed`: as below.
+  BorderGate(std::vector<Segment3> rim, double delta, std::vector<Segment3> crossed = {});
 
   const SegmentIndex& rim() const { return rim_; }
+  /// From one side of the sheet to the other before each place of the rim, -1 first: while Z passes between
+  /// their ends, it is near to all of the rim.
+  const SegmentIndex& crossed() const { return crossed_; }
   double delta() const { return delta_; }
 
   /// Whether every point of an edge is proven to be within δ of the rim.
@@ -36,7 +39,7 @@ class BorderGate {
   std::vector<Vec3> rim_samples() const;
 
  private:
-  SegmentIndex rim_;
+  SegmentIndex rim_, crossed_;
   double delta_;
 };
 

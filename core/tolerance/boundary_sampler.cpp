@@ -1,4 +1,5 @@
-// Covers ∂Ω' block by block: candidates in parallel, the choice among them in order.
+// Covers ∂Ω' block by block: candidates in parallel, the choice among them in order, beside the search for
+// the candidates of the next block.
 #include "tolerance/boundary_sampler.h"
 
 #include "base/labels.h"
@@ -7,6 +8,7 @@
 #include "base/snap.h"
 #include "tolerance/regions.h"
 #include "tolerance/sample_candidates.h"
+#include "tolerance/sample_estimate.h"
 #include "tolerance/sample_grid.h"
 #include "tolerance/sample_units.h"
 #include "tolerance/side_votes.h"
@@ -33,6 +35,8 @@ constexpr std::size_t crevice_budget = 2000;
 /// Wall samples this near to another sample of their side, in units of σ, tell nothing new.
 constexpr double nearest_wall_sample = 0.1;
 constexpr std::uint16_t no_component = 0xffff;
+/// Samples that room is left for, by those that are foreseen.
+constexpr double most_foreseen = 1.3;
 
 /// A cell without a boundary point of its own, to be covered by its neighbours' samples.
 struct OrphanCell {
@@ -54,6 +58,11 @@ class Sampler {
  public:
   Sampler(ToleranceVolume& volume, double sigma) : volume_(volume), grid_(volume.domain().lo, sigma) {
     samples_.sigma = sigma;
+    // Lists that grow would be there twice; what is foreseen and not used takes no memory.
+    const double foreseen = most_foreseen * estimate_samples(volume).samples(sigma);
+    samples_.positions.reserve(static_cast<std::size_t>(foreseen));
+    samples_.labels.reserve(static_cast<std::size_t>(foreseen));
+    samples_.components.reserve(static_cast<std::size_t>(foreseen));
     samples_.snap_unit = snap_unit(volume.field().bounds().longest_edge(), volume.domain());
     options_.target_bound = sigma;
     options_.crevice_side = sigma / 4;
@@ -73,7 +82,7 @@ class Sampler {
     SparsePoll poll(control, cells_between_questions);
     std::vector<Regions::CellIndex> block;
     for (std::size_t i = 0; i < octree.main_size() && !poll.cancelled(); ++i) {
-      const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
+      const Regions::Cell c = octree.cell(static_cast<Regions::CellIndex>(i));
       if (c.kind == Regions::Kind::ambiguous && c.level == octree.main_level())
         block.push_back(static_cast<Regions::CellIndex>(i));
       if (block.empty() || (block.size() < block_size && i + 1 < octree.main_size())) continue;
@@ -85,6 +94,7 @@ class Sampler {
         sample_block(finder, block, control);
       block.clear();
     }
+    cover_found(control);
     count_undecided(control);
     if (control.cancelled()) return stopped_sampling();
     return {};
@@ -190,16 +200,32 @@ class Sampler {
     }
   }
 
-  /// Finds the units of all items in parallel and covers them in order.
+  /// Finds the units of all items in parallel. They are covered in order, while those of the next items are
+  /// found: what that asks of the octree has changed by then as far as it does.
   template <class Item, class Find>
   void sample_all(const std::vector<Item>& items, const Find& find, const RunControl& control) {
     std::vector<std::vector<SampleUnit>> units(items.size());
-    parallel_until(items.size(), 1, control, [&](std::size_t i) { units[i] = find(items[i]); });
+    parallel_until(items.size() + 1, 1, control, [&](std::size_t i) {
+      if (i == 0)
+        cover_found(control);
+      else
+        units[i - 1] = find(items[i - 1]);
+    });
     SparsePoll poll(control, units_between_questions);
     for (auto& list : units)
       for (SampleUnit& unit : list) {
         if (poll.cancelled()) return;
         settle_regions(unit.cells, control);
+      }
+    found_ = std::move(units);
+  }
+
+  /// Covers the units that were found last.
+  void cover_found(const RunControl& control) {
+    SparsePoll poll(control, units_between_questions);
+    for (auto& list : std::exchange(found_, {}))
+      for (SampleUnit& unit : list) {
+        if (poll.cancelled()) return;
         cover(unit);
         unit = {};
       }
@@ -336,9 +362,10 @@ class Sampler {
   }
 
   ToleranceVolume& volume_;
-  SampleGrid grid_;
-  CandidateOptions options_;
+  SampleGrid grid_; ///< of the samples
   BoundarySamples samples_;
+  CandidateOptions options_;
+  std::vector<std::vector<SampleUnit>> found_; ///< not yet covered
   std::vector<OrphanCell> orphans_;
   std::vector<std::uint32_t> near_; ///< samples around the cells at hand
   // Of the unit at hand:

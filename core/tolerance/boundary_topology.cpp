@@ -2,6 +2,7 @@
 #include "tolerance/boundary_topology.h"
 
 #include "base/disjoint_sets.h"
+#include "base/growing_array.h"
 #include "base/parallel.h"
 #include "base/scramble.h"
 #include "base/sort_unique.h"
@@ -12,11 +13,13 @@
 #include <cmath>
 #include <compare>
 #include <optional>
+#include <span>
 
 namespace isoscope {
 namespace {
 
-constexpr std::size_t counted_block = 32768;
+/// Cells that share their corners, and how many such blocks are counted at once.
+constexpr std::size_t counted_block = 32768, blocks_at_once = 4;
 /// Cells whose pieces are counted at most: some 100 bytes each. Noise leaves pockets in Ω that finer cells
 /// break into pieces as well, so that of points fewer are worth it.
 constexpr std::size_t most_careful_cells = 6'000'000, most_careful_cells_of_points = 1'000'000;
@@ -79,16 +82,37 @@ class Pieces {
   void add(std::uint64_t vertex, std::uint16_t component) { recent_.push_back({vertex, component}); }
   void join(std::uint64_t a, std::uint64_t b) { recent_links_.push_back({a, b}); }
 
-  /// After some cells: what they have joined is kept as one link a vertex, beside links to vertices of other
-  /// cells, before or after these.
+  /// Those of other cells, settled.
+  void add(const Pieces& others) {
+    for (std::size_t i = 0; i < others.settled_.size(); ++i) {
+      Settled v = others.settled_[i];
+      v.group += groups_;
+      settled_.push_back(v);
+    }
+    for (std::size_t i = 0; i < others.links_.size(); ++i) links_.push_back(others.links_[i]);
+    groups_ += others.groups_;
+  }
+
+  /// After some cells: what they have joined is a group from now on. Links are kept to vertices of other
+  /// cells alone, before or after these.
   void settle() {
     sort_unique(recent_);
     DisjointSets sets(recent_.size());
-    join_all(sets, recent_, recent_links_, {}, [&](const Link& link) { links_.push_back(link); });
-    for (std::size_t i = 0; i < recent_.size(); ++i) {
-      const Vertex& root = recent_[sets.find(static_cast<std::uint32_t>(i))];
-      vertices_.push_back(recent_[i]);
-      if (root.key != recent_[i].key) links_.push_back({recent_[i].key, root.key});
+    for (std::size_t i = 1; i < recent_.size(); ++i)
+      if (recent_[i].key == recent_[i - 1].key)
+        sets.unite(static_cast<std::uint32_t>(i - 1), static_cast<std::uint32_t>(i));
+    for (const Link& link : recent_links_) {
+      const std::size_t i = place_of(link[0], recent_), j = place_of(link[1], recent_);
+      if (i == recent_.size() || j == recent_.size())
+        links_.push_back(link);
+      else
+        sets.unite(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+    }
+    std::vector<std::uint32_t> group(recent_.size());
+    for (std::uint32_t i = 0; i < recent_.size(); ++i) {
+      const std::uint32_t root = sets.find(i);
+      group[i] = root == i ? groups_++ : group[root];
+      settled_.push_back({recent_[i].key, group[i], recent_[i].component});
     }
     recent_.clear();
     recent_links_.clear();
@@ -96,12 +120,24 @@ class Pieces {
 
   /// Of each boundary component; of no use once the control is cancelled.
   std::vector<std::size_t> count(std::size_t components, const RunControl& control) {
-    sort_unique(vertices_);
-    DisjointSets sets(vertices_.size());
-    join_all(sets, vertices_, links_, control, [](const Link&) {});
+    const std::span<Settled> vertices =
+        settled_.size() > 0 ? std::span(&settled_[0], settled_.size()) : std::span<Settled>();
+    std::sort(vertices.begin(), vertices.end(),
+              [](const Settled& a, const Settled& b) { return a.key < b.key; });
+    DisjointSets sets(groups_);
+    for (std::size_t i = 1; i < vertices.size(); ++i)
+      if (vertices[i].key == vertices[i - 1].key) sets.unite(vertices[i].group, vertices[i - 1].group);
+    SparsePoll poll(control);
+    for (std::size_t k = 0; k < links_.size() && !poll.cancelled(); ++k) {
+      // One to what is no vertex joins nothing.
+      const std::size_t i = place_of(links_[k][0], vertices), j = place_of(links_[k][1], vertices);
+      if (i < vertices.size() && j < vertices.size()) sets.unite(vertices[i].group, vertices[j].group);
+    }
     std::vector<std::pair<std::uint16_t, std::uint32_t>> pieces;
-    for (std::size_t i = 0; i < vertices_.size(); ++i)
-      pieces.emplace_back(vertices_[i].component, sets.find(static_cast<std::uint32_t>(i)));
+    for (const Settled& v : vertices) {
+      const std::pair piece{v.component, sets.find(v.group)};
+      if (pieces.empty() || pieces.back() != piece) pieces.push_back(piece);
+    }
     sort_unique(pieces);
     std::vector<std::size_t> counts(components, 0);
     for (const auto& [component, root] : pieces) ++counts[component];
@@ -116,33 +152,27 @@ class Pieces {
   };
   using Link = std::array<std::uint64_t, 2>;
 
-  /// Equal vertices of several components too. Links to what is no vertex of the list join nothing and are
-  /// left.
-  template <class Left>
-  static void join_all(DisjointSets& sets, const std::vector<Vertex>& vertices,
-                       const std::vector<Link>& links, const RunControl& control, const Left& left) {
-    SparsePoll poll(control);
-    for (std::size_t i = 1; i < vertices.size(); ++i)
-      if (vertices[i].key == vertices[i - 1].key)
-        sets.unite(static_cast<std::uint32_t>(i - 1), static_cast<std::uint32_t>(i));
-    const auto find = [&](std::uint64_t key) {
-      return std::lower_bound(vertices.begin(), vertices.end(), Vertex{key, 0});
-    };
-    for (const Link& link : links) {
-      if (poll.cancelled()) return;
-      const auto i = find(link[0]), j = find(link[1]);
-      if (i == vertices.end() || i->key != link[0] || j == vertices.end() || j->key != link[1]) {
-        left(link);
-        continue;
-      }
-      sets.unite(static_cast<std::uint32_t>(i - vertices.begin()),
-                 static_cast<std::uint32_t>(j - vertices.begin()));
-    }
+  /// A vertex of some cells, with what they have joined it to. There are millions.
+  struct Settled {
+    std::uint64_t key;
+    std::uint32_t group;
+    std::uint16_t component;
+  };
+
+  /// Where a key is first among sorted vertices; their number where it is not.
+  template <class Vertices> static std::size_t place_of(std::uint64_t key, const Vertices& vertices) {
+    const auto at = std::lower_bound(vertices.begin(), vertices.end(), key,
+                                     [](const auto& v, std::uint64_t k) { return v.key < k; });
+    const bool found = at != vertices.end() && at->key == key;
+    return found ? static_cast<std::size_t>(at - vertices.begin()) : vertices.size();
   }
 
   static constexpr unsigned piece_key_bits = 20;
-  std::vector<Vertex> vertices_, recent_;
-  std::vector<Link> links_, recent_links_;
+  std::vector<Vertex> recent_;
+  std::vector<Link> recent_links_;
+  GrowingArray<Settled> settled_;
+  GrowingArray<Link> links_;
+  std::uint32_t groups_ = 0;
 };
 
 /// The corners of some cells, each once, by number in the order in which they come first.
@@ -202,21 +232,27 @@ class Counter {
         volume_.field().kind() == FieldKind::points ? most_careful_cells_of_points : most_careful_cells;
     if (careful_ && (!Pieces::fits(level_) || lattice_cells() > most))
       return Error{ErrorCode::unsupported, "The boundaries of Ω are too large to count their pieces.", ""};
-    std::vector<LatticeCell> block;
+    std::vector<std::vector<LatticeCell>> blocks(1);
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
-      const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
+      if (offset_ == nullptr && octree.kind(static_cast<Regions::CellIndex>(i)) != Regions::Kind::ambiguous)
+        continue;
+      const Regions::Cell c = octree.cell(static_cast<Regions::CellIndex>(i));
       if (!is_counted(c)) continue;
       const std::uint32_t n = 1u << (level_ - c.level);
       for (std::uint32_t k = 0; k < n * n * n; ++k)
-        block.push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
-      if (block.size() < counted_block) continue;
+        blocks.back().push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
+      if (blocks.back().size() < counted_block) continue;
+      control.report("boundary", static_cast<double>(i) / static_cast<double>(octree.main_size()));
+      if (blocks.size() < blocks_at_once) {
+        blocks.emplace_back();
+        continue;
+      }
       if (control.cancelled())
         return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
-      control.report("boundary", static_cast<double>(i) / static_cast<double>(octree.main_size()));
-      count(block, control);
-      block.clear();
+      count(blocks, control);
+      blocks.assign(1, {});
     }
-    count(block, control);
+    count(blocks, control);
     if (control.cancelled())
       return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
     return {};
@@ -234,7 +270,7 @@ class Counter {
     const Regions& octree = volume_.octree();
     std::size_t cells = 0;
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
-      const Regions::Cell& c = octree.cell(static_cast<Regions::CellIndex>(i));
+      const Regions::Cell c = octree.cell(static_cast<Regions::CellIndex>(i));
       if (is_counted(c)) cells += std::size_t{1} << (3 * (level_ - c.level));
     }
     return cells;
@@ -275,7 +311,7 @@ class Counter {
         result.corner = Corner{true, RegionId(0), 0};
         return result;
       }
-      const Regions::Cell& c = octree.cell(i);
+      const Regions::Cell c = octree.cell(i);
       const bool reaches = c.level <= level_;
       if (c.kind == Regions::Kind::in && reaches) {
         result.corner = Corner{false, RegionId(), volume_.volume_component(c.triangle)};
@@ -330,7 +366,27 @@ class Counter {
     return region;
   }
 
-  void count(const std::vector<LatticeCell>& cells, const RunControl& control) {
+  /// What some cells add to the counts.
+  struct Part {
+    std::vector<long> euler_characteristics; ///< by boundary component
+    Pieces pieces;
+  };
+
+  void count(const std::vector<std::vector<LatticeCell>>& blocks, const RunControl& control) {
+    std::vector<Part> parts(blocks.size());
+    if (!parallel_until(blocks.size(), 1, control, [&](std::size_t b) {
+          parts[b].euler_characteristics.assign(counts_.size(), 0);
+          count(blocks[b], parts[b], control);
+        }))
+      return;
+    for (const Part& part : parts) {
+      for (std::size_t i = 0; i < counts_.size(); ++i)
+        counts_[i].euler_characteristic += part.euler_characteristics[i];
+      pieces_.add(part.pieces);
+    }
+  }
+
+  void count(const std::vector<LatticeCell>& cells, Part& part, const RunControl& control) const {
     CornerNumbers numbers(2 * cells.size());
     std::vector<std::uint32_t> corner_of(8 * cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -346,25 +402,25 @@ class Counter {
       const LatticeCell& c = cells[i];
       std::array<const Corner*, 8> at{};
       for (unsigned k = 0; k < 8; ++k) at[k] = &corners[corner_of[8 * i + k]];
-      count_cell(c, at);
+      count_cell(c, at, part);
     }
-    pieces_.settle();
+    part.pieces.settle();
   }
 
   /// Regions that come close to each other are counted one at a time, each against all that is not in it: so
   /// every count is that of a closed surface.
-  void count_cell(const LatticeCell& cell, const std::array<const Corner*, 8>& at) {
+  void count_cell(const LatticeCell& cell, const std::array<const Corner*, 8>& at, Part& part) const {
     for (unsigned k = 0; k < 8; ++k) {
       if (!at[k]->outside) continue;
       const RegionId region = at[k]->region;
       const auto counted_before = [&](const Corner* c) { return c->outside && c->region == region; };
       if (std::any_of(at.begin(), at.begin() + k, counted_before)) continue;
-      for (const Simplex& s : simplices_) count_simplex(s, cell, at, region);
+      for (const Simplex& s : simplices_) count_simplex(s, cell, at, region, part);
     }
   }
 
   void count_simplex(const Simplex& s, const LatticeCell& cell, const std::array<const Corner*, 8>& at,
-                     RegionId region) {
+                     RegionId region, Part& part) const {
     const auto is_outer = [&](unsigned i) {
       const Corner* c = at[s.corners[i]];
       return c->outside && c->region == region;
@@ -380,7 +436,7 @@ class Counter {
     if (!outer || !inner) return;
     const auto component = offset_ != nullptr ? std::optional<std::uint16_t>(0)
                                               : volume_.boundary_component(region, inner->volume_component);
-    if (component) counts_[*component].euler_characteristic += s.sign;
+    if (component) part.euler_characteristics[*component] += s.sign;
     if (!careful_ || s.size > 3) return;
     std::array<std::uint64_t, 2> ends{};
     std::size_t count = 0;
@@ -388,9 +444,9 @@ class Counter {
       for (unsigned j = 0; j < s.size; ++j)
         if (is_outer(i) && !is_outer(j)) ends[count++] = Pieces::vertex(cell, s.corners[i], s.corners[j]);
     if (s.size == 3)
-      pieces_.join(ends[0], ends[1]);
+      part.pieces.join(ends[0], ends[1]);
     else if (component)
-      pieces_.add(ends[0], *component);
+      part.pieces.add(ends[0], *component);
   }
 
   const ToleranceVolume& volume_;

@@ -53,30 +53,51 @@ class WaitingChildren {
   std::size_t top_ = 0, first_ = 0;
 };
 
+/// A point in a hierarchy's frame, as lower bounds of distances to boxes are computed from: in float, with
+/// slack for every rounding, so that no item is missed.
+class FramePoint {
+ public:
+  FramePoint(const BoxHierarchy& boxes, Vec3 p) : to_frame_(boxes.inverse_scale * boxes.inverse_scale) {
+    float q[3], reach = 1;
+    for (int a = 0; a < 3; ++a) {
+      const double x = std::clamp((p[a] - boxes.origin[a]) * boxes.inverse_scale, -1e15, 1e15);
+      q[a] = static_cast<float>(x);
+      reach = std::max(reach, std::abs(q[a]));
+    }
+    const float slack = float_slack * reach;
+    for (int a = 0; a < 3; ++a) from_below_[a] = q[a] + slack, from_above_[a] = q[a] - slack;
+  }
+  /// What the bounds of boxes at that squared distance do not exceed.
+  float limit(double squared) const {
+    return static_cast<float>(std::min(squared * to_frame_, 1e37)) * (1 + 2 * float_slack);
+  }
+  /// Of the squared distances to a node's children, each more by what `least` says.
+  Lanes bounds(const BoxHierarchy::Node& n, Lanes least) const {
+    for (unsigned a = 0; a < 3; ++a) {
+      const Lanes below = lanes(n.lo[a]) - from_below_[a], above = from_above_[a] - lanes(n.hi[a]);
+      Lanes d = below > 0 ? below : Lanes{};
+      d = above > d ? above : d;
+      least += d * d;
+    }
+    return least;
+  }
+
+ private:
+  /// Relative rounding of a float operation, with room for the few that follow each other.
+  static constexpr float float_slack = 4 * std::numeric_limits<float>::epsilon();
+  double to_frame_;
+  float from_below_[3], from_above_[3];
+};
+
 /// Improves `best` by the items whose box may hold something nearer to p, nearest boxes first, until nothing
 /// does or it is below `squared_enough`. `least(node)`: what is to be added to the squared distances of its
 /// children's boxes, in the frame. `at_leaf(first, count, best)` looks at the slots of a leaf.
 template <class Least, class AtLeaf>
 ClosestPoint search_boxes(const BoxHierarchy& boxes, Vec3 p, ClosestPoint best, double squared_enough,
                           const Least& least, const AtLeaf& at_leaf) {
-  /// Relative rounding of a float operation, with room for the few that follow each other.
-  constexpr float float_slack = 4 * std::numeric_limits<float>::epsilon();
-  // Lower bounds are computed in float in the frame of the input's box, with slack for every rounding, so
-  // that no item is missed; distances to items are computed in double.
-  float q[3], reach = 1;
-  for (int a = 0; a < 3; ++a) {
-    const double x = std::clamp((p[a] - boxes.origin[a]) * boxes.inverse_scale, -1e15, 1e15);
-    q[a] = static_cast<float>(x);
-    reach = std::max(reach, std::abs(q[a]));
-  }
-  const float slack = float_slack * reach;
-  const float from_below[3] = {q[0] + slack, q[1] + slack, q[2] + slack};
-  const float from_above[3] = {q[0] - slack, q[1] - slack, q[2] - slack};
-  const double to_frame = boxes.inverse_scale * boxes.inverse_scale;
-  const auto frame_bound = [&](double squared) {
-    return static_cast<float>(std::min(squared * to_frame, 1e37)) * (1 + 2 * float_slack);
-  };
-  float limit = frame_bound(best.squared_distance);
+  // Distances to items are computed in double.
+  const FramePoint from(boxes, p);
+  float limit = from.limit(best.squared_distance);
 
   WaitingChildren waiting;
   waiting.push(0, 0, 0);
@@ -88,23 +109,41 @@ ClosestPoint search_boxes(const BoxHierarchy& boxes, Vec3 p, ClosestPoint best, 
     if (count > 0) {
       at_leaf(child, count, best);
       if (best.squared_distance < squared_enough) return best;
-      limit = frame_bound(best.squared_distance);
+      limit = from.limit(best.squared_distance);
       continue;
     }
     const BoxHierarchy::Node& n = boxes.nodes[child];
-    Lanes bound = least(child);
-    for (unsigned a = 0; a < 3; ++a) {
-      const Lanes below = lanes(n.lo[a]) - from_below[a], above = from_above[a] - lanes(n.hi[a]);
-      Lanes d = below > 0 ? below : Lanes{};
-      d = above > d ? above : d;
-      bound += d * d;
-    }
+    const Lanes bound = from.bounds(n, least(child));
     waiting.begin_node();
     for (unsigned k = 0; k < BoxHierarchy::width; ++k)
       if (bound[k] <= limit && n.count[k] != BoxHierarchy::empty_child)
         waiting.push(bound[k], n.child[k], n.count[k]);
   }
   return best;
+}
+
+/// Calls at_leaf(first, count) for each leaf whose box may hold something within a reach of p; ends when that
+/// returns false. `least` as for search_boxes.
+template <class Least, class AtLeaf>
+void visit_within(const BoxHierarchy& boxes, Vec3 p, double squared_reach, const Least& least,
+                  const AtLeaf& at_leaf) {
+  const FramePoint from(boxes, p);
+  const float limit = from.limit(squared_reach);
+  std::uint32_t stack[box_stack_size];
+  std::size_t top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const std::uint32_t node = stack[--top];
+    const BoxHierarchy::Node& n = boxes.nodes[node];
+    const Lanes bound = from.bounds(n, least(node));
+    for (unsigned k = 0; k < BoxHierarchy::width; ++k) {
+      if (!(bound[k] <= limit) || n.count[k] == BoxHierarchy::empty_child) continue;
+      if (n.count[k] == 0)
+        stack[top++] = n.child[k];
+      else if (!at_leaf(n.child[k], n.count[k]))
+        return;
+    }
+  }
 }
 
 /// Squared distances from a point to the boxes of a node's children, in the input's unit; too small rather

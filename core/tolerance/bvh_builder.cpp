@@ -12,6 +12,8 @@ namespace isoscope {
 namespace {
 
 constexpr unsigned bin_count = 16;
+/// Fewer than there are but in a few inputs.
+constexpr std::size_t usual_items_of_node = 3;
 /// Ranges of so many items take long enough to ask before them whether to go on.
 constexpr std::size_t worth_a_question = 1000;
 /// Beyond this depth ranges are halved, which bounds the depth and with it the stacks of the searches.
@@ -162,6 +164,7 @@ bool BvhBuilder::build() {
   boxes_.origin = boxes_.bounds.center();
   const double scale = boxes_.bounds.longest_edge();
   boxes_.inverse_scale = scale > 0 && std::isfinite(1 / scale) ? 1 / scale : 1;
+  boxes_.nodes.reserve(items_.size() / usual_items_of_node + 1); // what is not used takes no memory
   boxes_.nodes.assign(1, {});
   fill_node(0, {0, items_.size(), boxes_.bounds}, 0);
   if (stopped_) return false;

@@ -2,6 +2,8 @@
 // of.
 #pragma once
 
+#include "base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,6 +18,27 @@ namespace isoscope {
 struct CellLink {
   std::uint32_t a, b;
 };
+
+/// Asks find(i, links) for the links of each of `count` cells, many at once, and hands them to use(link) in
+/// the order of the cells. Some only once the control is cancelled.
+template <class Find, class Use>
+void for_each_link(std::size_t count, const RunControl& control, const Find& find, const Use& use) {
+  constexpr std::size_t cells_by_task = 4096, tasks_at_once = 32;
+  std::vector<std::vector<CellLink>> found(tasks_at_once);
+  for (std::size_t begin = 0; begin < count; begin += cells_by_task * tasks_at_once) {
+    const std::size_t cells = std::min(count - begin, cells_by_task * tasks_at_once),
+                      tasks = (cells + cells_by_task - 1) / cells_by_task;
+    const bool complete = parallel_until(tasks, 1, control, [&](std::size_t task) {
+      found[task].clear();
+      const std::size_t first = begin + task * cells_by_task,
+                        last = std::min(first + cells_by_task, begin + cells);
+      for (std::size_t i = first; i < last; ++i) find(static_cast<std::uint32_t>(i), found[task]);
+    });
+    if (!complete) return;
+    for (std::size_t task = 0; task < tasks; ++task)
+      for (const CellLink& link : found[task]) use(link);
+  }
+}
 
 /// A counting sort by the logarithms of levels, which are not negative: ascending but for a thousandth of the
 /// level, equal ones in the order they were in.

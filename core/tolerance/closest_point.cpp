@@ -141,10 +141,10 @@ void ClosestPointIndex::find_neighborhood(Vec3 center, double radius, TriangleNe
   near.center = center;
   near.radius = 0;
   near.entries.clear();
-  const double r2 = radius * radius, reach = radius + ChildDistances::margin(boxes_, center);
+  const double r2 = radius * radius;
   bool few = true;
-  visit_boxes(
-      boxes_, center, [&](std::uint32_t, unsigned, double squared) { return squared <= reach * reach; },
+  visit_within(
+      boxes_, center, r2, [](std::uint32_t) { return Lanes{}; },
       [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
           const Vec3 away = center - closest_point_on_triangle(center, triangles_[slot]);

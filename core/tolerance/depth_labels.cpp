@@ -61,14 +61,14 @@ DepthLabels spread_labels(const ToleranceVolume& volume, std::vector<int> of_reg
   const Regions& octree = volume.octree();
   std::vector<CellLink> links = octree.leaf_links(control);
   const auto level = [&](const CellLink& link) {
-    return static_cast<double>(std::min(octree.cell(link.a).distance, octree.cell(link.b).distance));
+    return static_cast<double>(std::min(octree.distance(link.a), octree.distance(link.b)));
   };
   sort_by_level(links, level);
   DisjointSets basins(octree.size());
   labels.of_cells.assign(octree.size(), 0);
   for (std::size_t i = 0; i < octree.size(); ++i) {
     const auto cell = static_cast<Regions::CellIndex>(i);
-    if (octree.cell(cell).kind != Regions::Kind::out) continue;
+    if (octree.kind(cell) != Regions::Kind::out) continue;
     if (const auto number = octree.number(cell))
       labels.of_cells[i] = static_cast<std::int8_t>(labels.of_regions[*number]);
   }

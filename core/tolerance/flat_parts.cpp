@@ -68,6 +68,23 @@ struct FlatParts::Region {
   std::vector<Point2> directions; ///< of unit length, outwards
 };
 
+bool FlatParts::may_be_in(const ClosestPointIndex& index) {
+  constexpr std::size_t most_pairs = 4096, one_in = 4;
+  if (index.size() <= most_pairs) return true;
+  const double slack = flatness * index.bounds().longest_edge();
+  const std::size_t stride = index.size() / most_pairs;
+  std::size_t pairs = 0, flat = 0;
+  for (std::size_t i = 0; i + 1 < index.size(); i += stride, ++pairs) {
+    const Triangle3 &t = index.triangle_at(static_cast<std::uint32_t>(i)),
+                    &next = index.triangle_at(static_cast<std::uint32_t>(i + 1));
+    const Vec3 normal = normalized(area_vector(t));
+    if (normal != Vec3{} && std::all_of(next.begin(), next.end(),
+                                        [&](Vec3 p) { return std::abs(dot(normal, p - t[0])) <= slack; }))
+      ++flat;
+  }
+  return flat * one_in > pairs;
+}
+
 FlatParts::FlatParts(const ClosestPointIndex& index, const RunControl& control) {
   if (index.empty()) return;
   const WeldedMesh mesh = weld(index);

@@ -15,6 +15,9 @@ class FlatParts {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
+  /// Whether it is worth a look: whether of triangles that are next to each other in the index some lie in
+  /// one plane. Of noisy surfaces few do.
+  static bool may_be_in(const ClosestPointIndex& index);
   /// Of no use, and without any part, once the control is cancelled.
   FlatParts(const ClosestPointIndex& index, const RunControl& control);
 

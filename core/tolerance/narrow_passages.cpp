@@ -29,10 +29,10 @@ struct Square {
 
 /// The face that two leaves have in common, which is that of the smaller one.
 Square common_face(const Regions& octree, CellLink link) {
-  const Regions::Cell *small = &octree.cell(link.a), *large = &octree.cell(link.b);
-  if (small->level < large->level) std::swap(small, large);
-  const Vec3 at = octree.center(*small), other = octree.center(*large);
-  const double half = 0.5 * octree.side(small->level), apart = half + 0.5 * octree.side(large->level);
+  Regions::Cell small = octree.cell(link.a), large = octree.cell(link.b);
+  if (small.level < large.level) std::swap(small, large);
+  const Vec3 at = octree.center(small), other = octree.center(large);
+  const double half = 0.5 * octree.side(small.level), apart = half + 0.5 * octree.side(large.level);
   Square face{at, 0, half};
   for (int a = 1; a < 3; ++a)
     if (std::abs(std::abs(other[a] - at[a]) - apart) <
@@ -56,7 +56,7 @@ class PassageSearch {
     const double floor = reject_ - half_diagonal * octree_.side(octree_.main_level());
     std::erase_if(links, [&](const CellLink& link) { return level(link) < floor; });
     sort_by_level(links, [&](const CellLink& link) { return level(link); });
-    const auto is_out = [&](Regions::CellIndex i) { return octree_.cell(i).kind == Regions::Kind::out; };
+    const auto is_out = [&](Regions::CellIndex i) { return octree_.kind(i) == Regions::Kind::out; };
     for (Regions::CellIndex i = 0; i < built_; ++i)
       if (is_out(i)) basins_.unite(i, octree_.root(i));
     for (Regions::CellIndex i = 0; i < built_; ++i)
@@ -66,7 +66,7 @@ class PassageSearch {
 
  private:
   double level(const CellLink& link) const {
-    return static_cast<double>(std::min(octree_.cell(link.a).distance, octree_.cell(link.b).distance));
+    return static_cast<double>(std::min(octree_.distance(link.a), octree_.distance(link.b)));
   }
 
   /// Joins basins as {φ > r} does as r shrinks, but those of components that are apart.
@@ -91,7 +91,7 @@ class PassageSearch {
     const std::optional<Vec3> p = outside_on(face);
     if (!p) return;
     const Regions::CellIndex start = octree_.locate_refining(*p);
-    if (start == Regions::none || octree_.cell(start).kind != Regions::Kind::out) return;
+    if (start == Regions::none || octree_.kind(start) != Regions::Kind::out) return;
     if (!seen_.insert(start).second) return;
     for (const std::uint32_t basin : {a, b}) {
       if (octree_.root(start) == octree_.root(owners_[basin])) continue;

@@ -13,7 +13,7 @@ constexpr double most_fine_cells = 3e7, fine_cells_by_area = 40;
 /// most half a diagonal away from ∂Ω', on all levels.
 constexpr double cells_by_area_fine = 34, cells_by_area_coarse = 6.7;
 /// Bytes that the sparsest samples of both sides take for each δ'² of the input (sample_estimate.cpp).
-constexpr double sample_bytes_by_area = 830;
+constexpr double sample_bytes_by_area = 500;
 
 double cells_by_area(double ratio) {
   return ratio < 1 ? cells_by_area_fine : cells_by_area_coarse;

@@ -16,6 +16,8 @@ namespace {
 /// Cell positions are 32-bit, and face tests shift them to this level.
 constexpr unsigned deepest_level = 30;
 constexpr std::size_t most_cells = std::size_t{1} << 31;
+/// Ways from the root begin at cells of a level of which there are less than one in so many.
+constexpr std::size_t cells_by_entry = 16;
 /// A flood splits many cells on its way through one.
 constexpr std::uint32_t cells_between_questions = 64;
 
@@ -53,15 +55,6 @@ Status check_memory(std::size_t cells, unsigned levels_left, const Regions::Opti
   return Error{ErrorCode::unsupported, message, remedy};
 }
 
-Regions::Cell child_of(const Regions::Cell& c, unsigned k) {
-  Regions::Cell child;
-  child.x = 2 * c.x + (k & 1u);
-  child.y = 2 * c.y + ((k >> 1) & 1u);
-  child.z = 2 * c.z + (k >> 2);
-  child.level = static_cast<std::uint8_t>(c.level + 1);
-  return child;
-}
-
 } // namespace
 
 Regions::Regions(const ToleranceField& field, const Options& options)
@@ -87,81 +80,132 @@ Box3 Regions::domain() const {
   return {origin_, origin_ + Vec3{domain_side_, domain_side_, domain_side_}};
 }
 
-void Regions::classify(Cell& c, TriangleId guess, const TriangleNeighborhood& near) const {
-  const ClosestPoint closest = field_->closest_near(center(c), guess, near);
+Regions::Cell Regions::cell(CellIndex i) const {
+  const Siblings& s = at(i);
+  const unsigned k = place(i);
+  Cell c;
+  c.x = s.first[0] + (k & 1u);
+  c.y = s.first[1] + ((k >> 1) & 1u);
+  c.z = s.first[2] + (k >> 2);
+  c.kind = s.kind[k];
+  if (c.kind == Kind::ambiguous) c.child = s.link[k];
+  c.triangle = s.triangle[k];
+  c.distance = s.distance[k];
+  c.level = s.level;
+  return c;
+}
+
+Regions::CellIndex Regions::add_children(CellIndex i) {
+  const Cell parent = cell(i);
+  const auto first = static_cast<CellIndex>(size());
+  Siblings children;
+  children.first = {2 * parent.x, 2 * parent.y, 2 * parent.z};
+  children.level = static_cast<std::uint8_t>(parent.level + 1);
+  children.link.fill(none);
+  link(i) = first;
+  siblings_.push_back(children);
+  return first;
+}
+
+void Regions::classify(CellIndex i, TriangleId guess, const TriangleNeighborhood& near) {
+  const Cell c = cell(i);
+  const Vec3 at = center(c);
+  const ClosestPoint closest = field_->closest_near(at, guess, near);
   const double d = closest.distance(), reach = half_diagonal * side(c.level);
-  c.distance = static_cast<float>(d);
-  c.triangle = closest.triangle;
-  if (const auto range = field_->range_in_cube(center(c), 0.5 * side(c.level)))
-    c.kind = range->least > boundary_ ? Kind::out : range->most <= boundary_ ? Kind::in : Kind::ambiguous;
-  else
-    c.kind = d > boundary_ + reach ? Kind::out : (d + reach <= boundary_ ? Kind::in : Kind::ambiguous);
+  Kind kind = d > boundary_ + reach ? Kind::out : (d + reach <= boundary_ ? Kind::in : Kind::ambiguous);
+  if (const auto range = field_->range_in_cube(at, 0.5 * side(c.level)))
+    kind = range->least > boundary_ ? Kind::out : range->most <= boundary_ ? Kind::in : Kind::ambiguous;
+  Siblings& s = siblings_[group(i)];
+  const unsigned k = place(i);
+  s.distance[k] = static_cast<float>(d);
+  s.triangle[k] = closest.triangle;
+  s.kind[k] = kind;
+  if (kind == Kind::out) s.link[k] = i;
 }
 
 /// Every site that gives φ at some child's centre gives at most a diagonal more than φ at the parent's.
 void Regions::classify_children(CellIndex parent) {
-  const Cell p = cells_[parent];
+  const Cell p = cell(parent);
   TriangleNeighborhood near;
   field_->find_neighborhood(center(p), static_cast<double>(p.distance) + 1.01 * half_diagonal * side(p.level),
                             near);
-  for (unsigned k = 0; k < 8; ++k) classify(cells_[p.child + k], p.triangle, near);
+  for (unsigned k = 0; k < 8; ++k) classify(p.child + k, p.triangle, near);
 }
 
 Result<Regions> Regions::build(const ToleranceField& field, const Options& options,
                                const RunControl& control) {
   Regions r(field, options);
-  auto& cells = r.cells_;
-  cells.push_back({});
+  auto& siblings = r.siblings_;
+  Siblings root;
+  root.first.fill(~std::uint32_t{0}); // one before 0, which the last of them is at
+  root.link.fill(none);
+  siblings.push_back(root);
   std::vector<CellIndex> parents; // of each group of eight in the level
   std::size_t level_begin = 0;
   for (unsigned level = 0; level <= r.main_level_; ++level) {
     if (control.cancelled()) return stopped();
     control.report("regions", static_cast<double>(level) / (r.main_level_ + 1));
-    const std::size_t level_end = cells.size();
+    const std::size_t level_end = r.size();
     if (level == 0)
-      r.classify(cells[0], TriangleId(), {});
+      r.classify(0, TriangleId(), {});
     else
       parallel_until(parents.size(), 32, control, [&](std::size_t i) { r.classify_children(parents[i]); });
     if (level < r.main_level_) {
       parents.clear();
       for (std::size_t i = level_begin; i < level_end; ++i)
-        if (cells[i].kind == Kind::ambiguous) parents.push_back(static_cast<CellIndex>(i));
-      if (cells.size() + 8 * parents.size() > most_cells)
+        if (r.kind(static_cast<CellIndex>(i)) == Kind::ambiguous)
+          parents.push_back(static_cast<CellIndex>(i));
+      if (r.size() + 8 * parents.size() > most_cells)
         return Error{ErrorCode::unsupported,
                      "The tolerance is too small for this input: its volume needs too many cells.",
                      "Choose a larger tolerance."};
-      if (Status fits = check_memory(cells.size() + 8 * parents.size(), r.main_level_ - level - 1, options);
+      if (Status fits = check_memory(r.size() + 8 * parents.size(), r.main_level_ - level - 1, options);
           !fits)
         return fits.error();
-      cells.reserve(cells.size() + 8 * parents.size());
+      siblings.reserve(siblings.size() + parents.size());
       SparsePoll poll(control);
       for (const CellIndex p : parents) {
         if (poll.cancelled()) break;
-        cells[p].child = static_cast<CellIndex>(cells.size());
-        const Cell parent = cells[p];
-        for (unsigned k = 0; k < 8; ++k) cells.push_back(child_of(parent, k));
+        r.add_children(p);
       }
     }
     level_begin = level_end;
   }
-  r.main_size_ = cells.size();
+  r.main_size_ = r.size();
+  r.fill_entries();
   r.unite_main(control);
   if (control.cancelled()) return stopped();
   return r;
 }
 
-void Regions::unite_main(const RunControl& control) {
-  SparsePoll poll(control);
-  parents_.reserve(cells_.size());
-  for (std::size_t i = 0; i < cells_.size(); ++i) parents_.push_back(static_cast<CellIndex>(i));
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (poll.cancelled()) return;
-    if (cells_[i].kind != Kind::out) continue;
-    for (int face = 0; face < 6; ++face) {
-      const CellIndex j = neighbor(cells_[i], face);
-      if (j != none && cells_[j].kind == Kind::out) unite(static_cast<CellIndex>(i), j);
-    }
+/// Leaves above the main level are not ambiguous, so that they stay leaves.
+void Regions::fill_entries() {
+  while (entry_level_ < main_level_ && std::size_t{1} << (3 * entry_level_ + 3) <= size() / cells_by_entry)
+    ++entry_level_;
+  const std::uint32_t n = 1u << entry_level_;
+  std::vector<CellIndex> entries(std::size_t{n} * n * n);
+  for (std::uint32_t k = 0; k < entries.size(); ++k) {
+    const std::array u{k & (n - 1), k >> entry_level_ & (n - 1), k >> (2 * entry_level_)};
+    CellIndex i = 0;
+    for (unsigned shift = entry_level_; shift-- > 0 && child(i) != none;)
+      i = child(i) + ((u[0] >> shift) & 1u) + 2 * ((u[1] >> shift) & 1u) + 4 * ((u[2] >> shift) & 1u);
+    entries[k] = i;
   }
+  entries_ = std::move(entries);
+}
+
+void Regions::unite_main(const RunControl& control) {
+  const auto find = [this](CellIndex i, std::vector<CellLink>& links) {
+    if (kind(i) != Kind::out) return;
+    const Cell c = cell(i);
+    for (int face = 0; face < 6; ++face) {
+      const CellIndex j = neighbor(c, face);
+      // Of two of the same level one tells.
+      if (j == none || kind(j) != Kind::out || (at(j).level == c.level && face % 2 == 0)) continue;
+      links.push_back({i, j});
+    }
+  };
+  for_each_link(size(), control, find, [this](const CellLink& link) { unite(link.a, link.b); });
 }
 
 /// The cell of the same or a coarser level across a face; none at the domain's border. Face 2a + s is the
@@ -173,9 +217,17 @@ Regions::CellIndex Regions::neighbor(const Cell& c, int face) const {
   if (coordinate == (face % 2 ? last : 0u)) return none;
   coordinate += face % 2 ? 1u : 0xffffffffu;
   CellIndex j = 0;
-  for (unsigned level = 1; level <= c.level && cells_[j].child != none; ++level) {
+  unsigned level = 1;
+  if (c.level >= entry_level_) {
+    const unsigned above = c.level - entry_level_;
+    j = entry(p[0] >> above, p[1] >> above, p[2] >> above);
+    level = at(j).level + 1u;
+  }
+  for (; level <= c.level; ++level) {
+    const CellIndex below = child(j);
+    if (below == none) break;
     const unsigned shift = c.level - level;
-    j = cells_[j].child + ((p[0] >> shift) & 1u) + 2 * ((p[1] >> shift) & 1u) + 4 * ((p[2] >> shift) & 1u);
+    j = below + ((p[0] >> shift) & 1u) + 2 * ((p[1] >> shift) & 1u) + 4 * ((p[2] >> shift) & 1u);
   }
   return j;
 }
@@ -197,52 +249,42 @@ bool Regions::touches(const Cell& a, const Cell& b, int face) const {
 }
 
 void Regions::split(CellIndex i) {
-  const Cell parent = cells_[i];
-  const auto first = static_cast<CellIndex>(cells_.size());
-  cells_[i].child = first;
-  for (unsigned k = 0; k < 8; ++k) {
-    Cell c = child_of(parent, k);
-    classify(c, parent.triangle, {});
-    cells_.push_back(c);
-    parents_.push_back(first + k);
-  }
+  const TriangleId guess = at(i).triangle[place(i)];
+  const CellIndex first = add_children(i);
+  for (unsigned k = 0; k < 8; ++k) classify(first + k, guess, {});
 }
 
-namespace {
-
-/// Walks from the root of an octree towards p until ends_at(i), which may split a leaf.
-template <class EndsAt> Regions::CellIndex descend(const Regions& r, Vec3 p, const EndsAt& ends_at) {
-  const Box3 domain = r.domain();
+/// Walks from an entry towards p until ends_at(i), which may split a leaf; p is on the way.
+template <class EndsAt> Regions::CellIndex Regions::descend(Vec3 p, const EndsAt& ends_at) const {
+  const Box3 domain = this->domain();
   for (int a = 0; a < 3; ++a)
-    if (!(p[a] >= domain.lo[a] && p[a] < domain.hi[a])) return Regions::none;
+    if (!(p[a] >= domain.lo[a] && p[a] < domain.hi[a])) return none;
   const double deepest = static_cast<double>(1u << deepest_level);
   std::array<std::uint32_t, 3> u{};
   for (int a = 0; a < 3; ++a) {
-    const double t = (p[a] - domain.lo[a]) / r.side(0) * deepest;
+    const double t = (p[a] - domain.lo[a]) / side(0) * deepest;
     u[static_cast<std::size_t>(a)] = static_cast<std::uint32_t>(std::clamp(t, 0.0, deepest - 1));
   }
-  Regions::CellIndex i = 0;
-  for (;;) {
+  const unsigned above = deepest_level - entry_level_;
+  CellIndex i = entry(u[0] >> above, u[1] >> above, u[2] >> above);
+  for (unsigned shift = deepest_level - 1 - at(i).level;; --shift) {
     if (ends_at(i)) return i;
-    const unsigned shift = deepest_level - 1 - r.cell(i).level;
-    i = r.cell(i).child + ((u[0] >> shift) & 1u) + 2 * ((u[1] >> shift) & 1u) + 4 * ((u[2] >> shift) & 1u);
+    i = child(i) + ((u[0] >> shift) & 1u) + 2 * ((u[1] >> shift) & 1u) + 4 * ((u[2] >> shift) & 1u);
   }
 }
 
-} // namespace
-
 Regions::CellIndex Regions::locate(Vec3 p) const {
-  return descend(*this, p, [&](CellIndex i) { return cells_[i].child == none; });
+  return descend(p, [&](CellIndex i) { return child(i) == none; });
 }
 
 Regions::CellIndex Regions::locate_among(Vec3 p, std::size_t count) const {
-  return descend(*this, p, [&](CellIndex i) { return cells_[i].child >= count; });
+  return descend(p, [&](CellIndex i) { return child(i) >= count; });
 }
 
 Regions::CellIndex Regions::locate_refining(Vec3 p) {
-  return descend(*this, p, [&](CellIndex i) {
-    if (cells_[i].child != none) return false;
-    if (cells_[i].kind != Kind::ambiguous || cells_[i].level >= max_level_) return true;
+  return descend(p, [&](CellIndex i) {
+    if (child(i) != none) return false;
+    if (kind(i) != Kind::ambiguous || at(i).level >= max_level_) return true;
     split(i);
     return false;
   });
@@ -251,35 +293,39 @@ Regions::CellIndex Regions::locate_refining(Vec3 p) {
 std::vector<CellLink> Regions::leaf_links(const RunControl& control) const {
   std::vector<CellLink> links;
   // Most leaves have three links. What grows would need room twice.
-  links.reserve(cells_.size() / 8 * 7 * 3);
-  SparsePoll poll(control);
-  for (CellIndex i = 0; i < cells_.size() && !poll.cancelled(); ++i) {
-    const Cell& c = cells_[i];
-    if (c.child != none) continue;
+  links.reserve(size() / 8 * 7 * 3);
+  const auto find = [this](CellIndex i, std::vector<CellLink>& of_cell) {
+    const Cell c = cell(i);
+    if (c.child != none) return;
     for (int face = 0; face < 6; ++face) {
       const CellIndex j = neighbor(c, face);
       // Finer neighbours link themselves, and of two of the same level one does.
-      if (j == none || cells_[j].child != none || (cells_[j].level == c.level && face % 2 == 0)) continue;
-      links.push_back({i, j});
+      if (j == none || child(j) != none || (at(j).level == c.level && face % 2 == 0)) continue;
+      of_cell.push_back({i, j});
     }
-  }
+  };
+  for_each_link(size(), control, find, [&](const CellLink& link) { links.push_back(link); });
   return links;
 }
 
 Regions::CellIndex Regions::root(CellIndex i) const {
-  while (parents_[i] != i) i = parents_[i];
-  return i;
+  if (kind(i) != Kind::out) return i;
+  for (;;) {
+    const CellIndex parent = at(i).link[place(i)];
+    if (parent == i) return i;
+    i = parent;
+  }
 }
 
 Regions::CellIndex Regions::compress(CellIndex i) {
-  while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+  while (link(i) != i) i = link(i) = link(link(i));
   return i;
 }
 
 void Regions::flatten(const RunControl& control) {
   SparsePoll poll(control);
-  for (std::size_t i = 0; i < parents_.size() && !poll.cancelled(); ++i)
-    parents_[i] = root(static_cast<CellIndex>(i));
+  for (CellIndex i = 0; i < size() && !poll.cancelled(); ++i)
+    if (kind(i) == Kind::out) link(i) = root(i);
 }
 
 void Regions::unite(CellIndex a, CellIndex b) {
@@ -290,7 +336,7 @@ void Regions::unite(CellIndex a, CellIndex b) {
   const bool numbered_a = numbers_.contains(a), numbered_b = numbers_.contains(b);
   if (numbered_a && numbered_b) passages_.push_back({at, {numbers_.at(a), numbers_.at(b)}});
   const bool keep_a = numbered_a != numbered_b ? numbered_a : a < b;
-  parents_[keep_a ? b : a] = keep_a ? a : b;
+  link(keep_a ? b : a) = keep_a ? a : b;
 }
 
 std::optional<std::uint32_t> Regions::number(CellIndex i) const {
@@ -310,33 +356,34 @@ bool Regions::flood_through(CellIndex start, std::size_t budget, const std::func
   std::priority_queue<std::pair<float, CellIndex>> queue;
   std::unordered_set<CellIndex> seen{start}; // asked for membership only
   std::vector<CellIndex> below;
-  queue.push({cells_[start].distance, start});
+  queue.push({distance(start), start});
   for (std::size_t visited = 0; !queue.empty() && visited < budget && !poll.cancelled(); ++visited) {
     const CellIndex i = queue.top().second;
     queue.pop();
+    const Cell from = cell(i);
     for (int face = 0; face < 6; ++face) {
-      const CellIndex across = neighbor(cells_[i], face);
+      const CellIndex across = neighbor(from, face);
       if (across == none) continue;
       below.assign(1, across);
       while (!below.empty()) {
         const CellIndex j = below.back();
         below.pop_back();
-        if (cells_[j].kind == Kind::in) continue;
-        if (!touches(cells_[i], cells_[j], face)) continue;
-        if (cells_[j].child == none && !enters(j)) continue;
-        if (cells_[j].kind == Kind::out) {
+        const Cell c = cell(j);
+        if (c.kind == Kind::in || !touches(from, c, face)) continue;
+        if (c.child == none && !enters(j)) continue;
+        if (c.kind == Kind::out) {
           const CellIndex other = compress(j);
           const bool met = is_goal(other) && other != compress(start);
           unite(i, j);
           if (met) return true;
-          if (seen.insert(j).second) queue.push({cells_[j].distance, j});
+          if (seen.insert(j).second) queue.push({c.distance, j});
           continue;
         }
-        if (cells_[j].child == none) {
-          if (cells_[j].level >= max_level_) continue;
+        if (c.child == none) {
+          if (c.level >= max_level_) continue;
           split(j);
         }
-        for (unsigned k = 0; k < 8; ++k) below.push_back(cells_[j].child + k);
+        for (unsigned k = 0; k < 8; ++k) below.push_back(child(j) + k);
       }
     }
   }
@@ -344,7 +391,7 @@ bool Regions::flood_through(CellIndex start, std::size_t budget, const std::func
 }
 
 std::size_t Regions::memory_bytes() const {
-  return cells_.size() * sizeof(Cell) + parents_.size() * sizeof(CellIndex);
+  return siblings_.size() * sizeof(Siblings) + entries_.capacity() * sizeof(CellIndex);
 }
 
 } // namespace isoscope

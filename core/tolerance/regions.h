@@ -49,16 +49,17 @@ class Regions {
     /// not fit, the fine ones are not made.
     double expected_cells = 0;
   };
-  /// What a cell takes.
-  static constexpr double bytes_of_cell = sizeof(Cell) + sizeof(CellIndex);
 
   /// Builds the main cells. Fails with unsupported when the tolerance is so small that their number would
   /// exceed 2^31 or their memory the limit, with cancelled when told to.
   static Result<Regions> build(const ToleranceField& field, const Options& options,
                                const RunControl& control);
 
-  const Cell& cell(CellIndex i) const { return cells_[i]; }
-  std::size_t size() const { return cells_.size(); }
+  Cell cell(CellIndex i) const;
+  Kind kind(CellIndex i) const { return at(i).kind[place(i)]; }
+  float distance(CellIndex i) const { return at(i).distance[place(i)]; }
+  CellIndex child(CellIndex i) const { return kind(i) == Kind::ambiguous ? at(i).link[place(i)] : none; }
+  std::size_t size() const { return 8 * siblings_.size() - 7; }
   /// Cells before this one came from build(); later ones from refinement.
   std::size_t main_size() const { return main_size_; }
   unsigned main_level() const { return main_level_; }
@@ -72,7 +73,7 @@ class Regions {
   /// The same, splitting ambiguous cells on the way.
   CellIndex locate_refining(Vec3 p);
 
-  /// The same among the first `count` cells.
+  /// The same among the first `count` cells, which include the main ones.
   CellIndex locate_among(Vec3 p, std::size_t count) const;
   /// Each two leaves with a common face. Fewer once the control is cancelled.
   std::vector<CellLink> leaf_links(const RunControl& control) const;
@@ -105,11 +106,38 @@ class Regions {
   std::size_t memory_bytes() const;
 
  private:
+  /// Eight cells of one parent. There are millions: what all of them have in common is told once, and no cell
+  /// needs both children and a place in the union-find.
+  struct Siblings {
+    std::array<std::uint32_t, 3> first{}; ///< position of the first
+    std::uint8_t level = 0;
+    std::array<Kind, 8> kind{};
+    /// Of an OUT cell its parent in the union-find (numbered, then main, then older cells are roots), of a
+    /// split one the first of its children; else none.
+    std::array<CellIndex, 8> link;
+    std::array<TriangleId, 8> triangle;
+    std::array<float, 8> distance{};
+  };
+
   Regions(const ToleranceField& field, const Options& options);
-  void classify(Cell& c, TriangleId guess, const TriangleNeighborhood& near) const;
+  /// The root is the last of eight of which the others do not exist.
+  static std::size_t group(CellIndex i) { return (std::size_t{i} + 7) >> 3; }
+  static unsigned place(CellIndex i) { return (i + 7) & 7u; }
+  const Siblings& at(CellIndex i) const { return siblings_[group(i)]; }
+  CellIndex& link(CellIndex i) { return siblings_[group(i)].link[place(i)]; }
+  /// Makes room for the children of a cell; the first of them.
+  CellIndex add_children(CellIndex i);
+  void classify(CellIndex i, TriangleId guess, const TriangleNeighborhood& near);
   void classify_children(CellIndex parent);
   void split(CellIndex i);
   void unite_main(const RunControl& control);
+  void fill_entries();
+  /// The cell that the way from the root to this place leads to in the entries' level, or where it ends
+  /// above.
+  CellIndex entry(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+    return entries_[(std::size_t{z} << entry_level_ | y) << entry_level_ | x];
+  }
+  template <class EndsAt> CellIndex descend(Vec3 p, const EndsAt& ends_at) const;
   CellIndex neighbor(const Cell& c, int face) const;
   bool touches(const Cell& a, const Cell& b, int face) const;
   CellIndex compress(CellIndex i);
@@ -122,10 +150,15 @@ class Regions {
   double domain_side_;
   unsigned main_level_ = 0, max_level_ = 0;
   std::size_t main_size_ = 0;
-  GrowingArray<Cell> cells_;
-  GrowingArray<CellIndex> parents_; ///< union-find; numbered, then main, then older cells are roots
+  GrowingArray<Siblings> siblings_;
+  std::vector<CellIndex> entries_{0}; ///< of all places of a level: ways down begin there
+  unsigned entry_level_ = 0;
   std::vector<Passage> passages_;
   std::unordered_map<CellIndex, std::uint32_t> numbers_; ///< by root; looked up only, never iterated
+
+ public:
+  /// What a cell takes.
+  static constexpr double bytes_of_cell = sizeof(Siblings) / 8.0;
 };
 
 } // namespace isoscope

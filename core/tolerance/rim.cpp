@@ -34,6 +34,8 @@ constexpr double gap = 2;
 /// How near to a border a closest point is on it, in units of δ'.
 constexpr double on_border = 1e-6;
 constexpr double closeness = 1e-9;
+/// What is folded back by that much is the end of a sheet whatever is in front of it, in units of δ'.
+constexpr double least_flap = 0.25;
 
 Vec3 conormal_of(const Triangle3& t, Vec3 a, Vec3 b) {
   return normalized(cross(b - a, cross(t[1] - t[0], t[2] - t[0])));
@@ -56,6 +58,46 @@ bool is_needle(const Triangle3& t) {
   const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
   return length(cross(t[1] - t[0], t[2] - t[0])) <= needle * longest * longest;
 }
+
+/// What is joined to a triangle and faces as it does, as far as that matters.
+class Flap {
+ public:
+  explicit Flap(const WeldedMesh& mesh) : mesh_(mesh), uses_(sorted_edge_uses(mesh.triangles)) {}
+
+  /// How far it goes on from a place of its border against the conormal, up to `enough`.
+  double depth(const ClosestPointIndex& index, const RimPiece& piece, double enough) const {
+    const Vec3 from = 0.5 * (piece.a + piece.b), own = normal_of(index, piece.triangle);
+    std::vector<std::uint32_t> found{static_cast<std::uint32_t>(piece.triangle.index())};
+    double depth = 0;
+    for (std::size_t i = 0; i < found.size() && depth < enough; ++i) {
+      for (const Vec3 p : index.triangle(TriangleId(found[i])))
+        depth = std::max(depth, dot(from - p, piece.conormal));
+      for (std::size_t k = 0; k < 3; ++k)
+        for (const std::uint32_t other : around(found[i], k))
+          if (dot(normal_of(index, TriangleId(other)), own) > 0 &&
+              std::find(found.begin(), found.end(), other) == found.end())
+            found.push_back(other);
+    }
+    return depth;
+  }
+
+ private:
+  const WeldedMesh& mesh_;
+  std::vector<EdgeUse> uses_;
+
+  /// The triangles at an edge of one, with itself.
+  std::vector<std::uint32_t> around(std::uint32_t triangle, std::size_t k) const {
+    const IndexTriangle& t = mesh_.triangles[triangle];
+    const std::uint32_t low = std::min(t[k], t[(k + 1) % 3]), high = std::max(t[k], t[(k + 1) % 3]);
+    auto use =
+        std::lower_bound(uses_.begin(), uses_.end(), std::pair{low, high}, [](const EdgeUse& e, auto v) {
+          return std::pair{e.low, e.high} < v;
+        });
+    std::vector<std::uint32_t> list;
+    for (; use != uses_.end() && use->low == low && use->high == high; ++use) list.push_back(use->triangle);
+    return list;
+  }
+};
 
 } // namespace
 
@@ -119,6 +161,7 @@ void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> want
     }
   }
 
+  const Flap flap(mesh);
   const auto judge = [&](RimPiece& piece) {
     if (piece.conormal == Vec3{}) return; // of a triangle without area
     const Vec3 before = 0.5 * (piece.a + piece.b) + boundary_ * piece.conormal;
@@ -129,7 +172,12 @@ void Rim::cut(const ClosestPointIndex& index, std::span<const std::uint8_t> want
                  (at_border && dot(conormals[border.triangle.index()], piece.conormal) >= facing);
     const Vec3 normal = normal_of(index, closest.triangle), own = normal_of(index, piece.triangle);
     const bool same_way = turns.empty() || turns[closest.triangle.index()] == turns[piece.triangle.index()];
-    if ((same_way ? 1 : -1) * dot(normal, own) < facing) piece.open = true;
+    if (!piece.open && (same_way ? 1 : -1) * dot(normal, own) < facing) {
+      // The sheet ends at the fold, unless there is only a splinter that lies the wrong way round.
+      const double width = flap.depth(index, piece, least_flap * boundary_);
+      const Vec3 beyond = 0.5 * (piece.a + piece.b) - (width + boundary_) * piece.conormal;
+      piece.open = width >= least_flap * boundary_ || index.distance(beyond) >= open_distance * boundary_;
+    }
     piece.meets_wall =
         !piece.open && !at_border && std::abs(dot(normal, piece.conormal)) > across &&
         goes_on_aside(index, closest.point, 2 * normalized(own - dot(own, normal) * normal), boundary_);

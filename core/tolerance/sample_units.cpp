@@ -77,7 +77,7 @@ SampleUnitFinder::SampleUnitFinder(const ToleranceVolume& volume, double sigma,
 }
 
 bool SampleUnitFinder::together(Regions::CellIndex a, Regions::CellIndex b) const {
-  const Regions::Cell &p = volume_.octree().cell(a), &q = volume_.octree().cell(b);
+  const Regions::Cell p = volume_.octree().cell(a), q = volume_.octree().cell(b);
   return p.x >> shift_ == q.x >> shift_ && p.y >> shift_ == q.y >> shift_ && p.z >> shift_ == q.z >> shift_;
 }
 

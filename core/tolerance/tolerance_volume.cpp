@@ -9,6 +9,7 @@
 #include "tolerance/regions.h"
 #include "tolerance/room_labels.h"
 #include "tolerance/volume_components.h"
+#include "tolerance/wall_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,13 @@ void ToleranceVolume::open(std::shared_ptr<const OpenSides> sides, const RunCont
 }
 
 void ToleranceVolume::keep_border_to(std::vector<Segment3> rim) {
-  border_gate_ = std::make_shared<const BorderGate>(std::move(rim), thresholds_.delta);
+  std::vector<Segment3> crossed;
+  const std::vector<WallSample> ends = wall_samples(*this);
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+    const bool turned = ends[i].label > 0;
+    crossed.push_back({ends[turned ? i + 1 : i].point, ends[turned ? i : i + 1].point});
+  }
+  border_gate_ = std::make_shared<const BorderGate>(std::move(rim), thresholds_.delta, std::move(crossed));
 }
 
 ToleranceVolume::ToleranceVolume(ToleranceVolume&&) noexcept = default;
@@ -258,7 +265,7 @@ ToleranceVolume::Escape ToleranceVolume::escape(Vec3 p, const ClosestPoint& clos
     if (d > result.distance) result.reached = w, result.distance = d;
     const Regions::CellIndex i = octree_->locate(w);
     if (i == Regions::none) return result.region = RegionId(0), true;
-    if (octree_->cell(i).kind != Regions::Kind::out) return false;
+    if (octree_->kind(i) != Regions::Kind::out) return false;
     const auto number = octree_->number(i);
     if (number) result.region = RegionId(*number);
     return number.has_value();

@@ -2,14 +2,52 @@
 #include "tolerance/volume_components.h"
 
 #include "base/disjoint_sets.h"
+#include "base/scramble.h"
 
-#include <algorithm>
-#include <tuple>
+#include <bit>
 
 namespace isoscope {
 namespace {
 
 constexpr std::uint32_t triangles_between_questions = 16;
+
+/// Which corners of triangles are at one place. Corner 3s + k is the k-th of the triangle in slot s:
+/// neighbours come after each other.
+class CornerPlaces {
+ public:
+  explicit CornerPlaces(const ClosestPointIndex& index)
+      : index_(index), slots_(std::bit_ceil(index.size() + 2), none) {}
+
+  /// The first of those asked for so far that is where this one is.
+  std::uint32_t first_at(std::uint32_t corner) {
+    if (2 * (places_ + 1) > slots_.size()) grow();
+    std::uint32_t& slot = slots_[slot_of(point(corner))];
+    if (slot == none) slot = corner, ++places_;
+    return slot;
+  }
+
+ private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  Vec3 point(std::uint32_t corner) const { return index_.triangle_at(corner / 3)[corner % 3]; }
+  std::size_t slot_of(Vec3 p) const {
+    std::uint64_t key = 0;
+    for (int a = 0; a < 3; ++a) key = scrambled(key + std::bit_cast<std::uint64_t>(p[a] + 0.0)); // -0 is 0
+    std::size_t i = key & (slots_.size() - 1);
+    while (slots_[i] != none && point(slots_[i]) != p) i = (i + 1) & (slots_.size() - 1);
+    return i;
+  }
+  void grow() {
+    std::vector<std::uint32_t> old(2 * slots_.size(), none);
+    old.swap(slots_);
+    for (const std::uint32_t corner : old)
+      if (corner != none) slots_[slot_of(point(corner))] = corner;
+  }
+
+  const ClosestPointIndex& index_;
+  std::vector<std::uint32_t> slots_; ///< corners; a power of two of them, at most half of them taken
+  std::size_t places_ = 0;
+};
 
 } // namespace
 
@@ -23,19 +61,11 @@ VolumeComponents find_volume_components(const ClosestPointIndex& index, double r
   std::size_t count = n;
 
   // Equal corners first: nearly all of the work on an ordinary mesh, without a distance.
-  struct Corner {
-    Vec3 p;
-    std::uint32_t triangle;
-  };
-  std::vector<Corner> corners;
-  corners.reserve(3 * std::size_t{n});
-  for (std::uint32_t t = 0; t < n; ++t)
-    for (const Vec3 p : index.triangle(TriangleId(t))) corners.push_back({p, t});
-  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-    return std::tie(a.p.x, a.p.y, a.p.z, a.triangle) < std::tie(b.p.x, b.p.y, b.p.z, b.triangle);
-  });
-  for (std::size_t i = 1; i < corners.size(); ++i)
-    if (corners[i].p == corners[i - 1].p && sets.unite(corners[i].triangle, corners[i - 1].triangle)) --count;
+  {
+    CornerPlaces places(index);
+    for (std::uint32_t corner = 0; corner < 3 * n; ++corner)
+      if (sets.unite(index.id_at(places.first_at(corner) / 3).value, index.id_at(corner / 3).value)) --count;
+  }
 
   SparsePoll poll(control, triangles_between_questions);
   for (std::uint32_t t = 0; t < n && count > 1 && !poll.cancelled(); ++t) {

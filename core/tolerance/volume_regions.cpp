@@ -41,8 +41,7 @@ std::vector<RegionSummary> summarize(const Regions& octree, const RunControl& co
   std::vector<RegionSummary> list;
   for (std::size_t k = 0; k < octree.size() && !poll.cancelled(); ++k) {
     const auto i = static_cast<Regions::CellIndex>(k);
-    const Regions::Cell& c = octree.cell(i);
-    if (c.kind != Regions::Kind::out) continue;
+    if (octree.kind(i) != Regions::Kind::out) continue;
     const Regions::CellIndex root = octree.root(i);
     if (root >= octree.main_size()) continue;
     if (index[root] == none) {
@@ -50,10 +49,11 @@ std::vector<RegionSummary> summarize(const Regions& octree, const RunControl& co
       list.emplace_back().root = root;
     }
     RegionSummary& s = list[index[root]];
+    const Regions::Cell c = octree.cell(i);
     const double side = octree.side(c.level);
     ++s.cells;
     s.volume += side * side * side;
-    if (s.deepest == Regions::none || c.distance > octree.cell(s.deepest).distance) s.deepest = i;
+    if (s.deepest == Regions::none || c.distance > octree.distance(s.deepest)) s.deepest = i;
   }
   std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.root < b.root; });
   return list;
@@ -107,14 +107,14 @@ RegionId ToleranceVolume::add_region(std::uint32_t cell, Vec3 deepest, double de
 /// Whether the way up from a region's deepest cell, which stays in the region, ends in another one: the main
 /// cells are too coarse for what joins the two.
 bool ToleranceVolume::joins_another(std::uint32_t root, std::uint32_t deepest) {
-  const Regions::Cell& from = octree_->cell(deepest);
+  const Regions::Cell from = octree_->cell(deepest);
   Region climbed;
   climbed.deepest = octree_->center(from);
   climbed.depth = static_cast<double>(from.distance);
   deepen(climbed);
   const Regions::CellIndex top = octree_->locate(climbed.deepest);
   const bool beyond = top == Regions::none; // of the domain: the unbounded region
-  if (!beyond && octree_->cell(top).kind != Regions::Kind::out) return false;
+  if (!beyond && octree_->kind(top) != Regions::Kind::out) return false;
   const Regions::CellIndex other =
       beyond ? octree_->root(octree_->locate(first_corner())) : octree_->root(top);
   if (other == octree_->root(root)) return false;
@@ -129,7 +129,7 @@ void ToleranceVolume::collect_regions(const RunControl& control) {
                         [&](const RegionSummary& s) { return s.root == unbounded; });
   for (const RegionSummary& s : list) {
     if (control.cancelled()) return;
-    const Regions::Cell& c = octree_->cell(s.deepest);
+    const Regions::Cell c = octree_->cell(s.deepest);
     if (!sides_.known() && !regions_.empty() && joins_another(s.root, s.deepest)) continue;
     add_region(s.root, octree_->center(c), static_cast<double>(c.distance), s.volume);
   }
@@ -170,10 +170,10 @@ void ToleranceVolume::collect_boundary_components(const RunControl& control) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::size_t k = 0; k < octree_->size() && !poll.cancelled(); ++k) {
     const auto i = static_cast<Regions::CellIndex>(k);
-    const Regions::Cell& c = octree_->cell(i);
-    if (c.kind != Regions::Kind::out) continue;
+    if (octree_->kind(i) != Regions::Kind::out) continue;
     const auto number = octree_->number(i);
     if (!number) continue;
+    const Regions::Cell c = octree_->cell(i);
     std::uint32_t component = VolumeComponents::none;
     if (field_->is_distance()) {
       component = volume_component(c.triangle);
@@ -256,7 +256,7 @@ void ToleranceVolume::find_thin_regions(const RunControl& control) {
 RegionId ToleranceVolume::region_at(Vec3 p, std::size_t budget, const RunControl& control) {
   const Regions::CellIndex i = octree_->locate_refining(p);
   if (i == Regions::none) return RegionId(0);
-  if (octree_->cell(i).kind != Regions::Kind::out) return {};
+  if (octree_->kind(i) != Regions::Kind::out) return {};
   if (const auto number = octree_->number(i)) return RegionId(*number);
   octree_->flood(i, budget, control);
   if (const auto number = octree_->number(i)) return RegionId(*number);

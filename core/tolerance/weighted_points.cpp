@@ -5,6 +5,7 @@
 #include "tolerance/bvh_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace isoscope {
@@ -148,24 +149,29 @@ void WeightedPointIndex::find_neighborhood(Vec3 center, double radius, TriangleN
   near.center = center;
   near.radius = 0;
   near.entries.clear();
-  const double r2 = radius * radius, reach = radius + ChildDistances::margin(boxes_, center);
-  const double from_frame = 1 / (boxes_.inverse_scale * boxes_.inverse_scale);
+  const double r2 = radius * radius;
+  // Mostly there are too many: what makes an entry comes once they are known to be few.
+  std::array<std::pair<double, std::uint32_t>, most_neighbors> found;
+  std::size_t count = 0;
   bool few = true;
-  visit_boxes(
-      boxes_, center,
-      [&](std::uint32_t node, unsigned k, double squared) {
-        return squared + static_cast<double>(weights_[node].of[k]) * from_frame <= reach * reach;
-      },
-      [&](std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          const double squared = squared_at(center, sites_[slot]), d = std::sqrt(squared);
+  visit_within(
+      boxes_, center, r2, [&](std::uint32_t node) { return lanes(weights_[node].of); },
+      [&](std::uint32_t first, std::uint32_t slots) {
+        for (std::uint32_t slot = first; slot < first + slots; ++slot) {
+          const double squared = squared_at(center, sites_[slot]);
           if (squared > r2) continue;
-          // The part of the direction in R⁴ that steps in space have to do with.
-          near.entries.push_back({d, d > 0 ? (center - sites_[slot].center) / d : Vec3{}, slot});
+          if (count == found.size()) return few = false;
+          found[count++] = {squared, slot};
         }
-        return few = near.entries.size() <= most_neighbors;
+        return true;
       });
   if (!few) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double d = std::sqrt(found[i].first);
+    const std::uint32_t slot = found[i].second;
+    // The part of the direction in R⁴ that steps in space have to do with.
+    near.entries.push_back({d, d > 0 ? (center - sites_[slot].center) / d : Vec3{}, slot});
+  }
   sort_neighbors(near.entries);
   near.radius = radius;
 }

@@ -30,6 +30,7 @@ WeldedMesh weld(const std::vector<Vec3>& points, const std::vector<IndexTriangle
     if (i == 0 || key(order[i]) != key(order[i - 1])) mesh.points.push_back(points[order[i]]);
     merged[order[i]] = static_cast<std::uint32_t>(mesh.points.size() - 1);
   }
+  mesh.triangles.reserve(triangles.size());
   for (const auto& t : triangles) mesh.triangles.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
   return mesh;
 }
@@ -97,16 +98,15 @@ std::optional<std::uint32_t> vertex_of_two_fans(const WeldedMesh& mesh, const st
 }
 
 bool orient(std::vector<IndexTriangle>& triangles, const std::vector<EdgeUse>& uses) {
-  struct Link {
-    std::uint32_t from, to;
+  constexpr std::uint32_t none = ~std::uint32_t{0};
+  std::vector<std::array<std::uint32_t, 3>> across(triangles.size(), {none, none, none}); // neighbours
+  const auto link = [&](std::uint32_t from, std::uint32_t to) {
+    *std::find(across[from].begin(), across[from].end() - 1, none) = to;
   };
-  std::vector<Link> links;
   for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
-    links.push_back({uses[i].triangle, uses[i + 1].triangle});
-    links.push_back({uses[i + 1].triangle, uses[i].triangle});
+    link(uses[i].triangle, uses[i + 1].triangle);
+    link(uses[i + 1].triangle, uses[i].triangle);
   }
-  std::sort(links.begin(), links.end(),
-            [](const Link& a, const Link& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
   const auto runs_same_way = [&](std::uint32_t s, std::uint32_t t) {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
@@ -123,17 +123,16 @@ bool orient(std::vector<IndexTriangle>& triangles, const std::vector<EdgeUse>& u
     while (!stack.empty()) {
       const std::uint32_t s = stack.back();
       stack.pop_back();
-      auto link = std::lower_bound(links.begin(), links.end(), s,
-                                   [](const Link& l, std::uint32_t t) { return l.from < t; });
-      for (; link != links.end() && link->from == s; ++link) {
-        const bool flipped = runs_same_way(s, link->to);
-        if (seen[link->to]) {
+      for (const std::uint32_t to : across[s]) {
+        if (to == none) continue;
+        const bool flipped = runs_same_way(s, to);
+        if (seen[to]) {
           if (flipped) return false;
           continue;
         }
-        if (flipped) std::swap(triangles[link->to][1], triangles[link->to][2]);
-        seen[link->to] = 1;
-        stack.push_back(link->to);
+        if (flipped) std::swap(triangles[to][1], triangles[to][2]);
+        seen[to] = 1;
+        stack.push_back(to);
       }
     }
   }

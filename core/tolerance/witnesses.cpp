@@ -9,8 +9,12 @@
 #include "tolerance/tolerance_volume.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -32,25 +36,24 @@ class DeepCells {
   DeepCells(const Regions& octree, double delta, const Box3& within, const RunControl& control)
       : octree_(octree), delta_(delta), within_(within), parent_(octree.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
-    SparsePoll poll(control);
-    for (CellIndex i = 0; i < octree.size() && !poll.cancelled(); ++i) {
-      if (!deep(i)) continue;
-      const Regions::Cell& c = octree.cell(i);
-      const Vec3 center = octree.center(c);
-      const double reach = 0.5 * octree.side(c.level) * (1 + 1e-6);
+    const auto find_links = [this](CellIndex i, std::vector<CellLink>& links) {
+      if (!deep(i)) return;
+      const Regions::Cell c = octree_.cell(i);
+      const Vec3 center = octree_.center(c);
+      const double reach = 0.5 * octree_.side(c.level) * (1 + 1e-6);
       for (int face = 0; face < 6; ++face) {
         Vec3 p = center;
         p[face / 2] += face % 2 == 0 ? reach : -reach;
-        const CellIndex n = octree.locate(p);
-        if (n != Regions::none && deep(n)) unite(i, n);
+        const CellIndex n = octree_.locate(p);
+        if (n != Regions::none && deep(n)) links.push_back({i, n});
       }
-    }
+    };
+    for_each_link(octree.size(), control, find_links, [this](const CellLink& l) { unite(l.a, l.b); });
   }
 
   bool deep(CellIndex i) const {
-    const Regions::Cell& c = octree_.cell(i);
-    return c.child == Regions::none && c.kind == Regions::Kind::out &&
-           static_cast<double>(c.distance) > delta_ && holds(octree_.center(c));
+    return octree_.kind(i) == Regions::Kind::out && static_cast<double>(octree_.distance(i)) > delta_ &&
+           holds(octree_.center(octree_.cell(i)));
   }
 
   /// Whether p lies in the box.
@@ -61,7 +64,7 @@ class DeepCells {
     const CellIndex i = octree_.locate(p);
     if (i == Regions::none) return true;
     if (!deep(i)) return false;
-    const Regions::Cell& c = octree_.cell(i);
+    const Regions::Cell c = octree_.cell(i);
     return distance(p, octree_.center(c)) < static_cast<double>(c.distance) - delta_;
   }
 
@@ -72,7 +75,7 @@ class DeepCells {
     for (CellIndex i = 0; i < octree_.size() && !poll.cancelled(); ++i) {
       if (!deep(i)) continue;
       const auto [at, fresh] = best.emplace(find(i), i);
-      if (!fresh && octree_.cell(i).distance > octree_.cell(at->second).distance) at->second = i;
+      if (!fresh && octree_.distance(i) > octree_.distance(at->second)) at->second = i;
     }
     std::vector<CellIndex> cells;
     for (const auto& [root, cell] : best) cells.push_back(cell);
@@ -125,17 +128,49 @@ struct Climbed {
   double depth = 0;
 };
 
-/// What climbs from both sides of the triangles whose middles lie in a box, at distance δ, come to, where
-/// that is no group of cells.
+/// Every so many triangles that not too many are looked at.
+std::vector<TriangleId> some_triangles(const ClosestPointIndex& index) {
+  std::vector<TriangleId> some;
+  for (std::size_t i = 0; i < index.size(); i += index.size() / most_triangles + 1) some.emplace_back(i);
+  return some;
+}
+
+/// Of the triangles whose middles lie in a box one in each cell of a lattice and each octant of normals:
+/// where they are small, climbs from neighbours come to the same place.
+std::vector<TriangleId> spread_triangles(const ClosestPointIndex& index, double side, const Box3& from,
+                                         const RunControl& control) {
+  using Key = std::array<std::int64_t, 4>;
+  std::vector<std::pair<Key, TriangleId>> all;
+  SparsePoll poll(control);
+  for (std::size_t i = 0; i < index.size() && !poll.cancelled(); ++i) {
+    const Triangle3& t = index.triangle(TriangleId(i));
+    const Vec3 middle = centroid(t), normal = area_vector(t);
+    if (!from.meets({middle, middle})) continue;
+    Key key{};
+    for (int a = 0; a < 3; ++a) {
+      key[static_cast<std::size_t>(a)] =
+          static_cast<std::int64_t>(std::floor((middle[a] - index.bounds().lo[a]) / side));
+      if (normal[a] < 0) key[3] |= std::int64_t{1} << a;
+    }
+    all.emplace_back(key, TriangleId(i));
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<TriangleId> some;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (i == 0 || all[i].first != all[i - 1].first) some.push_back(all[i].second);
+  return some;
+}
+
+/// What climbs from both sides of triangles, at distance δ, come to, where that is no group of cells.
 std::vector<Climbed> climb_from_triangles(const ClosestPointIndex& index, const DeepCells& cells,
-                                          double delta, const Box3& from, const RunControl& control) {
-  const std::size_t stride = index.size() / most_triangles + 1, looked = (index.size() + stride - 1) / stride;
-  std::vector<Climbed> found(2 * looked);
-  parallel_until(looked, triangles_per_task, control, [&](std::size_t i) {
-    const Triangle3& t = index.triangle(TriangleId(i * stride));
+                                          double delta, const std::vector<TriangleId>& from,
+                                          const RunControl& control) {
+  std::vector<Climbed> found(2 * from.size());
+  parallel_until(from.size(), triangles_per_task, control, [&](std::size_t i) {
+    const Triangle3& t = index.triangle(from[i]);
     const Vec3 normal = normalized(cross(t[1] - t[0], t[2] - t[0]));
     const Vec3 middle = centroid(t);
-    if (normal == Vec3{} || !from.meets({middle, middle})) return;
+    if (normal == Vec3{}) return;
     for (std::size_t side = 0; side < 2; ++side) {
       const double offset = (side == 0 ? 1 : -1) * delta * (1 + offset_margin);
       Vec3 p = middle + offset * normal;
@@ -178,14 +213,15 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
   const DeepCells cells(volume.octree(), delta, everywhere, control);
   for (const CellIndex i : cells.deepest(control)) {
     if (control.cancelled()) return witnesses;
-    const Regions::Cell& c = volume.octree().cell(i);
+    const Regions::Cell c = volume.octree().cell(i);
     const Vec3 p = volume.octree().center(c);
     const double depth = volume.field().distance(p);
     if (depth <= delta * (1 + offset_margin) || beside_sheet(p)) continue;
     if (const int label = label_of(volume, p); label != 0) witnesses.push_back({p, label, depth});
   }
   if (!volume.sides().known() || !volume.has_surface()) return witnesses;
-  for (const Climbed& c : climb_from_triangles(volume.index(), cells, delta, everywhere, control)) {
+  for (const Climbed& c :
+       climb_from_triangles(volume.index(), cells, delta, some_triangles(volume.index()), control)) {
     if (control.cancelled()) break;
     if (!is_known(c, witnesses, delta))
       witnesses.push_back({c.point, volume.sides().label(c.point), c.depth});
@@ -195,7 +231,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
 
 Result<std::vector<Vec3>> witnesses_of_piece(const ClosestPointIndex& piece, double delta, const Box3& within,
                                              const RunControl& control) {
-  constexpr double reach = 3; // in δ
+  constexpr double reach = 3, spacing_of_climbs = 0.25; // in δ
   const double boundary = ToleranceVolume::Options().boundary_ratio;
   const double side = OctreeEstimate(piece, true).main_side_ratio(boundary * delta) * boundary * delta;
   auto octree = Regions::build(
@@ -209,7 +245,8 @@ Result<std::vector<Vec3>> witnesses_of_piece(const ClosestPointIndex& piece, dou
     if (const double depth = piece.distance(p); depth > delta * (1 + offset_margin))
       found.push_back({p, depth});
   }
-  for (const Climbed& c : climb_from_triangles(piece, cells, delta, within, control)) {
+  const auto from = spread_triangles(piece, spacing_of_climbs * delta, within, control);
+  for (const Climbed& c : climb_from_triangles(piece, cells, delta, from, control)) {
     if (control.cancelled()) break;
     if (!is_known(c, found, delta)) found.push_back(c);
   }

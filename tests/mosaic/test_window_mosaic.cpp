@@ -20,7 +20,7 @@ const fs::path results = ISOSCOPE_RESULTS;
 
 std::string cut(const std::string& folder) {
   return "$PROGRAM tiles cut gallery:torus '" + folder +
-         "' --tolerance 2% --effort 1 --tile-memory 1MiB --quiet";
+         "' --tolerance 2% --effort 1 --tile-memory 1.4MiB --quiet";
 }
 
 } // namespace

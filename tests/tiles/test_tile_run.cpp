@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <memory>
 
 using namespace isoscope;
@@ -16,6 +17,12 @@ namespace {
 
 TileFolder cut_torus(const std::filesystem::path& folder) {
   return test::cut(folder, test::parameters_of("gallery:torus", 2));
+}
+
+std::vector<Triangle3> facets_in(const std::filesystem::path& file) {
+  std::vector<Triangle3> facets;
+  REQUIRE(read_facets(file, all_of_space, facets).ok());
+  return facets;
 }
 
 } // namespace
@@ -71,9 +78,9 @@ TEST_CASE("Only what lies in the tile changes, and a recording knows what it beg
   auto start = tile_start(tiles, **round, 0);
   REQUIRE(start.ok());
   CHECK(start->words == "0 of round 1");
-  CHECK(start->held.empty());
-  const Vec3 held = 0.5 * (start->box.lo + start->box.hi);
-  start->held.push_back(held);
+  for (const Vec3 p : start->kept) CHECK(start->box.holds(p));
+  start->kept.push_back(0.5 * (start->box.lo + start->box.hi));
+  const std::vector<Vec3> kept = start->kept;
   const ChangeBox box = start->box;
   const TriangleMesh before = start->z;
   const auto input = start->input;
@@ -96,7 +103,7 @@ TEST_CASE("Only what lies in the tile changes, and a recording knows what it beg
   const auto again = tile_start(parameters, input, *journal);
   REQUIRE(again.has_value());
   CHECK(again->words == "0 of round 1");
-  CHECK(again->held == std::vector<Vec3>{held});
+  CHECK(again->kept == kept);
   CHECK(again->z.points == before.points);
   CHECK(again->z.triangles == before.triangles);
   CHECK(again->box.lo == box.lo);
@@ -111,5 +118,35 @@ TEST_CASE("What cannot be made once more is said") {
   CHECK(tile_start(tiles, first, 999).error().message == "Round 1 has no tile 999.");
   for (std::size_t i = 0; i < first.tiles.size(); ++i) REQUIRE(make_tile(tiles, first, i, RunControl()).ok());
   REQUIRE(tiles.round().ok());
-  CHECK(tile_start(tiles, first, 0).error().message == "Round 1 is over.");
+  CHECK(tiles.begun(3).error().message == "Round 3 was not begun.");
+}
+
+TEST_CASE("Tiles of rounds that are over can be made once more, but not what a round has left as it was") {
+  const TemporaryFolder folder;
+  const TileFolder tiles = test::cut(folder / "tiles", test::parameters_of("gallery:sphere", 4), 0.3);
+  REQUIRE(make_all_tiles(tiles, RunControl()).ok());
+  RunControl control;
+  const auto second = tiles.begun(2);
+  REQUIRE(second.ok());
+  const auto made = record_tile(tiles, *second, 0, folder / "run.isorun", control);
+  REQUIRE(made.ok());
+  CHECK(made->as_made == true);
+  std::size_t left = 0;
+  const std::uint32_t rounds = *tiles.complete_rounds();
+  for (std::uint32_t r = 1; r <= rounds; ++r) {
+    const TileRound round = *tiles.begun(r);
+    auto before = *tiles.z_before(r, all_of_space);
+    make_canonical(before);
+    for (std::size_t i = 0; i < round.tiles.size(); ++i) {
+      const auto since = tiles.in_vain_since(round, round.tiles[i].tile);
+      REQUIRE(since.ok());
+      if (!*since) continue;
+      ++left;
+      CHECK(**since + 4 == r);
+      for (const Triangle3& f : facets_in(tiles.output(r, round.tiles[i].tile)))
+        CHECK(std::count(before.begin(), before.end(), f) == 1);
+      CHECK(tile_start(tiles, round, i).error().message.find("as it was, as round") != std::string::npos);
+    }
+  }
+  CHECK(left > 0);
 }

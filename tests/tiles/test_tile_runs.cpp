@@ -94,7 +94,7 @@ TEST_CASE("Runs in tiles end certified, with the topology of the input and not m
     CAPTURE(name);
     const TemporaryFolder folder;
     const RunParameters p = parameters_of(name, percent);
-    const TileFolder tiles = cut(folder / "tiles", p, 1);
+    const TileFolder tiles = cut(folder / "tiles", p, 1.4);
     const auto first = tiles.round();
     REQUIRE(first.ok());
     CHECK((*first)->tiles.size() > 4);
@@ -120,7 +120,7 @@ TEST_CASE("Sheets near to each other, with vertices on the planes of tiles, neve
   REQUIRE(write_mesh(file, TriangleMesh{slabs.points, slabs.triangles}).ok());
   RunParameters p = parameters_of(file.string(), 1);
   p.tolerance = {0.3, false};
-  const TileFolder tiles = cut(folder / "tiles", p, 1.5);
+  const TileFolder tiles = cut(folder / "tiles", p, 2.1);
   CHECK((*tiles.round())->tiles.size() > 2);
   REQUIRE(make_all_tiles(tiles, RunControl()).ok());
   const JoinedTiles run = joined(tiles);
@@ -204,7 +204,7 @@ TEST_CASE("Elephant in tiles" * doctest::test_suite("soak")) {
   if (!model) return;
   const TemporaryFolder folder;
   const RunParameters p = parameters_of(model->string(), 0.3);
-  const TileFolder tiles = cut(folder / "tiles", p, 2);
+  const TileFolder tiles = cut(folder / "tiles", p, 2.8);
   REQUIRE(make_all_tiles(tiles, RunControl()).ok());
   const JoinedTiles run = joined(tiles);
   CHECK(run.result.certificate.holds());

@@ -75,6 +75,8 @@ TEST_CASE("What is streamed is cut into the same files, from any format") {
     CHECK(streamed->manifest().euler_characteristic == whole->manifest().euler_characteristic);
     CHECK(streamed->manifest().components == whole->manifest().components);
     CHECK(streamed->manifest().brick == whole->manifest().brick);
+    CHECK(streamed->manifest().witnesses == whole->manifest().witnesses);
+    CHECK(streamed->manifest().held == whole->manifest().held);
     CHECK(files_below(folder / "whole" / "input").size() > 4);
     for (const char* part : {"input", "z/0"})
       CHECK(files_below(folder / "whole" / part) == files_below(folder / "streamed" / part));

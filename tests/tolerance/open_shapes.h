@@ -4,6 +4,7 @@
 #include "input/gallery_shapes.h"
 #include "input/triangle_soup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -98,6 +99,85 @@ inline TriangleSoup jagged_square(int n, unsigned seed) {
   return grid_sheet(
       n, [&](double x, double y) { return x < ends[static_cast<std::size_t>(y * n)]; },
       [](double x, double) { return 0.2 * x * x; });
+}
+
+/// A wedge of the plane between two edges of length 1, bent along them, with its tip in the origin.
+inline TriangleSoup wedge(double degrees, int n = 16) {
+  const double half = std::tan(degrees * std::numbers::pi / 360);
+  TriangleSoup sheet;
+  sheet.name = "wedge";
+  sheet.points.push_back({});
+  for (int i = 1; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) {
+      const double x = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
+      sheet.points.push_back({x, x * half * (2 * y - 1), 0.15 * std::sin(3 * x)});
+    }
+  const auto at = [&](int i, int j) {
+    return i == 0 ? 0u : static_cast<std::uint32_t>((i - 1) * (n + 1) + j + 1);
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      sheet.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      if (i > 0) sheet.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return sheet;
+}
+
+/// A bent square with one tooth on its border.
+inline TriangleSoup square_with_tooth(double tooth_length, double width) {
+  const auto height = [](double x, double y) { return 0.3 * x * x - 0.2 * y * y + 0.1 * x * y; };
+  TriangleSoup sheet = grid_sheet(
+      20, [](double, double) { return true; }, height);
+  const std::uint32_t low = 10 * 21 + 20, high = 11 * 21 + 20, behind = low - 1;
+  std::erase_if(sheet.triangles, [&](const auto& t) {
+    return std::find(t.begin(), t.end(), low) != t.end() && std::find(t.begin(), t.end(), high) != t.end();
+  });
+  const auto first = static_cast<std::uint32_t>(sheet.points.size());
+  for (const double y : {0.525 - width / 2, 0.525 + width / 2})
+    sheet.points.push_back({1, y, height(1, 0.525)});
+  sheet.points.push_back({1 + tooth_length, 0.525, height(1, 0.525)});
+  sheet.triangles.insert(sheet.triangles.end(), {{behind, low, first},
+                                                 {behind, first, first + 1},
+                                                 {behind, first + 1, high},
+                                                 {first, first + 2, first + 1}});
+  return sheet;
+}
+
+/// A bent square with a square hole into which a strip of that width reaches, so that one loop runs on both
+/// sides of it.
+inline TriangleSoup square_with_tongue(double width) {
+  const auto has = [&](double x, double y) {
+    const bool in_hole = x > 0.3 && x < 0.7 && y > 0.3 && y < 0.7;
+    return !in_hole || (std::abs(y - 0.5) < width / 2 && x > 0.36);
+  };
+  return grid_sheet(100, has, [](double x, double y) { return 0.3 * x * x - 0.2 * y * y + 0.1 * x * y; });
+}
+
+/// Two patches with other points at their seam, one of which has a splinter there that is folded back.
+inline TriangleSoup patches_with_splinter(double width) {
+  TriangleSoup soup;
+  soup.name = "patches";
+  const auto add_patch = [&](double from, double to, std::uint32_t n, std::uint32_t m) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (std::uint32_t i = 0; i <= n; ++i)
+      for (std::uint32_t j = 0; j <= m; ++j) {
+        const double x = from + (to - from) * i / n, y = 1.0 * j / m;
+        soup.points.push_back({x, y, 0.2 * std::sin(2 * x + y)});
+      }
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = 0; j < m; ++j) {
+        const std::uint32_t a = first + i * (m + 1) + j, b = a + m + 1;
+        soup.triangles.push_back({a, b, b + 1});
+        soup.triangles.push_back({a, b + 1, a + 1});
+      }
+  };
+  add_patch(0, 0.5, 10, 10);
+  const std::uint32_t low = 10 * 11 + 4, high = low + 1;
+  add_patch(0.5, 1, 7, 9);
+  const Vec3 middle = 0.5 * (soup.points[low] + soup.points[high]);
+  soup.triangles.push_back({high, low, static_cast<std::uint32_t>(soup.points.size())});
+  soup.points.push_back(middle + width * Vec3{-1, 0, 0.3});
+  return soup;
 }
 
 /// A strip around the z axis of a half turn for each of `half_turns`: one-sided where they are odd.

@@ -1,0 +1,379 @@
+// Holes and crumbs where the wall dips into the sheet, gaps before the rim, parts that meet in a vertex, and
+// what lies too far from the rim: mended among the vertices of Z, with few splits.
+#include "simplify/rim_cut.h"
+
+#include "base/disjoint_sets.h"
+#include "base/sort_unique.h"
+#include "tolerance/border_gate.h"
+#include "tolerance/facet_certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isoscope {
+namespace {
+
+/// The longest way along which patches of one loop are joined, and that to a gap, in units of δ.
+constexpr double longest_way = 3, longest_channel = 5;
+/// Gaps this near to each other, in units of δ, are one, and one is tried to be closed so often.
+constexpr double near_gap = 0.25;
+constexpr int most_tries = 3;
+/// Ways to a gap pass along edges up to that length; longer ones so near to it are split. In units of δ.
+constexpr double way_edge = 0.5, way_reach = 1;
+/// Radii of what is taken away where the border is too far from the rim, in units of δ.
+constexpr double least_worn = 0.1, most_worn = 0.2;
+/// How far from a vertex that is taken its edges are cut, in units of δ.
+constexpr double pinch_share = 0.05;
+/// A part of what is kept that is smaller than this is a crumb, in units of δ.
+constexpr double crumb = 4;
+
+} // namespace
+
+/// Where Z leaves Ω before it is over the rim its border may be too far from that, and nearer to it a little
+/// way back: balls around such vertices are taken away, larger ones where smaller ones did not do. False
+/// where nothing is.
+bool RimCut::wear_away(std::span<const VertexId> vertices) {
+  const double delta = volume_.thresholds().delta;
+  const std::size_t before = worn_.size();
+  for (const VertexId v : vertices) {
+    const Vec3 p = live_.complex().position(v);
+    double radius = least_worn * delta;
+    bool fresh = true;
+    for (std::size_t i = 0; i < worn_.size(); ++i) {
+      const double d = distance(worn_[i].center, p);
+      if (i < before && d <= worn_[i].radius + at_wall * delta)
+        radius = std::max(radius, 2 * worn_[i].radius);
+      fresh &= i < before || d >= worn_[i].radius;
+    }
+    if (fresh && radius <= most_worn * delta) worn_.push_back({p, radius});
+  }
+  if (worn_.size() == before) return false;
+  for (std::size_t v = 0; v < places_.size(); ++v)
+    if (places_[v] == Place::kept || places_[v] == Place::wall)
+      for (std::size_t i = before; i < worn_.size(); ++i)
+        if (distance(worn_[i].center, live_.complex().position(VertexId(v))) < worn_[i].radius)
+          places_[v] = Place::beyond;
+  return true;
+}
+
+/// Whether some place of the rim has no border within δ but that of the patch.
+bool RimCut::rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const {
+  const double delta = volume_.thresholds().delta;
+  Box3 box;
+  std::vector<Segment3> own, others;
+  for (const Edge& e : patch.border) {
+    own.push_back(segment(e));
+    for (const Vec3 p : own.back()) box.add(p);
+  }
+  const double near = 0.5 * distance(box.lo, box.hi) + 2 * delta;
+  // Each border edge is one of a patch that is kept and of one that is not.
+  for (const RimPatch& other : all) {
+    if (other.kept != patch.kept || &other == &patch) continue;
+    for (const Edge& e : other.border)
+      if (distance_to(segment(e), box.center()) <= near) others.push_back(segment(e));
+  }
+  return !volume_.border_gate()->covers_rim(own, others).proven;
+}
+
+bool RimCut::lies_inside(const RimPatch& patch) const {
+  const double delta = volume_.thresholds().delta;
+  const Complex& complex = live_.complex();
+  const auto is_inside = [&](std::uint32_t i) {
+    const Facet& f = facets_[i];
+    const Triangle3 t{complex.position(f[0]), complex.position(f[1]), complex.position(f[2])};
+    return certify_facet(volume_.field(), t, delta, delta, rim_piece_budget).kind ==
+           FacetVerdict::Kind::inside;
+  };
+  return std::all_of(patch.facets.begin(), patch.facets.end(), is_inside);
+}
+
+bool RimCut::is_crumb(const RimPatch& patch) const {
+  const double delta = volume_.thresholds().delta;
+  const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
+  const auto is_near_rim = [&](std::uint32_t i) {
+    const Complex& complex = live_.complex();
+    const Facet& f = facets_[i];
+    const Triangle3 t{complex.position(f[0]), complex.position(f[1]), complex.position(f[2])};
+    return certify_facet(curve, t, delta, delta, rim_piece_budget).kind == FacetVerdict::Kind::inside;
+  };
+  if (std::all_of(patch.facets.begin(), patch.facets.end(), is_near_rim)) return true;
+  Box3 box;
+  for (const std::uint32_t i : patch.facets)
+    for (const VertexId v : facets_[i]) box.add(live_.complex().position(v));
+  return distance(box.lo, box.hi) <= crumb * volume_.thresholds().delta;
+}
+
+std::vector<RimPatch> RimCut::patches() const {
+  std::vector<std::uint8_t> kept(facets_.size());
+  for (std::size_t i = 0; i < facets_.size(); ++i) kept[i] = keeps_facet(facets_[i]) ? 1 : 0;
+  return rim_patches(facets_, kept);
+}
+
+void RimCut::settle_spare_patches() {
+  const std::vector<RimPatch> all = patches();
+  for (const RimPatch& patch : all) {
+    if (log_.stopped()) return;
+    if (patch.border.empty() || !(patch.kept ? is_crumb(patch) : lies_inside(patch)) || rim_needs(patch, all))
+      continue;
+    turn(patch);
+  }
+}
+
+/// Drops what is kept, keeps what is dropped.
+void RimCut::turn(const RimPatch& patch) {
+  for (const std::uint32_t i : patch.facets)
+    for (const VertexId v : facets_[i])
+      if (patch.kept)
+        places_[v.index()] = Place::beyond;
+      else if (!is_kept(v))
+        places_[v.index()] = Place::kept;
+}
+
+/// By loop of the rim: how much of the patch's border is nearest to it.
+std::vector<double> RimCut::lengths_by_loop(const RimPatch& patch) const {
+  const Rim& rim = volume_.open_sides()->rim();
+  std::vector<double> lengths(rim.loops().size(), 0);
+  for (const Edge& e : patch.border) lengths[rim.loop_near(point_on(segment(e), 0.5))] += length(e);
+  return lengths;
+}
+
+/// One loop of the rim makes one patch that is dropped and has one that is kept: others are joined to the
+/// largest of their kind where the way is short; crumbs for which there is none are dropped.
+void RimCut::join_patches() {
+  for (bool again = true; again && !log_.stopped();) {
+    again = false;
+    const std::vector<RimPatch> all = patches();
+    std::vector<std::vector<double>> lengths;
+    for (const RimPatch& patch : all) lengths.push_back(lengths_by_loop(patch));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto longest = std::max_element(lengths[i].begin(), lengths[i].end());
+      if (longest == lengths[i].end() || *longest == 0) continue;
+      const auto loop = static_cast<std::size_t>(longest - lengths[i].begin());
+      std::vector<const RimPatch*> larger;
+      for (std::size_t k = 0; k < all.size(); ++k)
+        if (all[k].kept == all[i].kept && lengths[k][loop] > *longest) larger.push_back(&all[k]);
+      if (larger.empty()) continue;
+      bool changed = join(all[i], larger);
+      again = changed && patches().size() < all.size();
+      if (!again && all[i].kept && is_crumb(all[i])) {
+        turn(all[i]);
+        changed = true;
+        again = patches().size() < all.size();
+      }
+      if (changed) break; // the patches are others now; without progress they wait for the next round
+    }
+  }
+}
+
+bool RimCut::is_in_volume(VertexId v) const {
+  return volume_.field().distance(live_.complex().position(v)) <= volume_.thresholds().delta;
+}
+
+/// Near enough for what lies beside it to be within δ of the rim.
+bool RimCut::is_near_rim(VertexId v) const {
+  return volume_.open_sides()->rim().curve().distance(live_.complex().position(v)) <=
+         by_rim * volume_.thresholds().delta;
+}
+
+/// The length of an edge that is as near to the rim all along, else more than any way.
+double RimCut::length_by_rim(const Edge& e) const {
+  const double delta = volume_.thresholds().delta;
+  const int steps = static_cast<int>(std::ceil(length(e) / (look_step * delta)));
+  for (int k = 1; k < steps; ++k)
+    if (volume_.open_sides()->rim().curve().distance(point_on(segment(e), static_cast<double>(k) / steps)) >
+        by_rim * delta)
+      return std::numeric_limits<double>::infinity();
+  return length(e);
+}
+
+/// Holes by a channel, crumbs by what lies around the way, as far as it is in Ω.
+bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to) {
+  const auto vertices_of = [](const std::vector<Edge>& border, std::vector<VertexId>& vertices) {
+    for (const Edge& e : border) vertices.insert(vertices.end(), e.begin(), e.end());
+    sort_unique(vertices);
+  };
+  std::vector<VertexId> from, ends;
+  vertices_of(patch.border, from);
+  for (const RimPatch* other : to) vertices_of(other->border, ends);
+  const auto is_allowed = [&](VertexId v) {
+    return is_kept(v) != patch.kept && is_near_rim(v) && (is_kept(v) || is_in_volume(v));
+  };
+  const auto apart = [this](VertexId a, VertexId b) { return length_by_rim({a, b}); };
+  const std::vector<VertexId> way =
+      shortest_way(facets_, from, ends, is_allowed, apart, longest_way * volume_.thresholds().delta);
+  if (way.empty() || (patch.kept && way.size() < 2)) return false;
+  if (!patch.kept) {
+    set_apart(way, Place::beyond, Reason::pinched_border);
+    return true;
+  }
+  const auto is_beside = [&](const Facet& f) {
+    const auto on_way = std::count_if(
+        f.begin(), f.end(), [&](VertexId v) { return std::find(way.begin(), way.end(), v) != way.end(); });
+    const bool between = std::any_of(way.begin() + 1, way.end() - 1,
+                                     [&](VertexId v) { return std::find(f.begin(), f.end(), v) != f.end(); });
+    return between || (way.size() == 2 && on_way == 2);
+  };
+  for (const Facet& f : facets_)
+    if (is_beside(f))
+      for (const VertexId v : f)
+        if (!is_kept(v) && is_in_volume(v)) places_[v.index()] = Place::kept;
+  return true;
+}
+
+/// Vertices of the border, ascending, by whether it is nearest to a loop of the rim: those of it, the others.
+std::array<std::vector<VertexId>, 2> RimCut::border_by_loop(std::uint32_t loop) const {
+  std::array<std::vector<VertexId>, 2> vertices;
+  for (const Edge& e : border(kept_facets())) {
+    const bool other = volume_.open_sides()->rim().loop_near(point_on(segment(e), 0.5)) != loop;
+    vertices[other].insert(vertices[other].end(), e.begin(), e.end());
+  }
+  for (auto& list : vertices) sort_unique(list);
+  return vertices;
+}
+
+/// True where some gap was closed. Those near to it look again.
+bool RimCut::close_gaps() {
+  const double delta = volume_.thresholds().delta;
+  std::vector<Vec3> closed;
+  const auto count_near = [](const std::vector<Vec3>& places, Vec3 p, double reach) {
+    return std::count_if(places.begin(), places.end(), [&](Vec3 q) { return distance(p, q) <= reach; });
+  };
+  for (const RimGap& gap : proofs_.gaps()) {
+    if (log_.stopped()) return false;
+    if (count_near(tried_gaps_, gap.place, near_gap * delta) >= most_tries ||
+        count_near(closed, gap.place, longest_channel * delta) > 0)
+      continue;
+    tried_gaps_.push_back(gap.place);
+    if (close_gap(gap)) closed.push_back(gap.place);
+  }
+  return !closed.empty();
+}
+
+/// Where Z is kept or beyond all around a place of the rim: leads the border there along the rim, by a
+/// channel or a tongue. What is kept and has no hole of that loop yet gets one.
+bool RimCut::close_gap(const RimGap& gap) {
+  const std::uint32_t loop = volume_.open_sides()->rim().loop_near(gap.place);
+  const auto [ends, others] = border_by_loop(loop);
+  const bool keep = !is_kept(gap.vertex);
+  std::vector<VertexId> taken = others;
+  if (keep) { // a tongue that touched another part would join both
+    for (const Facet& f : facets_)
+      if (std::any_of(f.begin(), f.end(), [&](VertexId v) {
+            return is_kept(v) && !std::binary_search(ends.begin(), ends.end(), v);
+          }))
+        taken.insert(taken.end(), f.begin(), f.end());
+    sort_unique(taken);
+  }
+  const auto is_free = [&](VertexId v) {
+    return is_kept(v) != keep && !std::binary_search(taken.begin(), taken.end(), v) && is_near_rim(v) &&
+           (!keep || is_in_volume(v));
+  };
+  if (!is_free(gap.vertex)) return false;
+  std::vector<VertexId> way{gap.vertex};
+  if (!ends.empty() || keep) {
+    const auto apart = [this](VertexId a, VertexId b) { return length_by_rim({a, b}); };
+    way = shortest_way(facets_, way, ends, is_free, apart, longest_channel * volume_.thresholds().delta);
+  }
+  if (way.empty()) return refine_around(gap.place);
+  set_apart(way, keep ? Place::kept : Place::beyond, Reason::rim_off_border);
+  return true;
+}
+
+/// Halves long edges near a place, so that ways have where to pass. False where there are none.
+bool RimCut::refine_around(Vec3 p) {
+  const double delta = volume_.thresholds().delta;
+  std::vector<Edge> edges;
+  for (const Facet& f : facets_)
+    for (const Edge& e : rim_edges(f))
+      if (is_kept(e[0]) == is_kept(e[1]) && length(e) > way_edge * delta &&
+          distance_to(segment(e), p) <= way_reach * delta)
+        edges.push_back(e);
+  sort_unique(edges);
+  bool any = false;
+  for (const Edge& e : edges) {
+    if (log_.stopped()) return false;
+    const Vec3 middle = point_on(segment(e), 0.5);
+    any |= split({e, Reason::rim_off_border, p, 0}, middle, keeps(middle) ? Place::kept : Place::beyond);
+  }
+  collect_facets();
+  return any;
+}
+
+/// Vertices at which what is kept has more than one fan, ascending.
+std::vector<VertexId> RimCut::pinches() const {
+  std::vector<std::pair<VertexId, Edge>> links; // by vertex: the edges of kept facets opposite to it
+  for (const Facet& f : kept_facets())
+    for (std::size_t k = 0; k < 3; ++k) links.push_back({f[k], sorted(Edge{f[(k + 1) % 3], f[(k + 2) % 3]})});
+  std::sort(links.begin(), links.end());
+  std::vector<VertexId> found;
+  for (std::size_t i = 0, end = 0; i < links.size(); i = end) {
+    while (end < links.size() && links[end].first == links[i].first) ++end;
+    std::vector<VertexId> around;
+    for (std::size_t k = i; k < end; ++k)
+      around.insert(around.end(), links[k].second.begin(), links[k].second.end());
+    sort_unique(around);
+    DisjointSets fans(around.size());
+    std::size_t count = around.size();
+    const auto number = [&](VertexId v) {
+      return static_cast<std::uint32_t>(std::lower_bound(around.begin(), around.end(), v) - around.begin());
+    };
+    for (std::size_t k = i; k < end; ++k)
+      count -= fans.unite(number(links[k].second[0]), number(links[k].second[1]));
+    if (count > 1) found.push_back(links[i].first);
+  }
+  return found;
+}
+
+/// Takes vertices away from what is kept, or adds them to it, with a little of their edges to what stays.
+void RimCut::set_apart(std::span<const VertexId> vertices, Place place, Reason reason) {
+  for (const VertexId v : vertices) places_[v.index()] = place;
+  for (const VertexId v : vertices) {
+    std::vector<VertexId> around;
+    for (const Facet& f : facets_)
+      if (std::find(f.begin(), f.end(), v) != f.end())
+        for (const VertexId x : f)
+          if (is_kept(x) != is_kept(v)) around.push_back(x);
+    sort_unique(around);
+    for (const VertexId x : around) {
+      if (log_.stopped()) return;
+      const Vec3 from = live_.complex().position(v), to = live_.complex().position(x);
+      const double share = pinch_share * volume_.thresholds().delta / distance(from, to);
+      const Edge edge = sorted(Edge{v, x});
+      // Halves of short edges end up as fine as doubles are.
+      if (share > 0.5 || !split({edge, reason, from, 0}, from + share * (to - from), Place::wall))
+        at_end_.insert(edge);
+    }
+    collect_facets();
+  }
+}
+
+/// Two parts that meet in a vertex are parted there; between the holes of two loops what is kept is widened.
+/// False where there are none.
+bool RimCut::cut_pinches() {
+  const std::vector<VertexId> found = pinches();
+  for (const VertexId v : found) {
+    if (log_.stopped()) break;
+    const bool widen = is_in_volume(v) && (!is_near_rim(v) || parts_loops(v)) && widened_.insert(v).second;
+    set_apart(std::array{v}, widen ? Place::kept : Place::beyond, Reason::pinched_border);
+  }
+  return !found.empty();
+}
+
+/// Whether holes of different loops meet in a vertex.
+bool RimCut::parts_loops(VertexId v) const {
+  std::vector<std::size_t> loops;
+  for (const RimPatch& patch : patches()) {
+    const auto touches = [&](std::uint32_t i) {
+      return std::find(facets_[i].begin(), facets_[i].end(), v) != facets_[i].end();
+    };
+    if (patch.kept || std::none_of(patch.facets.begin(), patch.facets.end(), touches)) continue;
+    const std::vector<double> lengths = lengths_by_loop(patch);
+    loops.push_back(
+        static_cast<std::size_t>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin()));
+  }
+  sort_unique(loops);
+  return loops.size() > 1;
+}
+
+} // namespace isoscope
