@@ -24,6 +24,12 @@ std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index) {
   return parts;
 }
 
+/// A ball lies on a wall where nothing is nearer to its centre than this share of its radius.
+constexpr double fits = 1 - 1e-6;
+/// Cosine between the outward normals of a wall and of one that leans over it: some 75° between the walls or
+/// less.
+constexpr double leaning = -0.25;
+
 /// A wall that is met from a point.
 struct Sight {
   int side = +1; ///< of the place midway to it; outside where there is none, 0 where it is not sure
@@ -75,8 +81,17 @@ WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {
   if (front.side == back.side || front.side == 0 || back.side == 0) return {Wall::inner, +1};
   const int outward = front.side > 0 ? +1 : -1;
   const Sight& outside = outward > 0 ? front : back;
-  if (part_.empty() || outside.way > gap_) return {Wall::outer, outward};
-  const TriangleId before = volume_.index().closest(outside.wall).triangle;
+  if (part_.empty()) return {Wall::outer, outward};
+  // In the way is what stands in front, or what leans over the wall and keeps a ball of radius δ' from lying
+  // on it, as in wedges and pits where parts cross.
+  const double boundary = volume_.thresholds().boundary;
+  const Vec3 out = static_cast<double>(outward) * normal, center = p + boundary * out;
+  const ClosestPoint beside = volume_.index().closest(center);
+  const bool free =
+      beside.distance() >= fits * boundary || dot(center - beside.point, out) > leaning * beside.distance();
+  if (outside.way > gap_ && free) return {Wall::outer, outward};
+  const TriangleId before =
+      outside.way > gap_ ? beside.triangle : volume_.index().closest(outside.wall).triangle;
   return {part_[before.index()] == part_[own.index()] ? Wall::outer : Wall::of_closed_gap, outward};
 }
 

@@ -10,9 +10,11 @@ namespace isoscope {
 
 /// What is on both sides of a piece of the input.
 enum class Wall : std::uint8_t {
-  outer,        ///< the inside on one of them, outside on the other: a mesh has to be near
-  inner,        ///< the same on both, as where closed parts overlap or touch, or sides are not sure
-  of_closed_gap ///< another part stands within 2δ' in front of it, and Ω closes the gap
+  outer, ///< the inside on one of them, outside on the other: a mesh has to be near
+  inner, ///< the same on both, as where closed parts overlap or touch, or sides are not sure
+  /// another part stands within 2δ' in front of it, or leans over it and leaves no room for a ball of radius
+  /// δ' on it: Ω closes the gap
+  of_closed_gap
 };
 
 struct WallVerdict {

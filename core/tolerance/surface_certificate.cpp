@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace isoscope {
@@ -125,7 +126,9 @@ double bound_of_piece(const ConvexSites& sites, const std::array<PieceCorner*, 3
     return std::min(d * d, limit);
   }
   const double own = std::max({c[0]->squared, c[1]->squared, c[2]->squared});
-  return is_small || own > sites.rough_limit ? bound_of_piece(sites, c, triangles, limit) : bound;
+  // What is known by then is no bound: it was left once it exceeded what parts may prove.
+  return is_small || own > sites.rough_limit ? bound_of_piece(sites, c, triangles, limit)
+                                             : std::numeric_limits<double>::infinity();
 }
 
 } // namespace

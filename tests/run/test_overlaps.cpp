@@ -14,6 +14,7 @@
 using namespace isoscope;
 using namespace isoscope::test;
 using isoscope::testing::add_box;
+using isoscope::testing::add_sphere;
 
 namespace {
 
@@ -215,6 +216,20 @@ TEST_CASE("bars that cross at an acute angle are one body without handles, howev
     CAPTURE(crossing.degrees);
     check_run(*run_soup(soup, 0.0362), 1, 2);
   }
+}
+
+TEST_CASE("a pit where three balls cross is closed by Ω: its bottom need not be near") {
+  TriangleSoup soup;
+  for (int k = 0; k < 3; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 3;
+    add_sphere(soup, {0.9 * std::cos(angle), 0.9 * std::sin(angle), 0}, 0.84, 16);
+  }
+  auto run = std::make_unique<CompleteRun>(std::move(soup), 0.07);
+  run->parameters.input = "soup";
+  run->parameters.effort = 0;
+  run->parameters.cover = 1.2;
+  run->run();
+  check_run(*run, 1, 2);
 }
 
 TEST_CASE("boxes that touch at an edge, a vertex or in parts of faces and edges are joined there") {
