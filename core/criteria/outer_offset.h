@@ -23,8 +23,8 @@ class OuterOffset {
   /// How deep p is inside; negative outside.
   double depth(Vec3 p) const;
 
-  /// What its boundary is, in place of what is expected of Z: nothing where that is not one surface a
-  /// component, or once cancelled. `volume` has its octree still.
+  /// What its boundary is, in place of what is expected of Z: nothing where it is too large to be counted or
+  /// the count is none of closed surfaces, or once cancelled. `volume` has its octree still.
   std::optional<ExpectedTopology> topology(const RunControl& control) const;
 
  private:

@@ -1,6 +1,7 @@
 // A table with open addressing; facets larger than a few cells are cut before they are entered.
 #include "improve/sheet_cells.h"
 
+#include "base/halves.h"
 #include "base/scramble.h"
 
 #include <algorithm>
@@ -127,22 +128,13 @@ void SheetCells::restrict(const Triangle3& facet) {
     const Triangle3 t = open.back();
     open.pop_back();
     const CellRange r = range(cut ? box_of(t).grown(rounding_of_parts * side_) : box_of(t));
-    std::size_t longest = 0;
-    for (std::size_t k = 1; k < 3; ++k)
-      if (squared_length(t[(k + 1) % 3] - t[k]) > squared_length(t[(longest + 1) % 3] - t[longest]))
-        longest = k;
     if (r.hi[0] - r.lo[0] < widest_span && r.hi[1] - r.lo[1] < widest_span &&
         r.hi[2] - r.lo[2] < widest_span) {
       restrict(r, directions);
       continue;
     }
     cut = true;
-    const std::size_t other = (longest + 1) % 3;
-    const Vec3 middle = 0.5 * (t[longest] + t[other]);
-    for (const std::size_t replaced : {longest, other}) {
-      open.push_back(t);
-      open.back()[replaced] = middle;
-    }
+    for (const Triangle3& half : halves(t)) open.push_back(half);
   }
 }
 

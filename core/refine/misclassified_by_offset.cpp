@@ -1,13 +1,12 @@
 // Halves edges and facets of one label until no part of them can be on the other side.
 #include "criteria/outer_offset.h"
 #include "refine/misclassified_points.h"
+#include "refine/simplices.h"
 
 #include "base/parallel.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
-#include <tuple>
 
 namespace isoscope {
 namespace {
@@ -16,36 +15,12 @@ constexpr std::size_t grain = 64;
 /// Of one edge or facet; larger ones are judged by so many parts.
 constexpr int most_parts = 4096;
 
-/// An edge (c = b) or a facet, and a tetrahedron that has it.
-struct Part {
-  VertexId a, b, c;
-  TetId tet;
-};
-
-std::vector<Part> parts_of_one_label(const Complex& complex) {
-  std::vector<Part> parts;
-  for (std::uint32_t t = 0; t < complex.tets.size(); ++t) {
-    const Tet& tet = complex.tets[t];
-    if (!tet.alive()) continue;
-    std::array<VertexId, 4> v = tet.v;
-    std::sort(v.begin(), v.end());
-    const auto same = [&](std::size_t i, std::size_t j) {
-      return (complex.value(v[i]) > 0) == (complex.value(v[j]) > 0);
-    };
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        if (!same(i, j)) continue;
-        parts.push_back({v[i], v[j], v[j], TetId(t)});
-        for (std::size_t k = j + 1; k < 4; ++k)
-          if (same(i, k)) parts.push_back({v[i], v[j], v[k], TetId(t)});
-      }
-    }
-  }
-  std::sort(parts.begin(), parts.end(), [](const Part& x, const Part& y) {
-    return std::tie(x.a, x.b, x.c, x.tet) < std::tie(y.a, y.b, y.c, y.tet);
-  });
-  const auto same = [](const Part& x, const Part& y) { return x.a == y.a && x.b == y.b && x.c == y.c; };
-  parts.erase(std::unique(parts.begin(), parts.end(), same), parts.end());
+/// Facets, and edges as facets whose last two vertices are one.
+std::vector<Simplex<3>> parts_of_one_label(const Complex& complex) {
+  std::vector<Simplex<3>> parts = facets_of_one_label(complex);
+  for (const auto& [v, tet] : all_edges(complex))
+    if ((complex.value(v[0]) > 0) == (complex.value(v[1]) > 0)) parts.push_back({{v[0], v[1], v[1]}, tet});
+  sort_unique(parts);
   return parts;
 }
 
@@ -97,16 +72,16 @@ std::vector<MisclassifiedPoint> misclassified_by_offset(const LiveTriangulation&
                                                         const OuterOffset& offset, double level,
                                                         double smallest_part, const RunControl& control) {
   const Complex& complex = live.complex();
-  const std::vector<Part> parts = parts_of_one_label(complex);
+  const std::vector<Simplex<3>> parts = parts_of_one_label(complex);
   std::vector<std::optional<MisclassifiedPoint>> found(parts.size());
   parallel_until(parts.size(), grain, control, [&](std::size_t i) {
-    const Part& part = parts[i];
-    const int label = complex.value(part.a) > 0 ? -1 : +1;
+    const auto& [v, tet] = parts[i];
+    const int label = complex.value(v[0]) > 0 ? -1 : +1;
     FarthestPoint farthest(offset, label, level, smallest_part);
-    farthest.look({complex.position(part.a), complex.position(part.b), complex.position(part.c)});
+    farthest.look({complex.position(v[0]), complex.position(v[1]), complex.position(v[2])});
     if (!farthest.point()) return;
     const double beyond = farthest.distance_beyond();
-    found[i] = {*farthest.point(), label, beyond, *farthest.point(), beyond, part.tet};
+    found[i] = {*farthest.point(), label, beyond, *farthest.point(), beyond, tet};
   });
   std::vector<MisclassifiedPoint> points;
   for (const auto& point : found)

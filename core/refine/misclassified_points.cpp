@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "mesh/label_functions.h"
+#include "refine/simplices.h"
 #include "tolerance/contacts.h"
 #include "tolerance/regions.h"
 
@@ -30,63 +31,6 @@ constexpr std::size_t piercings_considered = 12;
 
 int true_label(const ToleranceVolume& volume, Vec3 p) {
   return volume.sides().label(p);
-}
-
-/// An edge or facet with a tetrahedron that has it.
-template <std::size_t N> struct Simplex {
-  std::array<VertexId, N> v;
-  TetId tet;
-};
-
-template <std::size_t N> void sort_unique(std::vector<Simplex<N>>& simplices) {
-  std::sort(simplices.begin(), simplices.end(),
-            [](const auto& a, const auto& b) { return std::tie(a.v, a.tet) < std::tie(b.v, b.tet); });
-  const auto same = [](const auto& a, const auto& b) { return a.v == b.v; };
-  simplices.erase(std::unique(simplices.begin(), simplices.end(), same), simplices.end());
-}
-
-std::array<Simplex<2>, 6> edges_of(const Tet& tet, TetId t) {
-  std::array<Simplex<2>, 6> edges;
-  for (std::size_t i = 0, k = 0; i < 4; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      const auto [a, b] = std::minmax(tet.v[i], tet.v[j]);
-      edges[k++] = {{a, b}, t};
-    }
-  }
-  return edges;
-}
-
-std::vector<Simplex<2>> all_edges(const Complex& complex) {
-  std::vector<Simplex<2>> edges;
-  for (std::uint32_t t = 0; t < complex.tets.size(); ++t) {
-    const Tet& tet = complex.tets[t];
-    if (!tet.alive()) continue;
-    for (const Simplex<2>& edge : edges_of(tet, TetId(t))) edges.push_back(edge);
-  }
-  sort_unique(edges);
-  return edges;
-}
-
-std::vector<Simplex<3>> facets_of_one_label(const Complex& complex) {
-  std::vector<Simplex<3>> facets;
-  for (std::uint32_t t = 0; t < complex.tets.size(); ++t) {
-    const Tet& tet = complex.tets[t];
-    if (!tet.alive()) continue;
-    for (std::size_t i = 0; i < 4; ++i) {
-      Simplex<3> facet{{}, TetId(t)};
-      int positives = 0;
-      for (std::size_t j = 0, k = 0; j < 4; ++j) {
-        if (j == i) continue;
-        facet.v[k++] = tet.v[j];
-        positives += complex.value(tet.v[j]) > 0 ? 1 : 0;
-      }
-      if (positives != 0 && positives != 3) continue;
-      std::sort(facet.v.begin(), facet.v.end());
-      facets.push_back(facet);
-    }
-  }
-  sort_unique(facets);
-  return facets;
 }
 
 void keep_deeper(std::optional<MisclassifiedPoint>& best, const MisclassifiedPoint& candidate) {

@@ -1,9 +1,9 @@
 // Finds pieces of the input without samples near them, and holds the fewest points of the way there.
 #include "run/cover_witnesses.h"
 
+#include "base/halves.h"
 #include "base/parallel.h"
 #include "criteria/nearest_sample.h"
-#include "run/halves.h"
 #include "run/thin_skeleton.h"
 #include "tolerance/sample_grid.h"
 

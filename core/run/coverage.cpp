@@ -2,8 +2,8 @@
 #include "run/coverage.h"
 
 #include "base/disjoint_sets.h"
+#include "base/halves.h"
 #include "base/parallel.h"
-#include "run/halves.h"
 #include "run/lattice_cell.h"
 #include "run/proof_budget.h"
 #include "tolerance/facet_certificate.h"

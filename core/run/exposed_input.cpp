@@ -1,8 +1,8 @@
 // Cuts triangles until nothing crosses a piece, and asks for the sides beside it.
 #include "run/exposed_input.h"
 
+#include "base/halves.h"
 #include "base/parallel.h"
-#include "run/halves.h"
 #include "run/input_walls.h"
 
 #include <algorithm>

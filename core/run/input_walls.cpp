@@ -84,14 +84,17 @@ WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {
   if (part_.empty()) return {Wall::outer, outward};
   // In the way is what stands in front, or what leans over the wall and keeps a ball of radius δ' from lying
   // on it, as in wedges and pits where parts cross.
-  const double boundary = volume_.thresholds().boundary;
-  const Vec3 out = static_cast<double>(outward) * normal, center = p + boundary * out;
-  const ClosestPoint beside = volume_.index().closest(center);
-  const bool free =
-      beside.distance() >= fits * boundary || dot(center - beside.point, out) > leaning * beside.distance();
-  if (outside.way > gap_ && free) return {Wall::outer, outward};
-  const TriangleId before =
-      outside.way > gap_ ? beside.triangle : volume_.index().closest(outside.wall).triangle;
+  TriangleId before;
+  if (outside.way <= gap_) {
+    before = volume_.index().closest(outside.wall).triangle;
+  } else {
+    const double boundary = volume_.thresholds().boundary;
+    const Vec3 out = static_cast<double>(outward) * normal, center = p + boundary * out;
+    const ClosestPoint beside = volume_.index().closest(center);
+    if (beside.distance() >= fits * boundary || dot(center - beside.point, out) > leaning * beside.distance())
+      return {Wall::outer, outward};
+    before = beside.triangle;
+  }
   return {part_[before.index()] == part_[own.index()] ? Wall::outer : Wall::of_closed_gap, outward};
 }
 

@@ -82,7 +82,7 @@ class RimCut {
   // In rim_mending.cpp: patches that are none of a loop, gaps before the rim, vertices in which parts meet.
   std::vector<RimPatch> patches() const;
   bool rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const;
-  bool lies_inside(const RimPatch& patch) const;
+  bool lies_within(const RimPatch& patch, const ToleranceField& field) const;
   bool is_crumb(const RimPatch& patch) const;
   std::vector<double> lengths_by_loop(const RimPatch& patch) const;
   void settle_spare_patches();

@@ -50,7 +50,7 @@ bool RimCut::wear_away(std::span<const VertexId> vertices) {
   }
   if (worn_.size() == before) return false;
   for (std::size_t v = 0; v < places_.size(); ++v)
-    if (places_[v] == Place::kept || places_[v] == Place::wall)
+    if (is_kept(VertexId(v)))
       for (std::size_t i = before; i < worn_.size(); ++i)
         if (distance(worn_[i].center, live_.complex().position(VertexId(v))) < worn_[i].radius)
           places_[v] = Place::beyond;
@@ -76,28 +76,20 @@ bool RimCut::rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) 
   return !volume_.border_gate()->covers_rim(own, others).proven;
 }
 
-bool RimCut::lies_inside(const RimPatch& patch) const {
+/// Whether all of a patch is proven to be within δ by a field.
+bool RimCut::lies_within(const RimPatch& patch, const ToleranceField& field) const {
   const double delta = volume_.thresholds().delta;
   const Complex& complex = live_.complex();
-  const auto is_inside = [&](std::uint32_t i) {
+  const auto is_within = [&](std::uint32_t i) {
     const Facet& f = facets_[i];
     const Triangle3 t{complex.position(f[0]), complex.position(f[1]), complex.position(f[2])};
-    return certify_facet(volume_.field(), t, delta, delta, rim_piece_budget).kind ==
-           FacetVerdict::Kind::inside;
+    return certify_facet(field, t, delta, delta, rim_piece_budget).kind == FacetVerdict::Kind::inside;
   };
-  return std::all_of(patch.facets.begin(), patch.facets.end(), is_inside);
+  return std::all_of(patch.facets.begin(), patch.facets.end(), is_within);
 }
 
 bool RimCut::is_crumb(const RimPatch& patch) const {
-  const double delta = volume_.thresholds().delta;
-  const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
-  const auto is_near_rim = [&](std::uint32_t i) {
-    const Complex& complex = live_.complex();
-    const Facet& f = facets_[i];
-    const Triangle3 t{complex.position(f[0]), complex.position(f[1]), complex.position(f[2])};
-    return certify_facet(curve, t, delta, delta, rim_piece_budget).kind == FacetVerdict::Kind::inside;
-  };
-  if (std::all_of(patch.facets.begin(), patch.facets.end(), is_near_rim)) return true;
+  if (lies_within(patch, volume_.open_sides()->rim().curve())) return true;
   Box3 box;
   for (const std::uint32_t i : patch.facets)
     for (const VertexId v : facets_[i]) box.add(live_.complex().position(v));
@@ -114,7 +106,8 @@ void RimCut::settle_spare_patches() {
   const std::vector<RimPatch> all = patches();
   for (const RimPatch& patch : all) {
     if (log_.stopped()) return;
-    if (patch.border.empty() || !(patch.kept ? is_crumb(patch) : lies_inside(patch)) || rim_needs(patch, all))
+    if (patch.border.empty() || !(patch.kept ? is_crumb(patch) : lies_within(patch, volume_.field())) ||
+        rim_needs(patch, all))
       continue;
     turn(patch);
   }

@@ -3,7 +3,7 @@
 #include "tiles/held_points.h"
 
 #include "base/point_order.h"
-#include "run/halves.h"
+#include "base/halves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 //   tiles.json        what was cut, with the parameters
 //   input/x_y_z       the input's triangles, turned outwards
 //   rounds/N.json     the tiling of round N, with its tiles, heaviest first
-//   z/N/x_y_z         the facets of Z that a tile of round N has left; z/0 is the first Z, mostly the input's
-//   own files z/N/x_y_z.json    what programs say of that tile, see tile_notes.h recordings/       of tiles
-//   that the window made once more
+//   z/N/x_y_z         the facets of Z that a tile of round N has left; z/0 is mostly the input's own files
+//   z/N/x_y_z.json    what programs say of that tile, see tile_notes.h
+//   recordings/       of tiles that the window made once more
 #pragma once
 
 #include "base/run_control.h"

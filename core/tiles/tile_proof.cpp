@@ -2,7 +2,7 @@
 #include "tiles/tile_proof.h"
 
 #include "base/parallel.h"
-#include "run/halves.h"
+#include "base/halves.h"
 #include "run/proof_budget.h"
 #include "tiles/tile_piece.h"
 #include "tiles/tile_schedule.h"

@@ -23,13 +23,7 @@ std::unique_ptr<CompleteRun> at_least_effort(TriangleSoup soup, double percent, 
   parameters.tolerance = {percent, true};
   parameters.until = until;
   parameters.effort = 0;
-  auto run = std::make_unique<CompleteRun>(parameters);
-  run->soup = shared(std::move(soup));
-  const bool done = run->run();
-  if (run->error) MESSAGE(run->error->line());
-  REQUIRE(done);
-  for (const std::string& failure : run->result->certificate.failures) MESSAGE(failure);
-  return run;
+  return finished_run(parameters, std::move(soup));
 }
 
 /// A bent square without about one in nine of its triangles, as `seed` has it.

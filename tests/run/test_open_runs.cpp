@@ -27,14 +27,9 @@ RunParameters open_parameters(double percent) {
 }
 
 std::unique_ptr<CompleteRun> finished(TriangleSoup soup, double percent, const char* fill = "none") {
-  auto run = std::make_unique<CompleteRun>(open_parameters(percent));
-  run->parameters.fill.holes = fill;
-  run->soup = shared(std::move(soup));
-  const bool done = run->run();
-  if (run->error) MESSAGE(run->error->line());
-  REQUIRE(done);
-  for (const std::string& failure : run->result->certificate.failures) MESSAGE(failure);
-  return run;
+  RunParameters parameters = open_parameters(percent);
+  parameters.fill.holes = fill;
+  return finished_run(parameters, std::move(soup));
 }
 
 } // namespace
@@ -158,24 +153,8 @@ TEST_CASE("A strip of one side is refused with the place") {
 TEST_CASE("A sheet of patches that run either way is one sheet") {
   // A dented square in two patches with other triangles at their seam.
   TriangleSoup soup;
-  const auto add_patch = [&](double from, double to, std::uint32_t n, std::uint32_t m, bool turned) {
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
-    for (std::uint32_t i = 0; i <= n; ++i)
-      for (std::uint32_t j = 0; j <= m; ++j) {
-        const double x = from + (to - from) * i / n, y = 1.0 * j / m;
-        soup.points.push_back({x, y, 0.2 * std::sin(2 * x + y)});
-      }
-    for (std::uint32_t i = 0; i < n; ++i)
-      for (std::uint32_t j = 0; j < m; ++j) {
-        const std::uint32_t a = first + i * (m + 1) + j, b = a + m + 1;
-        for (std::array<std::uint32_t, 3> t : {std::array{a, b, b + 1}, std::array{a, b + 1, a + 1}}) {
-          if (turned) std::swap(t[1], t[2]);
-          soup.triangles.push_back(t);
-        }
-      }
-  };
-  add_patch(0, 0.6, 9, 15, false);
-  add_patch(0.6, 1, 6, 19, true);
+  add_dented_patch(soup, 0, 0.6, 9, 15);
+  add_dented_patch(soup, 0.6, 1, 6, 19, true);
   check_certified(*finished(soup, 3), 1, 1);
 }
 

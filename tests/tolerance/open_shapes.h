@@ -5,10 +5,13 @@
 #include "input/triangle_soup.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace isoscope::test {
@@ -153,27 +156,32 @@ inline TriangleSoup square_with_tongue(double width) {
   return grid_sheet(100, has, [](double x, double y) { return 0.3 * x * x - 0.2 * y * y + 0.1 * x * y; });
 }
 
+/// Adds the part of a dented unit square with x in a range, of n by m squares; turned the other way round.
+inline void add_dented_patch(TriangleSoup& soup, double from, double to, std::uint32_t n, std::uint32_t m,
+                             bool turned = false) {
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= m; ++j) {
+      const double x = from + (to - from) * i / n, y = 1.0 * j / m;
+      soup.points.push_back({x, y, 0.2 * std::sin(2 * x + y)});
+    }
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < m; ++j) {
+      const std::uint32_t a = first + i * (m + 1) + j, b = a + m + 1;
+      for (std::array<std::uint32_t, 3> t : {std::array{a, b, b + 1}, std::array{a, b + 1, a + 1}}) {
+        if (turned) std::swap(t[1], t[2]);
+        soup.triangles.push_back(t);
+      }
+    }
+}
+
 /// Two patches with other points at their seam, one of which has a splinter there that is folded back.
 inline TriangleSoup patches_with_splinter(double width) {
   TriangleSoup soup;
   soup.name = "patches";
-  const auto add_patch = [&](double from, double to, std::uint32_t n, std::uint32_t m) {
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
-    for (std::uint32_t i = 0; i <= n; ++i)
-      for (std::uint32_t j = 0; j <= m; ++j) {
-        const double x = from + (to - from) * i / n, y = 1.0 * j / m;
-        soup.points.push_back({x, y, 0.2 * std::sin(2 * x + y)});
-      }
-    for (std::uint32_t i = 0; i < n; ++i)
-      for (std::uint32_t j = 0; j < m; ++j) {
-        const std::uint32_t a = first + i * (m + 1) + j, b = a + m + 1;
-        soup.triangles.push_back({a, b, b + 1});
-        soup.triangles.push_back({a, b + 1, a + 1});
-      }
-  };
-  add_patch(0, 0.5, 10, 10);
+  add_dented_patch(soup, 0, 0.5, 10, 10);
   const std::uint32_t low = 10 * 11 + 4, high = low + 1;
-  add_patch(0.5, 1, 7, 9);
+  add_dented_patch(soup, 0.5, 1, 7, 9);
   const Vec3 middle = 0.5 * (soup.points[low] + soup.points[high]);
   soup.triangles.push_back({high, low, static_cast<std::uint32_t>(soup.points.size())});
   soup.points.push_back(middle + width * Vec3{-1, 0, 0.3});

@@ -1,0 +1,32 @@
+// Edges and facets of T, each once.
+#pragma once
+
+#include "mesh/complex.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace isoscope {
+
+/// An edge or facet, its vertices ascending, with the first tetrahedron that has it.
+template <std::size_t N> struct Simplex {
+  std::array<VertexId, N> v;
+  TetId tet;
+};
+
+/// In the order of their vertices.
+template <std::size_t N> void sort_unique(std::vector<Simplex<N>>& simplices) {
+  std::sort(simplices.begin(), simplices.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.v, a.tet) < std::tie(b.v, b.tet); });
+  const auto same = [](const auto& a, const auto& b) { return a.v == b.v; };
+  simplices.erase(std::unique(simplices.begin(), simplices.end(), same), simplices.end());
+}
+
+std::array<Simplex<2>, 6> edges_of(const Tet& tet, TetId t);
+std::vector<Simplex<2>> all_edges(const Complex& complex);
+std::vector<Simplex<3>> facets_of_one_label(const Complex& complex);
+
+} // namespace isoscope
