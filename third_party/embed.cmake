@@ -71,7 +71,8 @@ std::span<const EmbeddedFile> @ARG_NAME@() {
   set_source_files_properties(${dir}/${ARG_NAME}.cpp PROPERTIES OBJECT_DEPENDS "${paths}")
   add_library(${target} STATIC ${dir}/${ARG_NAME}.cpp)
   # ccache does not see what the assembler takes in, and would give back the object of older files.
-  set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "")
+  # A unity file would not know what its parts depend on, and keep the bytes of older files.
+  set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "" UNITY_BUILD OFF)
   target_include_directories(${target} PUBLIC ${dir} ${ISOSCOPE_EMBED_DIR})
   target_link_libraries(${target} PRIVATE isoscope_options)
 endfunction()
