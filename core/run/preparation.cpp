@@ -10,6 +10,7 @@
 #include "run/crumbs.h"
 #include "run/make_field.h"
 #include "run/run_input.h"
+#include "run/scattered_points.h"
 #include "tolerance/facet_copies.h"
 
 #include <algorithm>
@@ -191,6 +192,8 @@ Status Preparation::build_volume(Scene& made, std::shared_ptr<const TriangleSoup
       auto rest = without_blobs(points_, *built, !sheet_gammas().empty(), control_);
       if (!rest) return rest.error();
       if (rest->index == points_.index) {
+        if (!sheet_gammas().empty())
+          if (auto error = scattered(points_, *built, control_)) return std::move(*error);
         if (Status open = open_sheets(made, *built, sheets_among(*built)); !open) return open;
         volume_.emplace(std::move(*built));
         return {};

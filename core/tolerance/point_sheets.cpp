@@ -2,13 +2,16 @@
 #include "tolerance/point_sheets.h"
 
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "base/place.h"
 #include "tolerance/ball_test.h"
 #include "tolerance/rim_curves.h"
 #include "tolerance/sample_estimate.h"
+#include "tolerance/sample_grid.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +22,10 @@ namespace {
 /// The samples of the test, in units of δ', unless they are more than so many.
 constexpr double test_density = 0.25;
 constexpr double most_test_samples = 4e6;
+
+/// Balls of this radius, in units of δ', around sites reach samples of both sides; so much of the sites, at
+/// most, has no such sides: of narrow ends.
+constexpr double both_sides_within = 2, most_one_sided = 0.02;
 
 /// The component of Ω' of each site; of those that give no place of it, one of the sheets.
 std::vector<std::uint32_t> component_of_sites(const ToleranceVolume& volume,
@@ -69,11 +76,52 @@ std::optional<Error> misfit(const ToleranceVolume& volume, std::span<const std::
   return std::nullopt;
 }
 
+/// A site around which both sides are, is on the sheet between them. Where more than few have one side only,
+/// the sides meet far from where the points end.
+std::optional<Error> sheet_on_one_side(const ToleranceVolume& volume, const BoundarySamples& samples,
+                                       std::span<const std::uint8_t> sheets,
+                                       std::span<const std::int8_t> labels, const RunControl& control) {
+  const double reach = both_sides_within * volume.thresholds().boundary;
+  SampleGrid grid(volume.domain().lo, 0.5 * reach);
+  for (const Vec3 p : samples.positions) grid.add(p);
+  const auto has_both = [&](Vec3 at, std::vector<std::uint32_t>& near) {
+    near.clear();
+    grid.gather(Box3{at, at}.grown(reach), near);
+    bool plus = false, minus = false;
+    for (const std::uint32_t i : near)
+      if (labels[i] != 0 && distance(samples.positions[i], at) <= reach)
+        (labels[i] > 0 ? plus : minus) = true;
+    return plus && minus;
+  };
+  std::vector<std::uint8_t> one_sided(volume.field().size(), 0), counts(one_sided.size(), 0);
+  parallel_until(one_sided.size(), 256, control, [&](std::size_t s) {
+    const TriangleId site(s);
+    const std::uint32_t c = volume.volume_component(site);
+    if (c == VolumeComponents::none || sheets[c] == 0) return;
+    std::vector<std::uint32_t> near;
+    counts[s] = 1;
+    one_sided[s] = has_both(volume.field().place_of(site), near) ? 0 : 1;
+  });
+  const auto all = static_cast<double>(std::count(counts.begin(), counts.end(), 1));
+  const auto first = std::find(one_sided.begin(), one_sided.end(), 1);
+  const auto few = static_cast<double>(std::count(first, one_sided.end(), 1));
+  if (few <= most_one_sided * all) return std::nullopt;
+  const TriangleId at(static_cast<std::size_t>(first - one_sided.begin()));
+  return Error{ErrorCode::open_surface,
+               "Around " + general(std::round(100 * few / all), 3) + " % of the points, as near " +
+                   place(volume.field().place_of(at), place_digits) +
+                   ", the balls of --gamma find one side only: the sheets of the points are narrow there, or "
+                   "meet where Ω joins them.",
+               "Choose a smaller tolerance, or a smaller --gamma, and leave out what is of no sheet."};
+}
+
 Result<PointSheets> judge(const ToleranceVolume& volume, const BoundarySamples& samples,
                           const std::vector<std::uint8_t>& sheets, double gamma, const RunControl& control) {
   const double boundary = volume.thresholds().boundary;
   const auto told = tell_sheet_sides(volume, samples, sheets, gamma, control);
   if (!told) return told.error();
+  if (auto error = sheet_on_one_side(volume, samples, sheets, told->labels, control))
+    return std::move(*error);
   const auto curves = find_rim_curves(volume, samples, told->labels, control);
   if (!curves) return curves.error();
   PointSheets found{nullptr, gamma, samples.size(), told->boundary_samples};

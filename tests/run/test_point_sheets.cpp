@@ -152,6 +152,48 @@ TEST_CASE(
   refused(curve, 0.1, "No sheet with two sides");
 }
 
+TEST_CASE("Points that lie too far apart for Ω to hang together are refused with what would join them") {
+  // A square of points that are 0.04 apart, its middle with a dense patch that Ω joins at once.
+  std::vector<Vec3> points;
+  for (int i = -25; i <= 25; ++i)
+    for (int j = -25; j <= 25; ++j) points.push_back({0.04 * i, 0.04 * j, 0});
+  const std::vector<Vec3> sparse = points;
+  for (int i = -5; i <= 5; ++i)
+    for (int j = -5; j <= 5; ++j) points.push_back({0.01 + 0.005 * i, 0.01 + 0.005 * j, 0});
+  for (const double delta : {0.01, 0.04}) {
+    CAPTURE(delta);
+    const auto run = run_of(points, absolute(delta));
+    REQUIRE_FALSE(run->prepare());
+    CHECK(run->error->code == ErrorCode::open_surface);
+    CAPTURE(run->error->line());
+    CHECK(run->error->message.find("do not hang together") != std::string::npos);
+    CHECK(run->error->message.find("near (") != std::string::npos);
+    const std::string words = "From δ = ";
+    const std::size_t at = run->error->remedy.find(words);
+    REQUIRE(at != std::string::npos);
+    const double joining = std::stod(run->error->remedy.substr(at + words.size()));
+    CHECK(joining > delta);
+    CHECK(joining < 0.08);
+    const auto larger = run_of(sparse, absolute(1.5 * joining));
+    check_sheet(*larger, 1, 1);
+  }
+}
+
+TEST_CASE("A sheet that ends in a clump of points has no two sides there, and is refused with its place") {
+  Random random(11);
+  std::vector<Vec3> points = square(3000, 0.002);
+  while (points.size() < 3800)
+    if (const Vec3 p = random.in_box({{-1, -1, -1}, {1, 1, 1}}); length(p) < 1)
+      points.push_back(0.45 * p + Vec3{0.9, 0, 0});
+  const auto run = run_of(std::move(points), absolute(0.1));
+  run->parameters.gamma.gamma = 2;
+  REQUIRE_FALSE(run->prepare());
+  CHECK(run->error->code == ErrorCode::open_surface);
+  CAPTURE(run->error->line());
+  CHECK(run->error->message.find("find one side only") != std::string::npos);
+  CHECK(run->error->message.find("near (") != std::string::npos);
+}
+
 TEST_CASE("A closed part beside a sheet stays closed, where the sheet is asked for") {
   Random random(5);
   std::vector<Vec3> points = half_sphere(2500, 0.01, 0);
