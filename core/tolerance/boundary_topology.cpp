@@ -331,9 +331,8 @@ class Counter {
   /// Whether a corner is in the set whose boundary is counted.
   Corner examine_offset(Vec3 p, TriangleId guess) const {
     const double d = volume_.field().closest_near(p, guess).distance();
-    const double boundary = volume_.thresholds().boundary;
-    if (d < boundary - offset_->reach || volume_.sides().label(p) < 0) return {};
-    return {d >= boundary || offset_->outside(p), RegionId(0), 0};
+    if (d < volume_.thresholds().boundary - offset_->reach || !offset_->outside(p, d)) return {};
+    return {true, RegionId(0), 0};
   }
 
   Corner examine(std::uint64_t key, TriangleId guess) const {

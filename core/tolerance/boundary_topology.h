@@ -31,12 +31,12 @@ Result<std::vector<BoundaryCount>>
 count_boundaries(const ToleranceVolume& volume, const BoundaryCounting& counting, const RunControl& control);
 
 /// The same for one surface in Ω', the boundary of a set around all that is outside of Ω'. `outside` tells of
-/// points with δ' - reach <= d < δ' outside of the input whether they belong to it; nearer to the input none
-/// does. Pieces are counted too.
+/// points with d >= δ' - reach whether they belong to it; nearer to the input none does. Pieces are counted
+/// too.
 struct OffsetCounting {
-  unsigned halvings = 0; ///< how often the lattice is finer than the octree's main cells
-  double reach = 0;      ///< below δ'
-  std::function<bool(Vec3)> outside;
+  unsigned halvings = 0;                     ///< how often the lattice is finer than the octree's main cells
+  double reach = 0;                          ///< below δ'
+  std::function<bool(Vec3, double)> outside; ///< of a point and its d
 };
 Result<BoundaryCount> count_offset(const ToleranceVolume& volume, const OffsetCounting& counting,
                                    const RunControl& control);

@@ -49,6 +49,10 @@ class Corners {
   const IndexTriangle& of(std::uint32_t t) const { return mesh_.triangles[t]; }
   Vec3 point(std::uint32_t v) const { return mesh_.points[v]; }
   std::size_t point_count() const { return mesh_.points.size(); }
+  /// The two other corners of a triangle.
+  std::array<Vec3, 2> rest(const IndexTriangle& t, std::uint32_t corner) const {
+    return {point(t[0] == corner ? t[1] : t[0]), point(t[2] == corner ? t[1] : t[2])};
+  }
 
  private:
   WeldedMesh mesh_;                     ///< the corners of each triangle ascending
@@ -99,6 +103,32 @@ template <class K> typename K::Triangle_3 triangle(const Triangle3& t) {
   return {P(t[0].x, t[0].y, t[0].z), P(t[1].x, t[1].y, t[1].z), P(t[2].x, t[2].y, t[2].z)};
 }
 
+/// Whether two triangles, none of them collapsed, that have the corner `apex` in common, share nothing else
+/// as a plane through it shows. Which most do that are neighbours; what they share need not be constructed.
+bool meet_in_corner_alone(Vec3 apex, const std::array<Vec3, 2>& own, const std::array<Vec3, 2>& other) {
+  const auto point = [](Vec3 p) { return Kernel::Point_3(p.x, p.y, p.z); };
+  const auto v = point(apex);
+  const std::array a{point(own[0]), point(own[1])}, b{point(other[0]), point(other[1])};
+  const int first = CGAL::orientation(v, a[0], a[1], b[0]), second = CGAL::orientation(v, a[0], a[1], b[1]);
+  if (first * second > 0) return true;
+  if (first == 0 && second == 0) {
+    const auto is_apart = [&](const auto& x, const auto& y) { // by the line of one of x's edges
+      for (const std::size_t i : {0u, 1u})
+        if (CGAL::coplanar_orientation(v, x[i], x[1 - i], y[0]) == CGAL::NEGATIVE &&
+            CGAL::coplanar_orientation(v, x[i], x[1 - i], y[1]) == CGAL::NEGATIVE)
+          return true;
+      return false;
+    };
+    return is_apart(a, b) || is_apart(b, a);
+  }
+  if (CGAL::orientation(v, b[0], b[1], a[0]) * CGAL::orientation(v, b[0], b[1], a[1]) > 0) return true;
+  for (const std::size_t i : {0u, 1u})
+    for (const std::size_t j : {0u, 1u})
+      if (CGAL::orientation(v, a[i], b[j], a[1 - i]) * CGAL::orientation(v, a[i], b[j], b[1 - j]) < 0)
+        return true;
+  return false;
+}
+
 void add_intersection(const Triangle3& own, const Triangle3& other, std::vector<Contact>& found) {
   const auto quick = triangle<Kernel>(own), quick_other = triangle<Kernel>(other);
   if (quick.is_degenerate() || quick_other.is_degenerate() || !CGAL::do_intersect(quick, quick_other)) return;
@@ -132,9 +162,13 @@ std::vector<Contact> find_contacts(const ClosestPointIndex& index, const RunCont
       if (other.value <= s || !std::binary_search(counting.begin(), counting.end(), other.value)) continue;
       const auto& u = corners.of(s);
       const auto& v = corners.of(other.value);
+      const auto common = std::find_first_of(u.begin(), u.end(), v.begin(), v.end());
       const auto shared = std::count_if(
           u.begin(), u.end(), [&](std::uint32_t x) { return std::find(v.begin(), v.end(), x) != v.end(); });
       if (shared > 1) continue;
+      if (shared == 1 &&
+          meet_in_corner_alone(corners.point(*common), corners.rest(u, *common), corners.rest(v, *common)))
+        continue;
       std::vector<Contact> here;
       add_intersection(index.triangle(TriangleId(s)), index.triangle(other), here);
       // The common corner alone is what neighbours have.

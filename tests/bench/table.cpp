@@ -15,10 +15,10 @@ struct Column {
   int width; ///< negative: aligned to the left
 };
 constexpr std::array columns{
-    Column{"model", -18}, Column{"δ", -7},       Column{"ours", 7},        Column{"LT", 7},
-    Column{"ratio", 6},   Column{"envelope", 9}, Column{"at most", 8},     Column{"goal", 7},
-    Column{"/opt", 6},    Column{"ours s", 8},   Column{"ours CPU s", 11}, Column{"LT s", 7},
-    Column{"env s", 7},   Column{"ours MB", 8},  Column{"status", -6},
+    Column{"model", -18}, Column{"δ", -7},       Column{"ours", 7},    Column{"LT", 7},
+    Column{"ratio", 6},   Column{"envelope", 9}, Column{"at most", 8}, Column{"goal", 7},
+    Column{"/opt", 6},    Column{"ours s", 8},   Column{"CPU s", 8},   Column{"LT CPU s", 8},
+    Column{"/LT CPU", 7}, Column{"env s", 7},    Column{"ours MB", 8}, Column{"status", -6},
 };
 
 /// Characters, not bytes: what a column's width is about.
@@ -35,6 +35,12 @@ std::string fixed(double value, int digits) {
 
 std::string count(const std::optional<std::size_t>& n) {
   return n ? std::to_string(*n) : "-";
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
 std::string vertices(const Measured& m) {
@@ -57,6 +63,11 @@ std::string status(const Row& row) {
 std::optional<double> Row::ratio() const {
   if (!ours.outcome.good || !lindstrom_turk.outcome.good || lindstrom_turk.outcome.vertices == 0) return {};
   return static_cast<double>(ours.outcome.vertices) / static_cast<double>(lindstrom_turk.outcome.vertices);
+}
+
+std::optional<double> Row::cpu_ratio() const {
+  if (!ratio() || !(lindstrom_turk.cpu_seconds > 0)) return {};
+  return ours.cpu_seconds / lindstrom_turk.cpu_seconds;
 }
 
 std::string Table::cells(const std::vector<std::string>& texts) const {
@@ -84,26 +95,28 @@ std::string Table::head() const {
 }
 
 std::string Table::line(const Row& row) const {
-  const auto ratio = row.ratio();
+  const auto ratio = row.ratio(), cpu = row.cpu_ratio();
   const auto& optimum = row.asked.optimum;
   const double ours = static_cast<double>(row.ours.outcome.vertices);
-  return cells({row.asked.model, row.asked.tolerance.text(), vertices(row.ours), vertices(row.lindstrom_turk),
-                ratio ? fixed(*ratio, 3) : "-", row.envelope ? vertices(*row.envelope) : "-",
-                count(row.asked.at_most), count(row.asked.goal),
-                optimum && row.ours.outcome.good ? fixed(ours / *optimum, 2) : "-",
-                fixed(row.ours.seconds, 1), fixed(row.ours.cpu_seconds, 1),
-                fixed(row.lindstrom_turk.seconds, 1), row.envelope ? fixed(row.envelope->seconds, 1) : "-",
-                fixed(static_cast<double>(row.ours.peak_bytes) / 1e6, 0), status(row)});
+  return cells(
+      {row.asked.model, row.asked.tolerance.text(), vertices(row.ours), vertices(row.lindstrom_turk),
+       ratio ? fixed(*ratio, 3) : "-", row.envelope ? vertices(*row.envelope) : "-", count(row.asked.at_most),
+       count(row.asked.goal), optimum && row.ours.outcome.good ? fixed(ours / *optimum, 2) : "-",
+       fixed(row.ours.seconds, 1), fixed(row.ours.cpu_seconds, 1), fixed(row.lindstrom_turk.cpu_seconds, 2),
+       cpu ? fixed(*cpu, 1) : "-", row.envelope ? fixed(row.envelope->seconds, 1) : "-",
+       fixed(static_cast<double>(row.ours.peak_bytes) / 1e6, 0), status(row)});
 }
 
 std::string Table::summary(const std::vector<Row>& rows) const {
   std::size_t ours = 0, theirs = 0, counted = 0, failed = 0;
   const Row* worst = nullptr;
+  std::vector<double> cpu_ratios;
   for (const Row& row : rows) {
     if (!row.ours.outcome.good) ++failed;
     const auto ratio = row.ratio();
     if (!ratio) continue;
     ++counted;
+    if (const auto cpu = row.cpu_ratio()) cpu_ratios.push_back(*cpu);
     ours += row.ours.outcome.vertices;
     theirs += row.lindstrom_turk.outcome.vertices;
     if (worst == nullptr || *ratio > *worst->ratio()) worst = &row;
@@ -116,6 +129,8 @@ std::string Table::summary(const std::vector<Row>& rows) const {
             " lines: " + fixed(static_cast<double>(ours) / static_cast<double>(theirs), 3) +
             " in total, at worst " + fixed(*worst->ratio(), 3) + " (" + worst->asked.model + " " +
             worst->asked.tolerance.text() + ")";
+    if (!cpu_ratios.empty())
+      text += "; CPU time: " + fixed(median(cpu_ratios), 1) + " times its, at the median";
   }
   return "\n" + text + ".\n";
 }

@@ -17,6 +17,8 @@ struct Row {
   std::optional<Measured> envelope; ///< Lindstrom–Turk under the envelope filter
   /// Our vertices over those of Lindstrom–Turk, where both results count.
   std::optional<double> ratio() const;
+  /// Our CPU time over its, under the same conditions.
+  std::optional<double> cpu_ratio() const;
 };
 
 class Table {
