@@ -33,7 +33,7 @@ Result<TileAnchors> find_anchors(const TileFolder& folder, std::optional<double>
     auto input = folder.input(around);
     if (!input) return input.error();
     keep_meeting(*input, around);
-    const ClosestPointIndex index(soup_of(std::move(*input)), control);
+    const ClosestPointIndex index = index_of(std::move(*input), control);
     if (!index.empty()) {
       auto witnesses = witnesses_of_piece(index, delta, box, control);
       if (!witnesses && !control.cancelled()) return witnesses.error();

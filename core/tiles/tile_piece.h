@@ -19,6 +19,8 @@ constexpr double tile_input_reach = 3;
 /// Points in ascending order, facets in the order of their corners: the same for the same facets.
 TriangleMesh mesh_of(std::vector<Triangle3> facets);
 TriangleSoup soup_of(std::vector<Triangle3> facets);
+/// The same triangles in the same order, which is all that distances ask for.
+ClosestPointIndex index_of(std::vector<Triangle3> facets, const RunControl& control);
 std::vector<Triangle3> facets_of(const TriangleMesh& mesh);
 std::vector<Triangle3> facets_of(const TriangleSoup& soup);
 
@@ -37,9 +39,9 @@ class TileGround {
  public:
   /// `kept`: points in the box that Z keeps on their side. Of no use once the control is cancelled.
   /// `memory`: bytes that the tile may take in all.
-  TileGround(const TriangleSoup& input, double delta, std::vector<Vec3> kept, const ChangeBox& box,
+  TileGround(std::vector<Triangle3> input, double delta, std::vector<Vec3> kept, const ChangeBox& box,
              double memory, const RunControl& control)
-      : index_(input, control), delta_(delta), kept_(std::move(kept)), box_(box),
+      : index_(index_of(std::move(input), control)), delta_(delta), kept_(std::move(kept)), box_(box),
         most_cell_bytes_(
             static_cast<std::size_t>(std::min(share_of_cells * memory, double(NearestCells::most_bytes)))) {}
   ImproverGround ground() const { return {index_, delta_, kept_, nullptr, box_, most_cell_bytes_}; }

@@ -1,8 +1,8 @@
 // The proofs of a whole mesh on the part of it that is met by one tile.
 #include "tiles/tile_proof.h"
 
-#include "base/parallel.h"
 #include "base/halves.h"
+#include "base/parallel.h"
 #include "run/proof_budget.h"
 #include "tiles/tile_piece.h"
 #include "tiles/tile_schedule.h"
@@ -36,22 +36,22 @@ class PiecesInTile {
   /// How far from the tile a point of a piece may be.
   double margin() const { return plan_.tiling.whole ? 0 : plan_.piece; }
 
-  std::vector<Triangle3> of(const Triangle3& whole) const {
-    std::vector<Triangle3> pieces, open{whole};
-    while (!open.empty()) {
-      const Triangle3 t = open.back();
-      open.pop_back();
-      if (!box_of(t).meets(box())) continue;
-      if (plan_.tiling.whole || longest_edge(t) <= plan_.piece) {
-        if (holds(middle(t))) pieces.push_back(t);
-        continue;
-      }
-      for (const Triangle3& half : halves(t)) open.push_back(half);
+  template <class Take> void each_of(const Triangle3& whole, const Take& take) const {
+    if (!box_of(whole).meets(box())) return;
+    if (is_piece(whole)) {
+      if (holds(middle(whole))) take(whole);
+      return;
     }
-    return pieces;
+    for (const Triangle3& half : halves(whole)) each_of(half, take);
+  }
+  bool has_any_of(const Triangle3& whole) const {
+    bool any = false;
+    each_of(whole, [&](const Triangle3&) { any = true; });
+    return any;
   }
 
  private:
+  bool is_piece(const Triangle3& t) const { return plan_.tiling.whole || longest_edge(t) <= plan_.piece; }
   /// In the box of the corners, whatever rounding does.
   static Vec3 middle(const Triangle3& t) {
     const Box3 box = box_of(t);
@@ -76,25 +76,39 @@ class TileProver {
     auto z = folder_.z_before(plan_.round, pieces_.box());
     if (!z) return z.error();
     keep_meeting(*z, pieces_.box());
-    const Box3 around = pieces_.box().grown(pieces_.margin() + tile_input_reach * delta_);
-    auto input = folder_.input(around);
-    if (!input) return input.error();
-    keep_meeting(*input, around);
     facets_ = std::move(*z);
+    auto input = read_input();
+    if (!input) return input.error();
     if (!facets_.empty()) {
       proof_.surface = judge_surface(
           mesh_of(facets_), [this](Vec3 p) { return pieces_.holds(p); }, stop_);
       if (stop_()) return stopped();
     }
-    std::vector<Triangle3> walls;
-    for (const Triangle3& t : *input)
-      for (const Triangle3& piece : pieces_.of(t)) walls.push_back(piece);
-    if (facets_.empty() && walls.empty()) return std::move(proof_);
-    const ClosestPointIndex index(soup_of(std::move(*input)), control_);
+    const bool walls = std::any_of(input->begin(), input->end(),
+                                   [this](const Triangle3& t) { return pieces_.has_any_of(t); });
+    if (facets_.empty() && !walls) return std::move(proof_);
+    if (Status measured = ask_input(std::move(*input), walls); !measured) return measured.error();
+    if (walls && plan_.cover.measure)
+      if (Status covered = judge_walls(); !covered) return covered.error();
+    return std::move(proof_);
+  }
+
+ private:
+  static Error stopped() { return {ErrorCode::cancelled, "The proof was stopped.", "Join the tiles again."}; }
+
+  Result<std::vector<Triangle3>> read_input() const {
+    const Box3 around = pieces_.box().grown(pieces_.margin() + tile_input_reach * delta_);
+    auto input = folder_.input(around);
+    if (input) keep_meeting(*input, around);
+    return input;
+  }
+
+  /// All that asks for distances from the input.
+  Status ask_input(std::vector<Triangle3> input, bool walls) {
+    const ClosestPointIndex index = index_of(std::move(input), control_);
     if (stop_()) return stopped();
-    if (Status contained = judge_containment(index); !contained) return contained.error();
-    if (!walls.empty()) {
-      if (Status covered = judge_walls(std::move(walls)); !covered) return covered.error();
+    if (Status contained = judge_containment(index); !contained) return contained;
+    if (walls) {
       auto witnesses = witnesses_of_piece(index, delta_, pieces_.box(), control_);
       if (!witnesses) return witnesses.error();
       proof_.witnesses = std::move(*witnesses);
@@ -102,19 +116,16 @@ class TileProver {
     if (!index.empty())
       proof_.normals = measure_normals(
           facets_, {index, plan_.facet_area, [this](Vec3 p) { return pieces_.holds(p); }}, control_);
-    if (stop_()) return stopped();
-    return std::move(proof_);
+    return stop_() ? Status(stopped()) : Status();
   }
-
- private:
-  static Error stopped() { return {ErrorCode::cancelled, "The proof was stopped.", "Join the tiles again."}; }
 
   Status judge_containment(const ClosestPointIndex& index) {
     std::vector<ContainmentFigures> figures(facets_.size());
     const FacetSearch search{proof_budget, {}, nullptr, 0, &stop_};
     const bool complete = parallel_until(facets_.size(), 64, stop_, [&](std::size_t f) {
-      for (const Triangle3& piece : pieces_.of(facets_[f]))
+      pieces_.each_of(facets_[f], [&](const Triangle3& piece) {
         add_verdict(certify_facet(index, piece, delta_, delta_, search), figures[f]);
+      });
     });
     if (!complete || stop_()) return stopped();
     ContainmentFigures& all = proof_.containment;
@@ -130,10 +141,24 @@ class TileProver {
     return {};
   }
 
+  /// The pieces of the input, which is read anew: in memory it would be there twice.
+  Result<std::vector<Triangle3>> read_walls() const {
+    const auto input = read_input();
+    if (!input) return input.error();
+    std::size_t count = 0;
+    for (const Triangle3& t : *input) pieces_.each_of(t, [&](const Triangle3&) { ++count; });
+    std::vector<Triangle3> walls;
+    walls.reserve(count);
+    for (const Triangle3& t : *input)
+      pieces_.each_of(t, [&](const Triangle3& piece) { walls.push_back(piece); });
+    return walls;
+  }
+
   /// Facets are read in boxes that grow until none farther away can be nearer.
-  Status judge_walls(std::vector<Triangle3> walls) {
-    if (!plan_.cover.measure) return {};
-    const ClosestPointIndex from(soup_of(std::move(walls)), control_);
+  Status judge_walls() {
+    auto walls = read_walls();
+    if (!walls) return walls.error();
+    const ClosestPointIndex from = index_of(std::move(*walls), control_);
     const double limit = plan_.cover.limit.value_or(0) * delta_;
     for (double reach = std::max(first_reach * delta_, limit + delta_);; reach *= 2) {
       const Box3 around = pieces_.box().grown(pieces_.margin() + reach);
@@ -141,7 +166,7 @@ class TileProver {
       if (!near) return near.error();
       const bool all = near->size() == plan_.facets;
       if (!all) keep_meeting(*near, around);
-      const ClosestPointIndex z(soup_of(std::move(*near)), control_);
+      const ClosestPointIndex z = index_of(std::move(*near), control_);
       proof_.input_distance = bound_distance(from, z, input_precision * delta_, control_);
       if (stop_()) return stopped();
       if (!all && !(proof_.input_distance.upper <= reach)) continue;

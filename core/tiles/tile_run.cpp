@@ -129,8 +129,7 @@ Result<RunResult> TileRun::run() {
   const CriteriaParameters criteria = start_.parameters.criteria(scene_->delta, scene_->default_sigma);
   std::vector<Triangle3> near = facets_of(*start_.input);
   keep_meeting(near, Box3{start_.box.lo, start_.box.hi}.grown(tile_input_reach * scene_->delta));
-  const TileGround omega(soup_of(std::move(near)), scene_->delta, start_.kept, start_.box, all_memory,
-                         control_);
+  const TileGround omega(std::move(near), scene_->delta, start_.kept, start_.box, all_memory, control_);
   Recorder recorder(*journal_, gate_);
   StageLog log(recorder, control_);
   log.begin(Stage::improve);

@@ -38,12 +38,12 @@ Result<TriangleMesh> read_z(const TileFolder& folder, const TileRound& round, co
   return mesh_of(std::move(*z));
 }
 
-Result<TriangleSoup> read_input(const TileFolder& folder, const Box3& box) {
+Result<std::vector<Triangle3>> read_input(const TileFolder& folder, const Box3& box) {
   const Box3 around = box.grown(tile_input_reach * folder.manifest().delta);
   auto input = folder.input(around);
   if (!input) return input.error();
   keep_meeting(*input, around);
-  return soup_of(std::move(*input));
+  return input;
 }
 
 Status improve_tile(const TileFolder& folder, const TileRound& round, const ChangeBox& bounds,
@@ -51,9 +51,8 @@ Status improve_tile(const TileFolder& folder, const TileRound& round, const Chan
   const TileManifest& m = folder.manifest();
   auto input = read_input(folder, {bounds.lo, bounds.hi});
   if (!input) return input.error();
-  const TileGround omega(*input, m.delta, kept_points(m, bounds), bounds, m.memory, control);
+  const TileGround omega(std::move(*input), m.delta, kept_points(m, bounds), bounds, m.memory, control);
   if (control.cancelled()) return cancelled_error();
-  *input = TriangleSoup();
   const ImproverOptions options = tile_options(m.parameters.criteria(m.delta), round.effort);
   Unwatched nobody;
   improve(z, omega.ground(), nullptr, options, control, nobody);

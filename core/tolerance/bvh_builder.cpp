@@ -2,7 +2,7 @@
 #include "tolerance/bvh_builder.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -11,7 +11,6 @@
 namespace isoscope {
 namespace {
 
-constexpr unsigned bin_count = 16;
 /// Fewer than there are but in a few inputs.
 constexpr std::size_t usual_items_of_node = 3;
 /// Ranges of so many items take long enough to ask before them whether to go on.
@@ -48,52 +47,77 @@ Box3 BvhBuilder::box_of(std::size_t begin, std::size_t end) const {
   return b;
 }
 
-/// Orders the range and returns where its second half begins.
-std::size_t BvhBuilder::split(const Range& range, unsigned depth) {
+/// Fills the bins of all axes: one way through the items, which lie all over memory, serves them.
+template <class BinOf>
+void BvhBuilder::fill_bins(const Range& range, const std::array<bool, 3>& axes, const BinOf& bin_of) {
+  for (Bins& b : bins_) b.used = 0;
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const Box3& item = box(i);
+    const Vec3 center = item.center();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!axes[axis]) continue;
+      const unsigned b = bin_of(center, static_cast<int>(axis));
+      Bins& bins = bins_[axis];
+      if ((bins.used >> b & 1u) == 0) {
+        bins.used |= 1u << b;
+        bins.boxes[b] = item;
+        bins.counts[b] = 1;
+      } else {
+        bins.boxes[b].add(item);
+        ++bins.counts[b];
+      }
+    }
+  }
+}
+
+/// Takes the cheapest split after one of an axis' bins, where it is cheaper than `best`.
+void BvhBuilder::find_split(const Bins& bins, int axis, Split& best) {
+  std::array<Box3, bin_count> after; ///< of what lies in later bins than each that is used
+  std::array<double, bin_count> cost_after{};
+  Box3 right;
+  std::size_t right_count = 0;
+  for (unsigned left = bins.used; left != 0;) {
+    const unsigned b = static_cast<unsigned>(std::bit_width(left)) - 1;
+    left &= ~(1u << b);
+    after[b] = right;
+    cost_after[b] = half_area(right) * static_cast<double>(right_count);
+    right.add(bins.boxes[b]);
+    right_count += bins.counts[b];
+  }
+  Box3 left;
+  std::size_t left_count = 0;
+  for (unsigned rest = bins.used; (rest & (rest - 1)) != 0; rest &= rest - 1) {
+    const auto b = static_cast<unsigned>(std::countr_zero(rest));
+    left.add(bins.boxes[b]);
+    left_count += bins.counts[b];
+    const double cost = half_area(left) * static_cast<double>(left_count) + cost_after[b];
+    if (cost < best.cost) best = {cost, axis, b, left, after[b]};
+  }
+}
+
+/// Orders the range and returns its halves.
+std::pair<BvhBuilder::Range, BvhBuilder::Range> BvhBuilder::split(const Range& range, unsigned depth) {
   const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
   Box3 centers;
   for (std::size_t i = range.begin; i < range.end; ++i) centers.add(box(i).center());
   const Vec3 extent = centers.extent();
-
-  double best_cost = std::numeric_limits<double>::infinity();
-  int best_axis = -1;
-  unsigned best_bin = 0;
-  const auto bin_of = [&](const Box3& item, int axis) {
-    const double u = (item.center()[axis] - centers.lo[axis]) / extent[axis];
+  const auto bin_of = [&](Vec3 center, int axis) {
+    const double u = (center[axis] - centers.lo[axis]) / extent[axis];
     return std::min(bin_count - 1, static_cast<unsigned>(u * bin_count));
   };
-  for (int axis = 0; axis < 3 && depth < max_surface_area_depth; ++axis) {
-    if (!(extent[axis] > 0)) continue;
-    std::array<Box3, bin_count> boxes;
-    std::array<std::size_t, bin_count> counts{};
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const unsigned b = bin_of(box(i), axis);
-      boxes[b].add(box(i));
-      ++counts[b];
-    }
-    std::array<double, bin_count> right_cost{};
-    Box3 right;
-    std::size_t right_count = 0;
-    for (unsigned b = bin_count - 1; b > 0; --b) {
-      right.add(boxes[b]);
-      right_count += counts[b];
-      right_cost[b] = half_area(right) * static_cast<double>(right_count);
-    }
-    Box3 left;
-    std::size_t left_count = 0;
-    for (unsigned b = 0; b + 1 < bin_count; ++b) {
-      left.add(boxes[b]);
-      left_count += counts[b];
-      if (left_count == 0 || left_count == range.size()) continue;
-      const double cost = half_area(left) * static_cast<double>(left_count) + right_cost[b + 1];
-      if (cost < best_cost) best_cost = cost, best_axis = axis, best_bin = b;
-    }
+  Split best;
+  if (depth < max_surface_area_depth) {
+    const std::array<bool, 3> axes{extent.x > 0, extent.y > 0, extent.z > 0};
+    fill_bins(range, axes, bin_of);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (axes[axis]) find_split(bins_[axis], static_cast<int>(axis), best);
   }
-  if (best_axis >= 0) {
+  if (best.axis >= 0) {
     const auto middle = std::stable_partition(at(range.begin), at(range.end), [&](std::uint32_t id) {
-      return bin_of(items_[id], best_axis) <= best_bin;
+      return bin_of(items_[id].center(), best.axis) <= best.bin;
     });
-    return static_cast<std::size_t>(middle - order_.begin());
+    const auto m = static_cast<std::size_t>(middle - order_.begin());
+    return {{range.begin, m, best.left}, {m, range.end, best.right}};
   }
   const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
   const std::size_t middle = range.begin + range.size() / 2;
@@ -101,7 +125,7 @@ std::size_t BvhBuilder::split(const Range& range, unsigned depth) {
     const double ca = items_[a].center()[axis], cb = items_[b].center()[axis];
     return ca != cb ? ca < cb : a < b;
   });
-  return middle;
+  return {{range.begin, middle, box_of(range.begin, middle)}, {middle, range.end, box_of(middle, range.end)}};
 }
 
 void BvhBuilder::set_box(std::size_t node, unsigned k, const Box3& box) {
@@ -128,10 +152,9 @@ void BvhBuilder::fill_node(std::size_t node, const Range& range, unsigned depth)
           (widest == parts.size() || half_area(parts[i].box) > half_area(parts[widest].box)))
         widest = i;
     if (widest == parts.size()) break;
-    const Range r = parts[widest];
-    const std::size_t middle = split(r, depth);
-    parts[widest] = {r.begin, middle, box_of(r.begin, middle)};
-    parts.push_back({middle, r.end, box_of(middle, r.end)});
+    const auto [left, right] = split(parts[widest], depth);
+    parts[widest] = left;
+    parts.push_back(right);
   }
   for (unsigned k = 0; k < width; ++k) {
     if (k >= parts.size()) {

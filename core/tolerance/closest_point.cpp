@@ -53,30 +53,37 @@ bool ray_meets(Vec3 o, Vec3 inverse_d, double t_end, const Box3& box) {
 } // namespace
 
 ClosestPointIndex::ClosestPointIndex(const TriangleSoup& soup) {
-  fill(soup, nullptr);
+  fill(
+      soup.triangles.size(), [&](std::size_t i) { return soup.triangle(i); }, nullptr);
 }
 
 ClosestPointIndex::ClosestPointIndex(const TriangleSoup& soup, const RunControl& control) {
-  fill(soup, &control);
+  fill(
+      soup.triangles.size(), [&](std::size_t i) { return soup.triangle(i); }, &control);
 }
 
-void ClosestPointIndex::fill(const TriangleSoup& soup, const RunControl* control) {
-  std::vector<Box3> boxes(soup.triangles.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    for (const Vec3 p : soup.triangle(i)) boxes[i].add(p);
+ClosestPointIndex::ClosestPointIndex(std::span<const Triangle3> triangles, const RunControl& control) {
+  fill(
+      triangles.size(), [&](std::size_t i) -> const Triangle3& { return triangles[i]; }, &control);
+}
+
+template <class TriangleAt>
+void ClosestPointIndex::fill(std::size_t count, const TriangleAt& given, const RunControl* control) {
+  std::vector<Box3> boxes(count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (const Vec3 p : given(i)) boxes[i].add(p);
   if (!BvhBuilder(boxes_, std::move(boxes), control).build()) {
     boxes_ = {};
     BvhBuilder(boxes_, {}).build();
     return;
   }
-  area_ = soup.area();
-  const std::size_t count = soup.triangles.size();
+  for (std::size_t i = 0; i < count; ++i) area_ += isoscope::area(given(i));
   slots_.resize(count);
   triangles_.reserve(count);
   planes_.reserve(count);
   for (std::size_t slot = 0; slot < count; ++slot) {
     slots_[boxes_.ids[slot]] = static_cast<std::uint32_t>(slot);
-    const Triangle3 t = soup.triangle(boxes_.ids[slot]);
+    const Triangle3 t = given(boxes_.ids[slot]);
     triangles_.push_back(t);
     const Vec3 u = t[1] - t[0], v = t[2] - t[0], area = cross(u, v);
     const bool has_plane = squared_length(area) > least_squared_sine * squared_length(u) * squared_length(v);

@@ -33,6 +33,8 @@ class ClosestPointIndex final : public ToleranceField {
   explicit ClosestPointIndex(const TriangleSoup& soup);
   /// The same; once the control is cancelled, an index that finds nothing.
   ClosestPointIndex(const TriangleSoup& soup, const RunControl& control);
+  /// The same of triangles as they are, which are needed no more after that.
+  ClosestPointIndex(std::span<const Triangle3> triangles, const RunControl& control);
 
   /// The closest point within `radius` of p (ties: smallest triangle id of equal distance is not promised,
   /// but the result depends on p and the soup only).
@@ -95,7 +97,8 @@ class ClosestPointIndex final : public ToleranceField {
   const ClosestPointIndex* surface() const override { return this; }
 
  private:
-  void fill(const TriangleSoup& soup, const RunControl* control);
+  template <class TriangleAt>
+  void fill(std::size_t count, const TriangleAt& given, const RunControl* control);
   /// `replaces(squared distance, slot, best)`: whether a triangle takes the place of the best so far.
   template <class Replaces>
   ClosestPoint search(Vec3 p, ClosestPoint best, double squared_enough, const Replaces& replaces) const;

@@ -103,10 +103,10 @@ class DeepCells {
   }
 };
 
-/// Climbs from a point beyond δ by balls outside of Ω; true when it comes to where a group of cells is, else
-/// `p` is the farthest point reached in their box.
-bool climb(const ToleranceField& field, const DeepCells& cells, double delta, Vec3& p, double& depth) {
-  ClosestPoint at = field.closest(p);
+/// Climbs from a point beyond δ, with the closest one to it, by balls outside of Ω; true when it comes to
+/// where a group of cells is, else `p` is the farthest point reached in their box.
+bool climb(const ToleranceField& field, const DeepCells& cells, double delta, ClosestPoint at, Vec3& p,
+           double& depth) {
   depth = at.distance();
   for (int step = 0; step < climb_steps; ++step) {
     if (cells.joined(p)) return true;
@@ -174,8 +174,12 @@ std::vector<Climbed> climb_from_triangles(const ClosestPointIndex& index, const 
     for (std::size_t side = 0; side < 2; ++side) {
       const double offset = (side == 0 ? 1 : -1) * delta * (1 + offset_margin);
       Vec3 p = middle + offset * normal;
-      double depth = index.distance(p);
-      if (depth <= delta * (1 + 0.5 * offset_margin) || climb(index, cells, delta, p, depth)) continue;
+      // Where the input is rough most are too near to another triangle, and any such will do.
+      constexpr double least = 1 + 0.5 * offset_margin;
+      const ClosestPoint own{middle, squared_length(p - middle), from[i]};
+      if (index.closest_near(p, own, delta * least).distance() <= delta * least) continue;
+      double depth = 0;
+      if (climb(index, cells, delta, index.closest(p), p, depth)) continue;
       found[2 * i + side] = {p, depth};
     }
   });
