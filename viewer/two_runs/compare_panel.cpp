@@ -77,6 +77,7 @@ void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) 
   ImGui::Dummy({0, ui.px(2)});
   linked(ui, "one camera", m.linked_cameras, "link-cameras");
   linked(ui, "play heads together", m.linked_steps, "link-steps");
+  linked(ui, "both Z in one view", m.window.view.other_zero.visible, "both-z");
   ImGui::Dummy({0, ui.px(2)});
   const char* views = m.beside() ? "Hide" : "Two views";
   const float room = ImGui::GetContentRegionAvail().x, third = (room - 2 * ui.px(6)) / 3;
