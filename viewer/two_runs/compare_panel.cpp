@@ -75,9 +75,11 @@ void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) 
       table_row<2>(ui, "samples of ∂Ω", {grouped(found->samples_a), grouped(found->samples_b)}, label_width);
   }
   ImGui::Dummy({0, ui.px(2)});
+  const float half = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x / 2;
   linked(ui, "one camera", m.linked_cameras, "link-cameras");
+  ImGui::SameLine(half);
+  linked(ui, "both Z", m.window.view.other_zero.visible, "both-z");
   linked(ui, "play heads together", m.linked_steps, "link-steps");
-  linked(ui, "both Z in one view", m.window.view.other_zero.visible, "both-z");
   ImGui::Dummy({0, ui.px(2)});
   const char* views = m.beside() ? "Hide" : "Two views";
   const float room = ImGui::GetContentRegionAvail().x, third = (room - 2 * ui.px(6)) / 3;

@@ -311,7 +311,9 @@ void SceneView::frame_selection(Ui& ui) {
   const Pick& pick = m.selection.picked;
   const auto state = m.state();
   if (pick.kind == Pick::Kind::none || !state) return m.frame_all();
-  const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * renderer_->bounds().longest_edge();
+  // Where δ is large, what is selected is still looked at from nearer than the whole.
+  const double margin = m.run.scene ? std::min(4 * m.run.scene->delta, 0.12 * m.scene_bounds().longest_edge())
+                                    : 0.02 * renderer_->bounds().longest_edge();
   Box3 box = pick_bounds(*state, pick);
   if (box.empty()) box.add(pick.point);
   // Tetrahedra at the corners of the first box are looked at where they meet the model.
