@@ -37,12 +37,6 @@ std::string count(const std::optional<std::size_t>& n) {
   return n ? std::to_string(*n) : "-";
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-}
-
 std::string vertices(const Measured& m) {
   return m.outcome.vertices > 0 ? std::to_string(m.outcome.vertices) : "-";
 }
@@ -59,6 +53,12 @@ std::string status(const Row& row) {
 }
 
 } // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+}
 
 std::optional<double> Row::ratio() const {
   if (!ours.outcome.good || !lindstrom_turk.outcome.good || lindstrom_turk.outcome.vertices == 0) return {};
