@@ -287,6 +287,8 @@ TEST_CASE("Targets are told as mean, least and largest over the seeds") {
   std::vector<Row> rows{measured("elephant", 0, 60, 5), measured("elephant", 1, 64, 6),
                         measured("cow", 0, 70, 9), measured("cow", 1, 66, 10)};
   CHECK(*rows[0].cpu_ratio() == doctest::Approx(10));
+  CHECK(Table(true).line(rows[0]).starts_with("| elephant | 1% |"));
+  CHECK(Table(true).line(rows[1]).starts_with("| elephant #1 | 1% |"));
   CHECK(target_table(rows, true) ==
         "| target | now | floor | goal |\n| --- | --: | --: | --: |\n"
         "| vertices / LT, all of free-form models at 1 % | 0.650 (0.650 to 0.650) | 0.54 | 0.5 |\n"
