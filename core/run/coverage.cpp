@@ -17,6 +17,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t cover_grain = 64;
+/// Verdicts take as much as triangles: so many of them are in memory.
+constexpr std::size_t cover_verdicts_at_once = 1 << 16;
 /// Pieces beyond the limit are cut no finer than makes about so many of them.
 constexpr double most_pieces = 50000;
 /// And no triangle into more.
@@ -111,20 +113,27 @@ Coverage judge_coverage(const ClosestPointIndex& input, const ClosestPointIndex&
     coverage.verdict = Coverage::Verdict::covered;
     return coverage;
   }
-  std::vector<FacetVerdict> verdicts(input.size());
-  parallel_for(input.size(), cover_grain, [&](std::size_t i) {
-    if (control.out_of_grace()) return;
-    verdicts[i] = certify_facet(mesh, input.triangle(TriangleId(i)), limit, limit, proof_budget);
-  });
-  if (control.out_of_grace()) return coverage;
-  std::vector<std::uint32_t> beyond;
+  struct Beyond {
+    TriangleId triangle;
+    FacetVerdict verdict;
+  };
+  std::vector<Beyond> beyond;
   bool undecided = false;
   double surface = 0;
-  for (std::uint32_t i = 0; i < verdicts.size(); ++i) {
-    undecided = undecided || verdicts[i].kind == FacetVerdict::Kind::undecided;
-    if (verdicts[i].kind != FacetVerdict::Kind::outside) continue;
-    beyond.push_back(i);
-    surface += area(input.triangle(TriangleId(i)));
+  std::vector<FacetVerdict> verdicts;
+  for (std::size_t first = 0; first < input.size(); first += verdicts.size()) {
+    verdicts.assign(std::min(cover_verdicts_at_once, input.size() - first), {});
+    parallel_for(verdicts.size(), cover_grain, [&](std::size_t i) {
+      if (control.out_of_grace()) return;
+      verdicts[i] = certify_facet(mesh, input.triangle(TriangleId(first + i)), limit, limit, proof_budget);
+    });
+    if (control.out_of_grace()) return coverage;
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+      undecided = undecided || verdicts[i].kind == FacetVerdict::Kind::undecided;
+      if (verdicts[i].kind != FacetVerdict::Kind::outside) continue;
+      beyond.push_back({TriangleId(first + i), verdicts[i]});
+      surface += area(input.triangle(TriangleId(first + i)));
+    }
   }
   if (beyond.empty()) {
     coverage.verdict = undecided ? Coverage::Verdict::undecided : Coverage::Verdict::covered;
@@ -135,10 +144,10 @@ Coverage judge_coverage(const ClosestPointIndex& input, const ClosestPointIndex&
   std::vector<std::vector<Piece>> of_triangle(beyond.size());
   parallel_for(beyond.size(), 1, [&](std::size_t i) {
     if (control.out_of_grace()) return;
-    const Triangle3 t = input.triangle(TriangleId(beyond[i]));
+    const Triangle3 t = input.triangle(beyond[i].triangle);
     of_triangle[i] = pieces_beyond(mesh, t, limit, radius);
     // What is beyond the limit may be smaller than a piece.
-    const FacetVerdict& v = verdicts[beyond[i]];
+    const FacetVerdict& v = beyond[i].verdict;
     if (of_triangle[i].empty())
       of_triangle[i].push_back({{v.witness, v.witness, v.witness}, v.witness, v.closest.distance()});
   });

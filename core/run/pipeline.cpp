@@ -208,6 +208,10 @@ Pipeline::Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, G
 
 Pipeline::~Pipeline() = default;
 
+void Pipeline::on_read(Preparation::Read read) {
+  impl_->preparation.on_read(std::move(read));
+}
+
 Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const TriangleSoup> soup,
                                                        std::vector<InputNote> notes, ThinParts thin) {
   Impl& m = *impl_;

@@ -45,6 +45,8 @@ class Pipeline {
   Pipeline(RunParameters parameters, std::shared_ptr<Journal> journal, Gate& gate, RunControl& control);
   ~Pipeline();
 
+  /// Before prepare(): is called from it with the input as soon as it is read.
+  void on_read(Preparation::Read read);
   /// Reads (or takes `soup` and the notes on it), builds Ω and S. Fails with bad_input, unsupported (also
   /// where Ω or S would take more memory than the limit, naming the σ that fits) or cancelled.
   Result<std::shared_ptr<const Scene>> prepare(std::shared_ptr<const TriangleSoup> soup = nullptr,

@@ -379,6 +379,7 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   if (soup->points.empty())
     return Error{ErrorCode::bad_input, "The input has neither triangles nor points.", "Give a surface."};
   scene->input = soup;
+  if (read_) read_(soup);
   scene->longest_edge = soup->bounds().longest_edge();
   if (!is_field_of_points(*soup, parameters_)) soup = without_needless_copies(soup, control_);
   if (!soup->gives_volume()) {

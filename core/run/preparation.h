@@ -14,6 +14,7 @@
 #include "tolerance/tolerance_volume.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,6 +71,9 @@ class Preparation {
   /// Both must outlive it.
   Preparation(const RunParameters& parameters, RunControl& control)
       : parameters_(parameters), control_(control) {}
+  /// Is called by make() with the input as soon as it is read.
+  using Read = std::function<void(std::shared_ptr<const TriangleSoup>)>;
+  void on_read(Read read) { read_ = std::move(read); }
   /// Once. See Pipeline::prepare().
   Result<std::shared_ptr<const Scene>> make(std::shared_ptr<const TriangleSoup> soup,
                                             std::vector<InputNote> notes, ThinParts thin);
@@ -103,6 +107,7 @@ class Preparation {
 
   const RunParameters& parameters_;
   RunControl& control_;
+  Read read_;
   std::shared_ptr<const Scene> examined_;
   std::optional<ToleranceVolume> volume_;
   MadePointField points_; ///< where the field is one of points

@@ -17,6 +17,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t grain = 256;
+/// Verdicts take as much as triangles: so many of them are in memory.
+constexpr std::size_t verdicts_at_once = 1 << 16;
 /// A computed distance comes from fewer.
 constexpr int roundings = 32;
 
@@ -69,22 +71,26 @@ DistanceBounds bound_distance(const ClosestPointIndex& from, const ClosestPointI
     // A triangle that stays open has a point beyond the lower bound by half the precision: the bound grows by
     // that much in every round, so that rounds end. Fixed limits keep a round independent of its order.
     const double reject = farthest.distance + 0.5 * precision, accept = farthest.distance + precision;
-    verdicts.assign(open.size(), {});
     const FacetSearch search{proof_budget, {}, nullptr, 0, &stop};
-    const bool complete = parallel_until(open.size(), grain, stop, [&](std::size_t i) {
-      verdicts[i] = certify_facet(to, from.triangle(TriangleId(open[i])), accept, reject, search);
-    });
-    if (!complete || stop()) return {};
     std::size_t still_open = 0;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      const FacetVerdict& v = verdicts[i];
-      if (v.kind == FacetVerdict::Kind::inside) {
-        upper = std::max(upper, v.max_distance);
-      } else if (v.kind == FacetVerdict::Kind::outside) {
-        farthest.add(v.witness, v.closest.distance());
-        open[still_open++] = open[i];
-      } else {
-        upper = std::max(upper, crude_bound(to, from.triangle(TriangleId(open[i]))));
+    for (std::size_t first = 0; first < open.size(); first += verdicts.size()) {
+      verdicts.assign(std::min(verdicts_at_once, open.size() - first), {});
+      const bool complete = parallel_until(verdicts.size(), grain, stop, [&](std::size_t i) {
+        const Triangle3& t = from.triangle(TriangleId(open[first + i]));
+        verdicts[i] = certify_facet(to, t, accept, reject, search);
+      });
+      if (!complete || stop()) return {};
+      for (std::size_t i = 0; i < verdicts.size(); ++i) {
+        const FacetVerdict& v = verdicts[i];
+        const std::uint32_t id = open[first + i];
+        if (v.kind == FacetVerdict::Kind::inside) {
+          upper = std::max(upper, v.max_distance);
+        } else if (v.kind == FacetVerdict::Kind::outside) {
+          farthest.add(v.witness, v.closest.distance());
+          open[still_open++] = id;
+        } else {
+          upper = std::max(upper, crude_bound(to, from.triangle(TriangleId(id))));
+        }
       }
     }
     open.resize(still_open);

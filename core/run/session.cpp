@@ -183,6 +183,9 @@ struct Session::Impl : public Gate {
     const bool follows = branch && !branch->by_hand();
     Pipeline pipeline(follows ? parameters_at_start(parameters, *journal) : parameters,
                       branch ? std::make_shared<Journal>() : journal, *this, control);
+    pipeline.on_read([this](std::shared_ptr<const TriangleSoup> read) {
+      publish([&](SessionSnapshot& s) { s.input = std::move(read); });
+    });
     auto prepared = pipeline.prepare(std::move(soup), std::move(notes));
     if (!prepared) {
       if (const auto examined = pipeline.examined()) publish([&](SessionSnapshot& s) { s.scene = examined; });

@@ -45,10 +45,11 @@ struct RecordingState {
 /// except the journal, which is append-only and safe to read at any time.
 struct SessionSnapshot {
   SessionPhase phase = SessionPhase::idle;
-  std::uint64_t generation = 0;           ///< grows with each (re)start: a new journal
-  RunParameters parameters;               ///< as asked for, with later changes
-  std::shared_ptr<const Journal> journal; ///< null when idle
-  std::shared_ptr<const Scene> scene;     ///< null until prepared; see Pipeline::examined() where that failed
+  std::uint64_t generation = 0;              ///< grows with each (re)start: a new journal
+  RunParameters parameters;                  ///< as asked for, with later changes
+  std::shared_ptr<const Journal> journal;    ///< null when idle
+  std::shared_ptr<const TriangleSoup> input; ///< null until read; of a recording null
+  std::shared_ptr<const Scene> scene; ///< null until prepared; see Pipeline::examined() where that failed
   std::shared_ptr<const RunResult> result; ///< null until finished
   std::optional<Error> error;
   std::string part;       ///< what is being prepared or certified: "sampling"

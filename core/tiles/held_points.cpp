@@ -41,10 +41,15 @@ void HeldPoints::Places::add(Vec3 p) {
 }
 
 bool HeldPoints::Places::any_within(Vec3 p, double radius) const {
-  std::vector<std::uint32_t> found;
-  grid_.gather(Box3{p, p}.grown(radius), found);
-  return std::any_of(found.begin(), found.end(),
-                     [&](std::uint32_t i) { return distance(points_[i], p) <= radius; });
+  const auto is_near = [&](std::uint32_t i) { return distance(points_[i], p) <= radius; };
+  // Neighbours mostly have the same one.
+  if (last_ < points_.size() && is_near(last_)) return true;
+  found_.clear();
+  grid_.gather(Box3{p, p}.grown(radius), found_);
+  const auto any = std::find_if(found_.begin(), found_.end(), is_near);
+  if (any == found_.end()) return false;
+  last_ = *any;
+  return true;
 }
 
 HeldPoints::HeldPoints(Vec3 origin, double delta, double cover)

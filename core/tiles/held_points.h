@@ -6,6 +6,7 @@
 #include "tolerance/sample_grid.h"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -28,7 +29,7 @@ class HeldPoints {
   const std::vector<Vec3>& held() const { return held_; }
 
  private:
-  /// Points, asked for by distance.
+  /// Points, asked for by distance; by one thread.
   class Places {
    public:
     Places(Vec3 origin, double radius) : grid_(origin, radius) {}
@@ -38,6 +39,8 @@ class HeldPoints {
    private:
     SampleGrid grid_;
     std::vector<Vec3> points_;
+    mutable std::uint32_t last_ = 0; ///< that was found
+    mutable std::vector<std::uint32_t> found_;
   };
   struct Side {
     double sign;   ///< +1 in front of triangles

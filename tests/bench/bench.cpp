@@ -4,6 +4,7 @@
 #include "bench/lindstrom_turk.h"
 #include "bench/measure.h"
 #include "bench/table.h"
+#include "bench/targets.h"
 #include "run/complete_run.h"
 
 #include <CLI/CLI.hpp>
@@ -22,12 +23,13 @@ using namespace isoscope::bench;
 struct Options {
   std::string model;
   std::vector<std::string> tolerances;
-  bool quick = false, complete = false, all = false, markdown = false, envelope = false, no_normals = false;
-  unsigned threads = 0;
+  bool quick = false, complete = false, all = false, targets = false;
+  bool markdown = false, envelope = false, no_normals = false;
+  unsigned threads = 0, seeds = 1;
   double time_limit = 0, kill_after = 3600;
 };
 
-Outcome run_ours(const Case& asked, const Options& options) {
+Outcome run_ours(const Case& asked, std::uint32_t seed, const Options& options) {
   const ThreadLimit threads(options.threads);
   RunParameters parameters;
   parameters.input = asked.model;
@@ -36,8 +38,9 @@ Outcome run_ours(const Case& asked, const Options& options) {
   parameters.time_limit = options.time_limit;
   auto soup = asked.load();
   if (!soup) return {false, 0, soup.error().message};
+  const double delta = asked.tolerance.absolute(soup->bounds().longest_edge());
   test::CompleteRun run(parameters);
-  run.soup = std::make_shared<const TriangleSoup>(std::move(*soup));
+  run.soup = std::make_shared<const TriangleSoup>(nudged(std::move(*soup), delta, seed));
   run.gate.decide = [&](const Journal&, const Event&) {
     return run.control.cancelled() ? Gate::Verdict::stop : Gate::Verdict::go_on;
   };
@@ -57,10 +60,10 @@ Outcome run_theirs(const Case& asked, CollapseFilter filter) {
   return {true, simplified->mesh.points.size(), simplified->intersects_itself ? "intersects itself" : ""};
 }
 
-Row run_case(const Case& asked, Measured lindstrom_turk, const Options& options) {
-  Row row{asked, {}, std::move(lindstrom_turk), {}};
-  row.ours = measure([&] { return run_ours(asked, options); }, options.kill_after);
-  if (options.envelope)
+Row run_case(const Case& asked, const Measured& lindstrom_turk, std::uint32_t seed, const Options& options) {
+  Row row{asked, {}, lindstrom_turk, {}, seed};
+  row.ours = measure([&] { return run_ours(asked, seed, options); }, options.kill_after);
+  if (options.envelope && seed == 0)
     row.envelope = measure([&] { return run_theirs(asked, CollapseFilter::envelope); }, options.kill_after);
   return row;
 }
@@ -76,6 +79,7 @@ Result<std::vector<Case>> cases_for(const Options& options) {
     if (tolerances.empty()) tolerances = {{0.4, true}, {1, true}, {2.5, true}};
     return options.all ? demo_cases(tolerances) : model_cases(options.model, tolerances);
   }
+  if (options.targets) return cases_of_targets();
   return target_cases(options.quick      ? Selection::quick
                       : options.complete ? Selection::complete
                                          : Selection::standard);
@@ -91,14 +95,17 @@ int run(const Options& options) {
   std::fputs(table.head().c_str(), stdout);
   std::vector<Row> rows;
   for (const Case& asked : *cases) {
-    Measured theirs =
+    const Measured theirs =
         measure([&] { return run_theirs(asked, CollapseFilter::certificate); }, options.kill_after);
     if (options.all && !theirs.outcome.good) continue; // no oriented manifold
-    rows.push_back(run_case(asked, std::move(theirs), options));
-    std::fputs(table.line(rows.back()).c_str(), stdout);
-    std::fflush(stdout);
+    for (std::uint32_t seed = 0; seed < options.seeds; ++seed) {
+      rows.push_back(run_case(asked, theirs, seed, options));
+      std::fputs(table.line(rows.back()).c_str(), stdout);
+      std::fflush(stdout);
+    }
   }
   std::fputs(table.summary(rows).c_str(), stdout);
+  if (options.targets) std::fputs(("\n" + target_table(rows, options.markdown)).c_str(), stdout);
   return 0;
 }
 
@@ -115,6 +122,10 @@ int main(int argc, char** argv) {
   app.add_option("TOLERANCES", options.tolerances, "percentages of the longest edge (0.6%) or lengths");
   app.add_flag("--all", options.all, "every oriented manifold of libcgal-demo, at 0.4, 1 and 2.5 %");
   app.add_option("--at", options.tolerances, "tolerances for --all");
+  app.add_flag("--targets", options.targets, "the models of the table of targets, and that table");
+  app.add_option("--seeds", options.seeds,
+                 "ours so many times, from the second on of an input that is nudged")
+      ->check(CLI::Range(1, 100));
   app.add_flag("--quick", options.quick, "only a few models, for seconds");
   app.add_flag("--long", options.complete, "the longest model too");
   app.add_flag("--envelope", options.envelope,

@@ -100,6 +100,24 @@ double sphere_optimum(double radius, double delta) {
   return 2 + 1.209 * radius / delta;
 }
 
+std::vector<Case> installed_cases(const std::string& file, const Tolerance& tolerance) {
+  const auto path = demo_model(file);
+  if (!path) return {};
+  return {file_case(path->stem().string(), path->string(), tolerance)};
+}
+
+std::vector<Case> sphere_cases() {
+  std::vector<Case> cases;
+  for (const double delta : sphere_deltas) {
+    Case c{"sphere", {delta, false}, [] { return icosphere(sphere_levels); }, {}, {}, {}};
+    c.optimum = sphere_optimum(1, delta);
+    c.at_most = rounded_down(1.5 * *c.optimum);
+    c.goal = rounded_down(1.15 * *c.optimum);
+    cases.push_back(std::move(c));
+  }
+  return cases;
+}
+
 std::vector<Case> target_cases(Selection selection) {
   std::vector<Case> cases;
   for (const Target& target : targets) {
@@ -111,14 +129,9 @@ std::vector<Case> target_cases(Selection selection) {
     c.goal = target.goal;
     cases.push_back(std::move(c));
   }
-  for (const double delta : sphere_deltas) {
-    if (selection == Selection::quick && delta < sphere_deltas.back()) continue;
-    Case c{"sphere", {delta, false}, [] { return icosphere(sphere_levels); }, {}, {}, {}};
-    c.optimum = sphere_optimum(1, delta);
-    c.at_most = rounded_down(1.5 * *c.optimum);
-    c.goal = rounded_down(1.15 * *c.optimum);
-    cases.push_back(std::move(c));
-  }
+  for (Case& c : sphere_cases())
+    if (selection != Selection::quick || c.tolerance.value >= sphere_deltas.back())
+      cases.push_back(std::move(c));
   return cases;
 }
 

@@ -32,6 +32,10 @@ enum class Selection {
 std::vector<Case> target_cases(Selection selection);
 /// One model, a file or gallery:NAME, at each tolerance.
 std::vector<Case> model_cases(const std::string& model, const std::vector<Tolerance>& tolerances);
+/// A model of libcgal-demo by its file's name; none where it is not installed.
+std::vector<Case> installed_cases(const std::string& file, const Tolerance& tolerance);
+/// The spheres, with targets.
+std::vector<Case> sphere_cases();
 /// Every mesh file of libcgal-demo at each tolerance; which of them are closed shows when they are loaded.
 std::vector<Case> demo_cases(const std::vector<Tolerance>& tolerances);
 

@@ -37,12 +37,6 @@ std::string count(const std::optional<std::size_t>& n) {
   return n ? std::to_string(*n) : "-";
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-}
-
 std::string vertices(const Measured& m) {
   return m.outcome.vertices > 0 ? std::to_string(m.outcome.vertices) : "-";
 }
@@ -59,6 +53,12 @@ std::string status(const Row& row) {
 }
 
 } // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+}
 
 std::optional<double> Row::ratio() const {
   if (!ours.outcome.good || !lindstrom_turk.outcome.good || lindstrom_turk.outcome.vertices == 0) return {};
@@ -99,11 +99,12 @@ std::string Table::line(const Row& row) const {
   const auto& optimum = row.asked.optimum;
   const double ours = static_cast<double>(row.ours.outcome.vertices);
   return cells(
-      {row.asked.model, row.asked.tolerance.text(), vertices(row.ours), vertices(row.lindstrom_turk),
-       ratio ? fixed(*ratio, 3) : "-", row.envelope ? vertices(*row.envelope) : "-", count(row.asked.at_most),
-       count(row.asked.goal), optimum && row.ours.outcome.good ? fixed(ours / *optimum, 2) : "-",
-       fixed(row.ours.seconds, 1), fixed(row.ours.cpu_seconds, 1), fixed(row.lindstrom_turk.cpu_seconds, 2),
-       cpu ? fixed(*cpu, 1) : "-", row.envelope ? fixed(row.envelope->seconds, 1) : "-",
+      {row.asked.model + (row.seed > 0 ? " #" + std::to_string(row.seed) : ""), row.asked.tolerance.text(),
+       vertices(row.ours), vertices(row.lindstrom_turk), ratio ? fixed(*ratio, 3) : "-",
+       row.envelope ? vertices(*row.envelope) : "-", count(row.asked.at_most), count(row.asked.goal),
+       optimum && row.ours.outcome.good ? fixed(ours / *optimum, 2) : "-", fixed(row.ours.seconds, 1),
+       fixed(row.ours.cpu_seconds, 1), fixed(row.lindstrom_turk.cpu_seconds, 2), cpu ? fixed(*cpu, 1) : "-",
+       row.envelope ? fixed(row.envelope->seconds, 1) : "-",
        fixed(static_cast<double>(row.ours.peak_bytes) / 1e6, 0), status(row)});
 }
 

@@ -4,6 +4,7 @@
 #include "bench/cases.h"
 #include "bench/measure.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +16,15 @@ struct Row {
   Case asked;
   Measured ours, lindstrom_turk;
   std::optional<Measured> envelope; ///< Lindstrom–Turk under the envelope filter
+  std::uint32_t seed = 0;           ///< of what ours was given
   /// Our vertices over those of Lindstrom–Turk, where both results count.
   std::optional<double> ratio() const;
   /// Our CPU time over its, under the same conditions.
   std::optional<double> cpu_ratio() const;
 };
+
+/// The middle value, or the mean of the two; of at least one.
+double median(std::vector<double> values);
 
 class Table {
  public:

@@ -5,6 +5,7 @@
 #include "bench/measure.h"
 #include "bench/peer.h"
 #include "bench/table.h"
+#include "bench/targets.h"
 
 #include "tolerance/border_gate.h"
 #include "tolerance/facet_certificate.h"
@@ -251,4 +252,52 @@ TEST_CASE("Selections grow, and the sphere knows its optimum") {
   const auto cases = model_cases("gallery:torus", {{1, true}, {0.5, false}});
   REQUIRE(cases.size() == 2);
   CHECK(cases[0].load().ok());
+}
+
+TEST_CASE("The median is the middle, or the mean of the two in the middle") {
+  CHECK(median({3, 1, 2}) == 2);
+  CHECK(median({4, 1, 3, 2}) == 2.5);
+  CHECK(median({7}) == 7);
+}
+
+TEST_CASE("An input is nudged by less than δ, the same way for the same seed, and by nothing for seed 0") {
+  const TriangleSoup sphere = icosphere(1);
+  const double delta = 0.1;
+  CHECK(nudged(sphere, delta, 0).points == sphere.points);
+  const TriangleSoup once = nudged(sphere, delta, 1), again = nudged(sphere, delta, 1);
+  CHECK(once.points == again.points);
+  CHECK(once.points != nudged(sphere, delta, 2).points);
+  for (std::size_t i = 0; i < sphere.points.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      CHECK(once.points[i][axis] - sphere.points[i][axis] >= 0);
+      CHECK(once.points[i][axis] - sphere.points[i][axis] < delta);
+    }
+}
+
+TEST_CASE("Targets are told as mean, least and largest over the seeds") {
+  const auto measured = [](const char* model, std::uint32_t seed, std::size_t ours, double cpu) {
+    Row r = row(ours, 100, true);
+    r.asked.model = model;
+    r.asked.tolerance = {1, true};
+    r.seed = seed;
+    r.ours.cpu_seconds = cpu;
+    r.lindstrom_turk.cpu_seconds = 0.5;
+    return r;
+  };
+  std::vector<Row> rows{measured("elephant", 0, 60, 5), measured("elephant", 1, 64, 6),
+                        measured("cow", 0, 70, 9), measured("cow", 1, 66, 10)};
+  CHECK(*rows[0].cpu_ratio() == doctest::Approx(10));
+  CHECK(Table(true).line(rows[0]).starts_with("| elephant | 1% |"));
+  CHECK(Table(true).line(rows[1]).starts_with("| elephant #1 | 1% |"));
+  CHECK(target_table(rows, true) ==
+        "| target | now | floor | goal |\n| --- | --: | --: | --: |\n"
+        "| vertices / LT, all of free-form models at 1 % | 0.650 (0.650 to 0.650) | 0.54 | 0.5 |\n"
+        "| vertices / optimum, spheres at .01, .02, .04 r | - | 1.15 | 1.1 |\n"
+        "| CPU / LT, median of eight models at 1 % | 15.0 (14.0 to 16.0) | 15 | 8 |\n");
+  rows[1].ours.outcome.good = false;
+  CHECK(target_table(rows, true).find("models at 1 % | - |") != std::string::npos);
+  for (const Case& c : cases_of_targets()) {
+    CAPTURE(c.model);
+    CHECK(c.load().ok());
+  }
 }

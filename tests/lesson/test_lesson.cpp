@@ -113,6 +113,7 @@ TEST_CASE("texts say named values with as many digits as asked for") {
   CHECK(with_values("{ratio} of {count} are {word}", values) == "0.667 of 123,456 are bad");
   CHECK(with_values("{ratio:6}", values) == "0.666667");
   CHECK(with_values("{nothing} and {open", values) == "nothing? and {open");
+  CHECK(with_gaps("{ratio} of {count} are bad") == "\u2026 of \u2026 are bad");
 }
 
 TEST_CASE("the lessons that the program carries keep their rules") {

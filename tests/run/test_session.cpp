@@ -55,6 +55,22 @@ TEST_CASE("A session that was not started is idle and shrugs at commands") {
   CHECK(session.snapshot().journal == nullptr);
 }
 
+TEST_CASE("The input is there as soon as it is read, also where nothing comes of it") {
+  Session session;
+  RunParameters thin = gallery_parameters("sphere");
+  thin.memory_limit = 1; // far too little
+  session.start(thin);
+  const SessionSnapshot refused = settled(session);
+  CHECK(refused.phase == SessionPhase::failed);
+  CHECK(refused.scene == nullptr);
+  REQUIRE(refused.input != nullptr);
+  CHECK(refused.input->name == "sphere");
+  session.start(gallery_parameters("sphere"), nullptr, true);
+  const SessionSnapshot prepared = settled(session);
+  REQUIRE(prepared.scene != nullptr);
+  CHECK(prepared.input == prepared.scene->input);
+}
+
 TEST_CASE("A session runs to the same journal as the pipeline alone") {
   CompleteRun alone(gallery_parameters("sphere"));
   REQUIRE(alone.run());

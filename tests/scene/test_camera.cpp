@@ -1,12 +1,16 @@
 // The camera: fixed points of its motions, framing, transitions, views as JSON.
 #include "scene/camera.h"
+#include "scene/outline.h"
 #include "scene/overlay.h"
 #include "scene/renderer.h"
 
 #include <doctest/doctest.h>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 using namespace isoscope;
 
@@ -113,6 +117,30 @@ TEST_CASE("framing shows the middles of all faces and keeps the direction") {
   CHECK(most > 120); // it fills a good part of the view
   camera.frame(Box3(), false);
   CHECK(camera.pose().target == box.center());
+}
+
+TEST_CASE("points that are framed are all in sight, and one touches the border of the view") {
+  TriangleSoup ball;
+  for (int i = 0; i < 40; ++i)
+    for (int j = 1; j < 20; ++j) {
+      const double u = 0.05 * std::numbers::pi * i, v = 0.05 * std::numbers::pi * j;
+      ball.points.push_back({3 + std::cos(u) * std::sin(v), std::sin(u) * std::sin(v), std::cos(v)});
+    }
+  const std::vector<Vec3> reach = outline(ball, 0.5);
+  CHECK(outline(TriangleSoup(), 0.5).empty());
+  for (const Vec3 p : reach) CHECK(distance(p, Vec3{3, 0, 0}) <= 1.5 + 1e-9);
+  for (const double aspect : {0.4, 1.0, 1.8}) {
+    Camera camera = tilted();
+    camera.frame(reach, false, aspect);
+    const double wide = 500 * aspect;
+    double most = 0;
+    for (const Vec3 p : reach) {
+      const ScreenPoint at = project(camera, p, wide, 500);
+      most = std::max({most, std::abs(at.x - wide / 2) / (wide / 2), std::abs(at.y - 250) / 250});
+    }
+    CHECK(most < 1);
+    CHECK(most > 0.85); // a little room is left
+  }
 }
 
 TEST_CASE("transitions take 200 ms, end exactly and give way to the mouse") {

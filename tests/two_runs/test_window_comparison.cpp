@@ -1,9 +1,16 @@
 // Two runs in the real window, by their numbers: question 18, what differs between two runs.
+#include "platform/image_file.h"
 #include "support/window_script.h"
 
 #include <doctest/doctest.h>
 
 using isoscope::test::run_window;
+
+namespace {
+
+const std::filesystem::path results = ISOSCOPE_RESULTS;
+
+} // namespace
 
 TEST_CASE("two runs with another α differ first in a limit, then in a decision, and are linked") {
   CHECK(run_window("compare-alpha", R"(
@@ -49,6 +56,43 @@ side-by-side
 expect pane-left == on and pane-right == on
 quit
 )") == 0);
+}
+
+TEST_CASE("the other run's Z is drawn over this one's, also where it has no view of its own") {
+  CHECK(run_window("both-z", R"(
+wait settled
+expect runs == 1 and layer.other-zero == off
+set alpha 0.5
+run-beside
+wait settled
+side-by-side
+end
+wait settled
+expect compare.beside == off
+picture )" + (results / "one-z.png").string() +
+                                 R"( 400x300
+both-z
+wait settled
+expect layer.other-zero == on
+picture )" + (results / "both-z.png").string() +
+                                 R"( 400x300
+close-other
+wait settled
+picture )" + (results / "without-other.png").string() +
+                                 R"( 400x300
+quit
+)") == 0);
+  const auto lines = [](const char* name) {
+    const auto image = isoscope::read_png(results / name);
+    REQUIRE(image.ok());
+    std::size_t count = 0; // green with little blue
+    for (std::size_t i = 0; i + 3 < image->pixels.size(); i += 4)
+      count +=
+          image->pixels[i + 1] > image->pixels[i + 2] + 60 && image->pixels[i + 1] > image->pixels[i] + 20;
+    return count;
+  };
+  CHECK(lines("both-z.png") > lines("one-z.png") + 300);
+  CHECK(lines("without-other.png") < lines("both-z.png") / 4);
 }
 
 TEST_CASE("cameras and play heads are linked until somebody parts them") {

@@ -163,7 +163,7 @@ void Overlays::help(Ui& ui) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       ImGui::PushFont(ui.fonts.mono);
-      ImGui::TextUnformatted(name.c_str());
+      widgets::wrapped_text(name);
       ImGui::TableNextColumn();
       ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.accent_text));
       ImGui::TextUnformatted(key.c_str());

@@ -263,6 +263,14 @@ void facet_details(Ui& ui, const StateSnapshot& s, std::uint32_t id) {
   widgets::limit_bar(ui, "φ at corners and centroid", largest / delta, 1, largest <= delta, "δ", true);
 }
 
+/// What is known before there is a scene.
+void input_facts(const Ui& ui, const TriangleSoup& input) {
+  ImGui::Dummy({0, ui.px(4)});
+  if (!input.triangles.empty()) widgets::value_row(ui, "triangles", grouped(input.triangles.size()));
+  widgets::value_row(ui, input.is_point_set() ? "points" : "vertices", grouped(input.points.size()));
+  widgets::value_row(ui, "longest edge of its box", short_number(ui.window.scene_bounds().longest_edge()));
+}
+
 void run_summary(Ui& ui, const StateSnapshot& s) {
   const WindowState& m = ui.window;
   widgets::bold_text(ui, "This step");
@@ -319,11 +327,11 @@ void inspector(Ui& ui, EdgeProbe& probe, const Debugger& debugger, Investigation
   const WindowState& m = ui.window;
   const auto state = m.state();
   const Pick& picked = m.selection.picked;
-  if (!state || (m.run.phase == SessionPhase::failed && !m.run.scene)) {
+  const bool preparing = m.run.phase == SessionPhase::preparing;
+  if (!state || ((preparing || m.run.phase == SessionPhase::failed) && !m.run.scene)) {
     widgets::bold_text(ui, "Inspector");
-    widgets::quiet_text(
-        ui, m.run.phase == SessionPhase::preparing ? "The run is being prepared." : "Open a model to begin.",
-        true);
+    widgets::quiet_text(ui, preparing ? "The run is being prepared." : "Open a model to begin.", true);
+    if (preparing && m.run.input) input_facts(ui, *m.run.input);
     return;
   }
   const bool at_end = m.run.result && m.transport.step() >= m.live_step(),

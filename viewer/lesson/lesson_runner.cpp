@@ -51,6 +51,16 @@ std::string with_values(std::string_view text, const NamedValues& values) {
   return out += text;
 }
 
+std::string with_gaps(std::string_view text) {
+  std::string out;
+  for (bool inside = false; const char c : text) {
+    if (c == '{') out += "\u2026";
+    if (!inside && c != '{') out += c;
+    inside = c == '{' || (inside && c != '}');
+  }
+  return out;
+}
+
 const LessonStop* LessonRunner::shown() const {
   return lesson_ != nullptr && stop_ < lesson_->stops.size() ? &lesson_->stops[stop_] : nullptr;
 }
@@ -70,7 +80,7 @@ std::size_t LessonRunner::right() const {
 }
 
 std::string LessonRunner::text() const {
-  return shown() != nullptr ? with_values(shown()->text, values_) : std::string();
+  return shown() != nullptr ? filled(shown()->text) : std::string();
 }
 
 std::string LessonRunner::why() const {
@@ -130,6 +140,9 @@ Status LessonRunner::open(const Lesson& lesson) {
 }
 
 Status LessonRunner::begin(const Lesson& lesson, std::size_t stop) {
+  // A run that is beside this one, of the lesson before perhaps, has no place in a prepared scene.
+  if (window_.has_guest(LayoutGuest::two_views))
+    if (Status hidden = commands_.run({"side-by-side", {}}); !hidden) return hidden;
   keep_look();
   if (Status opened = open(lesson); !opened) {
     if (lesson_ == nullptr) give_look_back();
@@ -211,6 +224,7 @@ void LessonRunner::update() {
   if (window_.run.generation == generation_) return; // the run that was there before
   if (!own_) own_ = window_.run.generation;
   if (window_.run.error && !window_.running()) return fail(window_.run.error->line());
+  if (window_.run.phase == SessionPhase::preparing) return; // nothing is known yet
   if (!window_.has_state() || !window_.settled) return;
   const bool running = window_.running();
   if (!pending_.empty()) {

@@ -28,6 +28,8 @@ std::string_view name(LessonPhase phase);
 
 /// Replaces {name} by a named value; {name:5} gives five digits instead of three.
 std::string with_values(std::string_view text, const NamedValues& values);
+/// The same as long as they are not known: an ellipsis for each.
+std::string with_gaps(std::string_view text);
 
 class LessonRunner {
  public:
@@ -66,8 +68,10 @@ class LessonRunner {
   /// The stop's text and why, with the values of now.
   std::string text() const;
   std::string why() const;
-  /// A text of the lesson with the values of now.
-  std::string filled(std::string_view text) const { return with_values(text, values_); }
+  /// A text of the lesson with the values of now, or with gaps while the scene is still being made.
+  std::string filled(std::string_view text) const {
+    return phase_ == LessonPhase::working ? with_gaps(text) : with_values(text, values_);
+  }
 
  private:
   void enter(LessonPhase phase);

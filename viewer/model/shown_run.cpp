@@ -3,15 +3,21 @@
 
 #include "base/sort_unique.h"
 #include "questions/rim_questions.h"
+#include "scene/outline.h"
 
 #include <algorithm>
 
 namespace isoscope {
 
-Box3 ShownRun::scene_bounds() const {
-  Box3 box;
-  if (run.scene && run.scene->input) box = run.scene->input->bounds().grown(run.scene->delta);
-  return box;
+/// Both take a look at every point.
+void ShownRun::measure_input() {
+  const auto& input = run.scene ? run.scene->input : run.input;
+  const double margin = run.scene ? run.scene->delta : 0;
+  if (input == measured_ && margin == margin_) return;
+  measured_ = input;
+  margin_ = margin;
+  bounds_ = input ? input->bounds().grown(margin) : Box3();
+  outline_ = input ? outline(*input, margin) : std::vector<Vec3>();
 }
 
 bool ShownRun::take_snapshot() {
@@ -23,7 +29,12 @@ bool ShownRun::take_snapshot() {
     result_.reset();
     asked_.reset();
     index.reset(nullptr);
+    preparation_.begin();
+    since_began_ = Stopwatch();
   }
+  if (run.phase == SessionPhase::preparing)
+    preparation_.report(run.part, run.fraction, since_began_.seconds());
+  measure_input();
   if (run.journal && index.journal() != run.journal) index.reset(run.journal);
   if (run.scene != scene_seen_) {
     scene_seen_ = run.scene;

@@ -1,9 +1,11 @@
 // A run with the state of it that its play head shows: the window steers one, and may show another beside it.
 #pragma once
 
+#include "base/stopwatch.h"
 #include "model/grid_loader.h"
 #include "model/journal_index.h"
 #include "model/playhead.h"
+#include "model/preparation_progress.h"
 #include "model/transport.h"
 #include "run/session.h"
 
@@ -43,7 +45,12 @@ class ShownRun {
   bool shows_recording() const { return run.recording && run.recording->opened; }
   /// The play head moves, or will as soon as the run makes a step.
   bool playing() const { return transport.moving() && (running() || !transport.at_live_end(live_step())); }
-  Box3 scene_bounds() const;
+  /// Of the input, and δ around it once that is known.
+  const Box3& scene_bounds() const { return bounds_; }
+  /// What of it has to be in sight where all of it is to be; see scene/outline.h.
+  const std::vector<Vec3>& scene_outline() const { return outline_; }
+  /// How far the preparation is, while the run is in it.
+  const PreparationProgress& preparation() const { return preparation_; }
   /// The labels of the regions around Ω, descending: the outside first. More than two where there are rooms.
   std::vector<std::int8_t> side_labels() const;
   bool has_rooms() const { return side_labels().size() > 2; }
@@ -76,7 +83,15 @@ class ShownRun {
  private:
   std::shared_ptr<const PlayheadResult> result_;
   std::optional<PlayheadRequest> asked_;
+  void measure_input();
+
   std::shared_ptr<const Scene> scene_seen_;
+  std::shared_ptr<const TriangleSoup> measured_;
+  double margin_ = 0; ///< around it
+  Box3 bounds_;
+  std::vector<Vec3> outline_;
+  PreparationProgress preparation_;
+  Stopwatch since_began_;
   std::uint64_t generation_ = 0;
 };
 

@@ -143,6 +143,8 @@ void WindowState::show(const ViewState& state) {
 
 ViewSettings WindowState::shown_view() const {
   ViewSettings shown = view;
+  if (!other_state) shown.other_zero.visible = false;
+  if (!run.scene && run.input) shown.input = {true, 1}; // there is nothing else yet
   if (preview_delta && run.scene && run.scene->delta > 0)
     shown.level = static_cast<float>(*preview_delta / run.scene->delta);
   const bool heat = settings.panes.tab == BottomTab::work && settings.panes.show_bottom;

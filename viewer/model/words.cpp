@@ -8,7 +8,7 @@
 namespace isoscope {
 namespace {
 
-constexpr std::array<LayerName, 16> layers{{
+constexpr std::array<LayerName, 17> layers{{
     {"outer", "Ω outer boundary",
      "The outer boundary surface of the tolerance volume Ω, d = δ outside (§2.1).", &ViewSettings::outer},
     {"inner", "Ω inner boundary",
@@ -38,6 +38,8 @@ constexpr std::array<LayerName, 16> layers{{
      &ViewSettings::tetrahedra},
     {"gamma", "∂Γ boundary of Γ", "The boundary of Γ, the union of tetrahedra that carry Z (§2.3).",
      &ViewSettings::gamma},
+    {"other-zero", "Z of the other run", "Edges of Z of the run beside this one, over Z of this one.",
+     &ViewSettings::other_zero},
     {"highlight", "Current operation",
      "What the last operation touched: added elements solid, removed ones dashed, moves as arrows, the "
      "violated tetrahedron.",

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace isoscope {
 namespace {
@@ -73,32 +74,47 @@ void Camera::set(const CameraPose& pose, bool ease) {
   }
 }
 
-void Camera::frame(const Box3& box, bool ease, double aspect) {
-  if (box.empty()) return;
-  CameraPose pose = transition_ < 1 ? to_ : pose_;
+void Camera::frame_around(Vec3 center, std::span<const Vec3> offsets, bool ease, double aspect) {
+  CameraPose pose = goal();
   const glm::dquat to_camera = glm::conjugate(quaternion(pose));
   const double tangent = 0.92 * std::tan(glm::radians(pose.fov) / 2);
-  const double sideways = tangent * std::min(1.0, aspect);
-  const Vec3 center = box.center(), half = 0.5 * box.extent();
+  const double sideways = tangent * aspect;
   double distance = 0;
-  const auto include = [&](Vec3 offset) {
+  for (const Vec3 offset : offsets) {
     const glm::dvec3 c = to_camera * to_glm(offset);
     distance = std::max(distance, c.z + std::max(std::abs(c.x) / sideways, std::abs(c.y) / tangent));
-  };
-  // Models touch the faces of their boxes, seldom the corners: those may come closer to the border, but where
-  // the view is narrow, as there is nothing beside it.
-  const double inwards = aspect < 1 ? 0.95 : 0.82;
-  for (int corner = 0; corner < 8; ++corner)
-    include(inwards * Vec3{(corner & 1) ? half.x : -half.x, (corner & 2) ? half.y : -half.y,
-                           (corner & 4) ? half.z : -half.z});
-  for (const double sign : {-1.0, 1.0}) {
-    include({sign * half.x, 0, 0});
-    include({0, sign * half.y, 0});
-    include({0, 0, sign * half.z});
   }
   pose.target = center;
   pose.distance = distance > 0 ? distance : 1;
   set(pose, ease);
+}
+
+void Camera::frame(std::span<const Vec3> points, bool ease, double aspect) {
+  Box3 box;
+  for (const Vec3 point : points) box.add(point);
+  if (box.empty()) return;
+  std::vector<Vec3> offsets;
+  offsets.reserve(points.size());
+  for (const Vec3 point : points) offsets.push_back(point - box.center());
+  frame_around(box.center(), offsets, ease, aspect);
+}
+
+void Camera::frame(const Box3& box, bool ease, double aspect) {
+  if (box.empty()) return;
+  const Vec3 half = 0.5 * box.extent();
+  // Models touch the faces of their boxes, seldom the corners: those may come closer to the border, but where
+  // the view is narrow, as there is nothing beside it.
+  const double inwards = aspect < 1 ? 0.95 : 0.82;
+  std::vector<Vec3> offsets;
+  for (int corner = 0; corner < 8; ++corner)
+    offsets.push_back(inwards * Vec3{(corner & 1) ? half.x : -half.x, (corner & 2) ? half.y : -half.y,
+                                     (corner & 4) ? half.z : -half.z});
+  for (const double sign : {-1.0, 1.0}) {
+    offsets.push_back({sign * half.x, 0, 0});
+    offsets.push_back({0, sign * half.y, 0});
+    offsets.push_back({0, 0, sign * half.z});
+  }
+  frame_around(box.center(), offsets, ease, std::min(1.0, aspect));
 }
 
 bool Camera::update(double seconds) {

@@ -9,6 +9,7 @@
 #include <array>
 
 #include <optional>
+#include <span>
 #include <string>
 
 namespace isoscope {
@@ -47,6 +48,8 @@ class Camera {
 
   /// Looks at the box from the present direction so that it fills a view of that aspect, width to height.
   void frame(const Box3& box, bool ease, double aspect = 1);
+  /// The same of points, with the middle of their box in the middle: none of them lies outside.
+  void frame(std::span<const Vec3> points, bool ease, double aspect = 1);
   /// Advances a transition; true while it is under way.
   bool update(double seconds);
 
@@ -74,6 +77,8 @@ class Camera {
   void set_scene_bounds(const Box3& box) { bounds_ = box; } ///< for near and far planes
 
  private:
+  void frame_around(Vec3 center, std::span<const Vec3> offsets, bool ease, double aspect);
+
   CameraPose pose_, from_, to_;
   double transition_ = 1; ///< in [0, 1], 1 at rest
   bool was_set_ = false;

@@ -31,6 +31,17 @@ std::shared_ptr<const InputPoints> input_points(const Scene& scene) {
   return points;
 }
 
+std::shared_ptr<const InputPoints> input_points(std::shared_ptr<const TriangleSoup> input) {
+  if (!input->is_point_set()) return nullptr;
+  auto points = std::make_shared<InputPoints>();
+  points->weights.assign(input->points.size(), 0);
+  const Vec3 extent = input->bounds().extent();
+  const double area = 2 * (extent.x * extent.y + extent.y * extent.z + extent.z * extent.x);
+  points->spacing = std::sqrt(area / static_cast<double>(points->size()));
+  points->soup = std::move(input);
+  return points;
+}
+
 glm::vec3 weight_color(ThemeKind theme, float weight) {
   const auto& stops = theme == ThemeKind::dark ? on_dark : on_light;
   const float at = std::clamp(weight, 0.0f, 1.0f) * (stops.size() - 1);

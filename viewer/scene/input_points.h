@@ -24,6 +24,8 @@ struct InputPoints {
 
 /// Null where the scene's field is not one of points.
 std::shared_ptr<const InputPoints> input_points(const Scene& scene);
+/// Of points that nothing is known of yet: all count the same. Null where the input is no point set.
+std::shared_ptr<const InputPoints> input_points(std::shared_ptr<const TriangleSoup> input);
 
 /// The colour of a weight: the less a point's ball is left, the lighter (in the dark theme) or the darker.
 glm::vec3 weight_color(ThemeKind theme, float weight);

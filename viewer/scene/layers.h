@@ -107,6 +107,18 @@ class GammaLayer {
   LineBatch batch_;
 };
 
+/// Z of the run beside this one, as lines.
+class OtherZeroLayer {
+ public:
+  void update(const StateSnapshot& state, const Clip& clip, const SceneColors& colors,
+              const SceneSpace& space);
+  void clear() { batch_.upload(LineBuilder()); }
+  void draw(gl::Program& program, const ViewFrame& frame);
+
+ private:
+  LineBatch batch_;
+};
+
 /// Tetrahedra as shrunk copies: violating ones solid in their condition's colour, the others faint.
 class TetrahedraLayer {
  public:

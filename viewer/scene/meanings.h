@@ -13,6 +13,7 @@ namespace meaning_color {
 inline constexpr std::uint32_t good = 0x009E73, bad = 0xD55E00, warning = 0xE69F00, gamma = 0x0072B2,
                                outer = 0x56B4E9, inner = 0xCC79A7,
                                misoriented = 0x6647FF, ///< condition 3, and the tetrahedra that violate it
+    other_zero = 0x86B300,                             ///< Z of the run beside this one
     kernel = 0xA98BF0, offender = 0xE83FD0, invalid = 0xC0352E; ///< Ψ
 } // namespace meaning_color
 
@@ -28,6 +29,7 @@ inline constexpr std::array meanings{Meaning{"good sample", meaning_color::good}
                                      Meaning{"∂Γ", meaning_color::gamma},
                                      Meaning{"outer boundary of Ω", meaning_color::outer},
                                      Meaning{"inner boundary of Ω", meaning_color::inner},
+                                     Meaning{"Z of the other run", meaning_color::other_zero},
                                      Meaning{"kernel of an edge", meaning_color::kernel},
                                      Meaning{"breaks the link condition", meaning_color::offender},
                                      Meaning{"Ψ", meaning_color::invalid}};

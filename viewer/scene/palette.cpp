@@ -14,6 +14,7 @@ SceneColors scene_colors(ThemeKind theme) {
   c.warning = rgb(meaning_color::warning);
   c.misoriented = rgb(meaning_color::misoriented);
   c.gamma = rgb(meaning_color::gamma);
+  c.other_zero = rgb(meaning_color::other_zero);
   c.outer = rgb(meaning_color::outer);
   c.inner = rgb(meaning_color::inner);
   c.selection = rgb(0xF0E442);

@@ -14,6 +14,7 @@ namespace isoscope {
 struct SceneColors {
   glm::vec3 ground_top, ground_bottom;
   glm::vec3 zero_set, zero_set_edge;
+  glm::vec3 other_zero; ///< Z of another run
   glm::vec3 good, bad, warning, misoriented, gamma, outer, inner, selection, accent;
   glm::vec3 input, input_edge;
   glm::vec3 dropped; ///< points that no site stands for

@@ -60,8 +60,14 @@ Box3 pick_bounds(const StateSnapshot& state, const Pick& pick) {
       for (const Vec3& p : *ends) box.add(p);
     break;
   case Pick::Kind::tet:
-    if (pick.id < t.tets.size() && t.tets[pick.id].alive())
-      for (const Vec3& p : t.positions(TetId(pick.id))) box.add(p);
+    if (pick.id < t.tets.size() && t.tets[pick.id].alive()) {
+      const auto& corners = t.tets[pick.id].v;
+      const bool model = std::any_of(corners.begin(), corners.end(), [&](VertexId v) {
+        return t.vertices[v.index()].kind != VertexKind::box;
+      });
+      for (const VertexId v : corners)
+        if (!model || t.vertices[v.index()].kind != VertexKind::box) box.add(t.position(v));
+    }
     break;
   case Pick::Kind::facet:
     if (pick.id < t.facets.size() && t.facets[pick.id].alive())

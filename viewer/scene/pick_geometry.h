@@ -10,7 +10,8 @@ namespace isoscope {
 
 /// The ends of a picked edge. One that the current operation collapsed lies where it was before it.
 std::optional<std::array<Vec3, 2>> edge_positions(const StateSnapshot& state, const Pick& pick);
-/// Everything of the element, empty where the state has it not.
+/// Everything of the element, but for corners of the first box where a tetrahedron has others; empty where
+/// the state has it not.
 Box3 pick_bounds(const StateSnapshot& state, const Pick& pick);
 
 /// Of Z at a picked edge or vertex, outwards, of unit length; zero where it has no facet of Z.

@@ -71,14 +71,13 @@ struct Renderer::Impl {
   Renderer::Frame finish(FrameTargets& drawn, std::chrono::steady_clock::time_point start,
                          const FrameRequest& request);
   PickScene pick_scene_data() const {
-    return {shown.state.get(), shown.scene ? shown.scene->input.get() : nullptr, grid.get(),
-            shown.points.get()};
+    return {shown.state.get(), shown.input.get(), grid.get(), shown.points.get()};
   }
 };
 
 Box3 Renderer::Impl::bounds() const {
   Box3 box;
-  if (shown.scene && shown.scene->input) box = shown.scene->input->bounds().grown(2 * shown.scene->delta);
+  if (shown.input) box = shown.input->bounds().grown(shown.scene ? 2 * shown.scene->delta : 0);
   if (box.empty() && grid) box = grid->box;
   if (box.empty() && shown.state)
     for (const Vertex& v : shown.state->complex.vertices)
@@ -238,9 +237,26 @@ void Renderer::set_scene(std::shared_ptr<const Scene> scene) {
   // The address alone does not tell two scenes apart once the first is gone.
   impl_->layers.forget_scene();
   shown.scene = std::move(scene);
+  shown.input = shown.scene ? shown.scene->input : nullptr;
   shown.points = shown.scene ? input_points(*shown.scene) : nullptr;
   impl_->place_origin();
   impl_->upload_grid();
+}
+
+void Renderer::set_input(std::shared_ptr<const TriangleSoup> input) {
+  LayerInputs& shown = impl_->shown;
+  if (shown.scene || shown.input == input) return;
+  impl_->layers.forget_scene();
+  shown.input = std::move(input);
+  shown.points = shown.input ? input_points(shown.input) : nullptr;
+  impl_->place_origin();
+  impl_->upload_grid();
+}
+
+void Renderer::set_other(std::shared_ptr<const StateSnapshot> other) {
+  if (impl_->shown.other == other) return;
+  impl_->layers.forget_other();
+  impl_->shown.other = std::move(other);
 }
 
 void Renderer::set_grid(std::shared_ptr<const DistanceGrid> grid) {

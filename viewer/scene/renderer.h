@@ -57,10 +57,14 @@ class Renderer {
 
   /// What to show; cheap when unchanged. Any may be null.
   void set_scene(std::shared_ptr<const Scene> scene);
+  /// What there is before the scene: the input alone, which a scene replaces by its own. After set_scene().
+  void set_input(std::shared_ptr<const TriangleSoup> input);
   void set_grid(std::shared_ptr<const DistanceGrid> grid);
   /// A part of Ω in finer voxels; goes with the grid.
   void set_detail(std::shared_ptr<const DistanceGrid> detail);
   void set_state(std::shared_ptr<const StateSnapshot> state);
+  /// The state of another run, whose Z is drawn over this one's.
+  void set_other(std::shared_ptr<const StateSnapshot> other);
   void set_xray(std::shared_ptr<const EdgeXray> xray);
   void set_study(std::shared_ptr<const TargetStudy> study);
   void set_annotation(std::shared_ptr<const Annotation> annotation);

@@ -38,6 +38,7 @@ void SceneLayers::forget_state() {
 void SceneLayers::forget_all() {
   forget_scene();
   forget_state();
+  forget_other();
 }
 
 void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
@@ -55,15 +56,18 @@ void SceneLayers::update(const LayerInputs& inputs, const ViewFrame& frame) {
   wanted.made = true;
   wanted.clip = clip_of_cells(view.clip);
   wanted.theme = view.theme;
-  wanted.source = inputs.scene ? inputs.scene->input.get() : nullptr;
+  wanted.source = inputs.input.get();
   refresh(view.input, wanted, input_,
-          [&](InputLayer& layer) { layer.update(*inputs.scene->input, clip, frame.colors, frame.space); });
+          [&](InputLayer& layer) { layer.update(*inputs.input, clip, frame.colors, frame.space); });
   wanted.source = inputs.rim();
   refresh(view.rim, wanted, rim_,
           [&](RimLayer& layer) { layer.update(*inputs.rim(), clip, frame.colors, frame.space); });
   wanted.source = inputs.points.get();
   refresh(view.points, wanted, points_,
           [&](PointsLayer& layer) { layer.update(inputs.points, clip, frame.colors, frame); });
+  wanted.source = inputs.other.get();
+  refresh(view.other_zero, wanted, other_zero_,
+          [&](OtherZeroLayer& layer) { layer.update(*inputs.other, clip, frame.colors, frame.space); });
   wanted.source = inputs.state.get();
   const StateSnapshot* state = inputs.state.get();
   Built zero_wanted = wanted;
@@ -129,6 +133,7 @@ void SceneLayers::draw_opaque(Programs& programs, const ViewFrame& frame, const 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (view.gamma.shown()) gamma_.layer.draw(programs.line, frame);
+  if (view.other_zero.shown()) other_zero_.layer.draw(programs.line, frame);
   if (view.rim.shown()) rim_.layer.draw(programs.line, frame);
   if (view.curves.shown()) curves_.layer.draw(programs, frame);
   glDisable(GL_BLEND);

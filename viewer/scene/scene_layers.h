@@ -16,13 +16,15 @@ namespace isoscope {
 /// What there is to be drawn; any may be null.
 struct LayerInputs {
   std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const TriangleSoup> input; ///< the scene's, or what is known before it
   std::shared_ptr<const InputPoints> points;
   std::shared_ptr<const StateSnapshot> state;
+  std::shared_ptr<const StateSnapshot> other; ///< of the run beside this one: its Z
   std::shared_ptr<const EdgeXray> xray;
   std::shared_ptr<const TargetStudy> study;
   std::shared_ptr<const Annotation> annotation;
   std::shared_ptr<const ViolationPreview> preview; ///< of the state
-  std::shared_ptr<const ZeroMap> zero_map; ///< of the state
+  std::shared_ptr<const ZeroMap> zero_map;         ///< of the state
 
   /// The rim of an open input, null where there is none.
   const Rim* rim() const;
@@ -35,6 +37,7 @@ class SceneLayers {
   /// Buffers made from another scene, state or origin are made anew.
   void forget_scene();
   void forget_state();
+  void forget_other() { other_zero_.built = {}; }
   void forget_all();
   /// Rebuilds what is shown and stale.
   void update(const LayerInputs& inputs, const ViewFrame& frame);
@@ -64,6 +67,7 @@ class SceneLayers {
     Layer layer;
     Built built;
   };
+  Kept<OtherZeroLayer> other_zero_;
   Kept<InputLayer> input_;
   Kept<RimLayer> rim_;
   Kept<ZeroSetLayer> zero_set_;

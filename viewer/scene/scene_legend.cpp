@@ -1,6 +1,7 @@
 // Layer by layer; what is shown but not there is left out.
 #include "scene/scene_legend.h"
 
+#include "scene/input_points.h"
 #include "scene/tet_visibility.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace isoscope {
 
 std::vector<LegendEntry> scene_legend(const StateSnapshot& state, const ViewSettings& view, bool section,
-                                      bool has_rim) {
+                                      const LegendScene& scene) {
   using Sign = LegendEntry::Sign;
   const SceneColors c = scene_colors(view.theme);
   std::vector<LegendEntry> out;
@@ -39,9 +40,13 @@ std::vector<LegendEntry> scene_legend(const StateSnapshot& state, const ViewSett
   }
   put(view.tetrahedra.shown() && section, Sign::line, c.section_line, "T");
   put(view.gamma.shown() && !state.gamma.empty(), Sign::line, c.gamma, "∂Γ");
-  put(view.rim.shown() && has_rim, Sign::line, c.rim, "rim of the input");
+  put(view.other_zero.shown() && !section, Sign::line, c.other_zero, "Z of the other run");
+  put(view.rim.shown() && scene.rim, Sign::line, c.rim, "rim of the input");
   put(view.highlight.shown() && state.event.has_value() && !section, Sign::dashed, c.accent,
       "taken away by the operation");
+  put(view.points.shown() && scene.points && !section, Sign::disc, weight_color(view.theme, 0.5f),
+      "point of the input, by its weight");
+  put(view.points.shown() && scene.points && !section, Sign::cross, c.dropped, "point left out");
   put(view.input.shown() && !section, Sign::surface, c.input, "input");
   return out;
 }

@@ -16,8 +16,14 @@ struct LegendEntry {
   std::string words;
 };
 
+/// What the state alone does not tell of the scene.
+struct LegendScene {
+  bool rim = false, points = false; ///< an open rim; a field of points
+  friend bool operator==(const LegendScene&, const LegendScene&) = default;
+};
+
 /// Of what the settings show and the state has, the most important first. `section`: of the 2D section.
 std::vector<LegendEntry> scene_legend(const StateSnapshot& state, const ViewSettings& view, bool section,
-                                      bool has_rim);
+                                      const LegendScene& scene);
 
 } // namespace isoscope

@@ -70,12 +70,13 @@ struct ViewSettings {
   LayerSettings rim{true, 1.0f};      ///< the border of the input
   LayerSettings dropped{false, 0.4f}; ///< what was cut off Z along the rim
   LayerSettings gamma{false, 1.0f};
-  LayerSettings highlight{true, 1.0f}; ///< what the current operation touched
-  LayerSettings xray{true, 1.0f};      ///< kernel, candidates and offenders of the selected edge
-  bool invalid_regions = true;         ///< Ψ of the X-ray
-  bool octree_cells = true;            ///< cells of the X-ray's octree search
-  bool cost_ellipsoid = true;          ///< points of the same error as the target of the X-ray
-  float kernel_push = 0;               ///< planes of an empty kernel, of what they miss by, in [0, 1]
+  LayerSettings other_zero{false, 1.0f}; ///< Z of the run beside this one
+  LayerSettings highlight{true, 1.0f};   ///< what the current operation touched
+  LayerSettings xray{true, 1.0f};        ///< kernel, candidates and offenders of the selected edge
+  bool invalid_regions = true;           ///< Ψ of the X-ray
+  bool octree_cells = true;              ///< cells of the X-ray's octree search
+  bool cost_ellipsoid = true;            ///< points of the same error as the target of the X-ray
+  float kernel_push = 0;                 ///< planes of an empty kernel, of what they miss by, in [0, 1]
   Moment moment = Moment::both;
   bool zero_set_edges = true;
   ZeroMapKind zero_map = ZeroMapKind::none; ///< what Z is coloured by

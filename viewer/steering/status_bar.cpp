@@ -97,7 +97,8 @@ std::vector<Part> status_parts(const Ui& ui, const HistoryMemory& h) {
   if (state && state->samples && state->classifies() && state->complex.form == ZeroForm::interpolated)
     put(grouped(state->bad_samples) + " bad of " + grouped(state->samples->size()) + " samples",
         state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
-  if (state) put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
+  if (state && m.run.scene)
+    put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
   put(rate_text(m), ui.colors.quiet);
   if (m.run.journal) {
     const bool over = h.journal > h.limit;

@@ -94,7 +94,9 @@ void menus(Ui& ui, bool wide) {
 /// Returns the width it took.
 void model_name(Ui& ui, float room) {
   const WindowState& m = ui.window;
-  std::string name = m.run.scene && m.run.scene->input ? m.run.scene->input->name : m.run.parameters.input;
+  std::string name = m.run.scene && m.run.scene->input ? m.run.scene->input->name
+                     : m.run.input                     ? m.run.input->name
+                                                       : m.run.parameters.input;
   if (name.empty()) name = "no model";
   const bool automatic = m.run.parameters.tolerance.automatic && m.run.scene;
   std::string delta;

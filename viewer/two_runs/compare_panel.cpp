@@ -75,7 +75,10 @@ void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) 
       table_row<2>(ui, "samples of ∂Ω", {grouped(found->samples_a), grouped(found->samples_b)}, label_width);
   }
   ImGui::Dummy({0, ui.px(2)});
+  const float wide = ImGui::GetContentRegionAvail().x, half = ImGui::GetCursorPosX() + wide / 2;
   linked(ui, "one camera", m.linked_cameras, "link-cameras");
+  if (wide >= ui.px(240)) ImGui::SameLine(half);
+  linked(ui, "both Z", m.window.view.other_zero.visible, "both-z");
   linked(ui, "play heads together", m.linked_steps, "link-steps");
   ImGui::Dummy({0, ui.px(2)});
   const char* views = m.beside() ? "Hide" : "Two views";

@@ -102,6 +102,7 @@ void Comparison::link(double seconds) {
 }
 
 bool Comparison::update(double seconds) {
+  window.other_state = nullptr;
   if (!other_) return false;
   ShownRun& o = *other_;
   if (o.take_snapshot()) picked = {};
@@ -110,22 +111,23 @@ bool Comparison::update(double seconds) {
     window.report(*o.run.error);
   }
   bool changed = o.index.update() || ask();
-  if (beside_) {
+  if (drawn()) {
     const Step before = o.transport.step();
     link(std::min(seconds, 0.1));
     o.request_state(window.view.tets.recent, history_share(), window.transport.moving());
     changed |= before != o.transport.step();
   }
   changed |= o.take_result();
+  window.other_state = o.state();
   return changed || running() || !worker_.idle();
 }
 
 bool Comparison::at_rest() const {
-  return !beside() || other_->running() || (other_->result_taken() && worker_.idle());
+  return !drawn() || other_->running() || (other_->result_taken() && worker_.idle());
 }
 
 bool Comparison::is_current() const {
-  if (!beside()) return true;
+  if (!drawn()) return true;
   if (other_->running() || !worker_.idle()) return false;
   if (other_->run.phase == SessionPhase::failed) return true;
   if (!other_->is_current()) return false;

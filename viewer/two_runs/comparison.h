@@ -53,6 +53,8 @@ class Comparison {
   /// Both are drawn.
   bool beside() const { return other_ && beside_; }
   void set_beside(bool beside);
+  /// The other one is, beside the active one or over it.
+  bool drawn() const { return other_ && (beside_ || window.view.other_zero.shown()); }
 
   /// The run that is called A, or B; B may be null.
   const ShownRun* run(bool b) const { return b == active_is_b_ ? &window : other_.get(); }

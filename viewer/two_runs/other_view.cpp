@@ -33,6 +33,7 @@ void OtherView::draw(Ui& ui, Comparison& comparison) {
   const auto state = run->state();
   const auto grid = run->grid.grid();
   renderer_->set_scene(run->run.scene);
+  renderer_->set_input(run->run.input);
   renderer_->set_grid(grid);
   renderer_->set_detail(run->grid.detail());
   renderer_->set_state(state);

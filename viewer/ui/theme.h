@@ -19,7 +19,7 @@ using Rgb = std::uint32_t;
 /// theme but for what legibility asks of text.
 struct Palette {
   Rgb ground, panel, raised, hover, line, text, quiet, accent;
-  Rgb good, bad, warning, gamma, zero, outer, inner, misoriented, kernel, rim, selection;
+  Rgb good, bad, warning, gamma, other_zero, zero, outer, inner, misoriented, kernel, rim, selection;
   Rgb good_text, bad_text, warning_text, accent_text; ///< readable on panel and raised
   Rgb on_accent;                                      ///< text on an accent-coloured ground
 };

@@ -20,13 +20,21 @@ struct Row {
   Rgb Palette::*color;
 };
 constexpr Row layer_rows[] = {
-    {"outer", Swatch::surface, &Palette::outer}, {"inner", Swatch::surface, &Palette::inner},
-    {"zero", Swatch::surface, &Palette::zero},   {"good", Swatch::disc, &Palette::good},
-    {"bad", Swatch::cross, &Palette::bad},       {"over-rim", Swatch::diamond, &Palette::rim},
-    {"curves", Swatch::line, &Palette::zero},    {"rim", Swatch::line, &Palette::rim},
-    {"dropped", Swatch::surface, &Palette::rim}, {"tets", Swatch::cell, &Palette::misoriented},
-    {"gamma", Swatch::line, &Palette::gamma},    {"highlight", Swatch::line, &Palette::selection},
-    {"xray", Swatch::cell, &Palette::kernel},    {"points", Swatch::ramp, &Palette::quiet},
+    {"outer", Swatch::surface, &Palette::outer},
+    {"inner", Swatch::surface, &Palette::inner},
+    {"zero", Swatch::surface, &Palette::zero},
+    {"good", Swatch::disc, &Palette::good},
+    {"bad", Swatch::cross, &Palette::bad},
+    {"over-rim", Swatch::diamond, &Palette::rim},
+    {"curves", Swatch::line, &Palette::zero},
+    {"rim", Swatch::line, &Palette::rim},
+    {"dropped", Swatch::surface, &Palette::rim},
+    {"tets", Swatch::cell, &Palette::misoriented},
+    {"gamma", Swatch::line, &Palette::gamma},
+    {"other-zero", Swatch::line, &Palette::other_zero},
+    {"highlight", Swatch::line, &Palette::selection},
+    {"xray", Swatch::cell, &Palette::kernel},
+    {"points", Swatch::ramp, &Palette::quiet},
     {"input", Swatch::surface, &Palette::quiet},
 };
 
@@ -38,6 +46,7 @@ ImU32 weight_color32(const Ui& ui, float weight, float strength) {
 /// Whether the scene has what a layer draws.
 bool has_layer(const Ui& ui, std::string_view layer) {
   const auto& scene = ui.window.run.scene;
+  if (layer == "other-zero") return ui.window.other_state != nullptr;
   if (layer == "points") return scene && scene->points;
   if (layer == "over-rim" || layer == "rim" || layer == "dropped") return ui.window.rim() != nullptr;
   if (layer == "curves") return ui.window.rim() != nullptr || ui.window.has_rooms();

@@ -105,12 +105,12 @@ void draw_bar(Canvas& canvas, const ZeroMap& map, const std::string& title, ImVe
 } // namespace
 
 const std::vector<LegendEntry>& KeptLegend::of(const std::shared_ptr<const StateSnapshot>& state,
-                                               const ViewSettings& view, bool has_rim) {
-  if (state_.lock() == state && view_ == view && has_rim_ == has_rim) return entries_;
-  entries_ = scene_legend(*state, view, view.mode == ViewMode::section, has_rim);
+                                               const ViewSettings& view, const LegendScene& scene) {
+  if (state_.lock() == state && view_ == view && scene_ == scene) return entries_;
+  entries_ = scene_legend(*state, view, view.mode == ViewMode::section, scene);
   state_ = state;
   view_ = view;
-  has_rim_ = has_rim;
+  scene_ = scene;
   return entries_;
 }
 
@@ -128,7 +128,8 @@ SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSe
                 (w.unit.empty() || w.unit == "δ" || w.unit == "edges" ? "" : ", " + std::string(w.unit));
     if (maps.makes_no_sense()) key.note = "nothing to colour Z by: the input is no surface";
   }
-  if (view.legend) key.entries = legend.of(state, view, window.rim() != nullptr);
+  const bool points = window.run.scene && window.run.scene->points;
+  if (view.legend) key.entries = legend.of(state, view, {window.rim() != nullptr, points});
   return key;
 }
 

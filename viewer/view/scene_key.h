@@ -23,12 +23,12 @@ struct SceneKey {
 class KeptLegend {
  public:
   const std::vector<LegendEntry>& of(const std::shared_ptr<const StateSnapshot>& state,
-                                     const ViewSettings& view, bool has_rim);
+                                     const ViewSettings& view, const LegendScene& scene);
 
  private:
   std::weak_ptr<const StateSnapshot> state_;
   ViewSettings view_;
-  bool has_rim_ = false;
+  LegendScene scene_;
   std::vector<LegendEntry> entries_;
 };
 

@@ -127,8 +127,9 @@ void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double heigh
       label);
 }
 
-void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room, int lines) {
-  if (room < ui.px(100)) return;
+/// Its height, 0 where there is no room.
+float sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room, int lines) {
+  if (room < ui.px(100)) return 0;
   ImGui::PushFont(ui.fonts.small);
   text = widgets::fitted(text, room, lines);
   const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
@@ -147,6 +148,7 @@ void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, fl
                  rejected ? words(event->reason).shape : MarkerShape::disc);
   widgets::draw_text(list, ui.fonts.small, {at.x + ui.px(22), at.y + (high - text_size.y) / 2},
                      to_u32(ui.colors.text), text);
+  return high;
 }
 
 float caption(const Ui& ui, ImVec2 low, ImVec2 size) {
@@ -167,12 +169,12 @@ float caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   if (m.view.moment == Moment::before) text = "before · " + text;
   const float beside = size.x - ui.px(192 + 10 + 24 + 40);
   if (beside >= ui.px(200)) {
-    sentence(ui, event, std::move(text), low, beside);
-    return 0;
+    const int lines = size.y < ui.px(240) ? 1 : 2;
+    return std::max(0.0f, sentence(ui, event, std::move(text), low, beside, lines) - ui.px(26));
   }
   if (size.y < ui.px(240)) return 0; // the model comes first
-  sentence(ui, event, std::move(text), {low.x, low.y + ui.px(32)}, size.x - ui.px(24 + 30), 3);
-  return ui.px(32 + 26);
+  return ui.px(32) +
+         sentence(ui, event, std::move(text), {low.x, low.y + ui.px(32)}, size.x - ui.px(24 + 30), 3);
 }
 
 void preview(const Ui& ui, ImVec2 low, ImVec2 size) {
@@ -267,13 +269,16 @@ void progress(Ui& ui, const ShownRun& m, const char* cancel, ImVec2 low, ImVec2 
   const bool waiting = !preparing && !m.playhead.idle() && !m.state();
   const bool painting = !preparing && m.grid.working();
   if (!preparing && !waiting && !painting) return;
-  std::string text = preparing ? "Preparing: " + (m.run.part.empty() ? std::string("input") : m.run.part)
-                     : waiting ? "Reading the journal"
-                               : "Painting Ω";
-  const double fraction = preparing ? m.run.fraction : painting ? m.grid.fraction() : -1.0;
+  const bool counted = preparing && !m.shows_recording();
+  const std::string text = counted     ? "Preparing: " + m.preparation().words()
+                           : preparing ? "Preparing: " + m.run.part
+                           : waiting   ? "Reading the journal"
+                                       : "Painting Ω";
+  const double fraction = counted ? m.preparation().share() : painting ? m.grid.fraction() : -1.0;
   const float width = ui.px(280), high = progress_box_height(ui, preparing);
+  const bool empty = preparing && !m.run.input; // else it would cover what there is to be seen
   const ImVec2 at{low.x + (size.x - width) / 2,
-                  preparing ? low.y + (size.y - high) / 2 : low.y + size.y - high - ui.px(16)};
+                  empty ? low.y + (size.y - high) / 2 : low.y + size.y - high - ui.px(16)};
   progress_box(ui, text, fraction, preparing ? cancel : nullptr, at, width);
 }
 

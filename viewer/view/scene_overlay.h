@@ -15,7 +15,7 @@ void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size);
 void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double height);
 /// An event's text in the top left corner with its glyph; null: none led here. It has `room` pixels, and is
 /// cut to that many lines.
-void sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room, int lines = 1);
+float sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room, int lines = 1);
 /// That of the step, beside the mode switch, or below it where that leaves little. What is lower goes down by
 /// what comes back, in pixels.
 float caption(const Ui& ui, ImVec2 low, ImVec2 size);

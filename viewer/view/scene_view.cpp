@@ -39,9 +39,11 @@ ImVec2 local(ImVec2 mouse, ImVec2 low) {
 void SceneView::draw(Ui& ui) {
   WindowState& m = ui.window;
   renderer_->set_scene(m.run.scene);
+  renderer_->set_input(m.run.input);
   renderer_->set_grid(m.grid.grid());
   renderer_->set_detail(m.grid.detail());
   renderer_->set_state(m.state());
+  renderer_->set_other(m.other_state);
   xray_ = probe_.xray();
   renderer_->set_xray(xray_);
   // Until the next answer is there, the last one stays: a drag would flicker otherwise.
@@ -86,9 +88,10 @@ void SceneView::render(Ui& ui, Area area, bool section) {
   ViewPicture::Key key;
   key.view = view;
   key.state = m.state().get();
+  key.other = m.other_state.get();
   key.grid = m.grid.grid().get();
   key.detail = m.grid.detail().get();
-  key.scene = m.run.scene.get();
+  key.scene = m.run.scene ? static_cast<const void*>(m.run.scene.get()) : m.run.input.get();
   key.xray = xray_.get();
   key.study = study_.get();
   key.annotation = annotation_.get();
@@ -245,14 +248,19 @@ void SceneView::frame_untouched(Ui& ui, float aspect) {
   if (m.camera.was_set() || box.empty()) return;
   // Before an audience, or where it is drawn, the box that T begins as is seen too.
   const auto state = m.state();
-  if ((m.presenter.on || m.view.tets.box) && state) box.add(roomy(first_box(*state)));
+  const Box3 begun = (m.presenter.on || m.view.tets.box) && state ? first_box(*state) : Box3();
+  box.add(roomy(begun));
   const CameraPose& goal = m.camera.goal();
   const bool moved = goal.target != framed_.target || goal.distance != framed_.distance;
   if (!moved && aspect == framed_aspect_ && box.lo == framed_box_.lo && box.hi == framed_box_.hi) return;
   const bool left = moved && framed_aspect_ != 0; // somebody had moved it and has let go of it
   framed_aspect_ = aspect;
   framed_box_ = box;
-  m.camera.frame(box, (m.presenter.on || left) && !m.scripted, static_cast<double>(aspect));
+  const bool ease = (m.presenter.on || left) && !m.scripted;
+  if (begun.empty())
+    m.camera.frame(m.scene_outline(), ease, static_cast<double>(aspect));
+  else
+    m.camera.frame(box, ease, static_cast<double>(aspect));
   framed_ = m.camera.goal();
 }
 
@@ -303,7 +311,9 @@ void SceneView::frame_selection(Ui& ui) {
   const Pick& pick = m.selection.picked;
   const auto state = m.state();
   if (pick.kind == Pick::Kind::none || !state) return m.frame_all();
-  const double margin = m.run.scene ? 4 * m.run.scene->delta : 0.02 * renderer_->bounds().longest_edge();
+  // Where δ is large, what is selected is still looked at from nearer than the whole.
+  const double margin = m.run.scene ? std::min(4 * m.run.scene->delta, 0.12 * m.scene_bounds().longest_edge())
+                                    : 0.02 * renderer_->bounds().longest_edge();
   Box3 box = pick_bounds(*state, pick);
   if (box.empty()) box.add(pick.point);
   // Tetrahedra at the corners of the first box are looked at where they meet the model.

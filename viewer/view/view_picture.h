@@ -22,7 +22,7 @@ class ViewPicture {
     CameraPose pose;
     ViewSettings view;
     double u = 0, v = 0, height = 0; ///< of a section
-    const void *state = nullptr, *grid = nullptr, *detail = nullptr, *scene = nullptr;
+    const void *state = nullptr, *other = nullptr, *grid = nullptr, *detail = nullptr, *scene = nullptr;
     int width = 0, pixel_height = 0; ///< filled in by draw(), as is the scale
     const void *xray = nullptr, *study = nullptr, *annotation = nullptr, *preview = nullptr,
                *zero_map = nullptr;

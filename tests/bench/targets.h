@@ -1,0 +1,25 @@
+// What the pipeline aims at beside Lindstrom–Turk: sums and medians over named models, and how far they are.
+#pragma once
+
+#include "bench/cases.h"
+#include "bench/table.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace isoscope::bench {
+
+/// The lines that the targets are made of, each once. Models that are not installed are left out, with a line
+/// that says so.
+std::vector<Case> cases_of_targets();
+
+/// The input moved by less than δ along each axis, the same for the same seed; by nothing for seed 0. What
+/// comes of it differs by luck alone.
+TriangleSoup nudged(TriangleSoup soup, double delta, std::uint32_t seed);
+
+/// One line for each target: its mean over the seeds of the rows and the least and largest, the floor that
+/// must be reached and the goal. Lines without rows, or with rows that do not count, show a dash.
+std::string target_table(const std::vector<Row>& rows, bool markdown);
+
+} // namespace isoscope::bench
