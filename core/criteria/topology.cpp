@@ -1,6 +1,7 @@
 // What Z should look like: the input's own topology where it has one, else what the boundaries of Ω tell.
 #include "criteria/topology.h"
 
+#include "base/numbers.h"
 #include "tolerance/contacts.h"
 #include "tolerance/volume_components.h"
 
@@ -51,18 +52,25 @@ ExpectedTopology expected_of_open(const ToleranceVolume& volume) {
   long sum = 0;
   for (const BoundaryComponent& c : volume.boundary_components())
     if (!volume.regions()[c.region.index()].shallow) sum += c.euler_characteristic;
-  const std::size_t loops = volume.open_sides()->rim().loops().size();
+  const Rim& rim = volume.open_sides()->rim();
+  const std::size_t loops = rim.loops().size();
   const InputTopology& input = volume.input();
   const std::size_t components = volume.volume_component_count();
   expected.components = components;
-  expected.boundary_loops = loops;
   const bool keeps_input = input.manifold && sum == 2 * *input.euler_characteristic &&
                            components == input.components && loops == *input.boundary_loops;
   // What has no joined triangles has none of its own; every sheet of so many loops has a genus.
   const long twice_genus = 2 * static_cast<long>(components) - static_cast<long>(loops) - sum / 2;
-  const bool told_by_volume = volume.open_sides()->by_samples() && volume.thickening() && sum % 2 == 0 &&
-                              twice_genus >= 0 && twice_genus % 2 == 0;
+  const bool possible = sum % 2 == 0 && twice_genus >= 0 && twice_genus % 2 == 0;
+  const bool told_by_volume = volume.open_sides()->by_samples() && volume.thickening() && possible;
   expected.required = keeps_input || told_by_volume;
+  if (expected.required || (possible && rim.meetings() == 0))
+    expected.boundary_loops = loops;
+  else
+    expected.loops_untold =
+        possible ? "the " + counted(loops, "loop") + " of the rim meet each other or themselves in " +
+                       counted(rim.meetings(), "point") + ", where Ω parts or joins them"
+                 : "no surface with that χ has the " + counted(loops, "loop") + " of the rim: Ω closes some";
   expected.source = keeps_input ? "the input" : "the boundary of Ω";
   if (sum % 2 == 0) expected.euler_characteristic = sum / 2;
   return expected;

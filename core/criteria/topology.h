@@ -21,6 +21,8 @@ struct ExpectedTopology {
   std::optional<std::size_t> components;
   /// Closed curves of the border, once Z is cut along the rim; absent for closed surfaces, which have none.
   std::optional<std::size_t> boundary_loops;
+  /// In words: why no number of loops is given for open surfaces, as "the 2 of the rim …".
+  std::string loops_untold;
   std::string nothing; ///< why no number is given, where one was asked for
   /// In words: "both boundaries of Ω", "the input", "the boundary of smaller genus", "all boundaries of Ω, by
   /// half".

@@ -130,7 +130,9 @@ void tell_topology(const ExpectedTopology& expected, Certificate& c) {
   case Topology::missed:
     c.topology_note = "The topology is not guaranteed, as Ω is no thickening: the output has χ = " +
                       std::to_string(c.euler_characteristic) + " in " + std::to_string(c.components) +
-                      (c.components == 1 ? " component" : " components") + ", ";
+                      (c.components == 1 ? " component" : " components") +
+                      (expected.loops_untold.empty() ? "" : " with " + counted(c.boundary_loops, "loop")) +
+                      ", ";
     if (expected.euler_characteristic)
       c.topology_note += "χ = " + std::to_string(*expected.euler_characteristic) + " in ";
     c.topology_note += std::to_string(expected.components.value_or(c.components)) +
@@ -138,6 +140,8 @@ void tell_topology(const ExpectedTopology& expected, Certificate& c) {
                                                       " (" + std::to_string(c.boundary_loops) + " found)"
                                                 : std::string()) +
                        " from " + expected.source + " was aimed at.";
+    if (!expected.loops_untold.empty())
+      c.topology_note += " No number of loops was: " + expected.loops_untold + ".";
     return;
   case Topology::wrong:
     break;

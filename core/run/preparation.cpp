@@ -12,6 +12,7 @@
 #include "run/run_input.h"
 #include "run/scattered_points.h"
 #include "tolerance/facet_copies.h"
+#include "tolerance/open_changes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,7 @@ Error cancelled_error(const RunControl& control) {
 std::optional<double> expected_genus(const Scene& scene) {
   const ExpectedTopology& e = scene.expected;
   if (!e.euler_characteristic || !e.components) return std::nullopt;
+  if (!e.loops_untold.empty()) return std::nullopt;
   const auto loops = static_cast<double>(e.boundary_loops.value_or(0));
   return static_cast<double>(*e.components) - (static_cast<double>(*e.euler_characteristic) + loops) / 2;
 }
@@ -352,6 +354,8 @@ void Preparation::warn(Scene& made, const CriteriaParameters& criteria) const {
 
   if (!made.left_out.empty()) made.warnings.push_back({left_out_words(made.left_out), 0});
   for (const std::string& note : volume_->side_notes()) made.warnings.push_back({note, 0});
+  if (auto note = open_changes(*volume_, *made.samples, control_))
+    made.warnings.push_back({std::move(*note), 0});
   if (made.points)
     for (std::string& note : made.points->notes(made.delta, made.longest_edge, made.sheets.has_value()))
       made.warnings.push_back({std::move(note), 0});

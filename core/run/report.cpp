@@ -264,6 +264,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"components", scene.expected.components ? Json(*scene.expected.components) : Json(nullptr)},
         {"boundary_loops",
          scene.expected.boundary_loops ? Json(*scene.expected.boundary_loops) : Json(nullptr)},
+        {"loops_untold", scene.expected.loops_untold},
         {"required", scene.expected.required},
         {"source", scene.expected.source}}},
       {"rim", rim_json(scene)},

@@ -3,9 +3,11 @@
 #include "tolerance/boundary_sampler.h"
 
 #include "base/labels.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/place.h"
 #include "base/snap.h"
+#include "tolerance/contacts.h"
 #include "tolerance/regions.h"
 #include "tolerance/sample_candidates.h"
 #include "tolerance/sample_estimate.h"
@@ -35,6 +37,9 @@ constexpr std::size_t crevice_budget = 2000;
 /// Wall samples this near to another sample of their side, in units of σ, tell nothing new.
 constexpr double nearest_wall_sample = 0.1;
 constexpr std::uint16_t no_component = 0xffff;
+/// How far down, relative to δ', and how finely it is looked for what comes apart.
+constexpr double least_parting = 0.01;
+constexpr int parting_halvings = 10;
 /// Samples that room is left for, by those that are foreseen.
 constexpr double most_foreseen = 1.3;
 
@@ -48,10 +53,41 @@ Error stopped_sampling() {
   return {ErrorCode::cancelled, "Stopped while sampling the tolerance volume.", ""};
 }
 
-Error crossing_sheets_near(Vec3 p) {
-  return {ErrorCode::unsupported,
-          "The input is not a manifold surface: sheets cross each other near " + place(p, place_digits) + ".",
-          "Cut them apart along that line, and leave out what is not wanted."};
+/// At which tolerance parts of the input come apart that are one in Ω'.
+std::string parting_words(const ToleranceVolume& volume, const RunControl& control) {
+  const ToleranceThresholds& t = volume.thresholds();
+  const auto parts = [&](double r) { return volume.field().components(r, control).count; };
+  double apart = least_parting * t.boundary, joined = t.boundary;
+  if (parts(apart) <= volume.volume_component_count()) return "A smaller tolerance may keep them apart. ";
+  for (int i = 0; i < parting_halvings && !control.cancelled(); ++i) {
+    const double middle = 0.5 * (apart + joined);
+    (parts(middle) > volume.volume_component_count() ? apart : joined) = middle;
+  }
+  return "Below δ = " + general(apart * t.delta / t.boundary, 3) + " parts of the input come apart. ";
+}
+
+/// What keeps a surface from separating the sides of open sheets near p: sheets that cross, where triangles
+/// do, at the nearest such place, else what Ω joins.
+Error inseparable_near(const ToleranceVolume& volume, Vec3 p, const RunControl& control) {
+  double least = std::numeric_limits<double>::infinity();
+  std::optional<Vec3> crossing;
+  for (const Contact& contact : find_contacts(volume.index(), control)) {
+    if (contact[0] == contact[1]) continue; // holes that meet in a vertex, or parts that touch in one
+    const Vec3 middle = 0.5 * (contact[0] + contact[1]);
+    if (const double d = distance(middle, p); d < least) least = d, crossing = middle;
+  }
+  if (crossing)
+    return {ErrorCode::unsupported,
+            "The input is not a manifold surface: sheets cross or branch near " +
+                place(*crossing, place_digits) + ".",
+            "Cut them apart along that line, and leave out what is not wanted."};
+  return {
+      ErrorCode::unsupported,
+      "The sides of the open surface cannot be told apart near " + place(p, place_digits) +
+          ": none of its triangles cross there, but Ω joins its parts, so that what lies across from each "
+          "other is one side.",
+      parting_words(volume, control) +
+          "Filling the holes there, or taking out what lies between the parts, helps too."};
 }
 
 class Sampler {
@@ -141,7 +177,7 @@ class Sampler {
     if (volume_.open_sides()->by_samples()) return {};
     SideVotes result = vote_on_sides(volume_, samples_, control);
     if (control.cancelled()) return {};
-    if (result.crossing) return crossing_sheets_near(*result.crossing);
+    if (result.inseparable) return inseparable_near(volume_, *result.inseparable, control);
     samples_.labels = std::move(result.labels);
     volume_.settle_open_sides(std::make_shared<const OpenSides>(
         volume_.open_sides()->settled(std::move(result.rim), std::move(result.votes), 2 * samples_.sigma)));

@@ -219,6 +219,7 @@ void Rim::find_loops() {
   for (std::size_t i = 0, end = 0; i < ends.size(); i = end) {
     while (end < ends.size() && ends[end].node == ends[i].node) sets.unite(ends[end++].piece, ends[i].piece);
     if (end - i == 1) lone.push_back(ends[i]);
+    if (end - i > 2) ++meetings_;
   }
   if (!lone.empty()) {
     SampleGrid grid(lone.front().point, gap * boundary_);

@@ -68,6 +68,8 @@ class Rim {
   std::span<const RimPiece> pieces() const { return pieces_; }
   std::span<const RimLoop> loops() const { return loops_; }
   bool empty() const { return loops_.empty(); }
+  /// Points of the border in which more than two open pieces end: holes that meet in a vertex are one loop.
+  std::size_t meetings() const { return meetings_; }
   /// The distance field of the open pieces.
   const ClosestPointIndex& curve() const { return *curve_; }
   /// Whether a point of the open rim is as near to p as any of the input, which is `d` away.
@@ -87,6 +89,7 @@ class Rim {
   std::vector<RimPiece> pieces_;                    ///< those of an edge in a row, edges as they are sorted
   std::vector<std::array<std::uint32_t, 2>> nodes_; ///< by piece: numbers of its ends, shared where they meet
   std::vector<RimLoop> loops_;
+  std::size_t meetings_ = 0;
   std::shared_ptr<const ClosestPointIndex> curve_;
   std::vector<std::uint32_t> loop_of_; ///< by site of the curve
 };

@@ -19,6 +19,8 @@ constexpr double largest_sigma = 0.75;
 constexpr double largest_minority = 0.2, largest_pocket = 0.05;
 /// Both sides meet over the rim, not so many δ' from it.
 constexpr double far_from_rim = 3;
+/// A place of the input with so many δ' around it on one side is farther from Z than results may be.
+constexpr double far_from_other_side = 4;
 /// A sample whose distance to the border is d up to this share is over it.
 constexpr double over_border = 1e-5;
 constexpr std::size_t samples_between_questions = 4096;
@@ -122,7 +124,8 @@ class Vote {
       const auto elected = static_cast<std::int8_t>(2 * plus > total ? +1 : -1);
       if (std::exchange(result_.labels[i], elected) != elected) turned.push_back(i);
     }
-    find_crossing(on_both, control);
+    find_joined_sides(on_both, control);
+    if (!result_.inseparable) find_lost_part(turned, control);
     std::vector<std::uint8_t> told(samples_.size(), 0);
     for (const std::uint32_t i : turned)
       for_each_near(i, near, [&](std::uint32_t j) { told[j] = result_.labels[j] != 0 ? 1 : 0; });
@@ -132,7 +135,7 @@ class Vote {
 
   /// Of places where both sides meet the farthest from the rim, where it is far enough that the rim is not to
   /// blame.
-  void find_crossing(std::span<const std::uint32_t> on_both, const RunControl& control) {
+  void find_joined_sides(std::span<const std::uint32_t> on_both, const RunControl& control) {
     double farthest = far_from_rim * volume_.thresholds().boundary;
     SparsePoll poll(control, samples_between_questions);
     std::vector<std::uint32_t> near;
@@ -144,8 +147,31 @@ class Vote {
       if (!both) continue;
       const Vec3 p = volume_.index().closest(samples_.positions[i]).point;
       const double d = result_.rim.curve().closest(p).distance();
-      if (d > farthest) farthest = d, result_.crossing = p;
+      if (d > farthest) farthest = d, result_.inseparable = p;
     }
+  }
+
+  /// Of places near to samples that were turned the farthest from the rim of those around which all samples
+  /// are on one side.
+  void find_lost_part(std::span<const std::uint32_t> turned, const RunControl& control) {
+    const double boundary = volume_.thresholds().boundary, reach = far_from_other_side * boundary;
+    std::vector<double> from_rim(turned.size(), 0);
+    std::vector<Vec3> places(turned.size());
+    parallel_until(turned.size(), 16, control, [&](std::size_t k) {
+      const Vec3 p = volume_.index().closest(samples_.positions[turned[k]]).point;
+      const double d = result_.rim.curve().closest(p).distance();
+      if (d <= far_from_rim * boundary) return;
+      std::vector<std::uint32_t> near;
+      grid_.gather(Box3{p, p}.grown(reach), near);
+      for (const std::uint32_t j : near)
+        if (result_.labels[j] == -result_.labels[turned[k]] && distance(samples_.positions[j], p) <= reach)
+          return;
+      from_rim[k] = d;
+      places[k] = p;
+    });
+    const auto farthest = std::max_element(from_rim.begin(), from_rim.end());
+    if (farthest != from_rim.end() && *farthest > 0)
+      result_.inseparable = places[static_cast<std::size_t>(farthest - from_rim.begin())];
   }
 
   const ToleranceVolume& volume_;

@@ -13,9 +13,9 @@ struct SideVotes {
   std::vector<std::int8_t> labels; ///< by sample; 0: over the rim after all
   Rim rim;                         ///< with the bridged pieces open that part two sides
   std::vector<SideVote> votes; ///< samples near to those whose side is not the one that their normal tells
-  /// A point of the input where much of what is joined is on each side, far from the rim: sheets cross there,
-  /// and no surface separates their sides.
-  std::optional<Vec3> crossing;
+  /// A point of the input, far from the rim, near to which no surface separates its sides: much of what is
+  /// joined is on each of them there, or all that is around it is on one, so that it would be lost.
+  std::optional<Vec3> inseparable;
 };
 
 /// Joins the samples that are on some side of an open surface where they are nearer than 2σ to each other;

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <numbers>
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -171,7 +172,39 @@ TEST_CASE("Sheets that cross are refused with a place on the line where they do"
   REQUIRE_FALSE(samples.ok());
   CAPTURE(samples.error().message);
   CHECK(samples.error().code == ErrorCode::unsupported);
-  CHECK(samples.error().message.find("sheets cross each other near (") != std::string::npos);
+  CHECK(samples.error().message.find("sheets cross or branch near (") != std::string::npos);
+}
+
+TEST_CASE("Sheets that cross in a ring, so that a part of one would be lost, are refused there") {
+  // A cone whose tip goes through a square: both sides of the tip are below it.
+  TriangleSoup mask = grid_sheet(24, [](double, double) { return true; });
+  for (Vec3& p : mask.points) p = {2 * p.x - 1, 2 * p.y - 1, 0};
+  TriangleSoup cone;
+  constexpr std::uint32_t around = 48, along = 16;
+  for (std::uint32_t j = 1; j <= along; ++j)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around, h = 1.0 * j / along;
+      cone.points.push_back({0.7 * h * std::cos(angle), 0.7 * h * std::sin(angle), h - 0.4});
+    }
+  const auto tip = static_cast<std::uint32_t>(cone.points.size());
+  cone.points.push_back({0, 0, -0.4});
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const std::uint32_t next = (i + 1) % around;
+    cone.triangles.push_back({tip, next, i});
+    for (std::uint32_t j = 0; j + 1 < along; ++j) {
+      const std::uint32_t a = j * around + i, b = j * around + next;
+      cone.triangles.push_back({a, b, b + around});
+      cone.triangles.push_back({a, b + around, a + around});
+    }
+  }
+  append(mask, cone);
+  auto volume = build(mask, 0.03);
+  REQUIRE(volume.ok());
+  const auto samples = sample_boundary(*volume, 0.015, RunControl());
+  REQUIRE_FALSE(samples.ok());
+  CAPTURE(samples.error().message);
+  CHECK(samples.error().code == ErrorCode::unsupported);
+  CHECK(samples.error().message.find("sheets cross or branch near (") != std::string::npos);
 }
 
 TEST_CASE("A sheet that ends on another one is refused with the place") {
