@@ -207,14 +207,14 @@ void FlatParts::divide(const Region& given, double slack) {
     std::vector<double> most(region.directions.size(), 1e300);
     for (const auto& [distance, i] : nearest) {
       const Segment2& s = region.border[i];
-      double widest = -slack;
+      double widest = -2 * slack;
       std::size_t best = most.size();
       bool outside = false;
       for (std::size_t k = 0; k < most.size() && !outside; ++k) {
         const double least = least_along(region.directions[k], s);
         outside = least >= most[k];
         const double gap = least - most_along(region.directions[k], t);
-        if (gap >= widest) widest = gap, best = k;
+        if (gap > widest + slack) widest = gap, best = k; // among equals the border's own directions
       }
       if (outside) continue;
       if (best == most.size()) return std::vector<double>{};

@@ -105,7 +105,8 @@ Complex lattice_with_sides(int n, const std::function<int(Vec3)>& side,
     if (!t.alive()) continue;
     for (std::size_t k = 0; k < 4; ++k) {
       if (!t.neighbor[k].valid() || c.tet(t.neighbor[k]).side == t.side) continue;
-      const auto f = t.facet(k);
+      auto f = t.facet(k);
+      std::sort(f.begin(), f.end()); // from both sides the same centroid to the bit
       for (const VertexId v : f) c.vertices[v.index()].value = 0;
       if (is_dropped(centroid({c.position(f[0]), c.position(f[1]), c.position(f[2])})))
         t.dropped = static_cast<std::uint8_t>(t.dropped | 1u << k);

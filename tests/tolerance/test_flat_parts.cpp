@@ -116,3 +116,42 @@ TEST_CASE("facets are proven with parts in fewer pieces, and none that is outsid
   CHECK(outside > 100);
   CHECK(2 * pieces < pieces_without);
 }
+
+TEST_CASE("a facet over two slits is not proven by the narrower one where parts cannot tell") {
+  // Three rectangles in a plane. Half of the narrow slit is more than parts may prove and within the limit;
+  // where the slits meet it is farther.
+  const auto plates = [](double narrow, double wide) {
+    TriangleSoup soup;
+    const auto add = [&](double x0, double x1, double y0, double y1) {
+      const auto first = static_cast<std::uint32_t>(soup.points.size());
+      for (const double y : {y0, y1})
+        for (const double x : {x0, x1}) soup.points.push_back({x, y, 0});
+      soup.triangles.push_back({first, first + 1, first + 3});
+      soup.triangles.push_back({first, first + 3, first + 2});
+    };
+    add(-1, 0, 0, 1);
+    add(narrow, 1, 0, 1);
+    add(-1, 1, 1 + wide, 2);
+    return soup;
+  };
+  const double roughness = FlatParts(ClosestPointIndex(plates(0.001, 0.001)), RunControl()).roughness();
+  const double accept = 5 * roughness, narrow = 2 * accept - roughness, wide = 2 * accept + roughness;
+  const ClosestPointIndex index(plates(narrow, wide));
+  const FlatParts parts(index, RunControl());
+  REQUIRE(parts.size() == 3);
+  const double beside = 0.02 * narrow;
+  const Triangle3 corners{Vec3{-beside, 1 - beside, 0}, Vec3{narrow + beside, 1 - beside, 0},
+                          Vec3{narrow / 2, 1 + wide + beside, 0}};
+  REQUIRE(index.distance({narrow / 2, 1 + wide / 2, 0}) > accept);
+  for (const bool turned : {false, true})
+    for (std::size_t first = 0; first < 3; ++first) {
+      Triangle3 facet{corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
+      if (turned) std::swap(facet[1], facet[2]);
+      FacetSearch search;
+      std::vector<Vec3> witnesses;
+      search.witnesses = &witnesses;
+      search.parts = &parts;
+      CHECK(certify_facet(index, facet, accept, accept, search).kind != Kind::inside);
+      CHECK(certify_facet(index, facet, 3 * accept, 3 * accept, search).kind == Kind::inside);
+    }
+}
