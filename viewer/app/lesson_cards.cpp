@@ -17,6 +17,10 @@ struct LessonCard {
   std::uint32_t texture;
 };
 
+/// Titles have room for so many lines, each of that height.
+constexpr int title_lines = 2;
+constexpr float title_line = 18;
+
 bool pressed_card(const Ui& ui, const LessonCard& card, ImVec2 size) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(card.id.c_str(), size);
@@ -38,13 +42,13 @@ bool pressed_card(const Ui& ui, const LessonCard& card, ImVec2 size) {
                  to_u32(ui.colors.quiet), card.icon);
   }
   if (hovered) list.AddRect(at, end, to_u32(ui.colors.accent), ui.px(8), 0, ui.px(1.5f));
-  const auto line = [&](ImFont* font, float y, Rgb color, const std::string& text) {
+  const auto text = [&](ImFont* font, float y, Rgb color, const std::string& words, int lines) {
     const widgets::Font used(font);
     widgets::draw_text(list, font, {at.x + pad, at.y + picture + ui.px(y)}, to_u32(color),
-                       widgets::fitted(text, size.x - 2 * pad));
+                       widgets::fitted(words, size.x - 2 * pad, lines));
   };
-  line(ui.fonts.bold, 7, ui.colors.text, card.title);
-  line(ui.fonts.small, 27, ui.colors.quiet, card.note);
+  text(ui.fonts.bold, 7, ui.colors.text, card.title, title_lines);
+  text(ui.fonts.small, 27 + title_line * (title_lines - 1), ui.colors.quiet, card.note, 1);
   return pressed;
 }
 
@@ -56,7 +60,7 @@ void lesson_cards(Ui& ui, std::span<const std::uint32_t> textures) {
   constexpr std::size_t columns = 5;
   const float gap = ui.px(14);
   const float width = (ImGui::GetContentRegionAvail().x - gap * (columns - 1) - ui.px(12)) / columns;
-  const ImVec2 size{width, std::round(width / 1.6f + ui.px(50))};
+  const ImVec2 size{width, std::round(width / 1.6f + ui.px(50 + title_line * (title_lines - 1)))};
   for (std::size_t i = 0; i < std::min(columns - 1, lessons->size()); ++i) {
     const Lesson& lesson = (*lessons)[i];
     const std::string note =
