@@ -276,7 +276,7 @@ Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<co
     if (tried == 0 && !built) first = built;
     if (!built && (built.error().code != ErrorCode::open_surface || too_small)) break;
     if (built) {
-      const bool thickening = volume_->thickening() && volume_->topology_told();
+      const bool thickening = volume_->thickening() || !volume_->topology_told();
       if (!found || thickening) found = Found{made.delta, points_, std::move(*volume_)};
       if (thickening || !parameters_.tolerance.automatic || ++without_thickening == most_without_thickening)
         break;
