@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "tolerance/contacts.h"
+#include "tolerance/open_changes.h"
 #include "tolerance/volume_components.h"
 
 #include <algorithm>
@@ -49,16 +50,9 @@ void expect_nothing(ExpectedTopology& expected, const char* why) {
 /// of Z for each of Ω, a closed curve of its border for each loop of the open rim.
 ExpectedTopology expected_of_open(const ToleranceVolume& volume) {
   ExpectedTopology expected;
-  long sum = 0;
-  for (const BoundaryComponent& c : volume.boundary_components())
-    if (!volume.regions()[c.region.index()].shallow) sum += c.euler_characteristic;
   const Rim& rim = volume.open_sides()->rim();
-  const std::size_t loops = rim.loops().size();
-  const InputTopology& input = volume.input();
-  const std::size_t components = volume.volume_component_count();
+  const auto [sum, components, loops, keeps_input] = open_topology(volume);
   expected.components = components;
-  const bool keeps_input = input.manifold && sum == 2 * *input.euler_characteristic &&
-                           components == input.components && loops == *input.boundary_loops;
   // What has no joined triangles has none of its own; every sheet of so many loops has a genus.
   const long twice_genus = 2 * static_cast<long>(components) - static_cast<long>(loops) - sum / 2;
   const bool possible = sum % 2 == 0 && twice_genus >= 0 && twice_genus % 2 == 0;

@@ -97,7 +97,7 @@ class AsciiStl {
       if (mesh_.sink != nullptr) {
         if (streamed_.size() < 4) streamed_.push_back(p);
       } else {
-        face_.push_back(numbers_.number(p));
+        face_.push_back(numbers_.number(p + Vec3{})); // no -0 is kept
       }
     }
     if (mesh_.sink != nullptr) return stream_facet();
@@ -164,7 +164,7 @@ class BinaryStl {
     std::array<std::uint32_t, 3> face{};
     for (std::size_t k = 0; k < 3; ++k) {
       for (int c = 0; c < 3; ++c) largest_ = std::max(largest_, std::abs(t[k][c]));
-      if (mesh_.sink == nullptr) face[k] = numbers_.number(t[k]);
+      if (mesh_.sink == nullptr) face[k] = numbers_.number(t[k] + Vec3{}); // no -0 is kept
     }
     ++triangles_;
     if (mesh_.sink == nullptr) return mesh_.add_face(face);

@@ -17,8 +17,6 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t cover_grain = 64;
-/// Verdicts take as much as triangles: so many of them are in memory.
-constexpr std::size_t cover_verdicts_at_once = 1 << 16;
 /// Pieces beyond the limit are cut no finer than makes about so many of them.
 constexpr double most_pieces = 50000;
 /// And no triangle into more.
@@ -122,7 +120,7 @@ Coverage judge_coverage(const ClosestPointIndex& input, const ClosestPointIndex&
   double surface = 0;
   std::vector<FacetVerdict> verdicts;
   for (std::size_t first = 0; first < input.size(); first += verdicts.size()) {
-    verdicts.assign(std::min(cover_verdicts_at_once, input.size() - first), {});
+    verdicts.assign(std::min(verdicts_at_once, input.size() - first), {});
     parallel_for(verdicts.size(), cover_grain, [&](std::size_t i) {
       if (control.out_of_grace()) return;
       verdicts[i] = certify_facet(mesh, input.triangle(TriangleId(first + i)), limit, limit, proof_budget);

@@ -17,8 +17,6 @@ namespace isoscope {
 namespace {
 
 constexpr std::size_t grain = 256;
-/// Verdicts take as much as triangles: so many of them are in memory.
-constexpr std::size_t verdicts_at_once = 1 << 16;
 /// A computed distance comes from fewer.
 constexpr int roundings = 32;
 

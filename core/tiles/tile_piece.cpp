@@ -2,86 +2,46 @@
 #include "tiles/tile_piece.h"
 
 #include "base/point_order.h"
+#include "input/point_numbers.h"
 #include "tiles/facet_file.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <numeric>
 
 namespace isoscope {
 namespace {
 
-/// Numbers points as they come; equal ones have one number.
-class PointNumbers {
- public:
-  /// A closed surface has about half as many points as facets.
-  explicit PointNumbers(std::size_t facets) : slots_(std::bit_ceil(facets + 1), none) {
-    points_.reserve(facets / 2 + 3);
+/// Sorts the points and returns the new place of each.
+std::vector<std::uint32_t> sort_points(std::vector<Vec3>& points) {
+  std::vector<std::uint32_t> order(points.size()), rank(points.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return lies_before(points[a], points[b]); });
+  std::vector<Vec3> ascending;
+  ascending.reserve(order.size());
+  for (const std::uint32_t i : order) {
+    rank[i] = static_cast<std::uint32_t>(ascending.size());
+    ascending.push_back(points[i]);
   }
-
-  std::uint32_t add(Vec3 p) {
-    std::size_t at = slot_of(p);
-    if (slots_[at] != none) return slots_[at];
-    if (2 * (points_.size() + 1) > slots_.size()) {
-      grow();
-      at = slot_of(p);
-    }
-    slots_[at] = static_cast<std::uint32_t>(points_.size());
-    points_.push_back(p);
-    return slots_[at];
-  }
-
-  /// Once, in the end: all of them, ascending, and the place of each by its number.
-  std::vector<std::uint32_t> sort(std::vector<Vec3>& ascending) {
-    slots_ = {};
-    std::vector<std::uint32_t> order(points_.size()), rank(points_.size());
-    std::iota(order.begin(), order.end(), std::uint32_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return lies_before(points_[a], points_[b]); });
-    ascending.reserve(order.size());
-    for (const std::uint32_t i : order) {
-      rank[i] = static_cast<std::uint32_t>(ascending.size());
-      ascending.push_back(points_[i]);
-    }
-    return rank;
-  }
-
- private:
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-  /// Where p is, or is to be.
-  std::size_t slot_of(Vec3 p) const {
-    std::uint64_t hash = 0;
-    for (int a = 0; a < 3; ++a) { // both zeros are one
-      hash = (hash ^ std::bit_cast<std::uint64_t>(p[a] + 0.0)) * 0x9e3779b97f4a7c15u;
-      hash ^= hash >> 32;
-    }
-    std::size_t at = hash & (slots_.size() - 1);
-    while (slots_[at] != none && points_[slots_[at]] != p) at = (at + 1) & (slots_.size() - 1);
-    return at;
-  }
-
-  void grow() {
-    slots_.assign(2 * slots_.size(), none);
-    for (std::uint32_t i = 0; i < points_.size(); ++i) slots_[slot_of(points_[i])] = i;
-  }
-
-  std::vector<std::uint32_t> slots_; ///< a power of two of them, at most half of them taken
-  std::vector<Vec3> points_;
-};
+  points = std::move(ascending);
+  return rank;
+}
 
 } // namespace
 
 TriangleMesh mesh_of(std::vector<Triangle3> facets) {
   make_canonical(facets);
-  PointNumbers numbers(facets.size());
   TriangleMesh mesh;
   mesh.triangles.reserve(facets.size());
-  for (const Triangle3& f : facets)
-    mesh.triangles.push_back({numbers.add(f[0]), numbers.add(f[1]), numbers.add(f[2])});
+  {
+    // A closed surface has about half as many points as facets.
+    PointNumbers numbers(mesh.points, facets.size() / 2 + 3);
+    for (const Triangle3& f : facets)
+      mesh.triangles.push_back({numbers.number(f[0]), numbers.number(f[1]), numbers.number(f[2])});
+  }
   facets = {};
-  const std::vector<std::uint32_t> rank = numbers.sort(mesh.points);
+  const std::vector<std::uint32_t> rank = sort_points(mesh.points);
   for (auto& t : mesh.triangles)
     for (std::uint32_t& v : t) v = rank[v];
   return mesh;

@@ -51,6 +51,18 @@ std::optional<Vec3> bridged_place(const Rim& rim) {
 
 } // namespace
 
+OpenTopology open_topology(const ToleranceVolume& volume) {
+  OpenTopology now;
+  for (const BoundaryComponent& c : volume.boundary_components())
+    if (!volume.regions()[c.region.index()].shallow) now.boundary_characteristic += c.euler_characteristic;
+  now.components = volume.volume_component_count();
+  now.loops = volume.open_sides()->rim().loops().size();
+  const InputTopology& input = volume.input();
+  now.is_of_input = input.manifold && now.boundary_characteristic == 2 * *input.euler_characteristic &&
+                    now.components == input.components && now.loops == *input.boundary_loops;
+  return now;
+}
+
 std::optional<std::string> open_changes(const ToleranceVolume& volume, const BoundarySamples& samples,
                                         const RunControl& control) {
   const OpenSides* open = volume.open_sides();
@@ -58,13 +70,8 @@ std::optional<std::string> open_changes(const ToleranceVolume& volume, const Bou
   if (open == nullptr || open->by_samples() || open->rim().empty() || !input.manifold ||
       !input.euler_characteristic || !input.boundary_loops)
     return std::nullopt;
-  long sum = 0;
-  for (const BoundaryComponent& c : volume.boundary_components())
-    if (!volume.regions()[c.region.index()].shallow) sum += c.euler_characteristic;
-  const std::size_t loops = open->rim().loops().size(), components = volume.volume_component_count();
-  if (sum % 2 != 0 || (sum == 2 * *input.euler_characteristic && components == input.components &&
-                       loops == *input.boundary_loops))
-    return std::nullopt;
+  const OpenTopology now = open_topology(volume);
+  if (now.boundary_characteristic % 2 != 0 || now.is_of_input) return std::nullopt;
   const auto words = [](long chi, std::size_t parts, std::size_t curves) {
     return "χ = " + std::to_string(chi) + " in " + counted(parts, "component") + " with " +
            counted(curves, "loop");
@@ -73,7 +80,7 @@ std::optional<std::string> open_changes(const ToleranceVolume& volume, const Bou
   if (!at) at = bridged_place(open->rim());
   return "Ω does not keep the open surface as it is: the input has " +
          words(*input.euler_characteristic, input.components, *input.boundary_loops) + ", Ω " +
-         words(sum / 2, components, loops) +
+         words(now.boundary_characteristic / 2, now.components, now.loops) +
          " of the rim. It closes what is narrower than twice the tolerance" +
          (at ? ", as near " + place(*at, place_digits) : std::string()) + ".";
 }

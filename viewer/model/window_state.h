@@ -152,8 +152,8 @@ class WindowState : public ShownRun {
   using ShownRun::ShownRun;
 
   RunParameters draft; ///< what the parameter panel shows: asked for when applied
-  /// At the state shown, under the draft; null where that is what the run has.
   std::shared_ptr<const StateSnapshot> other_state; ///< of the run beside this one, where there is one
+  /// At the state shown, under the draft; null where that is what the run has.
   std::shared_ptr<const ViolationPreview> would_violate;
   std::optional<Forecast> forecast; ///< for the draft; absent where it would change nothing
 

@@ -127,7 +127,6 @@ void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double heigh
       label);
 }
 
-/// Its height, 0 where there is no room.
 float sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room, int lines) {
   if (room < ui.px(100)) return 0;
   ImGui::PushFont(ui.fonts.small);

@@ -14,7 +14,7 @@ void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size);
 /// `height`: scene units over the view's height; nothing where `delta` is 0.
 void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double height);
 /// An event's text in the top left corner with its glyph; null: none led here. It has `room` pixels, and is
-/// cut to that many lines.
+/// cut to that many lines. Returns its height, 0 where there is no room.
 float sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, float room, int lines = 1);
 /// That of the step, beside the mode switch, or below it where that leaves little. What is lower goes down by
 /// what comes back, in pixels.
