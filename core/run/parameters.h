@@ -145,7 +145,8 @@ constexpr auto fields_of(const RunParameters*) {
             {.name = "sigma",
              .symbol = "σ/δ",
              .help = "σ/δ, density of the samples, in (0, 1]; default 0.5, or what keeps them to about two "
-                     "million, at most 0.95; sampled mode 0.125",
+                     "million, at most 0.95; where there are more than 250,000, 2 in planes; sampled mode "
+                     "0.125",
              .words = "σ/δ, density of the samples; 0 is the mode's own",
              .range = {.low = 0,
                        .high = 1,

@@ -31,6 +31,10 @@ constexpr double next_tolerance = 1.1, next_far_tolerance = 1.25;
 constexpr double least_sheet_delta = 2, next_sheet_delta = 1.15;
 constexpr int most_sheet_deltas = 10, most_sheet_trials = 5;
 
+/// More samples than this are as sparse as so many δ where ∂Ω is a plane. A point of the input has one of
+/// each side within `least_flat_cover` δ all the same.
+constexpr double many_samples = 250e3, flat_sigma_ratio = 2, least_flat_cover = 2.5;
+
 Error cancelled_error(const RunControl& control) {
   return {ErrorCode::cancelled,
           control.timed_out() ? "The time limit was reached before the refinement began."
@@ -314,11 +318,19 @@ void Preparation::examine(const Scene& made) {
   examined_ = std::move(kept);
 }
 
-Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(double sigma) {
-  const Status fits =
-      check_memory(estimate_samples(*volume_), sigma, volume_->thresholds().delta, parameters_.most_bytes());
+/// Where nothing is asked for, facet certificates stand for samples in planes, once there are many.
+double Preparation::flat_sigma(double sigma) const {
+  const double delta = volume_->thresholds().delta;
+  const bool may = parameters_.sigma == 0 && parameters_.containment == Containment::certified &&
+                   parameters_.cover.value_or(least_flat_cover) >= least_flat_cover && volume_->thickening();
+  return may && estimate_samples(*volume_).samples(sigma) > many_samples ? flat_sigma_ratio * delta : 0;
+}
+
+Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(SampleDensity density) {
+  const Status fits = check_memory(estimate_samples(*volume_), density.sigma, volume_->thresholds().delta,
+                                   parameters_.most_bytes());
   if (!fits) return fits.error();
-  auto samples = sample_boundary(*volume_, sigma, control_);
+  auto samples = sample_boundary(*volume_, density, control_);
   if (!samples) return samples.error();
   return std::make_shared<const BoundarySamples>(std::move(*samples));
 }
@@ -422,7 +434,7 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
 
   scene->default_sigma = default_sigma_ratio(kept_area_, scene->delta);
   const CriteriaParameters criteria = parameters_.criteria(scene->delta, scene->default_sigma);
-  auto samples = sample(criteria.sigma);
+  auto samples = sample({criteria.sigma, flat_sigma(criteria.sigma)});
   if (control_.cancelled()) return cancelled_error(control_);
   if (!samples) return refused(samples.error(), *scene);
   if (Status closed = volume_->check_passages(); !closed) return refused(closed.error(), *scene);

@@ -7,6 +7,7 @@
 #include "input/triangle_soup.h"
 #include "run/parameters.h"
 #include "run/point_field.h"
+#include "tolerance/boundary_sampler.h"
 #include "tolerance/parameter_check.h"
 #include "tolerance/point_sheets.h"
 #include "tolerance/sample_estimate.h"
@@ -83,11 +84,12 @@ class Preparation {
   ToleranceVolume& volume() { return *volume_; }
   /// S at another density, absolute. Fails with unsupported where that takes more memory than it may, or with
   /// what sample_boundary() says.
-  Result<std::shared_ptr<const BoundarySamples>> sample(double sigma);
+  Result<std::shared_ptr<const BoundarySamples>> sample(SampleDensity density);
   /// What is wrong with the input; when it is open, with the tolerance that would close it.
   Error refused(Error error, const Scene& at) const;
 
  private:
+  double flat_sigma(double sigma) const;
   ToleranceVolume::Options volume_options(double delta) const;
   Status make_field(Scene& made, const std::shared_ptr<const TriangleSoup>& kept,
                     std::optional<double> delta);

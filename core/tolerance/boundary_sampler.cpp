@@ -92,8 +92,10 @@ Error inseparable_near(const ToleranceVolume& volume, Vec3 p, const RunControl& 
 
 class Sampler {
  public:
-  Sampler(ToleranceVolume& volume, double sigma) : volume_(volume), grid_(volume.domain().lo, sigma) {
-    samples_.sigma = sigma;
+  Sampler(ToleranceVolume& volume, SampleDensity density)
+      : volume_(volume), grid_(volume.domain().lo, density.sigma),
+        flat_grid_(volume.domain().lo, density.flat_sigma), flat_sigma_(density.flat_sigma) {
+    const double sigma = samples_.sigma = density.sigma;
     // Lists that grow would be there twice; what is foreseen and not used takes no memory.
     const double foreseen = most_foreseen * estimate_samples(volume).samples(sigma);
     samples_.positions.reserve(static_cast<std::size_t>(foreseen));
@@ -112,7 +114,8 @@ class Sampler {
 
   Status run(const RunControl& control) {
     const Regions& octree = volume_.octree();
-    const SampleUnitFinder finder(volume_, samples_.sigma, options_);
+    const bool flats = options_.one_region_a_cell && volume_.open_sides() == nullptr;
+    const SampleUnitFinder finder(volume_, samples_.sigma, flats ? flat_sigma_ : 0, options_);
     const auto part_side = finder.part_side();
     const std::size_t block_size = part_side ? 1 : block_cells;
     SparsePoll poll(control, cells_between_questions);
@@ -291,8 +294,7 @@ class Sampler {
       for (std::size_t side = 0; side < coverable_.size(); ++side)
         if (!c.has_point || slot_of(c.label) == side) coverable_[side][i / 64] |= bit;
     }
-    near_.clear();
-    grid_.gather(unit.box().grown(samples_.sigma), near_);
+    gather_near(unit);
     for (const std::uint32_t s : near_) {
       const Vec3 p = samples_.positions[s];
       unit.find_row(p, row_);
@@ -318,13 +320,23 @@ class Sampler {
       }
   }
 
+  /// Samples that may cover cells of the unit. In planes those of their borders do not count: their grid is
+  /// fine for cells as large.
+  void gather_near(const SampleUnit& unit) {
+    near_.clear();
+    const Box3 box = unit.box().grown(unit.sigma());
+    if (unit.sigma() == samples_.sigma) return grid_.gather(box, near_);
+    flat_grid_.gather(box, near_);
+    for (std::uint32_t& s : near_) s = flat_samples_[s];
+  }
+
   /// A candidate whose point covers cell i, its own if that does; their number when none does. Asks for a
   /// little more than σ, so that rows agree.
   std::size_t coverer(const SampleUnit& unit, std::size_t i) const {
     const SampleCandidate& cell = unit.cells[i];
     const auto does = [&](const SampleCandidate& by) {
       return by.has_point && (!cell.has_point || by.label == cell.label) &&
-             farthest_in_cube(by.point, cell.center, cell.half_side) <= samples_.sigma * (1 - 1e-4);
+             farthest_in_cube(by.point, cell.center, cell.half_side) <= unit.sigma() * (1 - 1e-4);
     };
     if (does(cell)) return i;
     const auto found = std::find_if(unit.cells.begin(), unit.cells.end(), does);
@@ -359,6 +371,10 @@ class Sampler {
     samples_.components.push_back(
         volume_.boundary_component(c.region, c.volume_component).value_or(no_component));
     grid_.add(c.point);
+    if (unit.sigma() != samples_.sigma) {
+      flat_samples_.push_back(static_cast<std::uint32_t>(samples_.size() - 1));
+      flat_grid_.add(c.point);
+    }
     close(unit, row, c.point, c.label);
   }
 
@@ -398,8 +414,11 @@ class Sampler {
   }
 
   ToleranceVolume& volume_;
-  SampleGrid grid_; ///< of the samples
+  SampleGrid grid_;      ///< of the samples
+  SampleGrid flat_grid_; ///< of those in planes
+  std::vector<std::uint32_t> flat_samples_;
   BoundarySamples samples_;
+  double flat_sigma_;
   CandidateOptions options_;
   std::vector<std::vector<SampleUnit>> found_; ///< not yet covered
   std::vector<OrphanCell> orphans_;
@@ -414,11 +433,12 @@ class Sampler {
 
 } // namespace
 
-Result<BoundarySamples> sample_boundary(ToleranceVolume& volume, double sigma, const RunControl& control) {
-  if (!(sigma > 0) || !std::isfinite(sigma))
+Result<BoundarySamples> sample_boundary(ToleranceVolume& volume, SampleDensity density,
+                                        const RunControl& control) {
+  if (!(density.sigma > 0) || !std::isfinite(density.sigma))
     return Error{ErrorCode::usage, "The sampling density must be a positive length.", ""};
   volume.settle_open_sides(volume.open_sides_found());
-  Sampler sampler(volume, sigma);
+  Sampler sampler(volume, density);
   if (Status s = sampler.run(control); !s.ok()) return s.error();
   Result<BoundarySamples> samples = sampler.take(control);
   if (control.cancelled()) return stopped_sampling();

@@ -27,7 +27,18 @@ struct BoundarySamples {
   std::size_t size() const { return positions.size(); }
 };
 
-/// Samples ∂Ω with covering radius <= sigma. Streams blocks; at most 200 bytes a sample at the peak.
-Result<BoundarySamples> sample_boundary(ToleranceVolume& volume, double sigma, const RunControl& control);
+/// How near to each point of ∂Ω a sample is asked for.
+struct SampleDensity {
+  double sigma;
+  /// Where ∂Ω is a plane farther around than 2δ, of closed input with one region on each side; 0: σ.
+  double flat_sigma = 0;
+
+  SampleDensity(double sigma_, double flat_sigma_ = 0) : sigma(sigma_), flat_sigma(flat_sigma_) {}
+};
+
+/// Samples ∂Ω with covering radius <= sigma, in planes flat_sigma. Streams blocks; at most 200 bytes a sample
+/// at the peak.
+Result<BoundarySamples> sample_boundary(ToleranceVolume& volume, SampleDensity density,
+                                        const RunControl& control);
 
 } // namespace isoscope

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/scramble.h"
 #include "base/sort_unique.h"
+#include "tolerance/kuhn_simplices.h"
 #include "tolerance/regions.h"
 
 #include <algorithm>
@@ -40,27 +41,6 @@ constexpr unsigned key_bits = 21;
 constexpr std::uint64_t corner_key(const LatticeCell& c, unsigned k) {
   return (std::uint64_t{c.z} + (k >> 2)) << (2 * key_bits) |
          (std::uint64_t{c.y} + ((k >> 1) & 1u)) << key_bits | (std::uint64_t{c.x} + (k & 1u));
-}
-
-/// The simplices of Kuhn's subdivision of a cube that hold its corner 0, as corner numbers. Over all cubes
-/// they are all simplices of the lattice, each once. Crossed by the surface they become its vertices, edges
-/// and faces.
-struct Simplex {
-  std::array<unsigned, 4> corners;
-  unsigned size;
-  int sign;
-};
-
-std::vector<Simplex> simplices_at_corner() {
-  std::vector<Simplex> list;
-  for (unsigned a = 1; a < 8; ++a) list.push_back({{0, a, 0, 0}, 2, 1});
-  for (unsigned b = 1; b < 8; ++b)
-    for (unsigned a = 1; a < b; ++a)
-      if ((a & b) == a) list.push_back({{0, a, b, 0}, 3, -1});
-  for (unsigned first = 1; first < 8; first <<= 1)
-    for (unsigned second = 1; second < 8; second <<= 1)
-      if (first != second) list.push_back({{0, first, first | second, 7}, 4, 1});
-  return list;
 }
 
 /// The pieces of the surface, from its vertices and what joins them.
@@ -220,10 +200,10 @@ class Counter {
  public:
   Counter(const ToleranceVolume& volume, const BoundaryCounting& counting)
       : volume_(volume), careful_(counting.careful), level_(volume.octree().main_level() + counting.halvings),
-        simplices_(simplices_at_corner()), counts_(volume.boundary_components().size()) {}
+        simplices_(kuhn::simplices_at_corner()), counts_(volume.boundary_components().size()) {}
   Counter(const ToleranceVolume& volume, const OffsetCounting& counting)
       : volume_(volume), careful_(true), offset_(&counting),
-        level_(volume.octree().main_level() + counting.halvings), simplices_(simplices_at_corner()),
+        level_(volume.octree().main_level() + counting.halvings), simplices_(kuhn::simplices_at_corner()),
         counts_(1) {}
 
   Status run(const RunControl& control) {
@@ -409,16 +389,39 @@ class Counter {
   /// Regions that come close to each other are counted one at a time, each against all that is not in it: so
   /// every count is that of a closed surface.
   void count_cell(const LatticeCell& cell, const std::array<const Corner*, 8>& at, Part& part) const {
+    if (!careful_ && count_plain_cell(at, part)) return;
     for (unsigned k = 0; k < 8; ++k) {
       if (!at[k]->outside) continue;
       const RegionId region = at[k]->region;
       const auto counted_before = [&](const Corner* c) { return c->outside && c->region == region; };
       if (std::any_of(at.begin(), at.begin() + k, counted_before)) continue;
-      for (const Simplex& s : simplices_) count_simplex(s, cell, at, region, part);
+      for (const kuhn::Simplex& s : simplices_) count_simplex(s, cell, at, region, part);
     }
   }
 
-  void count_simplex(const Simplex& s, const LatticeCell& cell, const std::array<const Corner*, 8>& at,
+  /// A cell with one region and one component of Ω' at its corners, at once; false where there are more.
+  bool count_plain_cell(const std::array<const Corner*, 8>& at, Part& part) const {
+    unsigned outer = 0;
+    const Corner *out = nullptr, *in = nullptr;
+    for (unsigned k = 0; k < 8; ++k) {
+      const Corner*& first = at[k]->outside ? out : in;
+      if (first == nullptr) first = at[k];
+      if (at[k]->outside ? at[k]->region != out->region : at[k]->volume_component != in->volume_component)
+        return false;
+      outer |= (at[k]->outside ? 1u : 0u) << k;
+    }
+    if (out == nullptr || in == nullptr) return true;
+    if (const auto component = component_between(out->region, *in))
+      part.euler_characteristics[*component] += euler_[outer];
+    return true;
+  }
+
+  std::optional<std::uint16_t> component_between(RegionId outer, const Corner& inner) const {
+    if (offset_ != nullptr) return std::uint16_t{0};
+    return volume_.boundary_component(outer, inner.volume_component);
+  }
+
+  void count_simplex(const kuhn::Simplex& s, const LatticeCell& cell, const std::array<const Corner*, 8>& at,
                      RegionId region, Part& part) const {
     const auto is_outer = [&](unsigned i) {
       const Corner* c = at[s.corners[i]];
@@ -433,8 +436,7 @@ class Counter {
         inner = at[s.corners[i]];
     }
     if (!outer || !inner) return;
-    const auto component = offset_ != nullptr ? std::optional<std::uint16_t>(0)
-                                              : volume_.boundary_component(region, inner->volume_component);
+    const auto component = component_between(region, *inner);
     if (component) part.euler_characteristics[*component] += s.sign;
     if (!careful_ || s.size > 3) return;
     std::array<std::uint64_t, 2> ends{};
@@ -452,7 +454,8 @@ class Counter {
   bool careful_;
   const OffsetCounting* offset_ = nullptr; ///< null where all boundaries of Ω' are counted
   unsigned level_;
-  std::vector<Simplex> simplices_;
+  std::vector<kuhn::Simplex> simplices_;
+  std::array<std::int8_t, 256> euler_ = kuhn::euler_by_outer_corners(simplices_);
   std::vector<BoundaryCount> counts_;
   Pieces pieces_;
 };

@@ -185,6 +185,26 @@ ClosestPoint ClosestPointIndex::closest_near(Vec3 p, TriangleId guess, const Tri
   return best.triangle.valid() ? search(p, best) : closest_near(p, guess);
 }
 
+bool ClosestPointIndex::coplanar_within(Vec3 center, double radius, TriangleId site, double slack) const {
+  const Plane plane = planes_[slot_of(site)];
+  if (plane.normal == Vec3{}) return false;
+  const double r2 = radius * radius;
+  bool coplanar = true;
+  visit_within(
+      boxes_, center, r2, [](std::uint32_t) { return Lanes{}; },
+      [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t slot = first; coplanar && slot < first + count; ++slot) {
+          const Triangle3& t = triangles_[slot];
+          coplanar =
+              std::all_of(t.begin(), t.end(),
+                          [&](Vec3 p) { return std::abs(dot(plane.normal, p) - plane.offset) <= slack; }) ||
+              squared_length(closest_point_on_triangle(center, t) - center) > r2;
+        }
+        return coplanar;
+      });
+  return coplanar;
+}
+
 template <class MeetsBox, class AtSlot>
 void ClosestPointIndex::visit(const MeetsBox& meets_box, const AtSlot& at_slot) const {
   constexpr unsigned width = BoxHierarchy::width;

@@ -79,6 +79,9 @@ class ClosestPointIndex final : public ToleranceField {
   std::uint32_t slot_of(TriangleId id) const { return slots_[id.index()]; }
   TriangleId id_at(std::uint32_t slot) const { return TriangleId(boxes_.ids[slot]); }
   const Triangle3& triangle_at(std::uint32_t slot) const { return triangles_[slot]; }
+  /// Whether all triangles within `radius` of `center` lie in the plane of one of them up to `slack`; false
+  /// where that one has none.
+  bool coplanar_within(Vec3 center, double radius, TriangleId site, double slack) const;
   /// Slots of all triangles within `reach` of a box, and some others.
   std::vector<std::uint32_t> slots_within(const Box3& box, double reach) const;
   FieldKind kind() const override { return FieldKind::triangles; }

@@ -1,6 +1,8 @@
 // Finds units of candidates and computes which cells each point reaches.
 #include "tolerance/sample_units.h"
 
+#include "tolerance/flat_candidates.h"
+
 #include <array>
 
 namespace isoscope {
@@ -16,7 +18,8 @@ constexpr float nowhere = 1e18f;
 
 } // namespace
 
-SampleUnit::SampleUnit(std::vector<SampleCandidate> candidates, double sigma) : cells(std::move(candidates)) {
+SampleUnit::SampleUnit(std::vector<SampleCandidate> candidates, double sigma)
+    : cells(std::move(candidates)), sigma_(sigma) {
   for (const SampleCandidate& c : cells) {
     const Vec3 h{c.half_side, c.half_side, c.half_side};
     box_.add(Box3{c.center - h, c.center + h});
@@ -64,55 +67,69 @@ void SampleUnit::find_row(Vec3 p, std::span<std::uint64_t> row) const {
   }
 }
 
-SampleUnitFinder::SampleUnitFinder(const ToleranceVolume& volume, double sigma,
-                                   const CandidateOptions& options)
-    : volume_(volume), options_(options), sigma_(sigma) {
-  const Regions& octree = volume.octree();
-  side_ = octree.side(octree.main_level());
-  while (side_ > widest_unit * sigma) side_ *= 0.5;
-  while (2 * side_ <= widest_unit * sigma && shift_ < octree.main_level()) {
-    if (2 * side_ > octree.side(octree.main_level())) ++shift_;
-    side_ *= 2;
+SampleUnitFinder::Cubes SampleUnitFinder::cubes(const Regions& octree, double sigma) {
+  Cubes made{sigma, octree.side(octree.main_level())};
+  while (made.side > widest_unit * sigma) made.side *= 0.5;
+  while (2 * made.side <= widest_unit * sigma && made.shift < octree.main_level()) {
+    if (2 * made.side > octree.side(octree.main_level())) ++made.shift;
+    made.side *= 2;
   }
+  return made;
+}
+
+SampleUnitFinder::SampleUnitFinder(const ToleranceVolume& volume, double sigma, double flat_sigma,
+                                   const CandidateOptions& options)
+    : volume_(volume), options_(options), flat_options_(options), cubes_(cubes(volume.octree(), sigma)) {
+  if (!(flat_sigma > 0)) return;
+  flat_options_.target_bound = flat_sigma;
+  flat_cubes_ = cubes(volume.octree(), flat_sigma);
 }
 
 bool SampleUnitFinder::together(Regions::CellIndex a, Regions::CellIndex b) const {
   const Regions::Cell p = volume_.octree().cell(a), q = volume_.octree().cell(b);
-  return p.x >> shift_ == q.x >> shift_ && p.y >> shift_ == q.y >> shift_ && p.z >> shift_ == q.z >> shift_;
+  const unsigned shift = flat_cubes_ ? flat_cubes_->shift : cubes_.shift;
+  return p.x >> shift == q.x >> shift && p.y >> shift == q.y >> shift && p.z >> shift == q.z >> shift;
 }
 
 std::vector<SampleUnit> SampleUnitFinder::find(std::span<const Regions::CellIndex> main_cells) const {
-  std::vector<SampleCandidate> list;
-  for (const Regions::CellIndex i : main_cells)
-    find_candidates(volume_, cube_of(volume_, volume_.octree().cell(i)), options_, list);
-  return group(list);
+  std::vector<SampleCandidate> list, flat;
+  FlatCandidates flats(volume_, flat_options_);
+  for (const Regions::CellIndex i : main_cells) {
+    const CandidateCube cube = cube_of(volume_, volume_.octree().cell(i));
+    if (!flat_cubes_ || !flats.add(cube, flat)) find_candidates(volume_, cube, options_, list);
+  }
+  std::vector<SampleUnit> units;
+  if (flat_cubes_) group(flat, *flat_cubes_, units);
+  group(list, cubes_, units);
+  return units;
 }
 
 std::vector<SampleUnit> SampleUnitFinder::find(const CandidateCube& part) const {
   std::vector<SampleCandidate> list;
   find_candidates(volume_, part, options_, list);
-  return group(list);
+  std::vector<SampleUnit> units;
+  group(list, cubes_, units);
+  return units;
 }
 
 std::optional<double> SampleUnitFinder::part_side() const {
-  const double part = units_by_part * side_;
+  const double part = units_by_part * cubes_.side;
   if (part * (1 + 1e-9) < volume_.octree().side(volume_.octree().main_level())) return part;
   return std::nullopt;
 }
 
-std::vector<SampleUnit> SampleUnitFinder::group(const std::vector<SampleCandidate>& list) const {
+void SampleUnitFinder::group(const std::vector<SampleCandidate>& list, const Cubes& cubes,
+                             std::vector<SampleUnit>& units) const {
   const Regions& octree = volume_.octree();
   const auto cube = [&](const SampleCandidate& c) {
-    const Vec3 u = (c.center - octree.origin()) / side_;
+    const Vec3 u = (c.center - octree.origin()) / cubes.side;
     return std::array{std::floor(u.x), std::floor(u.y), std::floor(u.z)};
   };
-  std::vector<SampleUnit> units;
   for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end) {
     while (end < list.size() && end - begin < most_cells && cube(list[end]) == cube(list[begin])) ++end;
     const auto at = [&](std::size_t i) { return list.begin() + static_cast<std::ptrdiff_t>(i); };
-    units.emplace_back(std::vector<SampleCandidate>(at(begin), at(end)), sigma_);
+    units.emplace_back(std::vector<SampleCandidate>(at(begin), at(end)), cubes.sigma);
   }
-  return units;
 }
 
 } // namespace isoscope

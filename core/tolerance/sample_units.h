@@ -20,6 +20,7 @@ class SampleUnit {
   SampleUnit() = default;
   SampleUnit(std::vector<SampleCandidate> candidates, double sigma);
   const Box3& box() const { return box_; }
+  double sigma() const { return sigma_; }      ///< what its cells are covered within
   std::size_t words() const { return words_; } ///< of 64 bits a row
 
   /// Cells whose points are offered: bit k of the row of offer i says that all of cell k is within σ of it.
@@ -31,6 +32,7 @@ class SampleUnit {
   void find_row(Vec3 p, std::span<std::uint64_t> row) const;
 
  private:
+  double sigma_ = 0;
   Box3 box_;
   Vec3 center_;
   float squared_reach_ = 0;
@@ -41,13 +43,15 @@ class SampleUnit {
 };
 
 /// Units of consecutive ambiguous main cells of one level, each unit within a cube of at most
-/// `widest_unit` σ. Thread-safe.
+/// `widest_unit` times its density. Thread-safe.
 class SampleUnitFinder {
  public:
   static constexpr double widest_unit = 4;
   static constexpr double units_by_part = 4; ///< along an axis
 
-  SampleUnitFinder(const ToleranceVolume& volume, double sigma, const CandidateOptions& options);
+  /// `flat_sigma`: of units of flat cells; 0 where all cells have σ.
+  SampleUnitFinder(const ToleranceVolume& volume, double sigma, double flat_sigma,
+                   const CandidateOptions& options);
   /// Whether two main cells lie in the same cube, so that they belong in one call of find().
   bool together(Regions::CellIndex a, Regions::CellIndex b) const;
   std::vector<SampleUnit> find(std::span<const Regions::CellIndex> main_cells) const;
@@ -58,13 +62,21 @@ class SampleUnitFinder {
   std::optional<double> part_side() const;
 
  private:
-  std::vector<SampleUnit> group(const std::vector<SampleCandidate>& list) const;
+  /// The cubes that units lie in.
+  struct Cubes {
+    double sigma;
+    double side;
+    unsigned shift = 0; ///< main cells by cube and axis, as a power of two, where cubes are the larger ones
+  };
+  static Cubes cubes(const Regions& octree, double sigma);
+  /// Appends the units of candidates in the octree's order.
+  void group(const std::vector<SampleCandidate>& list, const Cubes& cubes,
+             std::vector<SampleUnit>& units) const;
 
   const ToleranceVolume& volume_;
-  CandidateOptions options_;
-  double sigma_;
-  double side_;        ///< of a unit's cube
-  unsigned shift_ = 0; ///< main cells by unit and axis, as a power of two, where units are the larger ones
+  CandidateOptions options_, flat_options_;
+  Cubes cubes_;
+  std::optional<Cubes> flat_cubes_;
 };
 
 } // namespace isoscope

@@ -9,6 +9,7 @@
 #include "mesh/validity.h"
 #include "run/complete_run.h"
 #include "run/statistics.h"
+#include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
 
@@ -74,6 +75,23 @@ TEST_CASE("Whole runs of bundled models end coarse and certified, on Z alone") {
     CHECK(run.result->mesh.points.size() == stages.back().zero_set_vertices);
     CHECK(4 * run.result->mesh.points.size() < stages.front().zero_set_vertices);
   }
+}
+
+TEST_CASE("A box in a thin volume needs few samples, and every one of them where a density is asked for") {
+  TriangleSoup soup;
+  testing::add_box(soup, {0, 0, 0}, {1, 0.8, 0.5});
+  CompleteRun sparse(soup, 0.007);
+  sparse.parameters.effort = 0;
+  sparse.parameters.until = Stage::improve;
+  REQUIRE(sparse.run());
+  CHECK(sparse.result->certificate.holds());
+  CHECK(sparse.result->mesh.points.size() == 8);
+  CHECK(sparse.scene->samples->covering_radius <= 2 * sparse.scene->delta);
+  CompleteRun dense(soup, 0.007);
+  dense.parameters.sigma = 0.5;
+  REQUIRE(dense.run());
+  CHECK(dense.scene->samples->covering_radius <= 0.5 * dense.scene->delta);
+  CHECK(4 * sparse.scene->samples->size() < dense.scene->samples->size());
 }
 
 TEST_CASE("Stages can be left out, and the run ends where it is told to") {

@@ -35,14 +35,15 @@ std::vector<Vec3> random_boundary_points(const ToleranceVolume& v, std::size_t n
   return points;
 }
 
-void check_samples(ToleranceVolume& v, double sigma) {
-  auto result = sample_boundary(v, sigma, RunControl());
+/// The samples, checked.
+BoundarySamples check_samples(ToleranceVolume& v, SampleDensity density) {
+  auto result = sample_boundary(v, density, RunControl());
   REQUIRE(result.ok());
-  const BoundarySamples& s = *result;
+  BoundarySamples& s = *result;
   REQUIRE(s.labels.size() == s.size());
   REQUIRE(s.components.size() == s.size());
   CHECK(s.undecided_cells == 0);
-  CHECK(s.covering_radius <= sigma);
+  CHECK(s.covering_radius <= std::max(density.sigma, density.flat_sigma));
   const ToleranceThresholds t = v.thresholds();
   bool snapped = true;
   double error = 0;
@@ -66,6 +67,7 @@ void check_samples(ToleranceVolume& v, double sigma) {
     for (const Vec3 q : s.positions) nearest = std::min(nearest, squared_length(p - q));
     CHECK(std::sqrt(nearest) <= s.covering_radius * (1 + 1e-9));
   }
+  return std::move(s);
 }
 
 } // namespace
@@ -89,6 +91,39 @@ TEST_CASE("samples on the tolerance itself, as the sampled mode uses them") {
   testing::add_sphere(soup, {0, 0, 0}, 1, 24);
   ToleranceVolume v = volume_of(soup, 0.1, 1.0);
   check_samples(v, 0.0125 * 2);
+}
+
+TEST_CASE("where the boundary is nearly a plane few samples cover it, elsewhere as many as ever") {
+  TriangleSoup box, lentil, sphere;
+  testing::add_box(box, {0, 0, 0}, {1, 0.8, 0.5});
+  testing::add_sphere(lentil, {0, 0, 0}, 1, 64);
+  for (Vec3& p : lentil.points) p.z *= 0.15;
+  testing::add_sphere(sphere, {1, 2, 3}, 1, 32);
+  const double delta = 0.02;
+  for (const TriangleSoup* soup : {&box, &lentil}) {
+    ToleranceVolume v = volume_of(*soup, delta);
+    const BoundarySamples dense = check_samples(v, delta / 2);
+    const BoundarySamples sparse = check_samples(v, {delta / 2, 2 * delta});
+    CHECK(sparse.covering_radius > delta);
+    CHECK(sparse.size() < 0.9 * static_cast<double>(dense.size()));
+    const ThreadLimit limit(1);
+    CHECK(sample_boundary(v, {delta / 2, 2 * delta}, RunControl())->positions == sparse.positions);
+  }
+  // Along the edges of the box nothing is a plane.
+  ToleranceVolume v = volume_of(box, delta);
+  const BoundarySamples of_box = check_samples(v, {delta / 2, 2 * delta});
+  Random random(4);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 p{random.unit(), random.between(-1, -0.01) * delta, random.between(-1, -0.01) * delta};
+    const ClosestPoint c = v.index().closest(p);
+    const Vec3 q = c.point + v.thresholds().boundary / c.distance() * (p - c.point);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec3 sample : of_box.positions) nearest = std::min(nearest, distance(sample, q));
+    CHECK(nearest <= delta / 2);
+  }
+  // Nor on a sphere.
+  ToleranceVolume round = volume_of(sphere, 0.1);
+  CHECK(check_samples(round, {0.05, 0.2}).positions == check_samples(round, 0.05).positions);
 }
 
 TEST_CASE("a soup is sampled on both sides") {
