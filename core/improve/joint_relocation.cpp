@@ -16,7 +16,7 @@ constexpr double joint_shift = 1e-3;      ///< of the trace of a vertex's part o
 constexpr double longest_step = 8;        ///< in δ
 constexpr double shortest_step = 1e-3;    ///< in δ
 constexpr double least_joint_gain = 0.98; ///< energy after a step over that before, for another one
-constexpr std::uint32_t fixed = 0xffffffffu;
+constexpr std::uint32_t unmoved = 0xffffffffu;
 
 double power(double x, int p) {
   double result = 1;
@@ -49,7 +49,7 @@ class PatchEvaluator {
  private:
   /// d of a sample as a function of the displacements of up to three vertices.
   struct Sample {
-    std::array<std::uint32_t, 3> mover{fixed, fixed, fixed};
+    std::array<std::uint32_t, 3> mover{unmoved, unmoved, unmoved};
     std::array<double, 3> weight{};
     double distance = 0;
     Vec3 direction;
@@ -65,7 +65,7 @@ class PatchEvaluator {
   const InputSurface* input_;
   const FacetComplex* complex_;
   std::vector<std::uint32_t> moving_;                 ///< local vertices
-  std::vector<std::uint32_t> mover_;                  ///< by local vertex: into moving_, or fixed
+  std::vector<std::uint32_t> mover_;                  ///< by local vertex: into moving_, or unmoved
   std::vector<std::uint32_t> facets_;                 ///< of the patch
   std::vector<std::uint32_t> corners_;                ///< local vertices of these
   std::vector<std::vector<std::uint32_t>> at_corner_; ///< by corner: into facets_
@@ -80,25 +80,25 @@ class PatchEvaluator {
 };
 
 PatchEvaluator::PatchEvaluator(const InputSurface& input, const SurfacePatch& patch)
-    : input_(&input), complex_(&patch.complex), mover_(patch.complex.points.size(), fixed) {
+    : input_(&input), complex_(&patch.complex), mover_(patch.complex.points.size(), unmoved) {
   for (std::uint32_t v = 0; v < mover_.size(); ++v) {
     if (!patch.free[v] || !complex_->alive_vertex(v) || complex_->on_border(v)) continue;
     mover_[v] = static_cast<std::uint32_t>(moving_.size());
     moving_.push_back(v);
   }
-  std::vector<std::uint32_t> corner_number(mover_.size(), fixed);
+  std::vector<std::uint32_t> corner_number(mover_.size(), unmoved);
   std::vector<Edge> halves;
   for (std::uint32_t f = 0; f < complex_->facets.size(); ++f) {
     const Facet& facet = complex_->facets[f];
     if (!facet.alive() ||
-        std::all_of(facet.v.begin(), facet.v.end(), [&](std::uint32_t v) { return mover_[v] == fixed; }))
+        std::all_of(facet.v.begin(), facet.v.end(), [&](std::uint32_t v) { return mover_[v] == unmoved; }))
       continue;
     const auto number = static_cast<std::uint32_t>(facets_.size());
     facets_.push_back(f);
     seeds_.push_back(facet.seed);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = facet.v[k], w = facet.v[(k + 1) % 3];
-      if (corner_number[v] == fixed) {
+      if (corner_number[v] == unmoved) {
         corner_number[v] = static_cast<std::uint32_t>(corners_.size());
         corners_.push_back(v);
         at_corner_.emplace_back();
@@ -163,7 +163,7 @@ double PatchEvaluator::evaluate(const std::vector<Vec3>& points, double most) {
     const std::uint32_t v = corners_[c];
     const DistanceSample s = sample(points[v], at_corner_[c].front());
     for (const std::uint32_t f : at_corner_[c]) energy_ += sums_[f].add(s, *input_) / counts_[f];
-    samples_.push_back({{mover_[v], fixed, fixed}, {1, 0, 0}, s.distance, s.direction});
+    samples_.push_back({{mover_[v], unmoved, unmoved}, {1, 0, 0}, s.distance, s.direction});
     if (energy_ > most_) return too_much;
   }
   for (std::size_t e = 0; e < edges_.size(); ++e) {
@@ -171,7 +171,7 @@ double PatchEvaluator::evaluate(const std::vector<Vec3>& points, double most) {
     for (int j = 1; j < steps[e]; ++j) {
       const double t = j / static_cast<double>(steps[e]);
       const DistanceSample s = sample(points[a] + t * (points[b] - points[a]), of[0]);
-      if (!add({{mover_[a], mover_[b], fixed}, {1 - t, t, 0}, s.distance, s.direction}, {of[0], of[1]}, &s))
+      if (!add({{mover_[a], mover_[b], unmoved}, {1 - t, t, 0}, s.distance, s.direction}, {of[0], of[1]}, &s))
         return too_much;
     }
   }
@@ -203,16 +203,16 @@ double PatchEvaluator::evaluate(const std::vector<Vec3>& points, double most) {
 void PatchEvaluator::add_to_step(const Sample& s, const std::vector<Vec3>& x, double largest, int p) {
   double moved = s.distance;
   for (std::size_t i = 0; i < 3; ++i)
-    if (s.mover[i] != fixed) moved += s.weight[i] * dot(s.direction, x[s.mover[i]]);
+    if (s.mover[i] != unmoved) moved += s.weight[i] * dot(s.direction, x[s.mover[i]]);
   const double e = moved / largest, q = power(std::abs(e), p - 2);
   if ((p - 1) * q < 1e-9) return;
   const std::array<double, 3> n{s.direction.x, s.direction.y, s.direction.z};
   for (std::size_t i = 0; i < 3; ++i) {
-    if (s.mover[i] == fixed) continue;
+    if (s.mover[i] == unmoved) continue;
     const std::size_t row = 3 * std::size_t{s.mover[i]};
     for (std::size_t k = 0; k < 3; ++k) system_.b(row + k) += q * e * s.weight[i] * n[k];
     for (std::size_t j = 0; j < 3; ++j) {
-      if (s.mover[j] == fixed || s.mover[j] < s.mover[i]) continue;
+      if (s.mover[j] == unmoved || s.mover[j] < s.mover[i]) continue;
       const std::size_t column = 3 * std::size_t{s.mover[j]};
       const double factor = (p - 1) * q * s.weight[i] * s.weight[j];
       for (std::size_t k = 0; k < 3; ++k)
@@ -229,7 +229,7 @@ std::vector<Vec3> PatchEvaluator::step(const std::vector<double>& trust) {
     for (const Sample& s : kept_) {
       double d = s.distance;
       for (std::size_t i = 0; i < 3; ++i)
-        if (s.mover[i] != fixed) d += s.weight[i] * dot(s.direction, x[s.mover[i]]);
+        if (s.mover[i] != unmoved) d += s.weight[i] * dot(s.direction, x[s.mover[i]]);
       largest = std::max(largest, std::abs(d));
     }
     if (largest <= 0) break;
