@@ -149,7 +149,8 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs) app.verb(verb.told);
   app.exit_status(
       "0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 stopped by a limit "
-      "or by the user; 5 stopped at a breakpoint.");
+      "or by the user, but in the improver with --effort 3, which ends only so and as if it had finished; "
+      "5 stopped at a breakpoint.");
   app.see_also("isoscope");
   app.see_also("isoscope-sweep");
   if (const auto status = run_verb(verbs, argc, argv)) return *status;
@@ -201,6 +202,8 @@ int run(int argc, char** argv) {
   for (const ParameterWarning& w : (*scene)->warnings) note(w.message);
   if (!(*scene)->thickening_note.empty()) note((*scene)->thickening_note);
   if (const std::string start = start_note(*parameters, **scene); !start.empty() && !quiet) note(start);
+  if (parameters->effort == 3 && parameters->time_limit == 0 && !quiet)
+    note("The improver goes on until Ctrl-C; --time-limit ends it as well.");
   recording.start(*parameters, **scene, journal);
   const auto result = pipeline.run();
   progress.finish();

@@ -35,7 +35,10 @@ std::string end_words(const RecordedRun& r) {
 }
 
 int recorded_status(const RecordedRun& r) {
-  if (!r.end || r.end->state != "finished") return 4;
+  if (!r.end) return 4;
+  if (const auto result = recorded_result(*r.end, *r.journal); result && result->without_end)
+    return result->exit_status();
+  if (r.end->state != "finished") return 4;
   return r.end->certified ? 0 : 1;
 }
 

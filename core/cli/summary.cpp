@@ -86,9 +86,9 @@ std::string end_words(const RunResult& result) {
   case RunResult::End::finished:
     return result.failure ? "ended before its last stage" : "finished";
   case RunResult::End::stopped:
-    return "stopped by the user";
+    return result.without_end ? "improved until the user stopped it" : "stopped by the user";
   case RunResult::End::limit:
-    return "stopped by a limit";
+    return result.without_end ? "improved until its time was up" : "stopped by a limit";
   }
   return {};
 }
@@ -125,7 +125,7 @@ std::vector<std::string> warnings(const RunParameters& parameters, const Scene& 
                                   const RunResult& result, bool stop_told) {
   const Certificate& c = result.certificate;
   std::vector<std::string> lines;
-  if (result.end != RunResult::End::finished && !stop_told)
+  if (result.end != RunResult::End::finished && !result.without_end && !stop_told)
     lines.push_back("The run was " + end_words(result) + ": the mesh is what it had reached.");
   // What was asked for is no warning.
   const bool wanted =

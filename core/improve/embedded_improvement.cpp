@@ -1,7 +1,6 @@
 // Z of T as the improver's mesh, and the log of what the improver does to it.
 #include "improve/embedded_improvement.h"
 
-#include "improve/improver.h"
 #include "improve/improver_log.h"
 
 #include <algorithm>
@@ -47,14 +46,14 @@ class EmbeddedLog : public ImproverLog {
 
 } // namespace
 
-void improve_embedded_zero_set(LiveComplex& live, const EvaluationContext& context, int effort,
-                               const std::function<void()>& make_room, StageLog& log) {
+ImproverOutcome improve_embedded_zero_set(LiveComplex& live, const EvaluationContext& context,
+                                          const ImproverOptions& options,
+                                          const std::function<void()>& make_room, StageLog& log) {
   EmbeddedMesh z(live.complex());
   Embedding embedding(live, std::move(z.vertices));
   EmbeddedLog recording(live, embedding, context.criteria.delta, log);
   const RoomInT room{embedding, [&] { return make_room(), !log.stopped(); }};
-  improve(z.mesh, context.volume, context.nearest, improver_options(context.criteria, effort), log.control(),
-          recording, &room);
+  return improve(z.mesh, context.volume, context.nearest, options, log.control(), recording, &room);
 }
 
 } // namespace isoscope

@@ -84,11 +84,11 @@ Delta FreeLog::follow(const SurfaceChange& change) {
 
 } // namespace
 
-void improve_free_zero_set(Complex& complex, const EvaluationContext& context, int effort, StageLog& log) {
+ImproverOutcome improve_free_zero_set(Complex& complex, const EvaluationContext& context,
+                                      const ImproverOptions& options, StageLog& log) {
   Numbering numbering(complex);
   FreeLog recording(complex, numbering, numbering.vertices.size(), context.criteria.delta, log);
-  improve(numbering.mesh, context.volume, context.nearest, improver_options(context.criteria, effort),
-          log.control(), recording);
+  return improve(numbering.mesh, context.volume, context.nearest, options, log.control(), recording);
 }
 
 void improve_free_piece(Complex& complex, const ImproverGround& ground, const ImproverOptions& options,

@@ -10,7 +10,8 @@ namespace isoscope {
 
 /// Improves the free Z of `complex` in place until nothing is gained or the log says stop. Every change is
 /// recorded; the state is valid after each.
-void improve_free_zero_set(Complex& complex, const EvaluationContext& context, int effort, StageLog& log);
+ImproverOutcome improve_free_zero_set(Complex& complex, const EvaluationContext& context,
+                                      const ImproverOptions& options, StageLog& log);
 
 /// The same for the part of it in `ground.box`: the improver sees the facets whose boxes meet that one.
 void improve_free_piece(Complex& complex, const ImproverGround& ground, const ImproverOptions& options,

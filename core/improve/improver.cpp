@@ -2,6 +2,7 @@
 #include "improve/improver.h"
 
 #include "criteria/orientation.h"
+#include "improve/further_rounds.h"
 #include "improve/relaxation.h"
 #include "improve/shake_round.h"
 #include "improve/thinning.h"
@@ -63,8 +64,6 @@ struct ShakeLevel {
   std::uint32_t patience;                 ///< passes in a row without a collapse
   std::size_t most_flips, most_collapses; ///< tries
 };
-constexpr ShakeLevel thorough_shakes{100, 10, unlimited, unlimited};
-
 /// Of the default effort. Larger surfaces have spent the time that they may take on the levels before: up to
 /// 158 vertices 2,500 flips are tried, of 200 1,250, from 292 on 400. In eight runs on five models a vertex
 /// came after at most four passes in vain.
@@ -91,23 +90,46 @@ class Improver {
         surface_(mesh, rules_, room != nullptr ? &room->embedding : nullptr, control) {}
 
   ImproverOutcome run() {
-    shrink_greedily();
-    if (options_.effort >= 2) {
-      const bool bounded = options_.effort < 3;
-      repair({2, 14, 1.5, RepairOptions::impatient, bounded ? most_repairs : unlimited});
-      shake_and_repair(bounded ? bounded_shakes(surface_.vertex_count()) : thorough_shakes);
-      repair({2, 20, 2.5, RepairOptions::patient, bounded ? most_patient_repairs : unlimited});
-    }
-    if (options_.effort >= 3) {
-      repair({3, 18, 1.4});
-      repair({3, 18, 2});
-    }
+    if (!options_.rounds_alone) run_phases();
+    if (options_.effort >= 3) go_on();
     if (stopped_ || control_.cancelled()) outcome_.end = ImproverOutcome::End::stopped;
     return outcome_;
   }
-  TriangleMesh result() const { return surface_.compacted(); }
+  TriangleMesh result() const { return compacted(whole_ ? *whole_ : surface_.complex()); }
 
  private:
+  void run_phases() {
+    shrink_greedily();
+    if (options_.effort < 2) return;
+    repair({2, 14, 1.5, RepairOptions::impatient, most_repairs});
+    shake_and_repair(bounded_shakes(surface_.vertex_count()));
+    repair({2, 20, 2.5, RepairOptions::patient, most_patient_repairs});
+  }
+
+  /// Flips are taken whatever the energy becomes: where only those stayed that lower it, elephant at 2 % was
+  /// left with 80 vertices in the time in which it comes to 73.
+  void go_on() {
+    FurtherRounds rounds(options_.first_round);
+    FailedEdges failed, failed_wide;
+    CollapseRoundOptions narrow = round_options(between_shakes);
+    CollapseRoundOptions wide =
+        round_options({FurtherRounds::wide_rings, FurtherRounds::wide_sweeps, FurtherRounds::wide_excess});
+    wide.repair.jointly = true;
+    wide.most_attempts = FurtherRounds::most_wide_tries;
+    for (std::size_t r = 0; r < options_.most_rounds; ++r) {
+      if (stopped_ || control_.cancelled()) return;
+      ++outcome_.rounds;
+      const std::uint32_t before = surface_.commits();
+      if (rounds.is_wide()) rounds.wide_saved(round(wide, failed_wide));
+      if (stopped_ || control_.cancelled()) return;
+      const ShakeFigures flips = shake_once(rounds.flips(surface_.vertex_count()));
+      if (stopped_ || control_.cancelled()) return;
+      round(narrow, failed);
+      relax_all();
+      if (!rounds.end(flips, surface_.commits() > before)) return;
+    }
+  }
+
   /// Tens of millions of queries go to the few places where Z may lie.
   static std::optional<NearestCells> make_cells(const ImproverGround& ground) {
     const ClosestPointIndex* surface = ground.field.surface();
@@ -153,11 +175,16 @@ class Improver {
   }
 
   /// Runs a pass of many small commits over Z, which says what it did, and reports it as one operation; false
-  /// where nothing changed.
+  /// where nothing changed. One that is cancelled is taken back, as nobody could make the same part of it
+  /// again; in T it stays.
   bool report_pass(EventKind kind, const std::function<RelaxationFigures()>& pass) {
-    const FacetComplex before = surface_.complex();
+    FacetComplex before = surface_.complex();
     const Complex before_in_t = room_ != nullptr ? room_->embedding.complex() : Complex{};
     const RelaxationFigures figures = pass();
+    if (room_ == nullptr && control_.cancelled()) {
+      if (!whole_) whole_ = std::move(before);
+      return false;
+    }
     if (figures.moved + figures.flipped == 0) return false;
     SurfaceChange change = difference(before, surface_.complex(), kind);
     ImproverVerdict verdict;
@@ -184,6 +211,17 @@ class Improver {
     make_room();
   }
 
+  /// A pass of flips, reported as one operation.
+  ShakeFigures shake_once(const ShakeOptions& options) {
+    ShakeFigures figures;
+    const bool changed = report_pass(EventKind::shake, [&] {
+      figures = shake(surface_, rules_, options, control_);
+      return RelaxationFigures{0, figures.flipped, figures.largest};
+    });
+    if (changed) ++outcome_.shakes, outcome_.shaken_edges += figures.flipped;
+    return figures;
+  }
+
   /// Passes go on from one another: which edges collapse is chance, and more of it finds more.
   void shake_and_repair(const ShakeLevel& level) {
     CollapseRoundOptions options = round_options(between_shakes);
@@ -192,14 +230,9 @@ class Improver {
     std::uint32_t in_vain = 0;
     for (std::uint32_t pass = 0; pass < level.most_passes && in_vain < level.patience; ++pass) {
       if (flips_left == 0 || collapses_left == 0 || stopped_ || control_.cancelled()) return;
-      const bool changed = report_pass(EventKind::shake, [&] {
-        const ShakeFigures figures = shake(surface_, rules_, {pass, flips_left, shake_repair}, control_);
-        flips_left -= std::min(flips_left, figures.attempts);
-        outcome_.shaken_edges += figures.flipped;
-        return RelaxationFigures{0, figures.flipped, figures.largest};
-      });
-      if (!changed) return;
-      ++outcome_.shakes;
+      const ShakeFigures flips = shake_once({pass, flips_left, shake_repair});
+      flips_left -= std::min(flips_left, flips.attempts);
+      if (flips.flipped == 0) return;
       options.most_attempts = collapses_left;
       const std::size_t before = outcome_.attempts, collapsed = round(options, failed);
       collapses_left -= std::min(collapses_left, outcome_.attempts - before);
@@ -241,7 +274,7 @@ class Improver {
     const std::size_t before = outcome_.attempts;
     for (int r = 0; r < most_rounds && !stopped_ && !control_.cancelled(); ++r) {
       options.most_attempts = level.most_attempts - std::min(level.most_attempts, outcome_.attempts - before);
-      if (options_.effort < 3) options.most_in_vain = most_in_vain(surface_.vertex_count());
+      options.most_in_vain = most_in_vain(surface_.vertex_count());
       const std::size_t collapsed = round(options, failed);
       relax_all();
       if (!is_worthwhile(collapsed)) return;
@@ -258,6 +291,7 @@ class Improver {
   LiveSurface surface_;
   BestPlaces best_places_;
   ImproverOutcome outcome_;
+  std::optional<FacetComplex> whole_; ///< Z before a pass that was cancelled
   bool stopped_ = false;
 };
 

@@ -8,14 +8,18 @@
 #include "tolerance/tolerance_volume.h"
 
 #include <functional>
+#include <limits>
 
 namespace isoscope {
 
 struct ImproverOptions {
   /// 0: greedy collapses to minimax targets; 1: with relaxation between rounds; 2: then collapses with repair
   /// of the 2-ring, at most 5,000 tries, and passes of flips against the energy with collapses after each,
-  /// within a bound; 3: all of these without bounds, then collapses with repair of the 3-ring.
+  /// within a bound; 3: then further rounds (further_rounds.h), which end only when they are stopped.
   int effort = 2;
+  bool rounds_alone = false;   ///< with effort 3: what comes before the further rounds is left out
+  std::size_t first_round = 0; ///< the number of the first of these, from which all their choices follow
+  std::size_t most_rounds = std::numeric_limits<std::size_t>::max(); ///< so many of these at most
   bool preserve_normals = true; ///< condition 3 is preserved (§2.4); needs samples
   double shrink = 0.7;          ///< of the facet's copy for condition 3, in (0, 1]
   bool thin = false; ///< first coarsens what is much finer than δ, see thin(); for a Z without border and
@@ -31,6 +35,7 @@ struct ImproverOutcome {
   std::size_t attempts = 0, collapses = 0, repairs = 0; ///< repairs: collapses with repair
   std::size_t shakes = 0, shaken_edges = 0;             ///< passes of flips against the energy; flips
   std::size_t moved = 0, flipped = 0;                   ///< in relaxation sweeps
+  std::size_t rounds = 0;                               ///< further ones that were begun
 };
 
 /// What the improver asks of Ω.

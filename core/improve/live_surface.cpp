@@ -272,18 +272,18 @@ SurfaceChange LiveSurface::commit(const SurfacePatch& patch, EventKind kind) {
   return change;
 }
 
-TriangleMesh LiveSurface::compacted() const {
+TriangleMesh compacted(const FacetComplex& complex) {
   TriangleMesh mesh;
-  std::vector<std::uint32_t> ids(complex_.points.size(), Facet::none);
+  std::vector<std::uint32_t> ids(complex.points.size(), Facet::none);
   for (std::uint32_t v = 0; v < ids.size(); ++v) {
-    if (!complex_.alive_vertex(v)) continue;
+    if (!complex.alive_vertex(v)) continue;
     ids[v] = static_cast<std::uint32_t>(mesh.points.size());
-    mesh.points.push_back(complex_.points[v]);
+    mesh.points.push_back(complex.points[v]);
   }
-  for (const Facet& f : complex_.facets) {
+  for (const Facet& f : complex.facets) {
     if (!f.alive()) continue;
     mesh.triangles.push_back({ids[f.v[0]], ids[f.v[1]], ids[f.v[2]]});
-    if (!complex_.strata.empty()) mesh.labels.push_back(f.labels);
+    if (!complex.strata.empty()) mesh.labels.push_back(f.labels);
   }
   return mesh;
 }

@@ -11,6 +11,9 @@
 
 namespace isoscope {
 
+/// A surface as a mesh without gaps.
+TriangleMesh compacted(const FacetComplex& complex);
+
 /// The whole surface. Reading is thread-safe; commits are for one thread.
 class LiveSurface {
  public:
@@ -53,8 +56,7 @@ class LiveSurface {
   /// Notes that T has changed around these vertices without a change of Z: what failed there may be tried
   /// again.
   void room_changed(std::span<const std::uint32_t> vertices);
-  /// The surface as a mesh without gaps.
-  TriangleMesh compacted() const;
+  TriangleMesh compacted() const { return isoscope::compacted(complex_); }
 
  private:
   /// Gives the samples of the rim to the nearest border edges, and measures these.

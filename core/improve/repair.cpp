@@ -2,6 +2,7 @@
 #include "improve/repair.h"
 
 #include "improve/facet_intersection.h"
+#include "improve/joint_relocation.h"
 #include "improve/swept_witness.h"
 #include "tolerance/facet_certificate.h"
 
@@ -18,9 +19,9 @@ constexpr double reject_from = 0.998;
 constexpr std::size_t most_extra = 40;    ///< samples a facet may gather
 constexpr std::size_t most_witnesses = 6; ///< of which one certificate
 constexpr int relocation_rounds = 2;
-constexpr int collapse_retries = 4;      ///< of a collapse without repair whose certificate failed
-constexpr double most_flip_excess = 1.3; ///< in δ, of a flip against the energy, before its repair
-constexpr int relocation_retries = 2;    ///< of a relocation whose certificate failed
+constexpr int joint_rounds = 3;
+constexpr int collapse_retries = 4;   ///< of a collapse without repair whose certificate failed
+constexpr int relocation_retries = 2; ///< of a relocation whose certificate failed
 
 struct Proof {
   std::uint32_t failures = 0;
@@ -186,10 +187,8 @@ void unsettle(const Facet& facet, Settled& settled) {
 /// An edge by its ends, ascending.
 using EdgeOfPatch = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Relocates all free vertices, those with the worst facet first, then tries to flip the edges of facets
-/// that changed, but not `kept`.
-void sweep(const InputSurface& input, SurfacePatch& patch, const std::optional<EdgeOfPatch>& kept,
-           Settled& settled, RepairSweep& record) {
+/// Relocates all free vertices, those with the worst facet first.
+void relocate_in_turn(const InputSurface& input, SurfacePatch& patch, Settled& settled, RepairSweep& record) {
   FacetComplex& complex = patch.complex;
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t v = 0; v < complex.points.size(); ++v)
@@ -202,6 +201,16 @@ void sweep(const InputSurface& input, SurfacePatch& patch, const std::optional<E
     for (const std::uint32_t f : complex.stars[v]) unsettle(complex.facets[f], settled);
     ++record.moved;
   }
+}
+
+/// Relocates all free vertices, then tries to flip the edges of facets that changed, but not `kept`.
+void sweep(const InputSurface& input, SurfacePatch& patch, const std::optional<EdgeOfPatch>& kept,
+           bool jointly, Settled& settled, RepairSweep& record) {
+  FacetComplex& complex = patch.complex;
+  if (jointly && relocate_jointly(input, patch, joint_rounds))
+    ++record.moved;
+  else
+    relocate_in_turn(input, patch, settled, record);
   for (std::uint32_t f = 0; f < complex.facets.size(); ++f)
     for (std::size_t k = 0; k < 3 && complex.facets[f].alive() && !complex.facets[f].proven; ++k) {
       const auto& v = complex.facets[f].v;
@@ -278,7 +287,7 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
       if (progress.sweeps >= options.sweeps || is_hopeless(progress, level.largest, limit, options)) break;
     }
     progress.last = level.largest;
-    sweep(*rules.input, patch, kept, settled, record);
+    sweep(*rules.input, patch, kept, options.jointly, settled, record);
     progress.changing = record.moved + record.flipped > 0;
     sweeps.push_back(record);
   }
@@ -310,16 +319,16 @@ PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch
   return settle(rules, patch, a, collapse_retries);
 }
 
-bool is_worth_a_flip(const SurfaceRules& rules, const FacetComplex& complex, std::uint32_t a,
-                     std::uint32_t b) {
+bool is_worth_a_flip(const SurfaceRules& rules, const FacetComplex& complex, std::uint32_t a, std::uint32_t b,
+                     const RepairOptions& options) {
   const std::optional<FlipPlan> plan = flip_of_edge(complex, a, b);
-  return plan &&
-         distance_of_new_edge(*rules.input, complex, *plan) <= most_flip_excess * rules.input->delta();
+  return plan && distance_of_new_edge(*rules.input, complex, *plan) <=
+                     options.most_flip_excess * rules.input->delta();
 }
 
 std::optional<PatchVerdict> flip_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
                                              std::uint32_t b, const RepairOptions& options) {
-  const auto plan = force_flip(*rules.input, patch, a, b, most_flip_excess * rules.input->delta());
+  const auto plan = force_flip(*rules.input, patch, a, b, options.most_flip_excess * rules.input->delta());
   if (!plan) return std::nullopt;
   return repair(rules, patch, options, EdgeOfPatch(std::minmax(plan->c, plan->d)));
 }

@@ -29,6 +29,9 @@ struct RepairOptions {
   int certificates = 8; ///< rounds of certificates, each of which adds the violating points to the samples
   /// What the largest d may be after two, three and four sweeps, as a share of what it has to come to.
   std::array<double, 3> funnel = impatient;
+  /// In δ: flips whose new edge or facets have a larger d before their repair are given up.
+  double most_flip_excess = 1.3;
+  bool jointly = false; ///< all free vertices are relocated at once, not one after the other
 
   /// Gives up most repairs that will fail, and a few that would succeed.
   static constexpr std::array<double, 3> impatient{1.1, std::numeric_limits<double>::infinity(),
@@ -56,8 +59,8 @@ PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch
                                   std::uint32_t b, Vec3 target, const RepairOptions& options);
 /// Whether flip_with_repair() is worth a try: there is such an edge, and the one that would replace it does
 /// not begin too far above δ.
-bool is_worth_a_flip(const SurfaceRules& rules, const FacetComplex& complex, std::uint32_t a,
-                     std::uint32_t b);
+bool is_worth_a_flip(const SurfaceRules& rules, const FacetComplex& complex, std::uint32_t a, std::uint32_t b,
+                     const RepairOptions& options);
 /// Flips the edge ab (local ids) against the energy and repairs the patch without flipping it back; nothing
 /// where the flip cannot be made or begins too far above δ. Everything is checked but the same.
 std::optional<PatchVerdict> flip_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,

@@ -10,9 +10,6 @@
 namespace isoscope {
 namespace {
 
-/// Free vertices of a flip: this many edges from its ends.
-constexpr int rings = 1;
-
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 std::deque<Edge> edges_in_order(const FacetComplex& complex, std::uint32_t pass) {
@@ -36,13 +33,16 @@ constexpr std::size_t flips_at_once = 8;
 
 /// Takes edges from the front that may be flipped.
 std::vector<FlipAttempt> gather(const LiveSurface& surface, const SurfaceRules& rules,
-                                std::deque<Edge>& edges) {
+                                const ShakeOptions& options, std::deque<Edge>& edges) {
   std::vector<FlipAttempt> attempts;
   while (!edges.empty() && attempts.size() < flips_at_once) {
     const auto [a, b] = edges.front();
     edges.pop_front();
-    if (surface.frozen(a) || surface.frozen(b) || !is_worth_a_flip(rules, surface.complex(), a, b)) continue;
-    attempts.push_back({{a, b}, surface.patch(vertices_around(surface.complex(), {a, b}, rings)), {}});
+    if (surface.frozen(a) || surface.frozen(b) ||
+        !is_worth_a_flip(rules, surface.complex(), a, b, options.repair))
+      continue;
+    attempts.push_back(
+        {{a, b}, surface.patch(vertices_around(surface.complex(), {a, b}, options.rings)), {}});
   }
   return attempts;
 }
@@ -54,7 +54,7 @@ ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeO
   ShakeFigures figures;
   std::deque<Edge> edges = edges_in_order(surface.complex(), options.pass);
   while (!edges.empty() && figures.attempts < options.most_attempts && !control.cancelled()) {
-    std::vector<FlipAttempt> attempts = gather(surface, rules, edges);
+    std::vector<FlipAttempt> attempts = gather(surface, rules, options, edges);
     const bool complete = parallel_until(attempts.size(), 1, control, [&](std::size_t i) {
       FlipAttempt& a = attempts[i];
       a.verdict = flip_with_repair(rules, a.patch, a.patch.local_vertex(a.edge.first),
@@ -78,6 +78,7 @@ ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeO
     }
     edges.insert(edges.begin(), too_late.begin(), too_late.end());
   }
+  figures.all_tried = edges.empty();
   return figures;
 }
 

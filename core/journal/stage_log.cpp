@@ -5,11 +5,12 @@
 
 namespace isoscope {
 
-void StageLog::begin(Stage stage) {
+void StageLog::begin(Stage stage, bool further) {
   stage_ = stage;
   began_ = std::chrono::steady_clock::now();
   Event e;
   e.kind = EventKind::stage_begin;
+  e.count = further ? 1 : 0;
   event(e);
 }
 

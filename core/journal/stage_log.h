@@ -15,7 +15,8 @@ class StageLog {
  public:
   StageLog(Recorder& recorder, const RunControl& control) : recorder_(&recorder), control_(&control) {}
 
-  void begin(Stage stage);
+  /// `further`: for the improver, that it is to go on after its end; the event counts 1 then.
+  void begin(Stage stage, bool further = false);
   /// Goes on in a stage that the journal has begun, `seconds` ago.
   void rejoin(Stage stage, double seconds);
   /// What ended the last run does not end this one.

@@ -50,7 +50,7 @@ struct RunParameters {
   std::array<bool, stage_count> skipped{}; ///< stages to leave out: gamma, zero_set, all or improve
   TargetStrategy target = TargetStrategy::constraints; ///< how targets of general collapses are looked for
   CostRing cost_ring = CostRing::one;                  ///< facets of Z whose planes make the error (§2.4)
-  int effort = 2;                                      ///< of the improver, 0 to 3
+  int effort = 2;                                      ///< of the improver, 0 to 3; 3 never ends
   ImproverPlace improver = ImproverPlace::free;        ///< on Z alone or inside T
   /// Components of the input whose box has a longest edge below so many δ are left out; 0: none.
   double drop_small = 0;
@@ -377,16 +377,18 @@ constexpr auto fields_of(const RunParameters*) {
       field(&P::effort,
             {.name = "effort",
              .symbol = "effort",
-             .help = "of the improver: 0 (least) to 3 (fewest vertices); default 2",
+             .help = "of the improver: 0 (least) to 3, which goes on with ever fewer vertices until the time "
+                     "limit or Ctrl-C; default 2",
              .words = "of the improver, 0 to 3",
              .choices = parameter_words::effort,
              .range = {.low = 0,
                        .high = 3,
                        .wrong = "not 0, 1, 2 or 3",
-                       .remedy = "2 is the default; 3 takes longest and gives the fewest vertices."},
+                       .remedy = "2 is the default; 3 goes on until it is stopped."},
              .place = 20,
              .title = "Effort of the improver",
-             .tip = "0 to 3: more rounds of relocation and repair for fewer vertices. Needs a restart."}),
+             .tip = "0 to 2: more rounds of relocation and repair for fewer vertices; 3 goes on until it is "
+                    "stopped. Needs a restart."}),
       field(
           &P::improver,
           {.name = "improver",

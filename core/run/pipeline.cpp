@@ -42,7 +42,7 @@ class ResamplingGate : public Gate {
 } // namespace
 
 int RunResult::exit_status() const {
-  if (end != End::finished) return 4;
+  if (end != End::finished && !without_end) return 4;
   return certificate.holds() && !failure ? 0 : 1;
 }
 
@@ -66,6 +66,7 @@ struct Pipeline::Impl {
   std::unique_ptr<Simplification> simplification;
   double seconds = 0; ///< of all parts so far
   std::string branched;
+  bool further = false; ///< the next run goes on improving
 
   void record_warning(const std::string& text) {
     Event e;
@@ -266,6 +267,14 @@ Status Pipeline::branch(const BranchPoint& branch, std::shared_ptr<Journal> jour
   return m.simplification->begin_with(at.stage, at.open, at.seconds, branch.a, branch.b, branch.target);
 }
 
+Status Pipeline::go_on() {
+  if (!impl_->simplification || !impl_->simplification->can_go_on())
+    return Error{ErrorCode::usage, "There is no Z that the improver has begun with and that no holes fill.",
+                 "Let the run come to the improver, with --fill none."};
+  impl_->further = true;
+  return {};
+}
+
 Result<RunResult> Pipeline::run() {
   using End = RefinementOutcome::End;
   Impl& m = *impl_;
@@ -282,6 +291,7 @@ Result<RunResult> Pipeline::run() {
     }
   }
   if (m.simplification) {
+    m.simplification->go_on(std::exchange(m.further, false));
     const Result<bool> finished = m.simplify();
     if (!finished && m.recorder->rehearsal() != nullptr) return finished.error();
     if (!finished) result.failure = finished.error();
@@ -289,6 +299,15 @@ Result<RunResult> Pipeline::run() {
   }
   if (m.control->cancelled() || stopped) {
     result.end = m.control->timed_out() ? RunResult::End::limit : RunResult::End::stopped;
+  }
+  if (m.simplification) {
+    result.without_end = m.simplification->without_end();
+    if (result.without_end && !m.control->abandoned()) {
+      // What it has come to is the result: nothing of its proof is left out.
+      m.control->reset();
+      m.simplification->finish();
+    }
+    result.can_go_on = m.simplification->can_go_on();
   }
   result.refinement = m.refined;
   result.branch = m.branched;
@@ -307,6 +326,7 @@ Result<RunResult> Pipeline::run() {
     const double limit = parameters_.cover.value_or(std::numeric_limits<double>::infinity()) * m.scene->delta;
     result.points = measure_points(*m.scene->points, result.mesh, limit, *m.control);
   }
+  result.curve = vertex_curve(*m.journal);
   m.seconds += watch.seconds();
   result.seconds = m.seconds;
   result.peak_memory_bytes = peak_memory_bytes();

@@ -9,6 +9,7 @@
 #include "run/crumbs.h"
 #include "run/normal_deviation.h"
 #include "run/preparation.h"
+#include "run/vertex_curve.h"
 
 #include <memory>
 #include <optional>
@@ -32,11 +33,15 @@ struct RunResult {
   NormalDeviation normals;
   SmallParts crumbs;                    ///< of Z, smaller than crumb_size δ
   std::optional<PointDistances> points; ///< to Z, where the input is points
+  std::vector<CurvePoint> curve;        ///< its vertices over the seconds
   double seconds = 0;
   std::size_t peak_memory_bytes = 0;
-  std::string branch; ///< where it left another run and how; empty: it began at the beginning
+  bool without_end = false; ///< the improver does not end by itself: to be stopped there is how it ends
+  bool can_go_on = false;   ///< Pipeline::go_on() is possible
+  std::string branch;       ///< where it left another run and how; empty: it began at the beginning
   MeshSize size() const { return streamed.value_or(MeshSize{mesh.points.size(), mesh.triangles.size()}); }
-  int exit_status() const; ///< 0 finished and certified, 1 not certified or not finished, 4 stopped
+  /// 0 finished, or stopped where it never ends, and certified; 1 not certified or not finished; 4 stopped.
+  int exit_status() const;
 };
 
 class Pipeline {
@@ -65,6 +70,9 @@ class Pipeline {
   /// Refines, simplifies, extracts Z, certifies. May be called again after the gate's parameters changed: it
   /// goes on where it was. Once the simplification has begun, σ and conditions 1, 2 and 4 are what they were.
   Result<RunResult> run();
+  /// The next run() goes on with further rounds of the improver until it is stopped. Fails with usage where
+  /// its stage was not reached, or where holes were filled after it.
+  Status go_on();
   const RunParameters& parameters() const { return parameters_; }
 
  private:

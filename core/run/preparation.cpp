@@ -453,6 +453,10 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   scene->regions.assign(volume_->regions().begin(), volume_->regions().end());
   scene->boundary_components.assign(volume_->boundary_components().begin(),
                                     volume_->boundary_components().end());
+  const InputTopology& topology = scene->input_topology;
+  if (!of_points && !soup->gives_volume() && topology.embedded() && topology.consistently_oriented &&
+      topology.euler_characteristic)
+    scene->optimum = asymptotic_count(*soup, *topology.euler_characteristic, scene->delta);
   scene->thickening_note = volume_->thickening_note(control_);
   warn(*scene, criteria);
   return std::shared_ptr<const Scene>(scene);

@@ -5,6 +5,7 @@
 #include "base/status.h"
 #include "input/input_note.h"
 #include "input/triangle_soup.h"
+#include "run/asymptotic_count.h"
 #include "run/parameters.h"
 #include "run/point_field.h"
 #include "tolerance/boundary_sampler.h"
@@ -50,7 +51,8 @@ struct Scene {
   InputTopology input_topology;   ///< without them
   ExpectedTopology expected;
   std::shared_ptr<const BoundarySamples> samples;
-  SampleEstimate sample_estimate; ///< what other densities would take
+  SampleEstimate sample_estimate;         ///< what other densities would take
+  std::optional<AsymptoticCount> optimum; ///< where it can be told
   std::string thickening_note;
   std::vector<ParameterWarning> warnings;
   double input_seconds = 0, volume_seconds = 0, sampling_seconds = 0;

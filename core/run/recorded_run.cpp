@@ -91,6 +91,7 @@ void read_report(const Json& json, RunResult& result) {
   result.refinement.unmet_height = whole<std::size_t>(json.at("unmet").at("height"));
   result.refinement.unmet_orientation = whole<std::size_t>(json.at("unmet").at("orientation"));
   result.refinement.uncertified = whole<std::size_t>(json.at("unmet").at("containment"));
+  result.without_end = json.value("without_end", false);
   result.seconds = json.at("seconds").get<double>();
   result.peak_memory_bytes = whole<std::size_t>(json.at("peak_memory_bytes"));
 }

@@ -239,11 +239,19 @@ class Check {
   Pipeline pipeline_;
   std::optional<RunResult> result_;
 
+  /// The recorded run had ended and went on improving.
+  bool went_on_here() const {
+    if (verdict_.events >= recorded_.events().size()) return false;
+    const Event& next = recorded_.events()[verdict_.events];
+    return next.kind == EventKind::stage_begin && next.stage == Stage::improve && next.count > 0;
+  }
+
   /// Runs on until so many events are compared, and says so where the new run has fewer.
   Status run_to(std::size_t events) {
     result_.reset();
     for (std::size_t before = verdict_.events;; before = verdict_.events) {
       if (verdict_.events >= events && result_) break;
+      if (result_ && went_on_here()) static_cast<void>(pipeline_.go_on());
       auto run = pipeline_.run();
       if (!run) return run.error();
       result_ = std::move(*run);

@@ -183,6 +183,23 @@ Json rim_json(const Scene& scene) {
   return json;
 }
 
+Json curve_json(const std::vector<CurvePoint>& curve) {
+  Json list = Json::array();
+  for (const CurvePoint& p : curve)
+    list.push_back({{"seconds", p.seconds}, {"vertices", p.vertices}, {"stage", name(p.stage)}});
+  return list;
+}
+
+/// The least vertices as an estimate, where it can be told.
+Json optimum_json(const Scene& scene, const RunResult& result) {
+  if (!scene.optimum) return nullptr;
+  const AsymptoticCount& optimum = *scene.optimum;
+  return {{"vertices", optimum.vertices},
+          {"ratio", static_cast<double>(result.size().vertices) / optimum.vertices},
+          {"elliptic", optimum.elliptic},
+          {"hyperbolic", optimum.hyperbolic}};
+}
+
 /// What was in force, δ and σ as they were for this input; what says which input it is stands with that.
 Json used_parameters_json(const RunParameters& p, const Scene& scene) {
   Json json{{"tolerance", scene.delta},
@@ -295,6 +312,8 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"crumbs", {{"components", result.crumbs.components}, {"vertices", result.crumbs.vertices}}},
         {"embedding", result.form == ZeroForm::free ? "Z alone" : "T"},
         {"empty", result.size().triangles == 0}}},
+      {"asymptotic_optimum", optimum_json(scene, result)},
+      {"curve", curve_json(result.curve)},
       {"normals", normals_json(result.normals)},
       {"certificate",
        {{"holds", c.holds()},
@@ -321,6 +340,7 @@ std::string report_json(const RunParameters& p, const Scene& scene, const RunRes
         {"failures", c.failures}}},
       {"branch", result.branch.empty() ? Json(nullptr) : Json(result.branch)},
       {"end", name(result.end)},
+      {"without_end", result.without_end},
       {"seconds", result.seconds},
       {"peak_memory_bytes", result.peak_memory_bytes},
   };

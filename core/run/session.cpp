@@ -48,6 +48,7 @@ struct Session::Impl : public Gate {
   std::shared_ptr<RecordingWriter> writer;
   CriteriaParameters wanted;
   bool parameters_pending = false;
+  bool improving_pending = false; ///< the run that has ended is to go on
   bool stop_pending = false;
   bool quit = false;
   bool over = true; ///< nothing runs on the thread any more
@@ -116,12 +117,17 @@ struct Session::Impl : public Gate {
     shown.pause_note.clear();
   }
 
-  /// Lets a paused run go on for `steps` operations.
-  void go_on(std::uint32_t steps) {
-    pause_pending = false;
-    steps_left = steps;
-    show_running();
-    update_attention();
+  /// Lets a paused run go on for `steps` operations, or until the breakpoint speaks.
+  void go_on(std::uint32_t steps, std::shared_ptr<const Breakpoint> breakpoint = nullptr) {
+    {
+      const std::lock_guard lock(mutex);
+      if (breakpoint) until = std::move(breakpoint);
+      pause_pending = false;
+      steps_left = steps;
+      show_running();
+      update_attention();
+    }
+    changed.notify_all();
   }
 
   Verdict verdict() {
@@ -212,6 +218,7 @@ struct Session::Impl : public Gate {
       std::unique_lock lock(mutex);
       shown.result = shared;
       shown.phase = SessionPhase::finished;
+      shown.improving = false;
       shown.part.clear();
       shown.fraction = -1;
       serve_writer();
@@ -220,8 +227,10 @@ struct Session::Impl : public Gate {
       until.reset();
       update_attention();
       changed.notify_all();
-      changed.wait(lock, [this] { return quit || parameters_pending; });
+      changed.wait(lock, [this] { return quit || parameters_pending || improving_pending; });
       if (quit) return;
+      if (std::exchange(improving_pending, false))
+        static_cast<void>(pipeline.go_on()); // the result said that it can
       parameters_pending = stop_pending = false;
       control.reset();
       update_attention();
@@ -273,7 +282,7 @@ struct Session::Impl : public Gate {
     if (recorded) shown.recording.emplace().opened = true;
     started = parameters;
     wanted = {};
-    quit = stop_pending = parameters_pending = pause_pending = false;
+    quit = stop_pending = parameters_pending = improving_pending = pause_pending = false;
     steps_left = unlimited;
     until.reset();
     return journal;
@@ -401,29 +410,15 @@ void Session::pause() {
 }
 
 void Session::resume() {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->go_on(unlimited);
-  }
-  impl_->changed.notify_all();
+  impl_->go_on(unlimited);
 }
 
 void Session::step(std::uint32_t n) {
-  if (n == 0) return;
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->go_on(n);
-  }
-  impl_->changed.notify_all();
+  if (n > 0) impl_->go_on(n);
 }
 
 void Session::run_until(Breakpoint breakpoint) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->until = shared(std::move(breakpoint));
-    impl_->go_on(unlimited);
-  }
-  impl_->changed.notify_all();
+  impl_->go_on(unlimited, shared(std::move(breakpoint)));
 }
 
 void Session::stop() {
@@ -453,6 +448,21 @@ Status Session::apply(const RunParameters& parameters) {
     impl_->shown.parameters = parameters;
     impl_->parameters_pending = true;
     if (impl_->shown.phase == SessionPhase::finished) impl_->shown.phase = SessionPhase::running;
+    impl_->update_attention();
+  }
+  impl_->changed.notify_all();
+  return {};
+}
+
+Status Session::go_on_improving() {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    const SessionSnapshot& shown = impl_->shown;
+    if (shown.phase != SessionPhase::finished || !shown.result || !shown.result->can_go_on)
+      return Error{ErrorCode::usage, "There is nothing to go on improving.",
+                   "It takes a run that has come to its end in the improver, without holes that are filled."};
+    impl_->improving_pending = impl_->shown.improving = true;
+    impl_->shown.phase = SessionPhase::running;
     impl_->update_attention();
   }
   impl_->changed.notify_all();

@@ -54,6 +54,7 @@ struct SessionSnapshot {
   std::optional<Error> error;
   std::string part;       ///< what is being prepared or certified: "sampling"
   double fraction = -1;   ///< of that part, negative unknown
+  bool improving = false; ///< the improver goes on with further rounds, as go_on_improving() asked
   std::string pause_note; ///< why it paused: "step", a breakpoint's text
   std::optional<RecordingState> recording;
 };
@@ -95,6 +96,9 @@ class Session {
   /// finished. A paused run takes them and stays paused. The other parameters need a start. Fails with
   /// unsupported, and changes nothing, where the samples of this σ would take more memory than they may.
   Status apply(const RunParameters& parameters);
+  /// After the run has ended: goes on with further rounds of the improver until stop(). Fails with usage
+  /// where that cannot be.
+  Status go_on_improving();
   /// Stands for every run of this session, checked after each event; empty removes it.
   void set_breakpoint(Breakpoint breakpoint);
 

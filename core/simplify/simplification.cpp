@@ -29,6 +29,9 @@ constexpr int most_rounds = 10;
 /// ones bring nothing that it does not find too.
 constexpr int most_exchanges = 8, exchanges_before_improver = 1;
 
+/// With it the improver never ends.
+constexpr int endless_effort = 3;
+
 /// Those behind the refinement.
 constexpr std::span<const Stage> stage_order = std::span(stages_in_order).subspan(2);
 static_assert(stage_order.front() == Stage::gamma);
@@ -55,11 +58,16 @@ struct Simplification::Impl {
   std::unique_ptr<LiveComplex> live; ///< null once Z has left T, or where it begins outside of it
   Complex free;                      ///< the state after that
   bool filled = false;               ///< holes are, as far as they can be
+  bool has_fillings = false;         ///< some are
   /// Inside T the improver knows two sides only.
   Stage last = context.volume.has_rooms() && parameters.improver == ImproverPlace::embedded ? Stage::all
                                                                                             : Stage::improve;
-  std::size_t next = 0;  ///< into stage_order
-  bool rejoined = false; ///< the journal has begun the next stage
+  std::size_t next = 0;           ///< into stage_order
+  bool rejoined = false;          ///< the journal has begun the next stage
+  bool further = false;           ///< the improver goes on without end, as was asked for after it had ended
+  bool improving = false;         ///< the improver's stage has begun
+  bool improved = false;          ///< it has done all but further rounds
+  std::size_t further_rounds = 0; ///< begun by the improver
 
   bool in_t() const { return !first; }
 
@@ -167,12 +175,21 @@ struct Simplification::Impl {
     if (live && parameters.improver == ImproverPlace::embedded) {
       // A vertex of Γ that goes to a vertex of Z leaves Z as it is and takes tetrahedra out of its way.
       const auto make_room = [this] { collapse(EdgeKind::mixed, true, most_rounds); };
-      improve_embedded_zero_set(*live, context, parameters.effort, make_room, log);
+      further_rounds += improve_embedded_zero_set(*live, context, improver_work(), make_room, log).rounds;
       return {};
     }
     if (live) leave();
-    if (!log.stopped()) improve_free_zero_set(free, context, parameters.effort, log);
+    if (!log.stopped()) further_rounds += improve_free_zero_set(free, context, improver_work(), log).rounds;
     return {};
+  }
+
+  /// What the improver is to do this time: what it has done it does not begin again.
+  ImproverOptions improver_work() {
+    ImproverOptions options =
+        improver_options(context.criteria, further ? endless_effort : parameters.effort);
+    options.rounds_alone = further && improved;
+    options.first_round = further_rounds;
+    return options;
   }
 
   void refuse_to_fill(std::uint32_t loop, const std::string& why) {
@@ -181,6 +198,7 @@ struct Simplification::Impl {
 
   /// The operation by which `count` facets fill the holes of these loops.
   Event filling(std::size_t count, const std::vector<std::uint32_t>& loops) {
+    has_fillings = true;
     Event e;
     e.kind = EventKind::fill;
     e.count = static_cast<std::uint32_t>(count);
@@ -268,7 +286,7 @@ struct Simplification::Impl {
   }
 
   Status run_stage(Stage stage) {
-    if (!std::exchange(rejoined, false)) log.begin(stage);
+    if (!std::exchange(rejoined, false)) log.begin(stage, further);
     Status made;
     switch (stage) {
     case Stage::gamma:
@@ -289,7 +307,9 @@ struct Simplification::Impl {
       all_edges();
       break;
     case Stage::improve:
+      improving = true;
       made = improve();
+      improved = improved || further_rounds > 0 || !log.stopped();
       break;
     default:
       break;
@@ -325,6 +345,23 @@ Status Simplification::begin_with(Stage stage, bool open, double seconds, Vertex
 void Simplification::begin_at(Stage stage) {
   const auto at = std::find(stage_order.begin(), stage_order.end(), stage);
   if (at != stage_order.end()) impl_->next = static_cast<std::size_t>(at - stage_order.begin());
+}
+
+bool Simplification::can_go_on() const {
+  return impl_->improving && !impl_->has_fillings;
+}
+
+void Simplification::go_on(bool further) {
+  impl_->further = further;
+}
+
+bool Simplification::without_end() const {
+  return impl_->improving && (impl_->further || impl_->parameters.effort >= endless_effort);
+}
+
+void Simplification::finish() {
+  impl_->log.resume();
+  impl_->fill_holes();
 }
 
 Result<bool> Simplification::run() {

@@ -28,7 +28,7 @@ struct SimplificationParameters {
   std::array<bool, stage_count> skipped{}; ///< by Stage; tessellation cannot be skipped by later ones
   TargetStrategy target = TargetStrategy::constraints; ///< how targets are looked for in kernels
   CostRing ring = CostRing::one;                       ///< whose planes make the error
-  int effort = 2;                                      ///< of the improver, 0 to 3
+  int effort = 2;                                      ///< of the improver, 0 to 3; 3 never ends
   ImproverPlace improver = ImproverPlace::free;
   HoleChoice fill; ///< of open surfaces: what is filled, once the last stage inside T is done
   friend bool operator==(const SimplificationParameters&, const SimplificationParameters&) = default;
@@ -52,6 +52,15 @@ class Simplification {
   Status begin_with(Stage stage, bool open, double seconds, VertexId a, VertexId b, Vec3 target);
   /// Before the first run(): begins with this stage, on T as it was when the stage began.
   void begin_at(Stage stage);
+  /// Whether further rounds of the improver are possible: its stage has begun, and no holes are filled.
+  bool can_go_on() const;
+  /// Whether the next run() goes on with further rounds of the improver, without end, whatever the effort;
+  /// can_go_on() must hold then.
+  void go_on(bool further);
+  /// Whether the run has come to what never ends: to be stopped there is its end.
+  bool without_end() const;
+  /// Once a run without end was stopped: what comes after the last stage.
+  void finish();
   /// Runs the stages that are left; when told to stop it may be called again and goes on where it was. False
   /// when it was stopped. Fails with internal where the tessellation is impossible, else as `first`.
   Result<bool> run();

@@ -94,10 +94,14 @@ std::vector<Vec3> kept_points(const TileManifest& manifest, const ChangeBox& box
   return kept;
 }
 
+/// A tile is one of many and has to end, whatever the effort.
+constexpr std::size_t most_tile_rounds = 40;
+
 ImproverOptions tile_options(const CriteriaParameters& criteria, int effort) {
   ImproverOptions options = improver_options(criteria, effort);
   options.preserve_normals = false;
   options.thin = true;
+  options.most_rounds = most_tile_rounds;
   return options;
 }
 

@@ -94,7 +94,8 @@ void print_normals(const TriangleMesh& mesh, const ToleranceVolume& volume, cons
 }
 
 int usage() {
-  std::fprintf(stderr, "improve_bench MODEL PERCENT START.off OUT.off [effort=2] [normals=1] [threads=2]\n");
+  std::fprintf(stderr, "improve_bench MODEL PERCENT START.off OUT.off [effort=2] [normals=1] [threads=2] "
+                       "[rounds=0] [seconds=0]\n");
   return 2;
 }
 
@@ -102,7 +103,8 @@ int usage() {
 
 int main(int argc, char** argv) {
   if (argc < 5) return usage();
-  std::map<std::string, double> given{{"effort", 2}, {"normals", 1}, {"threads", 2}};
+  std::map<std::string, double> given{
+      {"effort", 2}, {"normals", 1}, {"threads", 2}, {"rounds", 0}, {"seconds", 0}};
   for (int i = 5; i < argc; ++i) {
     const std::string text = argv[i];
     const auto at = text.find('=');
@@ -127,6 +129,8 @@ int main(int argc, char** argv) {
   TriangleMesh mesh{start->points, start->triangles};
   ImproverOptions options;
   options.effort = static_cast<int>(given["effort"]);
+  options.rounds_alone = given["rounds"] > 0;
+  if (given["seconds"] > 0) control.cancel_after(given["seconds"]);
   options.preserve_normals = given["normals"] > 0;
   Printer printer(mesh.points.size());
   print_normals(mesh, *volume, nearest, options);

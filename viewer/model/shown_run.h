@@ -39,6 +39,10 @@ class ShownRun {
     return run.phase == SessionPhase::preparing || run.phase == SessionPhase::running ||
            run.phase == SessionPhase::following;
   }
+  /// The run has ended, and its improver can try for fewer vertices.
+  bool can_go_on_improving() const {
+    return run.phase == SessionPhase::finished && run.result && run.result->can_go_on;
+  }
   /// More steps may come.
   bool growing() const { return running() || !index.complete(); }
   /// What is shown was read from a file.

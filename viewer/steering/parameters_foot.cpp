@@ -149,6 +149,13 @@ void plan_buttons(Ui& ui, const ApplyPlan& plan) {
                  plan.words +
                      " A branch goes on from there with these parameters; Tab changes to the run that "
                      "it left.");
+  } else if (m.run.improving) {
+    button("Stop", true, true, "stop");
+    widgets::tip(ui, "Stop", "Ends the further rounds of the improver; the mesh that is there is certified.");
+  } else if (m.can_go_on_improving() && plan.way == ApplyWay::nothing) {
+    button("Improve", true, true, "go-on-improving");
+    widgets::tip(ui, "Go on improving",
+                 "Tries for ever fewer vertices, as further steps of this run, until it is stopped.");
   } else {
     const bool can = plan.way == ApplyWay::go_on || plan.way == ApplyWay::branch;
     button("Apply", true, can, "apply");

@@ -155,6 +155,12 @@ Status follow_copy(Steering& m, const Arguments& a) {
   return {};
 }
 
+Status go_on_improving(WindowState& m, const Arguments&) {
+  if (Status s = m.session.go_on_improving(); !s) return s;
+  m.transport.follow();
+  return {};
+}
+
 } // namespace
 
 void Steering::add_file_commands(CommandTable& table) {
@@ -257,6 +263,13 @@ void Steering::add_run_commands(CommandTable& table) {
         .keys = {{'R', true}},
         .run = [this](const Arguments&) { return restart(); },
         .enabled = [this] { return !window.draft.input.empty(); }},
+       {.name = "go-on-improving",
+        .title = "Go on improving",
+        .help = "Once the run has ended: tries for ever fewer vertices, as further steps of the same run, "
+                "until it is stopped; the mesh is valid all the time.",
+        .icon = icon::forward,
+        .run = on(window, go_on_improving),
+        .enabled = [this] { return window.can_go_on_improving(); }},
        {.name = "stop",
         .title = "Stop",
         .help = "Ends the run; what is there is kept and certified.",

@@ -113,6 +113,11 @@ void add_run_values(NamedValues& t, const WindowState& m) {
   });
   t.add("certified", "whether the finished run's mesh is proven",
         [&m] { return m.run.result && m.run.result->certificate.holds(); });
+  t.add("improvable", "whether the run has ended and can go on improving",
+        [&m] { return m.can_go_on_improving(); });
+  t.add("improving", "whether it does", [&m] { return m.run.improving; });
+  t.add("optimum", "the asymptotic estimate of the least vertices; nan where there is none",
+        [&m] { return m.run.scene && m.run.scene->optimum ? m.run.scene->optimum->vertices : std::nan(""); });
   t.add("model", "what is open", [&m] { return m.run.parameters.input; });
   t.add("answer", "the answer that was last brought into sight", [&m] { return m.answer.shown; });
   t.add("inspector.scroll", "how far the inspector is scrolled, pixels", [&m] { return m.inspector_scroll; });

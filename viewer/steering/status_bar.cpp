@@ -22,6 +22,7 @@ std::string phase_text(const WindowState& m) {
   case SessionPhase::preparing:
     return "preparing " + m.run.part;
   case SessionPhase::running:
+    if (m.run.improving) return "improving until it is stopped";
     return m.run.part.empty() ? "running" : "running: " + m.run.part;
   case SessionPhase::paused:
     return m.run.pause_note.empty() ? "held" : "held: " + m.run.pause_note;

@@ -1,5 +1,6 @@
 // The plots: vertices of Z with stage marks (Figure 21), tetrahedra, rejections by reason, figures of the
 // refinement; over steps or seconds.
+#include "base/numbers.h"
 #include "journal/vocabulary.h"
 #include "model/words.h"
 #include "timeline/timeline_panel.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace isoscope {
 
@@ -82,18 +84,36 @@ void axis_numbers(const Ui& ui, const Axis& axis, ImVec2 low, ImVec2 size, float
   }
 }
 
+/// The estimate of how few vertices the finished mesh could have, where there is one.
+std::optional<double> optimum_of(const WindowState& m) {
+  if (!m.run.scene || !m.run.scene->optimum) return std::nullopt;
+  return m.run.scene->optimum->vertices;
+}
+
+/// A broken line, with what it is at its left end.
+void optimum_line(const Ui& ui, double optimum, float y, float left, float width) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float dash = ui.px(5);
+  for (float x = left; x < left + width; x += 2 * dash)
+    list.AddLine({x, y}, {std::min(x + dash, left + width), y}, to_u32(ui.colors.good_text), ui.px(1.2f));
+  widgets::draw_text(list, ui.fonts.small, {left + ui.px(4), y - ui.fonts.small->FontSize - ui.px(2)},
+                     to_u32(ui.colors.good_text),
+                     "asymptotic optimum, about " + grouped(static_cast<std::size_t>(std::round(optimum))));
+}
+
 } // namespace
+
+double TimelinePane::time_at(double step) const {
+  // seconds[k] is the time after operation k, that is at step k + 1.
+  const auto k = static_cast<std::size_t>(std::clamp(step, 0.0, static_cast<double>(seconds_->size())));
+  return k == 0 ? 0.0 : static_cast<double>((*seconds_)[k - 1]);
+}
 
 double TimelinePane::part_of(double step) const {
   if (seconds_ == nullptr || seconds_->empty())
     return (step - range_.begin) / std::max(range_.end - range_.begin, 1e-9);
-  // seconds[k] is the time after operation k, that is at step k + 1.
-  const auto time = [&](double s) {
-    const auto k = static_cast<std::size_t>(std::clamp(s, 0.0, static_cast<double>(seconds_->size())));
-    return k == 0 ? 0.0 : static_cast<double>((*seconds_)[k - 1]);
-  };
-  const double begin = time(range_.begin), end = time(range_.end);
-  return (time(step) - begin) / std::max(end - begin, 1e-9);
+  const double begin = time_at(range_.begin), end = time_at(range_.end);
+  return (time_at(step) - begin) / std::max(end - begin, 1e-9);
 }
 
 double TimelinePane::from_part(double part) const {
@@ -104,6 +124,12 @@ double TimelinePane::from_part(double part) const {
     (part_of(middle) < part ? low : high) = middle;
   }
   return high;
+}
+
+std::string TimelinePane::extent_words() const {
+  if (seconds_ == nullptr || seconds_->empty())
+    return " over " + grouped(static_cast<std::size_t>(std::max(range_.end - range_.begin, 0.0))) + " steps";
+  return " over " + short_number(time_at(range_.end) - time_at(range_.begin)) + " s";
 }
 
 void TimelinePane::axis_switch(Ui& ui, float left, float y) {
@@ -156,6 +182,9 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
       most = std::max(most, static_cast<double>(values[k]));
     }
   if (last <= first || most < least) return;
+  const std::optional<double> optimum =
+      plot.figure == Figure::zero_set_vertices ? optimum_of(m) : std::nullopt;
+  if (optimum) least = std::min(least, *optimum);
   const Axis axis = axis_for(std::max(least, plot.whole ? 1.0 : 1e-3), std::max(most, 1e-3));
   if (plot.ruled) axis_numbers(ui, axis, low, size, top, bottom);
   // Two values a pixel pair where steps are dense, each step once where they are not.
@@ -168,11 +197,13 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
     line.push_back({x, axis.y(static_cast<double>(values[k]), top, bottom)});
   }
   list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(plot.color), 0, ui.px(1.6f));
+  if (optimum) optimum_line(ui, *optimum, axis.y(*optimum, top, bottom), low.x, size.x);
   const Step step = m.transport.step();
   if (step == 0 || step > values.size()) return;
   const auto number = static_cast<double>(values[step - 1]);
-  const std::string value =
+  std::string value =
       (plot.whole ? grouped(static_cast<std::size_t>(number)) : short_number(number)) + plot.unit;
+  if (optimum) value += " = " + fixed(number / *optimum, 2) + " × the optimum";
   const float extent = widgets::width_of(ui.fonts.mono, value);
   widgets::draw_text(list, ui.fonts.mono, {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)},
                      to_u32(plot.color), value);
@@ -234,6 +265,7 @@ void TimelinePane::plots(Ui& ui) {
   if (unit < ui.px(50) || room.y < ui.px(40)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float x = origin.x;
+  const std::string extent = extent_words();
   const auto card = [&](const char* name, float weight, bool named, auto&& draw) {
     const ImVec2 low{x, origin.y}, size{weight * unit, room.y}, high{low.x + size.x, low.y + size.y};
     const float axis = named ? ui.px(axis_room) : 0;
@@ -248,7 +280,7 @@ void TimelinePane::plots(Ui& ui) {
     const float head = std::round(from.x + static_cast<float>(part_of(m.transport.step())) * inner.x);
     list.AddLine({head, low.y + ui.px(20)}, {head, high.y}, to_u32(ui.colors.selection), ui.px(1.5f));
     widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(10), low.y + ui.px(5)}, to_u32(ui.colors.quiet),
-                       name);
+                       named ? name + extent : name);
     list.PopClipRect();
     x = high.x + gap;
   };

@@ -46,6 +46,10 @@ class TimelinePane {
   void axis_switch(Ui& ui, float left, float y);
   /// A step's place within the range, in [0, 1], over steps or seconds, and the step at a place.
   double part_of(double step) const;
+  /// Seconds of a step, while plots are drawn over them.
+  double time_at(double step) const;
+  /// " over 12.3 s" or " over 1,234 steps": what the plots' axis spans.
+  std::string extent_words() const;
   double from_part(double part) const;
   /// Wheel and drag over an area of the steps; true while scrubbing.
   bool scrub(Ui& ui, const char* id, ImVec2 low, ImVec2 size);
