@@ -26,11 +26,14 @@ inline std::string general(double value, int digits) {
   return text;
 }
 
-/// So many digits behind the point.
+/// So many digits behind the point; what rounds to zero has no sign.
 inline std::string fixed(double value, int digits) {
   char text[400];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  const std::string_view shown = text;
+  return std::string(shown.find_first_not_of("-0.") == std::string_view::npos && shown.front() == '-'
+                         ? shown.substr(1)
+                         : shown);
 }
 
 /// "1,234,567".

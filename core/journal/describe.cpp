@@ -1,8 +1,9 @@
 // The sentences of the vocabulary with an event's figures in their braces.
 #include "journal/describe.h"
 
+#include "base/numbers.h"
+
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 namespace isoscope {
@@ -41,9 +42,8 @@ class Sentence {
   std::string number(double value, int digits) const {
     if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
     if (std::isnan(value)) return "unknown";
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*f", digits, plain() ? std::abs(value) : value);
-    return (plain() && value < 0 ? "−" : "") + std::string(text);
+    const std::string text = fixed(value, digits);
+    return plain() && text.front() == '-' ? "−" + text.substr(1) : text;
   }
   std::string in_delta(double length, int more = 0) const {
     if (criteria_.delta > 0) return number(length / criteria_.delta, (plain() ? 2 : 3) + more) + " δ";
@@ -60,6 +60,13 @@ class Sentence {
            in_unit(e_.value, length, more) == in_unit(e_.limit, length, more))
       ++more;
     return more;
+  }
+  /// Two, or as many as show that a small number is not zero.
+  static int digits_of(double value) {
+    constexpr int most = 8;
+    int digits = 2;
+    while (digits < most && std::abs(value) > 0 && std::abs(value) < 0.5 * std::pow(10.0, -digits)) ++digits;
+    return digits;
   }
   static std::string whole(double value) {
     if (!std::isfinite(value)) return "unknown";
@@ -96,7 +103,7 @@ class Sentence {
   }
   std::string figure(std::string_view what) const {
     const ConditionWords& asked = words(e_.condition);
-    if (what == "value") return number(e_.value, 2);
+    if (what == "value") return number(e_.value, digits_of(e_.value));
     if (what == "limit") return number(e_.limit, 2);
     if (what == "value δ") return in_delta(e_.value);
     if (what == "limit δ") return in_delta(e_.limit);

@@ -95,6 +95,28 @@ quit
                    "gallery:sphere --tolerance 12% --until refinement") == 0);
 }
 
+TEST_CASE("another model is shown whole; the same one, run again, from where one looked at it") {
+  CHECK(run_window("another-model", R"(
+wait settled
+seek 5
+wait settled
+pick-worst
+frame
+wait settled
+expect filled > 1.2
+set tolerance 10%
+restart
+wait settled
+expect filled > 1.2
+open gallery:torus
+wait settled
+wait 0.5
+expect filled < 1
+quit
+)",
+                   "gallery:sphere --tolerance 12% --until refinement") == 0);
+}
+
 TEST_CASE("a held run is stepped at its live end") {
   CHECK(run_window("held", R"(
 open gallery:sphere paused

@@ -118,6 +118,19 @@ TEST_CASE("Rejections tell the edge, the reason and the number that decided") {
   CHECK(said(Reason::misclassified) == "edge 3–4 stays: a sample would change class, ε = 0.50 (limit 0.50)");
 }
 
+TEST_CASE("A number that two digits would show as zero has as many as show its first") {
+  Event e;
+  e.kind = EventKind::insertion;
+  e.condition = Condition::orientation;
+  e.tet = TetId(7);
+  e.value = -0.0041;
+  CHECK(contains(describe(journal_with_delta(), e), "f·F = -0.004 at"));
+  e.value = -0.09;
+  CHECK(contains(describe(journal_with_delta(), e), "f·F = -0.09 at"));
+  e.value = 0;
+  CHECK(contains(describe(journal_with_delta(), e), "f·F = 0.00 at"));
+}
+
 TEST_CASE("What an event's value is, its kind, its reason or its condition says") {
   const auto of = [](EventKind kind, Condition condition, Reason reason) {
     Event e;

@@ -4,6 +4,10 @@
 
 #include <doctest/doctest.h>
 
+#include <fstream>
+#include <iterator>
+#include <string>
+
 using isoscope::test::run_window;
 
 namespace {
@@ -22,6 +26,8 @@ wait settled
 expect runs == 2 and compare.beside == on and compare.active == a and alpha == 0.2
 # Panes make room, but that is not what is remembered.
 expect pane-left == off and pane-left.kept == on and pane-right.kept == on
+# The inspector stays: there is room for it.
+expect pane-right == on
 expect compare.same == off and compare.parameters == 1 and compare.measure_event == 2
 expect compare.a.certified == on and compare.b.certified == on
 expect compare.first_event > 2 and compare.first_step > 1 and compare.only_a > 0 and compare.only_b > 0
@@ -76,6 +82,16 @@ wait settled
 expect layer.other-zero == on
 picture )" + (results / "both-z.png").string() +
                                  R"( 400x300
+section
+picture )" + (results / "both-z-section.png").string() +
+                                 R"( 400x300
+svg )" + (results / "both-z.svg").string() +
+                                 R"(
+both-z
+picture )" + (results / "one-z-section.png").string() +
+                                 R"( 400x300
+both-z
+scene
 close-other
 wait settled
 picture )" + (results / "without-other.png").string() +
@@ -93,6 +109,10 @@ quit
   };
   CHECK(lines("both-z.png") > lines("one-z.png") + 300);
   CHECK(lines("without-other.png") < lines("both-z.png") / 4);
+  CHECK(lines("both-z-section.png") > lines("one-z-section.png") + 300);
+  std::ifstream figure(results / "both-z.svg");
+  const std::string drawn{std::istreambuf_iterator<char>(figure), {}};
+  CHECK(drawn.find("id=\"other-zero\"") != std::string::npos);
 }
 
 TEST_CASE("cameras and play heads are linked until somebody parts them") {

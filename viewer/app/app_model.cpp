@@ -100,6 +100,24 @@ void AppModel::forget_run() {
   framed_generation_ = history_warned_ = 0;
 }
 
+// A camera that was moved stays where it is for a model that lies in the same place, as another version of it
+// or another run; for any other the program frames it again. Two runs share what is seen.
+void AppModel::meet_input() {
+  const TriangleSoup* input = run.scene ? run.scene->input.get() : run.input.get();
+  if (input == nullptr || met_generation_ == run.generation) return;
+  met_generation_ = run.generation;
+  const Box3 box = input->bounds();
+  constexpr double alike = 0.05; // of the longest edge
+  const double reach = alike * std::max(box.longest_edge(), met_.longest_edge());
+  const bool first = met_.empty(),
+             same = length(box.lo - met_.lo) <= reach && length(box.hi - met_.hi) <= reach;
+  met_ = box;
+  // A view that was taken since the run began is meant for it.
+  if (first || same || comparison.other() != nullptr || !(camera.goal() == pose_before_)) return;
+  camera.release();
+  section_set = false;
+}
+
 // The clip goes to the middle of a loaded model unless somebody had set it.
 void AppModel::place_view() {
   if (!run.scene || framed_generation_ == run.generation) return;
@@ -156,11 +174,15 @@ void AppModel::watch_view() {
 bool AppModel::update(double seconds) {
   const SessionPhase phase = run.phase;
   const auto step_before = transport.step();
-  if (take_snapshot()) forget_run();
+  if (take_snapshot()) {
+    forget_run();
+    pose_before_ = camera.goal();
+  }
   const auto genus = run.scene ? expected_genus(*run.scene) : std::nullopt;
   expected_genus_->store(genus.value_or(std::nan("")));
   const bool tiles_changed = mosaic.update();
   steering.take_run();
+  meet_input();
   place_view();
   watch_history();
   bool changed = phase != run.phase || running() || tiles_changed;

@@ -63,6 +63,7 @@ class AppModel : public WindowState {
   /// Drops what was asked, selected and remembered of the run that was active.
   void forget_run();
   void watch_history();
+  void meet_input();
   void place_view();
   void blink();
   void watch_view();
@@ -70,8 +71,11 @@ class AppModel : public WindowState {
   std::shared_ptr<std::atomic<double>> expected_genus_;
   bool camera_was_set_ = false, section_was_set_ = false; ///< in the update before
   bool clip_placed_ = false;                              ///< by the program, in this update
-  std::uint64_t framed_generation_ = 0;                   ///< the run whose bounds the camera knows
-  std::uint64_t history_warned_ = 0;                      ///< the run whose journal was found too large
+  Box3 met_;                                              ///< of the input that was shown last
+  CameraPose pose_before_;                                ///< when the present run began
+  std::uint64_t met_generation_ = 0;
+  std::uint64_t framed_generation_ = 0; ///< the run whose bounds the camera knows
+  std::uint64_t history_warned_ = 0;    ///< the run whose journal was found too large
 };
 
 /// Made for scripts, and how long the window takes, which they measure.

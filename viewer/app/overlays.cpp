@@ -133,16 +133,17 @@ void Overlays::help(Ui& ui) {
   {
     const widgets::Font font(ui.fonts.small);
     for (std::size_t i = 0; i < help_sections.size(); ++i) {
-      ImGui::SameLine(0, ui.px(i == 0 ? 14 : 4));
-      if (ImGui::GetContentRegionAvail().x < ui.px(70)) break;
+      widgets::beside_or_below(ui, help_sections.at(i), i == 0 ? 14 : 4);
       if (widgets::plain_button(ui, help_sections.at(i), true, 0, ui.px(24))) section_ = static_cast<int>(i);
     }
   }
   ImGui::BeginChild("commands", {0, 0});
   ImGui::PushFont(ui.fonts.small);
+  const float wide = ImGui::GetContentRegionAvail().x, name_width = std::min(ui.px(250), 0.33f * wide),
+              key_width = std::min(ui.px(130), 0.17f * wide);
   if (ImGui::BeginTable("table", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ui.px(250));
-    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, ui.px(130));
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, name_width);
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, key_width);
     ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
     std::optional<std::size_t> section; // whose heading is still to come, with its first row
     const auto heading_row = [&](std::size_t i) {
@@ -190,7 +191,7 @@ void Overlays::help(Ui& ui) {
       if (!rejects(style.value) || !row(std::string(style.name), std::string(style.title), style.help))
         continue;
       const ImVec2 low = ImGui::GetItemRectMin();
-      widgets::glyph(ui, {low.x - ui.px(146), low.y + ui.px(7)}, 4.5f, style.color, style.shape);
+      widgets::glyph(ui, {low.x - key_width - ui.px(16), low.y + ui.px(7)}, 4.5f, style.color, style.shape);
     }
     section = menu_names.size() + 2;
     for (const NamedValue& value : model_.values.all())
@@ -309,11 +310,15 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   ImVec2 extent{std::min(size.x - ui.px(60), ui.px(980)), std::min(size.y - ui.px(60), ui.px(760))};
   if (now == Overlay::palette)
     extent = {std::min(size.x - ui.px(60), ui.px(620)), std::min(size.y - ui.px(120), ui.px(460))};
-  if (now == Overlay::welcome) extent = {std::min(size.x - ui.px(60), ui.px(900)), ui.px(460)};
-  if (now == Overlay::about) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(300)};
-  if (now == Overlay::pictures) extent = {std::min(size.x - ui.px(60), ui.px(560)), ui.px(430)};
+  if (now == Overlay::welcome) extent.x = std::min(size.x - ui.px(60), ui.px(900));
+  if (now == Overlay::about || now == Overlay::pictures) extent.x = std::min(size.x - ui.px(60), ui.px(560));
   if (now == Overlay::files || now == Overlay::bookmarks || now == Overlay::lessons)
     extent = {std::min(size.x - ui.px(60), ui.px(860)), std::min(size.y - ui.px(60), ui.px(560))};
+  // These are as high as what stands in them, which their first frame, unseen, tells.
+  const bool measured = now == Overlay::welcome || now == Overlay::about || now == Overlay::pictures;
+  if (now != shown_) needed_ = 0;
+  const bool unseen = measured && needed_ <= 0;
+  if (measured && needed_ > 0) extent.y = std::min(needed_, size.y - ui.px(20));
   const float y = now == Overlay::palette ? ui.px(64) : (size.y - extent.y) / 2;
   const ImVec2 low{std::round((size.x - extent.x) / 2), std::round(y)};
 
@@ -332,6 +337,7 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   const bool outside = !ImGui::IsMouseHoveringRect(low, {low.x + extent.x, low.y + extent.y}, false);
   if (outside && ImGui::IsMouseClicked(0) && now == shown_) ui.commands.post("clear");
   ImGui::SetCursorScreenPos(low);
+  if (unseen) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0);
   ImGui::BeginChild("panel", extent, true, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 0);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_vec(ui.colors.panel, 0));
@@ -374,7 +380,9 @@ void Overlays::draw(Ui& ui, ImVec2 size) {
   }
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
+  needed_ = ImGui::GetCursorPosY() + ImGui::GetScrollY() - ImGui::GetStyle().ItemSpacing.y + ui.px(16);
   ImGui::EndChild();
+  if (unseen) ImGui::PopStyleVar();
   ImGui::End();
   ImGui::PopStyleVar(3);
   ImGui::PopStyleColor(2);

@@ -41,6 +41,7 @@ class Overlays {
   std::string found_for_; ///< what was typed
   std::string completed_; ///< to be put into the field
   int section_ = -1;      ///< of the help, to be scrolled to
+  float needed_ = 0;      ///< height of what stands in the panel, once it has been drawn
   Overlay shown_ = Overlay::none;
 };
 

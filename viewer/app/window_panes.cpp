@@ -133,10 +133,10 @@ void WindowPanes::draw(Ui& ui, bool resting) {
   const float top = ui.px(40), status = ui.px(24), grip = std::max(ui.px(3), 2.0f), folded = ui.px(0);
   const float width = size.x / ui.scale, height = size.y / ui.scale;
   const bool lesson = m.lessons.runner.on();
-  const float left = lesson        ? ui.px(std::clamp(width * 0.32f, 300.0f, 440.0f))
+  const float left = lesson        ? ui.px(std::clamp(width * 0.32f, 260.0f, 440.0f))
                      : p.show_left ? ui.px(std::min(p.left, width * 0.35f))
                                    : folded;
-  const float right = p.show_right ? ui.px(std::min(p.right, width * 0.35f)) : folded;
+  const float right = p.show_right ? ui.px(std::min(p.right, width * (lesson ? 0.3f : 0.35f))) : folded;
   const float bottom = p.show_bottom ? ui.px(std::min(p.bottom, height * 0.6f)) : 0;
   const float middle_y = top + grip, bottom_y = size.y - status - bottom;
   const float middle_high = bottom_y - middle_y - (bottom > 0 ? grip : 0);

@@ -103,7 +103,7 @@ CertificateRow manifold_row(const Certificate& c) {
 void certificate(Ui& ui) {
   const auto& result = ui.window.run.result;
   if (!result || ui.window.transport.step() < ui.window.live_step()) return;
-  const widgets::AnswerRegion region(ui, AnswerKind::certificate);
+  const widgets::AnswerRegion region(ui, AnswerKind::certificate, ui.window.settled);
   const Certificate& c = result->certificate;
   widgets::bold_text(ui, c.holds() ? "Certified" : "Not certified");
   const auto judged = [](bool good) { return good ? RowVerdict::good : RowVerdict::bad; };

@@ -140,7 +140,7 @@ void validity(Ui& ui, Investigation& i, const StateSnapshot& s) {
   }
   if (widgets::plain_button(ui, "Check everything", true, 0, ui.px(26))) ui.commands.post("check");
   widgets::tip(ui, "Check everything", "Judges the step shown from scratch. Key K.");
-  ImGui::SameLine(0, ui.px(6));
+  widgets::beside_or_below(ui, "First invalid step");
   if (widgets::plain_button(ui, "First invalid step", true, 0, ui.px(26))) ui.commands.post("find-invalid");
   widgets::tip(ui, "First invalid step",
                "Where the step shown is not valid: bisection over the journal. Key Shift+K.");

@@ -61,7 +61,7 @@ void time_column(Ui& ui, const WorkAnswer& w) {
   widgets::bold_text(ui, "Time by stage and reason");
   double all = 0;
   for (const WorkTime& t : w.times) all += t.seconds;
-  widgets::quiet_text(ui, short_number(all) + " s; between two operations shared evenly");
+  widgets::quiet_text(ui, short_number(all) + " s; between two operations shared evenly", true);
   std::optional<Stage> stage;
   for (std::size_t i = 0; i < w.times.size(); ++i) {
     const WorkTime& t = w.times[i];
@@ -104,8 +104,10 @@ void band(const Ui& ui, const StallReport& s) {
 void stall_column(Ui& ui, const WorkAnswer& w) {
   const StallReport& s = w.stall;
   widgets::bold_text(ui, "Why is nothing accepted?");
-  widgets::quiet_text(ui, grouped(s.accepted) + " of the last " + grouped(s.attempts) +
-                              " attempts accepted; " + grouped(s.since_accepted) + " since the last one");
+  widgets::quiet_text(ui,
+                      grouped(s.accepted) + " of the last " + grouped(s.attempts) + " attempts accepted; " +
+                          grouped(s.since_accepted) + " since the last one",
+                      true);
   band(ui, s);
   std::vector<std::size_t> order;
   for (std::size_t r = 0; r < s.by_reason.size(); ++r)

@@ -94,8 +94,10 @@ void check_row(Ui& ui, const EdgeXray& x, CollapseCheck check) {
   if (v.seconds > 0) {
     const std::string time = time_text(v.seconds);
     const float room = std::max(extent, ui.px(104)) + ui.px(10);
-    const float taken = widgets::width_of(ui.fonts.small, time);
-    row.text(ui.fonts.small, (row.width - room - taken) / ui.scale, ui.colors.quiet, time, 0.8f);
+    const float left = row.width - room - widgets::width_of(ui.fonts.small, time);
+    // Where there is no room for it the tooltip tells it.
+    if (left > ui.px(30) + widgets::width_of(ui.fonts.small, words(check).title))
+      row.text(ui.fonts.small, left / ui.scale, ui.colors.quiet, time, 0.8f);
   }
   row.below();
 }

@@ -118,6 +118,7 @@ void Exporter::begin_figure(Exports& desk, const FigureRequest& request, const V
   figure.aspect = static_cast<double>(extent.width) / extent.height;
   figure.points = desk.window.run.scene ? input_points(*desk.window.run.scene) : nullptr;
   figure.scene = desk.window.run.scene;
+  figure.other = desk.window.other_state;
   figure.xray = desk.probe.xray();
   figure.study = desk.probe.study();
   figure.delta = desk.window.run.scene ? desk.window.run.scene->delta : 0;

@@ -189,7 +189,8 @@ void lesson(Ui& ui, const LessonRunner& runner) {
   {
     const widgets::Font font(ui.fonts.small);
     const float close_x = ImGui::GetWindowContentRegionMax().x - ui.px(24);
-    widgets::quiet_text(ui, "Lesson " + std::to_string(lesson.number) + "  ·  " + lesson.title);
+    const std::string head = "Lesson " + std::to_string(lesson.number) + "  ·  " + lesson.title;
+    widgets::quiet_text(ui, widgets::fitted(head, close_x - ImGui::GetCursorPosX() - ui.px(6)));
     ImGui::SameLine(close_x);
     if (widgets::icon_button(ui, "leave", icon::close)) ui.commands.post("lesson-end");
     widgets::command_tip(ui, "lesson-end");

@@ -93,12 +93,21 @@ std::string short_number(double value) {
 }
 
 std::string number_beside(double value, double limit) {
-  if (value == limit || !std::isfinite(value) || !std::isfinite(limit) ||
-      short_number(value) != short_number(limit))
-    return short_number(value);
-  for (int digits = 4; digits < 16; ++digits)
-    if (fixed(value, digits) != fixed(limit, digits)) return fixed(value, digits);
-  return short_number(value);
+  constexpr double nothing = 1e-9; // of the limit: what arithmetic leaves of a zero
+  if (std::abs(value) < nothing * std::abs(limit)) value = 0;
+  std::string text = short_number(value);
+  if (value == limit || !std::isfinite(value) || !std::isfinite(limit)) return text;
+  // "1.0000" is "1.000", and reads as the limit.
+  const auto reads_alike = [&](const std::string& number, const std::string& other) {
+    return number == other || (number.find(',') == std::string::npos && std::stod(number) == limit);
+  };
+  constexpr int most = 16;
+  std::string beside = short_number(limit);
+  for (int digits = 4; digits < most && reads_alike(text, beside); ++digits) {
+    text = fixed(value, digits);
+    beside = fixed(limit, digits);
+  }
+  return text;
 }
 
 std::string bytes_text(std::size_t bytes) {

@@ -40,7 +40,7 @@ std::vector<LegendEntry> scene_legend(const StateSnapshot& state, const ViewSett
   }
   put(view.tetrahedra.shown() && section, Sign::line, c.section_line, "T");
   put(view.gamma.shown() && !state.gamma.empty(), Sign::line, c.gamma, "∂Γ");
-  put(view.other_zero.shown() && !section, Sign::line, c.other_zero, "Z of the other run");
+  put(view.other_zero.shown(), Sign::line, c.other_zero, "Z of the other run");
   put(view.rim.shown() && scene.rim, Sign::line, c.rim, "rim of the input");
   put(view.highlight.shown() && state.event.has_value() && !section, Sign::dashed, c.accent,
       "taken away by the operation");

@@ -107,6 +107,9 @@ void SectionLayer::update(const LayerInputs& inputs, const ViewFrame& frame) {
         lines.segment(frame.space.local(plane.lift(s.a)), frame.space.local(plane.lift(s.b)), color8(c.rim),
                       1.8f, true);
     if (frame.view.zero_set.shown()) add(geometry.zero_set, color8(c.section_zero), 2.6f);
+    if (inputs.other && frame.view.other_zero.shown())
+      add(zero_segments(inputs.other->zero_set, plane), color8(c.other_zero, frame.view.other_zero.opacity),
+          2.2f);
     if (frame.view.samples.shown()) {
       // Neighbours touch at most.
       const double spacing =

@@ -133,6 +133,22 @@ std::vector<SectionGeometry::Crossing> find_crossings(const ZeroSet& zero, const
 
 } // namespace
 
+std::vector<SectionGeometry::Segment> zero_segments(const ZeroSet& zero, const SectionPlane& plane) {
+  std::vector<Segment> segments;
+  for (const ZeroSet::Polygon& polygon : zero.polygons) {
+    std::array<Vec3, 4> p;
+    std::array<double, 4> h{};
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+      p[k] = zero.vertices[polygon.v[k]].position;
+      h[k] = plane.height(p[k]);
+    }
+    const std::size_t n = polygon.count;
+    if (const auto segment = cut(std::span(p).first(n), std::span(h).first(n), plane))
+      segments.push_back(*segment);
+  }
+  return segments;
+}
+
 SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane& plane,
                                  const SectionOptions& options) {
   SectionGeometry out;
@@ -163,17 +179,7 @@ SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane&
       if (const auto segment = cut(p, h, plane)) out.tetrahedra.push_back(*segment);
     }
   }
-  for (const ZeroSet::Polygon& polygon : state.zero_set.polygons) {
-    std::array<Vec3, 4> p;
-    std::array<double, 4> h{};
-    for (std::size_t k = 0; k < polygon.count; ++k) {
-      p[k] = state.zero_set.vertices[polygon.v[k]].position;
-      h[k] = plane.height(p[k]);
-    }
-    const std::size_t n = polygon.count;
-    if (const auto segment = cut(std::span(p).first(n), std::span(h).first(n), plane))
-      out.zero_set.push_back(*segment);
-  }
+  out.zero_set = zero_segments(state.zero_set, plane);
   for (const DroppedFacet& f : dropped_facets(complex)) {
     std::array<Vec3, 3> p;
     std::array<double, 3> h{};

@@ -64,6 +64,9 @@ struct SectionOptions {
 SectionGeometry section_geometry(const StateSnapshot& state, const SectionPlane& plane,
                                  const SectionOptions& options);
 
+/// Where the plane cuts a Z.
+std::vector<SectionGeometry::Segment> zero_segments(const ZeroSet& zero, const SectionPlane& plane);
+
 /// Where the border of an open input crosses the plane: open pieces, and those that Ω bridges.
 struct RimCrossing {
   PlanePoint at;

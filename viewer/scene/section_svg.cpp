@@ -53,6 +53,7 @@ class Drawing {
     return std::abs(p.u - figure_.section.u) * scale_ <= figure_.width / 2 + reach &&
            std::abs(p.v - figure_.section.v) * scale_ <= height_ / 2 + reach;
   }
+  bool other_shown() const { return figure_.other && figure_.view.other_zero.shown(); }
   void tolerance();
   std::vector<int> room_labels() const;
   void hatches();
@@ -305,6 +306,7 @@ void Drawing::legend(double top) {
   };
   const ViewSettings& view = figure_.view;
   if (view.zero_set.shown()) next(stroke(colors_.section_zero, 0.7), "Z", 11);
+  if (other_shown()) next(stroke(colors_.other_zero, 0.5), "Z of the other run", 32);
   if (view.gamma.shown()) next(stroke(colors_.gamma, 0.5), "∂Γ", 13);
   for (const int label : room_labels())
     next("<rect x=\"" + number(left + 1) + "\" y=\"" + number(top - 1.4) +
@@ -365,6 +367,8 @@ std::string Drawing::text() {
   if (view.dropped.shown())
     segments("dropped", geometry_.dropped, colors_.rim, 0.5, "stroke-dasharray=\"1.2,1.2\" ");
   if (view.zero_set.shown()) segments("zero-set", geometry_.zero_set, colors_.section_zero, 0.7);
+  if (other_shown())
+    segments("other-zero", zero_segments(figure_.other->zero_set, plane_), colors_.other_zero, 0.5);
   curves();
   points();
   samples();

@@ -21,10 +21,11 @@ struct SectionFigure {
   double width = 160;            ///< of the figure, millimetres
   double delta = 0;              ///< δ, scene units; 0: not known, the scale bar is in scene units then
   std::string model;             ///< named in the caption
-  std::shared_ptr<const InputPoints> points = nullptr; ///< that φ is made of
-  std::shared_ptr<const Scene> scene = nullptr;        ///< whose rim is marked, where its input is open
-  std::shared_ptr<const EdgeXray> xray = nullptr;      ///< of the edge at hand
-  std::shared_ptr<const TargetStudy> study = nullptr;  ///< of a target of it that is tried
+  std::shared_ptr<const InputPoints> points = nullptr;  ///< that φ is made of
+  std::shared_ptr<const Scene> scene = nullptr;         ///< whose rim is marked, where its input is open
+  std::shared_ptr<const StateSnapshot> other = nullptr; ///< of another run: its Z, where that is shown
+  std::shared_ptr<const EdgeXray> xray = nullptr;       ///< of the edge at hand
+  std::shared_ptr<const TargetStudy> study = nullptr;   ///< of a target of it that is tried
 };
 
 /// An SVG 1.1 document: Ω filled, rooms hatched, T thin, Z thick and black, what was cut off it dashed, ∂Γ

@@ -35,12 +35,10 @@ void parameter_slider(const Ui& ui, const Field<P, double>& f, double& value) {
   const double low = f.slider_from > 0 ? f.slider_from : f.range.low + (f.range.low_included ? 0 : step);
   const double high = f.range.high - (f.range.high_included ? 0 : step);
   auto shown = static_cast<float>(value);
-  const widgets::Font font(ui.fonts.mono);
-  ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderFloat(
-          unlabelled(f).c_str(), &shown, static_cast<float>(low), static_cast<float>(high),
+  if (widgets::numbered_slider(
+          ui, unlabelled(f).c_str(), shown, static_cast<float>(low), static_cast<float>(high),
           (std::string(f.format) + std::string(f.counted_in.empty() ? f.unit : f.counted_in)).c_str(),
-          f.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None))
+          f.logarithmic))
     value = std::round(static_cast<double>(shown) * 1e4) / 1e4;
 }
 

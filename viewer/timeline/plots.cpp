@@ -101,6 +101,14 @@ void optimum_line(const Ui& ui, double optimum, float y, float left, float width
                      "asymptotic optimum, about " + grouped(static_cast<std::size_t>(std::round(optimum))));
 }
 
+/// The number at the step shown, at the right of a plot's title; its width.
+float plot_value(const Ui& ui, ImVec2 low, ImVec2 size, Rgb color, const std::string& value) {
+  const float extent = widgets::width_of(ui.fonts.mono, value);
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.mono,
+                     {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)}, to_u32(color), value);
+  return extent;
+}
+
 } // namespace
 
 double TimelinePane::time_at(double step) const {
@@ -164,16 +172,20 @@ void TimelinePane::stage_marks(const Ui& ui, ImVec2 low, ImVec2 size, bool named
   }
 }
 
-void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2 size) const {
+float TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2 size) const {
   const WindowState& m = ui.window;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const std::vector<float>& values = m.index.values(plot.figure);
   const float top = low.y + ui.px(title_high), bottom = low.y + size.y - ui.px(plot.ruled ? 18 : 6);
   const auto first = static_cast<std::size_t>(range_.begin);
   const std::size_t last = std::min(values.size(), static_cast<std::size_t>(range_.end) + 1);
-  // T is gone once Z has left it, and with it what is measured on it.
+  // T is gone once Z has left it, and with it what is measured on it; ε and heights are those of f, which
+  // ends where Z goes into T.
+  const bool of_f = plot.figure == Figure::largest_error || plot.figure == Figure::smallest_height;
   const auto absent = [&](std::size_t k) {
-    return plot.figure != Figure::zero_set_vertices && m.index.stage(static_cast<Step>(k)) == Stage::improve;
+    const Stage stage = m.index.stage(static_cast<Step>(k));
+    if (of_f) return stage != Stage::setup && stage != Stage::refinement && stage != Stage::gamma;
+    return plot.figure != Figure::zero_set_vertices && stage == Stage::improve;
   };
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (std::size_t k = first; k < last; ++k)
@@ -181,7 +193,7 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
       least = std::min(least, static_cast<double>(values[k]));
       most = std::max(most, static_cast<double>(values[k]));
     }
-  if (last <= first || most < least) return;
+  if (last <= first || most < least) return 0;
   const std::optional<double> optimum =
       plot.figure == Figure::zero_set_vertices ? optimum_of(m) : std::nullopt;
   if (optimum) least = std::min(least, *optimum);
@@ -199,18 +211,17 @@ void TimelinePane::plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2
   list.AddPolyline(line.data(), static_cast<int>(line.size()), to_u32(plot.color), 0, ui.px(1.6f));
   if (optimum) optimum_line(ui, *optimum, axis.y(*optimum, top, bottom), low.x, size.x);
   const Step step = m.transport.step();
-  if (step == 0 || step > values.size()) return;
+  if (step == 0 || step > values.size()) return 0;
+  if (absent(step - 1)) return plot_value(ui, low, size, ui.colors.quiet, "–");
   const auto number = static_cast<double>(values[step - 1]);
   std::string value =
       (plot.whole ? grouped(static_cast<std::size_t>(number)) : short_number(number)) + plot.unit;
   if (optimum) value += " = " + fixed(number / *optimum, 2) + " × the optimum";
-  const float extent = widgets::width_of(ui.fonts.mono, value);
-  widgets::draw_text(list, ui.fonts.mono, {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)},
-                     to_u32(plot.color), value);
+  return plot_value(ui, low, size, plot.color, value);
 }
 
 // How many edges each reason has rejected so far; all on one logarithmic axis.
-void TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const {
+float TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const {
   const JournalIndex& index = ui.window.index;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float top = low.y + ui.px(title_high), bottom = low.y + size.y - ui.px(6);
@@ -239,9 +250,7 @@ void TimelinePane::plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const 
                      words(reason).color, words(reason).shape);
   }
   const std::string value = grouped(all);
-  const float extent = widgets::width_of(ui.fonts.mono, value);
-  widgets::draw_text(list, ui.fonts.mono, {low.x + size.x - extent - ui.px(10), low.y + ui.px(5)},
-                     to_u32(ui.colors.text), value);
+  return plot_value(ui, low, size, ui.colors.text, value);
 }
 
 void TimelinePane::plots(Ui& ui) {
@@ -276,20 +285,22 @@ void TimelinePane::plots(Ui& ui) {
     list.AddRectFilled(low, high, to_u32(ui.colors.ground, 0.6f), ui.px(5));
     list.PushClipRect(low, high, true);
     stage_marks(ui, {from.x, from.y + ui.px(20)}, {inner.x, inner.y - ui.px(20)}, named);
-    draw(from, inner);
+    const float taken = draw(from, inner);
     const float head = std::round(from.x + static_cast<float>(part_of(m.transport.step())) * inner.x);
     list.AddLine({head, low.y + ui.px(20)}, {head, high.y}, to_u32(ui.colors.selection), ui.px(1.5f));
-    widgets::draw_text(list, ui.fonts.small, {low.x + ui.px(10), low.y + ui.px(5)}, to_u32(ui.colors.quiet),
-                       named ? name + extent : name);
+    const widgets::Font font(ui.fonts.small);
+    widgets::draw_text(
+        list, ui.fonts.small, {low.x + ui.px(10), low.y + ui.px(5)}, to_u32(ui.colors.quiet),
+        widgets::fitted(named ? name + extent : name, std::max(size.x - taken - ui.px(26), 1.0f)));
     list.PopClipRect();
     x = high.x + gap;
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
     card(all[i].name, all[i].weight, all[i].ruled,
-         [&](ImVec2 low, ImVec2 size) { plot_curve(ui, all[i], low, size); });
+         [&](ImVec2 low, ImVec2 size) { return plot_curve(ui, all[i], low, size); });
     if (rejections && i == 1)
       card("edges that stayed, by reason", rejection_weight, false,
-           [&](ImVec2 low, ImVec2 size) { plot_rejections(ui, low, size); });
+           [&](ImVec2 low, ImVec2 size) { return plot_rejections(ui, low, size); });
   }
   seconds_ = nullptr;
 }

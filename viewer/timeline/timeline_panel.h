@@ -39,8 +39,9 @@ class TimelinePane {
   void ruler(const Ui& ui, ImVec2 low, ImVec2 size) const;
   void plots(Ui& ui);
   struct Plot;
-  void plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2 size) const;
-  void plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const;
+  /// These tell the width of the number that they put beside the title.
+  float plot_curve(const Ui& ui, const Plot& plot, ImVec2 low, ImVec2 size) const;
+  float plot_rejections(const Ui& ui, ImVec2 low, ImVec2 size) const;
   void stage_marks(const Ui& ui, ImVec2 low, ImVec2 size, bool named) const;
   /// Steps or seconds, for the plots.
   void axis_switch(Ui& ui, float left, float y);

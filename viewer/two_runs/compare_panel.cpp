@@ -102,7 +102,8 @@ std::string difference_text(double a, double b, int decimals = 0) {
   const double d = b - a;
   const std::string size =
       decimals > 0 ? fixed(std::abs(d), decimals) : grouped(static_cast<std::size_t>(std::abs(d)));
-  return d == 0 ? "0" : (d > 0 ? "+" : "−") + size;
+  if (size == fixed(0, decimals)) return size;
+  return (d > 0 ? "+" : "−") + size;
 }
 
 /// What is compared of each stage.

@@ -9,7 +9,9 @@
 namespace isoscope {
 namespace {
 
-constexpr float strip_units = 28, narrow_units = 560; ///< a view below that wants the room of the panes
+constexpr float strip_units = 28;
+constexpr float narrow_units = 560; ///< a view below that wants the room of the left pane
+constexpr float least_units = 300;  ///< and one below that the room of the inspector too
 
 /// What the run was asked that the other one was not: "α 0.3  ·  σ/δ 0.4".
 std::string told_apart(const Comparison& c, const ShownRun& run, bool b) {
@@ -96,7 +98,7 @@ void RunViews::make_room(Ui& ui) {
   before_ = panes;
   const float half = ImGui::GetContentRegionAvail().x / 2 / ui.scale;
   if (half < narrow_units) panes.show_left = false;
-  if (half + (before_->show_left ? panes.left / 2 : 0) < narrow_units) panes.show_right = false;
+  if (half + (before_->show_left ? panes.left / 2 : 0) < least_units) panes.show_right = false;
 }
 
 void RunViews::draw(Ui& ui) {

@@ -153,6 +153,12 @@ float Row::value(Rgb color, std::string_view s, float alpha) const {
   return extent;
 }
 
+void Row::pair(Rgb label_color, std::string_view label, Rgb color, std::string_view shown) const {
+  const float gap = ui_.px(10), label_room = width - width_of(ui_.fonts.small, label) - gap;
+  const Font mono(ui_.fonts.mono);
+  const float taken = value(color, widgets::fitted(shown, std::max(label_room, 0.6f * width)));
+  fitted(ui_.fonts.small, 0, label_color, label, std::max(width - taken - gap, 1.0f));
+}
 void Row::glyph(float x, Rgb color, MarkerShape shape, float radius) const {
   widgets::glyph(ui_, {at.x + ui_.px(x), at.y + high / 2}, radius, color, shape);
 }
@@ -250,6 +256,12 @@ bool primary_button(const Ui& ui, const char* label, bool enabled, float width) 
   return pressed;
 }
 
+void beside_or_below(const Ui& ui, const char* label, float gap) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const float wanted = text_size(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::GetItemRectMax().x + ui.px(gap) + wanted <= right) ImGui::SameLine(0, ui.px(gap));
+}
+
 bool plain_button(const Ui& ui, const char* label, bool enabled, float width, float height) {
   ImGui::BeginDisabled(!enabled);
   ImGui::PushStyleColor(ImGuiCol_Button, to_vec(ui.colors.hover));
@@ -304,10 +316,7 @@ void quiet_text(const Ui& ui, std::string_view s, bool wrapped) {
 
 void value_row(const Ui& ui, std::string_view label, std::string_view value, Rgb color) {
   const Row row(ui, 21);
-  row.text(ui.fonts.small, 0, ui.colors.quiet, label);
-  const float room = row.width - width_of(ui.fonts.small, label) - ui.px(10);
-  const Font mono(ui.fonts.mono);
-  row.value(color != 0 ? color : ui.colors.text, fitted(value, std::max(room, ui.px(40))));
+  row.pair(ui.colors.quiet, label, color != 0 ? color : ui.colors.text, value);
   ImGui::Dummy({row.width, row.high - ImGui::GetStyle().ItemSpacing.y});
 }
 
@@ -318,8 +327,7 @@ bool link_row(const Ui& ui, const char* id, std::string_view label, std::string_
   const bool pressed = row.button(number);
   ImGui::PopID();
   row.link();
-  row.text(ui.fonts.small, 0, ui.colors.accent_text, label);
-  row.value(ui.colors.text, value);
+  row.pair(ui.colors.accent_text, label, ui.colors.text, value);
   if (!hint.empty()) tip(ui, label, hint);
   row.below();
   return pressed;
@@ -405,17 +413,6 @@ bool segmented(const Ui& ui, const char* id, std::span<const char* const> labels
   ImGui::PopID();
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy({width, height});
-  return changed;
-}
-
-bool slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format,
-            bool logarithmic) {
-  ImGui::PushFont(ui.fonts.mono);
-  ImGui::SetNextItemWidth(-1);
-  const bool changed =
-      ImGui::SliderFloat(id, &value, low, high, format,
-                         ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
-  ImGui::PopFont();
   return changed;
 }
 

@@ -43,6 +43,9 @@ class Row {
   void step(Step step) const;
   /// Flush right in the monospaced font; the width it took, in pixels.
   float value(Rgb color, std::string_view text, float alpha = 1) const;
+  /// A label on the left and a value flush right; where there is no room for both they are cut, the label
+  /// first.
+  void pair(Rgb label_color, std::string_view label, Rgb color, std::string_view shown) const;
   void glyph(float x, Rgb color, MarkerShape shape, float radius = 4.5f) const;
   /// A disc or a cross.
   void verdict(float x, bool good) const;
@@ -81,6 +84,8 @@ void command_button(const Ui& ui, std::string_view command, const char* icon = n
 void key_button(const Ui& ui, std::string_view command, float width);
 /// A filled button with text in the accent colour.
 bool primary_button(const Ui& ui, const char* label, bool enabled = true, float width = 0);
+/// The next button stands beside the last item where its label has room there, else below it.
+void beside_or_below(const Ui& ui, const char* label, float gap = 6);
 /// A button without weight.
 bool plain_button(const Ui& ui, const char* label, bool enabled = true, float width = 0, float height = 0);
 
@@ -106,6 +111,10 @@ bool segmented(const Ui& ui, const char* id, std::span<const char* const> labels
 /// A slider with its value in the field, over the width that is left.
 bool slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format,
             bool logarithmic = false);
+/// A slider that a number may be typed into, also one out of its range. The number stands beside the knob
+/// where that would cover it.
+bool numbered_slider(const Ui& ui, const char* id, float& value, float low, float high, const char* format,
+                     bool logarithmic = false);
 
 /// The head of an inspector: what is selected, with buttons to frame and to clear it, and a quiet note.
 void heading(Ui& ui, const char* icon, const std::string& title, const std::string& note);

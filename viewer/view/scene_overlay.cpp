@@ -62,10 +62,12 @@ std::string pick_line(const WindowState& m, const Pick& pick) {
 
 } // namespace
 
-void mode_switch(Ui& ui, ImVec2 corner) {
-  constexpr std::array<const char*, 3> labels{"3D", "Section", "Split"};
+void mode_switch(Ui& ui, ImVec2 corner, float room) {
+  constexpr std::array<const char*, 3> whole{"3D", "Section", "Split"}, brief{"3D", "2D", "Both"};
   constexpr std::array<const char*, 3> commands{"scene", "section", "split"};
-  const float width = ui.px(192);
+  const float widest = ui.px(192), width = std::min(widest, room - ui.px(20));
+  if (width < ui.px(90)) return;
+  const auto& labels = width < widest - ui.px(30) ? brief : whole;
   ImGui::SetCursorScreenPos({corner.x - width - ui.px(10), corner.y + ui.px(10)});
   int chosen = static_cast<int>(ui.window.view.mode);
   const widgets::Font font(ui.fonts.small);
@@ -168,7 +170,7 @@ float caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   if (m.view.moment == Moment::before) text = "before · " + text;
   const float beside = size.x - ui.px(192 + 10 + 24 + 40);
   if (beside >= ui.px(200)) {
-    const int lines = size.y < ui.px(240) ? 1 : 2;
+    const int lines = size.y < ui.px(240) ? 1 : 3;
     return std::max(0.0f, sentence(ui, event, std::move(text), low, beside, lines) - ui.px(26));
   }
   if (size.y < ui.px(240)) return 0; // the model comes first

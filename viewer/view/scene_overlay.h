@@ -9,7 +9,7 @@
 namespace isoscope::overlay {
 
 /// `corner`: the view's top right.
-void mode_switch(Ui& ui, ImVec2 corner);
+void mode_switch(Ui& ui, ImVec2 corner, float room);
 void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size);
 /// `height`: scene units over the view's height; nothing where `delta` is 0.
 void scale_bar(const Ui& ui, double delta, ImVec2 low, ImVec2 size, double height);

@@ -72,7 +72,7 @@ void SceneView::draw(Ui& ui) {
     draw_section(ui, {low, all});
   }
   if (!m.presenter.on) {
-    overlay::mode_switch(ui, {low.x + all.x, low.y});
+    overlay::mode_switch(ui, {low.x + all.x, low.y}, all.x);
     const float lower = overlay::caption(ui, low, all);
     const float chip = lower + overlay::warning_chip(ui, {low.x, low.y + lower}, all);
     overlay::preview(ui, {low.x, low.y + chip}, all);
