@@ -5,6 +5,7 @@
 #include "refine/refinement.h"
 #include "run/passing_gate.h"
 #include "tolerance/parameter_check.h"
+#include "tolerance/region_labels.h"
 #include "tolerance/thin_parts.h"
 
 #include <cmath>
@@ -29,8 +30,9 @@ constexpr std::size_t trial_insertions = 3000;
 
 class Trials {
  public:
-  Trials(const OpenInput& input, const RunParameters& parameters, const RunControl& control)
-      : input_(&input), parameters_(&parameters), control_(&control) {}
+  /// `open`: whether the input may be open at the tolerance sought.
+  Trials(const RefusedInput& input, bool open, const RunParameters& parameters, const RunControl& control)
+      : input_(&input), open_(open), parameters_(&parameters), control_(&control) {}
 
   double longest_edge() const { return input_->field->bounds().longest_edge(); }
   /// Whether one more trial is within what all may take; counts it.
@@ -38,7 +40,12 @@ class Trials {
     cells_ += cells_by_area * input_->area / (delta * delta);
     return cells_ <= most_cells && !control_->cancelled();
   }
-  bool closes(double delta) const { return build(delta).ok(); }
+  /// Whether there is Ω at this tolerance with its sides, which samples alone tell of sheets.
+  bool serves(double delta) const {
+    auto volume = build(delta);
+    if (!volume || !open_) return volume.ok();
+    return sample_boundary(*volume, default_sigma_ratio(input_->area, delta) * delta, *control_).ok();
+  }
   /// Whether a run at this tolerance comes to its refinement and stays in it.
   bool begins(double delta) const {
     auto volume = build(delta);
@@ -63,7 +70,7 @@ class Trials {
   Result<ToleranceVolume> build(double delta) const {
     ToleranceVolume::Options options = input_->options;
     options.delta = delta;
-    options.open_surfaces = false;
+    options.open_surfaces = open_;
     auto volume = ToleranceVolume::build(input_->field, input_->topology, options, *control_);
     if (!volume) return volume;
     const std::vector<ThinPart> thin = find_thin_parts(*volume);
@@ -72,7 +79,8 @@ class Trials {
     return volume;
   }
 
-  const OpenInput* input_;
+  const RefusedInput* input_;
+  bool open_;
   const RunParameters* parameters_;
   const RunControl* control_;
   double cells_ = 0;
@@ -90,52 +98,88 @@ std::string percent_text(double percent) {
   return text;
 }
 
-} // namespace
+/// What was found of a range of tolerances.
+struct Found {
+  std::optional<double> percent; ///< of the longest edge, at which a run begins
+  bool smallest = false;         ///< whether none clearly below does
+  bool all = false;              ///< whether the whole range was looked at
+  double tried = 0;              ///< the smallest tolerance that was, in percent
+};
 
-Error with_closing_tolerance(Error open, const OpenInput& input, const RunParameters& parameters,
-                             const RunControl& control) {
-  Trials trials(input, parameters, control);
+Found search(Trials& trials, double from, bool open, const RunControl& control) {
   const double edge = trials.longest_edge();
   double tried = largest_share * edge; // the smallest so far
-  double closing = 0, open_below = 0;  // 0: none yet
-  for (double delta = tried; delta > input.options.delta * precision && trials.affords(delta);
-       delta /= step) {
-    if (trials.closes(delta)) {
-      closing = delta;
-    } else if (closing > 0) { // gaps do not close again at less
-      open_below = delta;
-      break;
+  double serving = 0, failing = 0;     // 0: none yet
+  for (double delta = tried; delta > from * precision && trials.affords(delta); delta /= step) {
+    if (trials.serves(delta)) {
+      serving = delta;
+      failing = 0;
+    } else if (serving > 0 && failing == 0) {
+      failing = delta;
+      if (!open) break; // gaps do not close again at less
     }
     tried = delta;
   }
-  const bool all = tried <= input.options.delta * precision * step;
-  if (all && closing > 0 && open_below == 0) open_below = input.options.delta;
-  while (closing > 0 && open_below > 0 && closing > open_below * precision) {
-    const double middle = std::sqrt(closing * open_below);
+  Found found;
+  found.tried = 100 * tried / edge;
+  found.all = tried <= from * precision * step;
+  if (found.all && serving > 0 && failing == 0) failing = from;
+  while (serving > 0 && failing > 0 && serving > failing * precision) {
+    const double middle = std::sqrt(serving * failing);
     if (!trials.affords(middle)) break;
-    (trials.closes(middle) ? closing : open_below) = middle;
+    (trials.serves(middle) ? serving : failing) = middle;
   }
   // What octrees took for closed, samples and the refinement may find to be open by a hair.
-  std::optional<double> percent;
   int attempts = 0;
-  for (int attempt = 0; closing > 0 && !percent && attempt < most_attempts && !control.cancelled();
+  for (int attempt = 0; serving > 0 && !found.percent && attempt < most_attempts && !control.cancelled();
        ++attempt) {
-    const double candidate = rounded_up(100 * closing / edge * std::pow(attempt_step, attempt));
+    const double candidate = rounded_up(100 * serving / edge * std::pow(attempt_step, attempt));
     ++attempts;
-    if (trials.begins(candidate / 100 * edge)) percent = candidate;
+    if (trials.begins(candidate / 100 * edge)) found.percent = candidate;
   }
+  found.smallest = attempts > 1 || (failing > 0 && serving <= failing * precision);
+  return found;
+}
+
+std::string share_text(double percent, double edge) {
+  return percent_text(percent) + " of the longest edge (" +
+         general(Tolerance{percent, true}.absolute(edge), 4) + ")";
+}
+
+std::string none_text(const Found& found) {
+  return "No tolerance " + (found.all ? std::string("up") : "from " + percent_text(found.tried)) + " to " +
+         percent_text(100 * largest_share) + " of the longest edge ";
+}
+
+} // namespace
+
+Error with_closing_tolerance(Error open, const RefusedInput& input, const RunParameters& parameters,
+                             const RunControl& control) {
+  Trials trials(input, false, parameters, control);
+  const Found found = search(trials, input.options.delta, false, control);
   if (control.cancelled()) return open;
-  if (percent) {
-    const bool smallest = attempts > 1 || (open_below > 0 && closing <= open_below * precision);
-    const Tolerance tolerance{*percent, true};
-    open.remedy =
-        (smallest ? "The smallest tolerance that closes it is about " : "It is closed by a tolerance of ") +
-        percent_text(*percent) + " of the longest edge (" + general(tolerance.absolute(edge), 4) + ").";
-  } else {
-    open.remedy = "No tolerance " + (all ? std::string("up") : "from " + percent_text(100 * tried / edge)) +
-                  " to " + percent_text(100 * largest_share) + " of the longest edge closes it.";
-  }
+  if (found.percent)
+    open.remedy = (found.smallest ? "The smallest tolerance that closes it is about "
+                                  : "It is closed by a tolerance of ") +
+                  share_text(*found.percent, trials.longest_edge()) + ".";
+  else
+    open.remedy = none_text(found) + "closes it.";
   return open;
+}
+
+Error with_separating_tolerance(Error refused, const RefusedInput& input, const RunParameters& parameters,
+                                const RunControl& control) {
+  Trials trials(input, true, parameters, control);
+  const Found found = search(trials, input.options.delta, true, control);
+  if (control.cancelled()) return refused;
+  refused.remedy.resize(refused.remedy.size() - larger_takes_in.size());
+  if (found.percent)
+    refused.remedy += (found.smallest ? "The smallest larger tolerance at which a run begins is about "
+                                      : "A run begins at a tolerance of ") +
+                      share_text(*found.percent, trials.longest_edge()) + ".";
+  else
+    refused.remedy += none_text(found) + "takes it in.";
+  return refused;
 }
 
 } // namespace isoscope

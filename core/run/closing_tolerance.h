@@ -1,4 +1,4 @@
-// The smallest tolerance at which an open input has two sides, where one does: what its refusal tells.
+// The smallest tolerance at which an input is taken that is refused at a smaller one: what its refusal tells.
 #pragma once
 
 #include "base/run_control.h"
@@ -10,19 +10,24 @@
 
 namespace isoscope {
 
-/// An input that is open at a tolerance.
-struct OpenInput {
+/// An input that is refused at a tolerance.
+struct RefusedInput {
   std::shared_ptr<const ToleranceField> field;
   InputTopology topology;
   double area = 0;                  ///< of the input
-  ToleranceVolume::Options options; ///< with the tolerance at which it is open
+  ToleranceVolume::Options options; ///< with that tolerance
 };
 
-/// The refusal with a remedy that names the smallest tolerance up to half of the longest edge at which the
-/// run begins, or says that none closes the input. Found to 3 % by building Ω at larger tolerances, the
-/// coarsest first, with at most about three million cells in all; then refined there to be sure. Comes back
-/// as it is when cancelled.
-Error with_closing_tolerance(Error open, const OpenInput& input, const RunParameters& parameters,
+/// The refusal of an open input with a remedy that names the smallest tolerance up to half of the longest
+/// edge at which the run begins, or says that none closes the input. Found to 3 % by building Ω at larger
+/// tolerances, the coarsest first, with at most about three million cells in all; then refined there to be
+/// sure. Comes back as it is when cancelled.
+Error with_closing_tolerance(Error open, const RefusedInput& input, const RunParameters& parameters,
                              const RunControl& control);
+
+/// The same of sheets that meet, cross or lie too near to each other, which may be open at the tolerance that
+/// is sought: named is the smallest one found at which a run begins, in the place of `larger_takes_in`.
+Error with_separating_tolerance(Error refused, const RefusedInput& input, const RunParameters& parameters,
+                                const RunControl& control);
 
 } // namespace isoscope

@@ -6,6 +6,7 @@
 #include "criteria/nearest_sample.h"
 #include "run/thin_skeleton.h"
 #include "tolerance/sample_grid.h"
+#include "tolerance/wall_samples.h"
 
 #include <algorithm>
 #include <optional>
@@ -103,17 +104,14 @@ class Choice {
     held_.push_back(nodes_[best].middle);
     grid_.add(held_.back());
     out.held.push_back(witness(best));
-    std::vector<std::uint32_t> way;
-    for (std::uint32_t n = best; n != ThinSkeleton::none && !on_path_[n]; n = nodes_[n].parent) {
-      on_path_[n] = true;
-      way.push_back(n);
-    }
-    for (auto n = way.rbegin(); n != way.rend(); ++n) {
-      const std::uint32_t before = nodes_[*n].parent;
-      if (before != ThinSkeleton::none)
-        add_between(nodes_[before].middle, nodes_[*n].middle, nodes_[*n].straight, out.path);
-      out.path.push_back(witness(*n));
-    }
+    add_way(best, out);
+  }
+
+  /// Leads from the end of a thin part to the one that is the root there.
+  void join(std::uint32_t node, CoverWitnesses& out) {
+    std::uint32_t root = node;
+    while (nodes_[root].parent != ThinSkeleton::none) root = nodes_[root].parent;
+    if (nodes_[root].end) add_way(node, out);
   }
 
  private:
@@ -124,6 +122,20 @@ class Choice {
   std::vector<bool> on_path_;
   std::vector<Vec3> held_;
   SampleGrid grid_; ///< of them
+
+  void add_way(std::uint32_t from, CoverWitnesses& out) {
+    std::vector<std::uint32_t> way;
+    for (std::uint32_t n = from; n != ThinSkeleton::none && !on_path_[n]; n = nodes_[n].parent) {
+      on_path_[n] = true;
+      way.push_back(n);
+    }
+    for (auto n = way.rbegin(); n != way.rend(); ++n) {
+      const std::uint32_t before = nodes_[*n].parent;
+      if (before != ThinSkeleton::none)
+        add_between(nodes_[before].middle, nodes_[*n].middle, nodes_[*n].straight, out.path);
+      out.path.push_back(witness(*n));
+    }
+  }
 
   Witness witness(std::uint32_t n) const {
     const Vec3 p = nodes_[n].middle;
@@ -146,13 +158,21 @@ class Choice {
   }
 };
 
-/// Points for pieces that bound one side.
+/// Places of the input at its rim, between walls, with a sample of this side before them.
+std::vector<Vec3> thin_ends(const ToleranceVolume& volume, int label) {
+  std::vector<Vec3> ends;
+  for (const WallSample& s : wall_samples(volume))
+    if (s.label == label && s.in_gap) ends.push_back(volume.field().closest(s.point).point);
+  return ends;
+}
+
+/// Points for pieces that bound one side, and for ends of thin parts.
 void hold_side(const ToleranceVolume& volume, const InputWalls& walls, int label,
-               std::span<const BarePiece> bare, double limit, CoverWitnesses& out,
+               std::span<const BarePiece> bare, std::span<const Vec3> ends, double limit, CoverWitnesses& out,
                const RunControl& control) {
   std::vector<Vec3> from;
   for (const BarePiece& piece : bare) from.push_back(piece.middle);
-  const ThinSkeleton skeleton(volume, walls, label, from, control);
+  const ThinSkeleton skeleton(volume, walls, label, from, ends, control);
   if (control.cancelled()) return;
   std::vector<std::pair<double, std::size_t>> order; // minus the way, so that far ones come first
   std::vector<std::uint32_t> node(bare.size());
@@ -167,6 +187,8 @@ void hold_side(const ToleranceVolume& volume, const InputWalls& walls, int label
     if (poll.cancelled()) return;
     choice.cover(bare[i].middle, node[i], out);
   }
+  for (const Vec3 p : ends)
+    if (const std::uint32_t n = skeleton.node_at(p); n != ThinSkeleton::none) choice.join(n, out);
 }
 
 } // namespace
@@ -183,10 +205,12 @@ CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const Boundar
   for (const int label : {-1, +1}) {
     if (!nearest.has(label)) continue;
     std::vector<BarePiece> bare = bare_pieces(volume, nearest, label, reach, control);
-    if (bare.empty() || control.cancelled()) continue;
+    const std::vector<Vec3> ends = thin_ends(volume, label);
+    if ((bare.empty() && ends.empty()) || control.cancelled()) continue;
     if (!walls) walls.emplace(volume);
     keep_outer(bare, volume, *walls, label, control);
-    if (!bare.empty() && !control.cancelled()) hold_side(volume, *walls, label, bare, reach, out, control);
+    if ((!bare.empty() || !ends.empty()) && !control.cancelled())
+      hold_side(volume, *walls, label, bare, ends, reach, out, control);
   }
   return out;
 }

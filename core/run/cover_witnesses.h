@@ -17,6 +17,8 @@ struct CoverWitnesses {
   std::vector<Witness> path; ///< from what has a region to those: they are on their side at that end
 };
 
+/// Of open parts that are thin at their rim the ends are joined through them, where no region is reached: a
+/// tube stays one.
 /// None of rooms, nor of soups where rays do not agree on a side, and where `limit` (absolute) is below 2δ:
 /// there Ω alone decides. What is thin and has no way to a region of its side is left.
 CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const BoundarySamples& samples,

@@ -13,6 +13,7 @@
 #include "run/scattered_points.h"
 #include "tolerance/facet_copies.h"
 #include "tolerance/open_changes.h"
+#include "tolerance/region_labels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,12 +96,16 @@ Error Preparation::refused(Error error, const Scene& at) const {
                          : "Move the surfaces apart where they are nearest: that decides.";
     return error;
   }
-  if (error.code != ErrorCode::open_surface || at.field->surface() == nullptr) return error;
+  if (at.field->surface() == nullptr) return error;
+  const RefusedInput input{at.field, at.input_topology, kept_area_, volume_options(at.delta)};
+  if (error.remedy.ends_with(larger_takes_in)) {
+    control_.report("tolerance that parts the sheets", -1);
+    return with_separating_tolerance(std::move(error), input, parameters_, control_);
+  }
+  if (error.code != ErrorCode::open_surface) return error;
   control_.report("tolerance that closes the input", -1);
   const bool gaps = error.remedy == open_surface_near({}).remedy;
-  error = with_closing_tolerance(std::move(error),
-                                 {at.field, at.input_topology, kept_area_, volume_options(at.delta)},
-                                 parameters_, control_);
+  error = with_closing_tolerance(std::move(error), input, parameters_, control_);
   if (gaps && parameters_.gamma.gamma == BallTestFactor::automatic)
     error.remedy += " Loose triangles are taken for an open surface with --gamma 2.";
   return error;

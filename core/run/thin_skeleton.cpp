@@ -57,11 +57,13 @@ template <class Visit> void for_neighbors(const LatticeCell& cell, const Visit& 
 } // namespace
 
 ThinSkeleton::ThinSkeleton(const ToleranceVolume& volume, const InputWalls& walls, int label,
-                           std::span<const Vec3> from, const RunControl& control)
+                           std::span<const Vec3> from, std::span<const Vec3> ends, const RunControl& control)
     : volume_(volume), walls_(walls), label_(label), side_(cell_side * volume.thresholds().boundary),
       origin_(volume.index().bounds().lo) {
-  grow(from, control);
-  find_ways(control);
+  std::vector<Vec3> all(from.begin(), from.end());
+  all.insert(all.end(), ends.begin(), ends.end());
+  grow(all, control);
+  find_ways(ends, control);
 }
 
 std::uint32_t ThinSkeleton::node_at(Vec3 p) const {
@@ -128,12 +130,24 @@ bool ThinSkeleton::strays(Vec3 a, Vec3 b) const {
          volume_.sides().label(middle) != label_;
 }
 
+void ThinSkeleton::find_ways(std::span<const Vec3> ends, const RunControl& control) {
+  std::vector<std::uint32_t> roots;
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n)
+    if (nodes_[n].root) roots.push_back(n);
+  spread(std::move(roots), control);
+  for (const Vec3 p : ends) {
+    const std::uint32_t n = node_at(p);
+    if (n == none || nodes_[n].way < Box3::inf) continue;
+    nodes_[n].root = nodes_[n].end = true;
+    spread({n}, control);
+  }
+}
+
 /// Dijkstra's shortest ways; of equal ones that to the smaller node comes first.
-void ThinSkeleton::find_ways(const RunControl& control) {
+void ThinSkeleton::spread(std::vector<std::uint32_t> roots, const RunControl& control) {
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
-    if (!nodes_[n].root) continue;
+  for (const std::uint32_t n : roots) {
     nodes_[n].way = 0;
     open.emplace(0.0, n);
   }

@@ -24,16 +24,18 @@ class ThinSkeleton {
     Vec3 middle; ///< of the largest ball of the side that touches the input there, of radius δ' at most
     bool usable = false; ///< the wall bounds the side
     bool root = false;
+    bool end = false; ///< a root of those that no region is reached from
     double way =
         Box3::inf; ///< to the nearest root along the forest, absolute; infinite where none is reached
     std::uint32_t parent = none;
     bool straight = false; ///< whether nothing of the input lies between its middle and that of its parent
   };
 
-  /// Grows from the places `from`, points of the input, over walls of the side `label` (-1 in the inside of
-  /// walls, +1 in gaps) as far as they are thin. Incomplete once the control is cancelled.
+  /// Grows from the places `from` and `ends`, points of the input, over walls of the side `label` (-1 in the
+  /// inside of walls, +1 in gaps) as far as they are thin. Where no region is reached from an end, it is a
+  /// root itself, once for all that it reaches. Incomplete once the control is cancelled.
   ThinSkeleton(const ToleranceVolume& volume, const InputWalls& walls, int label, std::span<const Vec3> from,
-               const RunControl& control);
+               std::span<const Vec3> ends, const RunControl& control);
 
   std::span<const Node> nodes() const { return nodes_; }
   /// The node of the cell that holds p; none where there is none of use.
@@ -57,7 +59,8 @@ class ThinSkeleton {
   std::vector<Cell> start(std::span<const Vec3> from);
   void grow(std::span<const Vec3> from, const RunControl& control);
   bool strays(Vec3 a, Vec3 b) const;
-  void find_ways(const RunControl& control);
+  void find_ways(std::span<const Vec3> ends, const RunControl& control);
+  void spread(std::vector<std::uint32_t> roots, const RunControl& control);
 };
 
 } // namespace isoscope

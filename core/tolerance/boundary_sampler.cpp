@@ -8,6 +8,7 @@
 #include "base/place.h"
 #include "base/snap.h"
 #include "tolerance/contacts.h"
+#include "tolerance/region_labels.h"
 #include "tolerance/regions.h"
 #include "tolerance/sample_candidates.h"
 #include "tolerance/sample_estimate.h"
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace isoscope {
@@ -80,14 +82,16 @@ Error inseparable_near(const ToleranceVolume& volume, Vec3 p, const RunControl& 
     return {ErrorCode::unsupported,
             "The input is not a manifold surface: sheets cross or branch near " +
                 place(*crossing, place_digits) + ".",
-            "Cut them apart along that line, and leave out what is not wanted."};
+            "Cut them apart along that line, and leave out what is not wanted. " +
+                std::string(larger_takes_in)};
   return {
       ErrorCode::unsupported,
       "The sides of the open surface cannot be told apart near " + place(p, place_digits) +
           ": none of its triangles cross there, but Ω joins its parts, so that what lies across from each "
           "other is one side.",
       parting_words(volume, control) +
-          "Filling the holes there, or taking out what lies between the parts, helps too."};
+          "Filling the holes there, or taking out what lies between the parts, helps too. " +
+          std::string(larger_takes_in)};
 }
 
 class Sampler {

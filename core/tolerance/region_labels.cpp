@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <deque>
 #include <optional>
+#include <string>
 #include <tuple>
 
 namespace isoscope {
@@ -29,8 +30,9 @@ constexpr double open_component_share = 0.5;
 /// The share of the sides of a component's triangles that must have a neighbour for its border to mean
 /// something: in a soup of triangles every edge is one.
 constexpr double sheet_share = 0.3;
-constexpr double shortest_fin = 2; ///< in units of δ'
-constexpr double shortest_run = 1; ///< of one without a break, in the same: what is here and there is none
+constexpr double shortest_fin = 2;  ///< in units of δ'
+constexpr double largest_crumb = 2; ///< in units of δ'
+constexpr double shortest_run = 1;  ///< of one without a break, in the same: what is here and there is none
 
 /// The regions on the sides of each component of Ω'.
 std::vector<std::vector<RegionId>> regions_by_component(const ToleranceVolume& volume) {
@@ -192,6 +194,15 @@ std::vector<std::uint32_t> open_soups(const ToleranceVolume& volume, const std::
   return soups;
 }
 
+/// Components without an edge of one triangle alone are closed, whatever rays through open ones say: thin.
+void mark_closed(const ToleranceVolume& volume, std::vector<std::uint8_t>& open, std::vector<bool>& thin) {
+  std::vector<bool> has_border(open.size(), false);
+  for (const EdgeUse& e : border_uses(weld(volume.index()).triangles))
+    has_border[volume.volume_component(TriangleId(e.triangle))] = true;
+  for (std::size_t c = 0; c < open.size(); ++c)
+    if (open[c] != 0 && !has_border[c]) open[c] = 0, thin[c] = true;
+}
+
 /// A 1 by component for those that are open.
 std::vector<std::uint8_t> find_open_components(const ToleranceVolume& volume, const RunControl& control) {
   const auto sides = regions_by_component(volume);
@@ -203,8 +214,36 @@ std::vector<std::uint8_t> find_open_components(const ToleranceVolume& volume, co
     thin[c] = is_thin_part(volume, static_cast<std::uint32_t>(c));
     open[c] = thin[c] ? 0 : 1;
   }
+  if (std::find(open.begin(), open.end(), 1) != open.end()) mark_closed(volume, open, thin);
   add_one_sided(volume, thin, open, control);
   return open;
+}
+
+/// A 1 by component for those with an open rim.
+std::vector<std::uint8_t> with_rim(const ToleranceVolume& volume, const OpenSides& sides) {
+  std::vector<std::uint8_t> rimmed(volume.volume_component_count(), 0);
+  for (const RimPiece& piece : sides.rim().pieces())
+    if (piece.open) rimmed[volume.volume_component(piece.triangle)] = 1;
+  return rimmed;
+}
+
+/// Parts so small that Ω closes all of their rim are thin ones. False where there are none.
+bool drop_open_crumbs(const ToleranceVolume& volume, const OpenSides& sides,
+                      std::vector<std::uint8_t>& open) {
+  const std::vector<std::uint8_t> rimmed = with_rim(volume, sides);
+  std::vector<Box3> boxes(open.size());
+  for (std::uint32_t t = 0; t < volume.index().size(); ++t)
+    for (const Vec3 p : volume.index().triangle(TriangleId(t)))
+      boxes[volume.volume_component(TriangleId(t))].add(p);
+  bool found = false;
+  for (std::size_t c = 0; c < open.size(); ++c) {
+    if (open[c] == 0 || rimmed[c] != 0 ||
+        length(boxes[c].extent()) > largest_crumb * volume.thresholds().boundary)
+      continue;
+    open[c] = 0;
+    found = true;
+  }
+  return found;
 }
 
 } // namespace
@@ -245,9 +284,17 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
   if (!turns.empty()) turn_along_seams(index, mesh, uses, volume.thresholds().boundary, turns);
   std::vector<std::uint32_t> component(index.size());
   for (std::uint32_t t = 0; t < component.size(); ++t) component[t] = volume.volume_component(TriangleId(t));
-  Sides sides = std::make_shared<const OpenSides>(volume.shared_index(), std::move(component), open, turns,
-                                                  volume.thresholds().boundary, control);
+  const auto make = [&] {
+    return std::make_shared<const OpenSides>(volume.shared_index(), component, open, turns,
+                                             volume.thresholds().boundary, control);
+  };
+  Sides sides = make();
   if (control.cancelled()) return Sides();
+  if (drop_open_crumbs(volume, *sides, open)) {
+    if (std::find(open.begin(), open.end(), 1) == open.end()) return Sides();
+    sides = make();
+    if (control.cancelled()) return Sides();
+  }
   if (const auto fin = place_of_fin(volume, *sides, mesh, uses)) {
     // Where the rest separates regions, what has one of them on both sides stands out.
     const std::uint32_t c = volume.volume_component(index.closest(*fin).triangle);
@@ -256,11 +303,9 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
     return Error{ErrorCode::unsupported,
                  "The input is not a manifold surface: an open sheet ends on another part of it near " +
                      place(wall.value_or(*fin), place_digits) + ".",
-                 "Remove what stands out there, or choose a larger tolerance, which takes in short fins."};
+                 "Remove what stands out there. " + std::string(larger_takes_in)};
   }
-  std::vector<std::uint8_t> rimmed(open.size(), 0);
-  for (const RimPiece& piece : sides->rim().pieces())
-    if (piece.open) rimmed[volume.volume_component(piece.triangle)] = 1;
+  const std::vector<std::uint8_t> rimmed = with_rim(volume, *sides);
   for (std::uint32_t c = 0; c < open.size(); ++c)
     if (open[c] != 0 && rimmed[c] == 0) return open_component_error(volume, c);
   return sides;

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
+#include <vector>
 
 namespace isoscope {
 namespace {
@@ -201,37 +203,71 @@ Rim Rim::opened(std::span<const std::uint8_t> more) const {
   return rim;
 }
 
+/// Ends of open stretches of the border that go on in each other across what Ω closes: first both ends of one
+/// closed stretch, where they are near to each other, then others, the nearest pairs first.
+std::vector<std::array<std::uint32_t, 2>> Rim::bridges(std::span<const LoneEnd> lone) const {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  if (lone.empty()) return pairs;
+  DisjointSets stretches(pieces_.size()); // pieces in a row that are all open, or all closed
+  std::array<std::map<std::uint32_t, std::uint32_t>, 2> at; // by whether it is open: by node, a piece
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+    for (const std::uint32_t node : nodes_[i])
+      stretches.unite(at[pieces_[i].open ? 1 : 0].emplace(node, i).first->second, i);
+  std::vector<double> length(pieces_.size(), 0); // by stretch
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+    length[stretches.find(i)] += distance(pieces_[i].a, pieces_[i].b);
+  const auto stretch_of = [&](const LoneEnd& e) -> std::optional<std::uint32_t> {
+    const auto closed = at[0].find(e.node);
+    if (closed == at[0].end()) return std::nullopt;
+    return stretches.find(closed->second);
+  };
+  using Link = std::tuple<bool, double, std::uint32_t, std::uint32_t>;
+  std::vector<Link> links;
+  SampleGrid grid(lone.front().point, gap * boundary_);
+  for (const LoneEnd& e : lone) grid.add(e.point);
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < lone.size(); ++i) {
+    near.clear();
+    grid.gather(Box3{lone[i].point, lone[i].point}.grown(gap * boundary_), near);
+    const auto own = stretch_of(lone[i]);
+    for (const std::uint32_t j : near) {
+      const double d = distance(lone[i].point, lone[j].point);
+      if (i >= j || d > gap * boundary_) continue;
+      const bool one_gap = own && stretch_of(lone[j]) == own;
+      // A stretch too short for a loop of its own goes on in others, though its ends are near to each other.
+      const std::uint32_t open = stretches.find(lone[i].piece);
+      if (open != stretches.find(lone[j].piece) || (one_gap && length[open] >= shortest_loop * boundary_))
+        links.emplace_back(!one_gap, d, i, j);
+    }
+  }
+  std::sort(links.begin(), links.end());
+  std::vector<std::uint8_t> linked(lone.size(), 0);
+  for (const auto& [across, d, i, j] : links) {
+    if (linked[i] != 0 || linked[j] != 0) continue;
+    linked[i] = linked[j] = 1;
+    pairs.push_back({lone[i].piece, lone[j].piece});
+  }
+  return pairs;
+}
+
 void Rim::find_loops() {
   DisjointSets sets(pieces_.size());
   // Pieces that share an end; an end of one open piece alone is where the loop goes on across a gap.
-  struct End {
-    std::uint32_t node, piece;
-    Vec3 point;
-  };
-  std::vector<End> ends;
+  std::vector<LoneEnd> ends;
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
     if (!pieces_[i].open) continue;
     ends.push_back({nodes_[i][0], i, pieces_[i].a});
     ends.push_back({nodes_[i][1], i, pieces_[i].b});
   }
-  std::stable_sort(ends.begin(), ends.end(), [](const End& x, const End& y) { return x.node < y.node; });
-  std::vector<End> lone;
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const LoneEnd& x, const LoneEnd& y) { return x.node < y.node; });
+  std::vector<LoneEnd> lone;
   for (std::size_t i = 0, end = 0; i < ends.size(); i = end) {
     while (end < ends.size() && ends[end].node == ends[i].node) sets.unite(ends[end++].piece, ends[i].piece);
     if (end - i == 1) lone.push_back(ends[i]);
     if (end - i > 2) ++meetings_;
   }
-  if (!lone.empty()) {
-    SampleGrid grid(lone.front().point, gap * boundary_);
-    for (const End& e : lone) grid.add(e.point);
-    std::vector<std::uint32_t> near;
-    for (const End& e : lone) {
-      near.clear();
-      grid.gather(Box3{e.point, e.point}.grown(gap * boundary_), near);
-      for (const std::uint32_t other : near)
-        if (distance(lone[other].point, e.point) <= gap * boundary_) sets.unite(lone[other].piece, e.piece);
-    }
-  }
+  for (const auto& [one, other] : bridges(lone)) sets.unite(one, other);
   std::map<std::uint32_t, double> lengths; // by the first piece
   for (std::uint32_t i = 0; i < pieces_.size(); ++i)
     if (pieces_[i].open) lengths[sets.find(i)] += distance(pieces_[i].a, pieces_[i].b);

@@ -81,6 +81,12 @@ class Rim {
  private:
   void cut(const ClosestPointIndex& index, std::span<const std::uint8_t> wanted,
            std::span<const std::int8_t> turns, const RunControl& control);
+  /// An end of one open piece alone.
+  struct LoneEnd {
+    std::uint32_t node, piece;
+    Vec3 point;
+  };
+  std::vector<std::array<std::uint32_t, 2>> bridges(std::span<const LoneEnd> lone) const;
   void find_loops();
   void describe_loops();
   void build_curve();

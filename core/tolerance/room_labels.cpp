@@ -9,6 +9,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <string>
 
 namespace isoscope {
 namespace {
@@ -138,7 +139,7 @@ Result<DepthLabels> label_rooms(const ToleranceVolume& volume, const RunControl&
     return Error{ErrorCode::unsupported,
                  "A wall ends in the open near " + place(*fin, place_digits) +
                      ": one region is on both sides of it, and rooms cannot have fins.",
-                 "Remove what stands out there, or choose a larger tolerance, which takes in short fins."};
+                 "Remove what stands out there. " + std::string(larger_takes_in)};
   return spread_labels(volume, std::move(*labels), control);
 }
 

@@ -9,8 +9,9 @@
 namespace isoscope {
 
 struct WallSample {
-  Vec3 point; ///< in Ω', 0.35 δ' to 0.7 δ' from the input, not snapped
+  Vec3 point; ///< in Ω', at most 0.7 δ' from the input, not snapped
   std::int8_t label = 0;
+  bool in_gap = false; ///< another part of the input is nearer than the sheet that it stands on
 };
 
 /// Pairs of points, one on each side of the sheet, a little before each piece of the open rim: Z passes

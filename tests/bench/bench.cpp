@@ -23,7 +23,7 @@ using namespace isoscope::bench;
 struct Options {
   std::string model;
   std::vector<std::string> tolerances;
-  bool quick = false, complete = false, all = false, targets = false;
+  bool quick = false, complete = false, all = false, open = false, targets = false;
   bool markdown = false, envelope = false, no_normals = false;
   unsigned threads = 0, seeds = 1;
   double time_limit = 0, kill_after = 3600;
@@ -75,10 +75,11 @@ Result<std::vector<Case>> cases_for(const Options& options) {
     if (!tolerance) return tolerance.error();
     tolerances.push_back(*tolerance);
   }
-  if (options.all || !options.model.empty()) {
-    if (tolerances.empty()) tolerances = {{0.4, true}, {1, true}, {2.5, true}};
-    return options.all ? demo_cases(tolerances) : model_cases(options.model, tolerances);
-  }
+  if (options.open && tolerances.empty()) tolerances = {{1, true}};
+  if (tolerances.empty()) tolerances = {{0.4, true}, {1, true}, {2.5, true}};
+  if (options.open) return open_demo_cases(tolerances);
+  if (options.all) return demo_cases(tolerances);
+  if (!options.model.empty()) return model_cases(options.model, tolerances);
   if (options.targets) return cases_of_targets();
   return target_cases(options.quick      ? Selection::quick
                       : options.complete ? Selection::complete
@@ -97,7 +98,7 @@ int run(const Options& options) {
   for (const Case& asked : *cases) {
     const Measured theirs =
         measure([&] { return run_theirs(asked, CollapseFilter::certificate); }, options.kill_after);
-    if (options.all && !theirs.outcome.good) continue; // no oriented manifold
+    if ((options.all || options.open) && !theirs.outcome.good) continue; // no oriented manifold
     for (std::uint32_t seed = 0; seed < options.seeds; ++seed) {
       rows.push_back(run_case(asked, theirs, seed, options));
       std::fputs(table.line(rows.back()).c_str(), stdout);
@@ -121,7 +122,8 @@ int main(int argc, char** argv) {
                  "a mesh file or gallery:NAME; without it the models that have targets");
   app.add_option("TOLERANCES", options.tolerances, "percentages of the longest edge (0.6%) or lengths");
   app.add_flag("--all", options.all, "every oriented manifold of libcgal-demo, at 0.4, 1 and 2.5 %");
-  app.add_option("--at", options.tolerances, "tolerances for --all");
+  app.add_flag("--open", options.open, "those of them that are open, at 1 %");
+  app.add_option("--at", options.tolerances, "tolerances for --all and --open");
   app.add_flag("--targets", options.targets, "the models of the table of targets, and that table");
   app.add_option("--seeds", options.seeds,
                  "ours so many times, from the second on of an input that is nudged")

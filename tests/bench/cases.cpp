@@ -1,12 +1,15 @@
 // The tables of models, tolerances and targets.
 #include "bench/cases.h"
 
+#include "input/mesh_io.h"
 #include "run/run_input.h"
 #include "support/models.h"
+#include "tolerance/welded_mesh.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -145,6 +148,20 @@ std::vector<Case> model_cases(const std::string& model, const std::vector<Tolera
 std::vector<Case> demo_cases(const std::vector<Tolerance>& tolerances) {
   std::vector<Case> cases;
   for (const std::filesystem::path& file : demo_models()) {
+    for (Case& c : model_cases(file.string(), tolerances)) cases.push_back(std::move(c));
+  }
+  return cases;
+}
+
+std::vector<Case> open_demo_cases(const std::vector<Tolerance>& tolerances) {
+  std::vector<std::filesystem::path> files = demo_models();
+  std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
+    return std::filesystem::file_size(a) < std::filesystem::file_size(b);
+  });
+  std::vector<Case> cases;
+  for (const std::filesystem::path& file : files) {
+    const auto soup = read_mesh(file.string());
+    if (!soup || border_uses(weld(*soup).triangles).empty()) continue;
     for (Case& c : model_cases(file.string(), tolerances)) cases.push_back(std::move(c));
   }
   return cases;

@@ -38,6 +38,8 @@ std::vector<Case> installed_cases(const std::string& file, const Tolerance& tole
 std::vector<Case> sphere_cases();
 /// Every mesh file of libcgal-demo at each tolerance; which of them are closed shows when they are loaded.
 std::vector<Case> demo_cases(const std::vector<Tolerance>& tolerances);
+/// Those with an edge of one triangle alone once equal points are merged, the smallest files first.
+std::vector<Case> open_demo_cases(const std::vector<Tolerance>& tolerances);
 
 /// A subdivided icosahedron on the unit sphere: 10 · 4^levels + 2 vertices.
 TriangleSoup icosphere(unsigned levels);

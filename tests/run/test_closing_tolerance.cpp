@@ -1,9 +1,12 @@
 // Refusals of open soups name the smallest tolerance that closes it: a run begins there, and does not below.
 #include "run/complete_run.h"
+#include "tolerance/open_shapes.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 
 using namespace isoscope;
@@ -92,6 +95,35 @@ TEST_CASE("A sheet is said to be closed by nothing") {
   REQUIRE_FALSE(open->run());
   REQUIRE(open->error.has_value());
   CHECK(open->error->remedy.starts_with("No tolerance up to 50% of the longest edge closes it."));
+}
+
+TEST_CASE(
+    "Of sheets that cross the smallest tolerance is named at which a run begins, or that there is none") {
+  // A cone whose tip goes through a square by a tenth of its side.
+  TriangleSoup soup = grid_sheet(24, [](double, double) { return true; });
+  constexpr std::uint32_t around = 24;
+  const auto tip = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.push_back({0.5, 0.5, -0.1});
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around;
+    soup.points.push_back({0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle), 0.3});
+  }
+  for (std::uint32_t i = 0; i < around; ++i)
+    soup.triangles.push_back({tip, tip + 1 + (i + 1) % around, tip + 1 + i});
+  const auto crossing = refined(soup, 1.5);
+  REQUIRE_FALSE(crossing->run());
+  REQUIRE(crossing->error.has_value());
+  CHECK(crossing->error->message.find("sheets cross or branch near (") != std::string::npos);
+  const std::string& remedy = crossing->error->remedy;
+  CAPTURE(remedy);
+  const double named =
+      percentage_after(remedy, "The smallest larger tolerance at which a run begins is about ");
+  if (named > 0) {
+    CHECK(refined(soup, named)->run());
+    CHECK_FALSE(refined(soup, 0.93 * named)->run());
+  } else {
+    CHECK(remedy.ends_with("of the longest edge takes it in."));
+  }
 }
 
 TEST_CASE("The search ends when it is told to") {

@@ -79,7 +79,7 @@ TEST_CASE("Where holes nearly meet, and δ keeps no thickening, border and rim s
   }
 }
 
-TEST_CASE("A loop that Ω closes with all that is narrow before it is named") {
+TEST_CASE("A loop at the end of what is narrower than Ω is thick stays") {
   TriangleSoup funnel;
   constexpr std::uint32_t around = 24, along = 24;
   for (std::uint32_t j = 0; j <= along; ++j)
@@ -101,11 +101,8 @@ TEST_CASE("A loop that Ω closes with all that is narrow before it is named") {
   run.soup = shared(std::move(funnel));
   REQUIRE(run.run());
   const Certificate& c = run.result->certificate;
-  CHECK_FALSE(c.holds());
-  CHECK(c.boundary_loops == 1);
-  REQUIRE(c.border.has_value());
-  REQUIRE(c.border->failures.size() == 1);
-  CHECK(c.border->failures[0].find("nowhere near to loop 2 of 2") != std::string::npos);
+  CHECK(c.holds());
+  CHECK(c.boundary_loops == 2);
 }
 
 TEST_CASE("Collapses of Γ keep Z between the places on both sides before the rim") {

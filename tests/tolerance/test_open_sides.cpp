@@ -2,6 +2,7 @@
 #include "tolerance/boundary_sampler.h"
 #include "tolerance/open_shapes.h"
 #include "tolerance/shapes.h"
+#include "tolerance/thin_parts.h"
 #include "tolerance/tolerance_volume.h"
 #include "tolerance/wall_samples.h"
 
@@ -46,6 +47,48 @@ TEST_CASE("Corners of holes are open, slits that Ω closes are not") {
   REQUIRE(slit->open_sides() != nullptr);
   CHECK(slit->open_sides()->rim().loops().size() == 1);
   CHECK(open_length(slit->open_sides()->rim()) == doctest::Approx(4));
+}
+
+TEST_CASE("Holes with notches that Ω closes are loops of their own, however near their mouths are") {
+  // Two holes with a strip of one cell between them, and a notch of one cell on both sides of it.
+  const auto volume = build(grid_sheet(20,
+                                       [](double x, double y) {
+                                         const bool hole = y > 0.3 && y < 0.6 && x > 0.2 && x < 0.85;
+                                         const bool notch = y > 0.6 && y < 0.75 && x > 0.45 && x < 0.6;
+                                         const bool strip = x > 0.5 && x < 0.55;
+                                         return strip || !(hole || notch);
+                                       }),
+                            0.04);
+  REQUIRE(volume.ok());
+  REQUIRE(volume->open_sides() != nullptr);
+  const Rim& rim = volume->open_sides()->rim();
+  REQUIRE(rim.loops().size() == 3);
+  // The sides of the notches are closed.
+  CHECK(open_length(rim) < 4 + 4 * 0.3 + 2 * 0.3 + 2 * 0.35);
+}
+
+TEST_CASE("A closed part that is thinner than Ω is none of the open ones beside it") {
+  TriangleSoup sheet = grid_sheet(10, [](double, double) { return true; });
+  TriangleSoup plate;
+  testing::add_box(plate, {0.3, 0.3, 0.5}, {0.7, 0.6, 0.52});
+  append(sheet, plate);
+  const auto volume = build(sheet, 0.05);
+  REQUIRE(volume.ok());
+  REQUIRE(volume->open_sides() != nullptr);
+  CHECK(volume->open_sides()->is_open(TriangleId(0)));
+  CHECK_FALSE(
+      volume->open_sides()->is_open(TriangleId(static_cast<std::uint32_t>(sheet.triangles.size()) - 1)));
+  const auto parts = find_thin_parts(*volume);
+  REQUIRE(parts.size() == 1);
+  CHECK(parts[0].triangles == 12);
+
+  // A triangle whose rim Ω closes is none either.
+  const auto first = static_cast<std::uint32_t>(sheet.points.size());
+  sheet.points.insert(sheet.points.end(), {{0.5, 0.5, -0.5}, {0.52, 0.5, -0.5}, {0.5, 0.52, -0.5}});
+  sheet.triangles.push_back({first, first + 1, first + 2});
+  const auto crumbs = build(sheet, 0.05);
+  REQUIRE(crumbs.ok());
+  CHECK(find_thin_parts(*crumbs).size() == 2);
 }
 
 TEST_CASE("Two patches that touch along a seam without sharing points are one surface with one rim") {
