@@ -9,7 +9,7 @@
 namespace isoscope {
 namespace {
 
-constexpr double half_diagonal = 0.8660254037844386;
+constexpr double voxel_half_diagonal = 0.8660254037844386;
 /// Beyond the level, in voxels: gradients on the boundary look 0.9 voxels along each axis from a point whose
 /// φ is up to half a cell's diagonal larger than what is read between samples.
 constexpr double margin_voxels = 2.5;
@@ -33,7 +33,7 @@ DistanceGrid lattice(const ToleranceField& field, const GridWish& wish, double v
   grid.level = static_cast<float>(wish.level);
   grid.reach = static_cast<float>(reach / wish.delta);
   // A place whose middle is a half diagonal out of reach still has its brick.
-  grid.clamp = static_cast<float>((reach + 2 * half_diagonal * side) / wish.delta);
+  grid.clamp = static_cast<float>((reach + 2 * voxel_half_diagonal * side) / wish.delta);
   // Beyond the reach all round: the outermost samples are outside of Ω. A part is taken as it is: cut off
   // there, its lattice would lie along flat walls, where a segment may run through an edge.
   const Box3 wanted = wish.within.empty() ? field.bounds().grown(reach) : wish.within;
@@ -64,7 +64,7 @@ std::vector<Place> places_near(const DistanceGrid& grid, const ToleranceField& f
           grid.box.lo + side * Vec3{blocks[i][0] + half, blocks[i][1] + half, blocks[i][2] + half};
       // φ is 1-Lipschitz: beyond, no point of the block is within reach.
       const auto is_near = [&](Vec3 at, double block_side) {
-        const double within = reach + half_diagonal * block_side;
+        const double within = reach + voxel_half_diagonal * block_side;
         return field.closest_within(at, within * (1 + 1e-9)).distance() <= within;
       };
       bool found = is_near(middle, size * side);
@@ -107,7 +107,7 @@ std::size_t place_count(const DistanceGrid& grid) {
 void fill(DistanceGrid& grid, std::size_t brick, const ToleranceField& field, double delta) {
   constexpr int n = DistanceGrid::samples;
   const Vec3 corner = grid.corner(grid.at[brick]);
-  const double side = DistanceGrid::cells * grid.voxel, radius = half_diagonal * side;
+  const double side = DistanceGrid::cells * grid.voxel, radius = voxel_half_diagonal * side;
   const Vec3 middle = corner + 0.5 * side * Vec3{1, 1, 1};
   ClosestPoint last = field.closest(middle);
   TriangleNeighborhood near;

@@ -12,7 +12,7 @@ namespace isoscope {
 namespace {
 
 /// How far triangles may leave their plane, relative to δ'.
-constexpr double plane_slack = 0.1;
+constexpr double most_unevenness = 0.1;
 /// Nearer to the input the direction away from it means little, relative to δ'.
 constexpr double least_height = 1e-3;
 
@@ -20,7 +20,7 @@ constexpr double least_height = 1e-3;
 
 bool FlatCandidates::add(const CandidateCube& cell, std::vector<SampleCandidate>& candidates) {
   const auto& [center, side, closest] = cell;
-  const double d = closest.distance(), reach = half_diagonal * side, slack = plane_slack * boundary_;
+  const double d = closest.distance(), reach = half_diagonal * side, slack = most_unevenness * boundary_;
   // What is nearest to any point of the cell, and to one as far out as half its diagonal, is within that.
   const double radius = d + 2 * reach;
   if (!(d > least_height * boundary_) ||

@@ -15,7 +15,7 @@ constexpr double least_share = 0.5;
 /// Nearer to the input than this share of its height it is between walls.
 constexpr double own_share = 0.95;
 /// Between walls that are nearer to each other the pairs stand lower, by halves so many times.
-constexpr int most_halvings = 3;
+constexpr int most_pair_halvings = 3;
 
 using Pair = std::array<WallSample, 2>;
 
@@ -46,7 +46,7 @@ std::vector<WallSample> wall_samples(const ToleranceVolume& volume) {
     const Vec3 foot = 0.5 * (piece.a + piece.b) - before_rim * volume.thresholds().boundary * piece.conormal;
     const Vec3 normal = normalized(cross(piece.b - piece.a, piece.conormal));
     double height = level;
-    for (int k = 0; k <= most_halvings && pairs[i][0].label == 0; ++k, height *= 0.5)
+    for (int k = 0; k <= most_pair_halvings && pairs[i][0].label == 0; ++k, height *= 0.5)
       pairs[i] = pair_at(volume, foot, normal, height);
   });
   std::vector<WallSample> samples;
