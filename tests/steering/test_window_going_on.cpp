@@ -11,14 +11,14 @@ using isoscope::test::run_window;
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path results = ISOSCOPE_RESULTS;
+const fs::path going_on_results = ISOSCOPE_RESULTS;
 
 } // namespace
 
 TEST_CASE(
     "a run goes on improving after its end, is held, stepped and stopped, and its recording has it all") {
-  fs::create_directories(results);
-  const std::string file = (results / "going-on.isorun").string();
+  fs::create_directories(going_on_results);
+  const std::string file = (going_on_results / "going-on.isorun").string();
   fs::remove(file);
   REQUIRE(run_window("going-on",
                      "expect improvable == off\nwait settled\nexpect certified == on and improvable == on\n"
@@ -47,7 +47,7 @@ stop
 wait settled
 expect phase == finished and certified == on and improvable == on and improving == off
 expect state_step == steps
-screenshot )" + (results / "going-on.png").string() +
+screenshot )" + (going_on_results / "going-on.png").string() +
                          "\nwait until recording.whole == on\nquit\n",
                      "gallery:sphere --tolerance 4% --effort 1 --size 1280x800") == 0);
   CHECK(run_window("going-on-opened",
