@@ -70,6 +70,8 @@ Result<Plan> plan_of(const Asks& asks, const PassedOptions& passed, const Comman
   if (!tolerances) return tolerances.error();
   auto words = passed.words();
   if (!words) return words.error();
+  if (passed.parameters().effort == 3 && passed.parameters().time_limit == 0)
+    return Error{ErrorCode::usage, "--effort 3 improves without end.", "Give a --time-limit for each run."};
   auto models = find_models(asks.models);
   if (!models) return models.error();
   Plan plan{std::move(*models), std::move(*tolerances), std::move(*words), {asks.cpu_limit, asks.memory_cap}};

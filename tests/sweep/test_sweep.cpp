@@ -169,6 +169,7 @@ TEST_CASE("Wrong words are told at once") {
   says("gallery:sphere --tolerance 1%,zero", 2, "zero");
   says("gallery:sphere --tolerance 1%,1%", 2, "twice");
   says("gallery:sphere --tolerance 1% --alpha 2", 2, "alpha");
+  says("gallery:sphere --tolerance 1% --effort 3", 2, "--time-limit");
   says("nowhere --tolerance 1%", 3, "does not exist");
   says("--tolerance 1%", 2, "no models");
   says("", 3, "holds no sweep");
