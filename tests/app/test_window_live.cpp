@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 const fs::path results = ISOSCOPE_RESULTS;
 
 /// A run that outlasts the session, which ends it: δ is small, so that there is much to simplify.
-const std::string long_run = "gallery:knot --tolerance 1.5% --sigma 0.95 --effort 3 --paused";
+const std::string long_run = "gallery:knot --tolerance 1.5% --sigma 0.95 --paused";
 
 /// Lets the run go on from where it held: there are collapses and rejections to look at already.
 const std::string begin_gamma_live = R"(

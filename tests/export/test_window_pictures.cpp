@@ -244,7 +244,7 @@ wait settled
 expect state_step == 700 and messages == 0
 quit
 )",
-                   "gallery:sphere --tolerance 1%") == 0);
+                   "gallery:sphere --tolerance 1% --sigma 0.5") == 0);
 }
 
 TEST_CASE("the history's limit is kept by keyframes and missed aloud by samples alone") {
