@@ -13,8 +13,10 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path results = ISOSCOPE_RESULTS;
 
-/// A run that outlasts the session, which ends it: δ is small, so that there is much to simplify.
-const std::string long_run = "gallery:knot --tolerance 1.5% --sigma 0.95 --paused";
+/// δ is small, so that there is much to simplify.
+const std::string slow_run = "gallery:knot --tolerance 1.5% --sigma 0.95 --paused";
+/// A run that outlasts the session, which ends it.
+const std::string long_run = slow_run + " --effort 3";
 
 /// Lets the run go on from where it held: there are collapses and rejections to look at already.
 const std::string begin_gamma_live = R"(
@@ -169,7 +171,7 @@ wait settled
 expect phase == finished and certified == on
 quit
 )",
-                   long_run) == 0);
+                   slow_run) == 0);
 }
 
 TEST_CASE("the answer about a topology is not drawn on another step's Z while the run is played") {
