@@ -61,9 +61,16 @@ OuterOffset::OuterOffset(const ToleranceVolume& volume, const NearestSample& sam
     if (w.label > 0) held_.push_back({w.point, volume.index().distance(w.point)});
 }
 
+bool OuterOffset::is_outside(Vec3 p, double d) const {
+  const double clear = surely_clear * d;
+  if (samples_.nearest_of(p, +1, clear).valid()) return true;
+  if (samples_.nearest_of(p, -1, clear).valid()) return false;
+  return volume_.sides().label(p) > 0;
+}
+
 double OuterOffset::depth(Vec3 p) const {
   const double d = volume_.index().distance(p), boundary = volume_.thresholds().boundary;
-  if (d >= boundary && volume_.sides().label(p) > 0) return boundary - d - reach_;
+  if (d >= boundary && is_outside(p, d)) return boundary - d - reach_;
   double depth = std::numeric_limits<double>::infinity();
   if (const SampleId nearest = samples_.nearest_of(p, +1); nearest.valid())
     depth = distance(p, samples_.positions()[nearest.index()]) - reach_;

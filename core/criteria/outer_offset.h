@@ -28,6 +28,10 @@ class OuterOffset {
   std::optional<ExpectedTopology> topology(const RunControl& control) const;
 
  private:
+  /// Whether a point of this d, beyond Ω', is outside. A ball without input is on one side, and mostly holds
+  /// a sample of it.
+  bool is_outside(Vec3 p, double d) const;
+
   const ToleranceVolume& volume_;
   const NearestSample& samples_;
   double reach_;

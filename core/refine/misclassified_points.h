@@ -3,7 +3,6 @@
 #pragma once
 
 #include "base/run_control.h"
-#include "criteria/outer_offset.h"
 #include "refine/live_triangulation.h"
 #include "tolerance/tolerance_volume.h"
 
@@ -50,13 +49,6 @@ std::vector<MisclassifiedPoint> misclassified_basins(const LiveTriangulation& li
 /// joined. All of the same height; `tet` stays invalid.
 std::vector<MisclassifiedPoint> contact_points(const ToleranceVolume& volume, double spacing,
                                                const RunControl& control);
-
-/// On every edge and facet of T whose vertices have one label: the point that is farthest on the other side
-/// of the offset, where it is at least `level` beyond. Farthest first; their heights are these distances.
-/// Parts below `smallest_part` in radius are judged by their middles.
-std::vector<MisclassifiedPoint> misclassified_by_offset(const LiveTriangulation& live,
-                                                        const OuterOffset& offset, double level,
-                                                        double smallest_part, const RunControl& control);
 
 /// Whether an edge of t passes through a wall or gap thinner than 2δ' that f does not see there, and which no
 /// sample tells. Only meaningful for closed input without self-intersections.

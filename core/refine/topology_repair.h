@@ -5,6 +5,7 @@
 #include "criteria/topology.h"
 #include "refine/context.h"
 #include "refine/misclassified_points.h"
+#include "refine/offset_search.h"
 
 #include <optional>
 #include <string>
@@ -55,6 +56,7 @@ class TopologyCondition {
   double level_ = 0; ///< summits lower than this wait
   /// Where parts are to be joined; found when they are needed.
   std::optional<std::vector<MisclassifiedPoint>> contacts_;
+  OffsetSearch offset_search_;
   double contact_spacing_ = 0; ///< of these, in units of δ'
   bool fruitful_ = false;      ///< a point went in since the present phase last looked for points
 

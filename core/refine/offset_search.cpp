@@ -1,12 +1,13 @@
 // Halves edges and facets of one label until no part of them can be on the other side.
-#include "criteria/outer_offset.h"
-#include "refine/misclassified_points.h"
+#include "refine/offset_search.h"
+
 #include "refine/simplices.h"
 
 #include "base/parallel.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace isoscope {
 namespace {
@@ -68,24 +69,33 @@ class FarthestPoint {
 
 } // namespace
 
-std::vector<MisclassifiedPoint> misclassified_by_offset(const LiveTriangulation& live,
-                                                        const OuterOffset& offset, double level,
-                                                        double smallest_part, const RunControl& control) {
+std::vector<MisclassifiedPoint> OffsetSearch::find(const LiveTriangulation& live, const OuterOffset& offset,
+                                                   const Limits& limits, const RunControl& control) {
   const Complex& complex = live.complex();
   const std::vector<Simplex<3>> parts = parts_of_one_label(complex);
-  std::vector<std::optional<MisclassifiedPoint>> found(parts.size());
+  const std::vector<Part> before = limits == limits_ ? std::move(known_) : std::vector<Part>();
+  known_.assign(parts.size(), {});
   parallel_until(parts.size(), grain, control, [&](std::size_t i) {
-    const auto& [v, tet] = parts[i];
-    const int label = complex.value(v[0]) > 0 ? -1 : +1;
-    FarthestPoint farthest(offset, label, level, smallest_part);
+    const auto& v = parts[i].v;
+    known_[i].vertices = v;
+    const auto at =
+        std::lower_bound(before.begin(), before.end(), v,
+                         [](const Part& part, const auto& other) { return part.vertices < other; });
+    if (at != before.end() && at->vertices == v) {
+      known_[i].farthest = at->farthest;
+      return;
+    }
+    FarthestPoint farthest(offset, complex.value(v[0]) > 0 ? -1 : +1, limits.level, limits.smallest_part);
     farthest.look({complex.position(v[0]), complex.position(v[1]), complex.position(v[2])});
-    if (!farthest.point()) return;
-    const double beyond = farthest.distance_beyond();
-    found[i] = {*farthest.point(), label, beyond, *farthest.point(), beyond, tet};
+    if (farthest.point()) known_[i].farthest = {*farthest.point(), farthest.distance_beyond()};
   });
+  limits_ = control.cancelled() ? Limits{} : limits;
   std::vector<MisclassifiedPoint> points;
-  for (const auto& point : found)
-    if (point) points.push_back(*point);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (const auto& found = known_[i].farthest) {
+      const int label = complex.value(parts[i].v[0]) > 0 ? -1 : +1;
+      points.push_back({found->point, label, found->beyond, found->point, found->beyond, parts[i].tet});
+    }
   std::stable_sort(points.begin(), points.end(),
                    [](const auto& a, const auto& b) { return a.height > b.height; });
   return points;
