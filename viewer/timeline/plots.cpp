@@ -96,8 +96,7 @@ void optimum_line(const Ui& ui, double optimum, float y, float left, float width
   const float dash = ui.px(5);
   for (float x = left; x < left + width; x += 2 * dash)
     list.AddLine({x, y}, {std::min(x + dash, left + width), y}, to_u32(ui.colors.good_text), ui.px(1.2f));
-  widgets::draw_text(list, ui.fonts.small, {left + ui.px(4), y - ui.fonts.small->FontSize - ui.px(2)},
-                     to_u32(ui.colors.good_text),
+  widgets::draw_text(list, ui.fonts.small, {left + ui.px(4), y + ui.px(2)}, to_u32(ui.colors.good_text),
                      "asymptotic optimum, about " + grouped(static_cast<std::size_t>(std::round(optimum))));
 }
 
