@@ -2,6 +2,7 @@
 #include "improve/joint_relocation.h"
 
 #include "improve/facet_energy.h"
+#include "improve/integer_power.h"
 #include "improve/symmetric_system.h"
 
 #include <algorithm>
@@ -17,13 +18,6 @@ constexpr double longest_step = 8;        ///< in δ
 constexpr double shortest_step = 1e-3;    ///< in δ
 constexpr double least_joint_gain = 0.98; ///< energy after a step over that before, for another one
 constexpr std::uint32_t unmoved = 0xffffffffu;
-
-double power(double x, int p) {
-  double result = 1;
-  for (; p > 0; p >>= 1, x *= x)
-    if (p & 1) result *= x;
-  return result;
-}
 
 /// The facets around the vertices that move, evaluated at many places.
 class PatchEvaluator {
@@ -204,7 +198,7 @@ void PatchEvaluator::add_to_step(const Sample& s, const std::vector<Vec3>& x, do
   double moved = s.distance;
   for (std::size_t i = 0; i < 3; ++i)
     if (s.mover[i] != unmoved) moved += s.weight[i] * dot(s.direction, x[s.mover[i]]);
-  const double e = moved / largest, q = power(std::abs(e), p - 2);
+  const double e = moved / largest, q = integer_power(std::abs(e), p - 2);
   if ((p - 1) * q < 1e-9) return;
   const std::array<double, 3> n{s.direction.x, s.direction.y, s.direction.z};
   for (std::size_t i = 0; i < 3; ++i) {

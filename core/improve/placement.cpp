@@ -1,6 +1,8 @@
 // Newton steps on p-norms of the linearised distances, checked against the true energy.
 #include "improve/placement.h"
 
+#include "improve/integer_power.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,13 +13,6 @@ namespace {
 constexpr std::array<int, 7> exponents{2, 4, 8, 8, 14, 14, 14};
 constexpr double regularisation = 1e-3; ///< of the Hessian's trace
 constexpr double most_trust = 8;        ///< longest step in δ
-
-double integer_power(double x, int p) {
-  double result = 1;
-  for (; p > 0; p >>= 1, x *= x)
-    if (p & 1) result *= x;
-  return result;
-}
 
 /// Symmetric 3 x 3 matrix: xx, xy, xz, yy, yz, zz.
 using Symmetric3 = std::array<double, 6>;
