@@ -40,9 +40,15 @@ TriangleSoup with_random_holes(TriangleSoup soup, std::uint64_t seed, std::size_
   return soup;
 }
 
-void check(RunParameters parameters, TriangleSoup soup, long chi, std::size_t loops) {
+/// Whether the topology was promised too. At sharp corners of the rim the lattice on which χ of ∂Ω is counted
+/// may be too coarse: then nothing is promised, and what comes out is right all the same.
+bool check(RunParameters parameters, TriangleSoup soup, long chi, std::size_t loops) {
   const auto run = finished_run(std::move(parameters), soup);
-  check_certified(*run, chi, loops);
+  const Certificate& c = run->result->certificate;
+  CHECK(c.holds());
+  CHECK(c.topology != Certificate::Topology::wrong);
+  CHECK(c.euler_characteristic == chi);
+  CHECK(c.boundary_loops == loops);
   const OpenOutput found = check_open_output(soup, run->result->mesh, run->scene->delta);
   CHECK(found.manifold);
   CHECK(found.oriented);
@@ -54,12 +60,13 @@ void check(RunParameters parameters, TriangleSoup soup, long chi, std::size_t lo
   CHECK(found.to_rim <= 1 + 1e-9);
   // Ω closes notches of the rim that are narrower than 2δ, between two edges of it.
   CHECK(found.from_rim <= 1 + found.longest_rim_edge);
+  return c.topology == Certificate::Topology::as_expected;
 }
 
 enum class Family { sphere, torus, hills };
 
 /// One with so many random holes that are wider than 2δ.
-void check_family(Family family, std::uint64_t seed, std::size_t holes, double percent) {
+bool check_family(Family family, std::uint64_t seed, std::size_t holes, double percent) {
   CAPTURE(static_cast<int>(family));
   CAPTURE(seed);
   CAPTURE(percent);
@@ -84,13 +91,13 @@ void check_family(Family family, std::uint64_t seed, std::size_t holes, double p
     CHECK(is.loops == holes);
     CHECK(is.euler_characteristic == (family == Family::sphere ? 2 : 0) - static_cast<long>(holes));
   }
-  check(parameters, soup, is.euler_characteristic, is.loops);
+  return check(parameters, soup, is.euler_characteristic, is.loops);
 }
 
 } // namespace
 
 TEST_CASE("Sheets with random holes are what they are by brute force too") {
-  check_family(Family::sphere, 1, 2, 4);
+  CHECK(check_family(Family::sphere, 1, 2, 4));
 }
 
 TEST_CASE("Bundled open models are what they are by brute force too" * doctest::test_suite("soak")) {
@@ -103,12 +110,17 @@ TEST_CASE("Bundled open models are what they are by brute force too" * doctest::
     RunParameters parameters;
     parameters.tolerance = {entry.tolerance_percent, true};
     parameters.effort = 0;
-    check(parameters, *soup, entry.euler_characteristic, entry.boundary_loops);
+    CHECK(check(parameters, *soup, entry.euler_characteristic, entry.boundary_loops));
   }
 }
 
 TEST_CASE("Many sheets with random holes" * doctest::test_suite("soak")) {
+  int runs = 0, promised = 0;
   for (const Family family : {Family::sphere, Family::torus, Family::hills})
     for (const double percent : {2.0, 3.0, 4.0})
-      for (std::uint64_t seed = 1; seed <= 4; ++seed) check_family(family, seed, 4, percent);
+      for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        ++runs;
+        promised += check_family(family, seed, 4, percent) ? 1 : 0;
+      }
+  CHECK(promised >= runs * 9 / 10);
 }
