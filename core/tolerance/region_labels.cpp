@@ -300,10 +300,10 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
     const std::uint32_t c = volume.volume_component(index.closest(*fin).triangle);
     const bool separates = regions_by_component(volume)[c].size() > 1;
     const auto wall = separates ? one_sided_wall(volume, c, control) : std::nullopt;
-    return Error{ErrorCode::unsupported,
+    return Error{ErrorCode::joined_sheets,
                  "The input is not a manifold surface: an open sheet ends on another part of it near " +
                      place(wall.value_or(*fin), place_digits) + ".",
-                 "Remove what stands out there. " + std::string(larger_takes_in)};
+                 "Remove what stands out there."};
   }
   const std::vector<std::uint8_t> rimmed = with_rim(volume, *sides);
   for (std::uint32_t c = 0; c < open.size(); ++c)

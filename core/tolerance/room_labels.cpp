@@ -136,10 +136,10 @@ Result<DepthLabels> label_rooms(const ToleranceVolume& volume, const RunControl&
   if (!labels) return labels.error();
   const bool rooms = *std::min_element(labels->begin(), labels->end()) < -1;
   if (const auto fin = rooms ? one_sided_wall(volume, {}, control) : std::nullopt)
-    return Error{ErrorCode::unsupported,
+    return Error{ErrorCode::joined_sheets,
                  "A wall ends in the open near " + place(*fin, place_digits) +
                      ": one region is on both sides of it, and rooms cannot have fins.",
-                 "Remove what stands out there. " + std::string(larger_takes_in)};
+                 "Remove what stands out there."};
   return spread_labels(volume, std::move(*labels), control);
 }
 

@@ -114,9 +114,9 @@ class ToleranceVolume {
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
   /// A component of Ω that does not separate two regions is an open surface, where it has a rim (§4.1); fails
-  /// with open_surface where it has none or one side only, with unsupported on rooms with fins, naming the
-  /// place, and where the octree takes too much memory; with cancelled when told to. Parts that are thinner
-  /// than 2δ' everywhere are built: find_thin_parts() tells them.
+  /// with open_surface where it has none or one side only, with joined_sheets on rooms with fins, naming the
+  /// place, with unsupported where the octree takes too much memory; with cancelled when told to. Parts that
+  /// are thinner than 2δ' everywhere are built: find_thin_parts() tells them.
   static Result<ToleranceVolume> build(std::shared_ptr<const ToleranceField> field,
                                        const InputTopology& input, const Options& options,
                                        const RunControl& control);

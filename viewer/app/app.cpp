@@ -416,10 +416,7 @@ int App::run() {
   const auto& error = model_->run.error;
   if (screenshot_only_ && error) {
     std::fprintf(stderr, "isoscope: %s\n", error->line().c_str());
-    return error->code == ErrorCode::bad_input || error->code == ErrorCode::unsupported ||
-                   error->code == ErrorCode::open_surface
-               ? 3
-               : 2;
+    return refuses_input(error->code) ? 3 : 2;
   }
   return exit_status_;
 }
