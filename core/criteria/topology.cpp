@@ -132,7 +132,7 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
     expected.euler_characteristic = outer.euler_characteristic;
     expected.components = outer.components;
     expected.source = "both boundaries of Ω";
-    expected.joined = meets_itself;
+    expected.joined = meets_itself && !volume.sides().by_solid_angles();
     return expected;
   }
   if (meets_itself && outer.resolved() && volume.uncounted_depth() <= volume.thresholds().delta) {

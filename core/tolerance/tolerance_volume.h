@@ -78,7 +78,8 @@ struct InputTopology {
   std::size_t components = 0;                ///< connected components of the input triangles
   std::optional<Vec3> border; ///< a point of an edge that does not have two triangles, if there is one
   SideRule side_rule = SideRule::colouring; ///< what tells the sides
-  bool every_region = false;                ///< asked for: each region that walls enclose is an inside
+  bool may_wind_open = false; ///< it does not close, and its solid angles may tell the sides all the same
+  bool every_region = false;  ///< asked for: each region that walls enclose is an inside
   std::shared_ptr<const std::vector<std::int8_t>>
       turns;                      ///< how each triangle counts for that; null: as it is
   std::vector<std::string> notes; ///< what the user should know about the sides, one sentence each

@@ -1,0 +1,160 @@
+// Counts walls between regions, and colours what they part.
+#include "tolerance/wall_neighbours.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <utility>
+
+namespace isoscope {
+namespace {
+
+/// Both sides of walls are looked at this far from them, in units of δ', at places about so many δ apart, but
+/// at no more of them than this.
+constexpr double wall_reach = 1.2, probe_spacing = 2;
+constexpr std::size_t most_wall_probes = 100000, wall_probes_per_task = 256;
+/// A few places are mistaken, as segments may run through cracks: so many say nothing, nor does this share.
+constexpr std::size_t few_places = 2;
+constexpr double small_share = 0.05;
+
+/// Places that say that walls part two regions, and that they do not.
+struct Votes {
+  std::size_t parted = 0, joined = 0;
+  bool parts() const { return parted > joined; }
+};
+using WallVotes = std::map<std::pair<RegionId, RegionId>, Votes>;
+
+/// Where it is one up to what gaps of soups may take away.
+std::optional<long> clear_number(double winding) {
+  constexpr double clear = 0.25;
+  const double whole = std::round(winding);
+  return std::abs(winding - whole) < clear ? std::optional(static_cast<long>(whole)) : std::nullopt;
+}
+
+WallVotes count_walls(const ToleranceVolume& volume, const RunControl& control) {
+  const std::vector<WallProbe> probes = probes_on_walls(volume);
+  std::vector<WallNeighbours> found(probes.size());
+  parallel_until(probes.size(), wall_probes_per_task, control,
+                 [&](std::size_t i) { found[i] = neighbours_of_wall(volume, probes[i]); });
+  WallVotes votes;
+  for (const WallNeighbours& n : found) {
+    if (!n.told()) continue;
+    Votes& between = votes[std::minmax(n.regions[0], n.regions[1])];
+    ++(n.parted ? between.parted : between.joined);
+  }
+  return votes;
+}
+
+} // namespace
+
+std::vector<WallProbe> probes_on_walls(const ToleranceVolume& volume) {
+  const ClosestPointIndex& index = volume.index();
+  const double spacing = probe_spacing * volume.thresholds().delta;
+  double area = 0;
+  for (std::size_t i = 0; i < index.size(); ++i) area += isoscope::area(index.triangle(TriangleId(i)));
+  const double share = std::max(spacing * spacing, area / most_wall_probes);
+  std::vector<WallProbe> probes;
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    const Triangle3& t = index.triangle(TriangleId(i));
+    // n² equal parts, each asked at its middle: the upright ones and those between them.
+    const auto n = static_cast<int>(std::ceil(std::sqrt(isoscope::area(t) / share)));
+    const Vec3 u = (t[1] - t[0]) / std::max(n, 1), v = (t[2] - t[0]) / std::max(n, 1);
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; a + b < n; ++b) {
+        const Vec3 corner = t[0] + double(a) * u + double(b) * v;
+        probes.push_back({TriangleId(i), corner + (u + v) / 3});
+        if (a + b + 1 < n) probes.push_back({TriangleId(i), corner + 2.0 / 3 * (u + v)});
+      }
+  }
+  return probes;
+}
+
+WallNeighbours neighbours_of_wall(const ToleranceVolume& volume, const WallProbe& probe) {
+  const ClosestPointIndex& index = volume.index();
+  const double boundary = volume.thresholds().boundary;
+  const Vec3 normal = normalized(area_vector(index.triangle(probe.triangle)));
+  WallNeighbours found;
+  if (normal == Vec3{}) return found;
+  std::array<Vec3, 2>& reached = found.places;
+  for (std::size_t k = 0; k < 2; ++k) {
+    reached[k] = probe.point + (k == 0 ? wall_reach : -wall_reach) * boundary * normal;
+    const ClosestPoint closest = index.closest(reached[k]);
+    if (!(closest.distance() > boundary)) return found;
+    found.regions[k] = volume.escape(reached[k], closest).region;
+  }
+  found.parted = index.crossings(reached[0], reached[1]).size() % 2 != 0;
+  return found;
+}
+
+std::shared_ptr<const SolidAngles> find_clear_windings(const ToleranceVolume& volume,
+                                                       const RunControl& control) {
+  const InputTopology& input = volume.input();
+  if (!input.may_wind_open) return nullptr;
+  auto angles = std::make_shared<const SolidAngles>(volume.index(),
+                                                    input.turns ? std::span<const std::int8_t>(*input.turns)
+                                                                : std::span<const std::int8_t>());
+  std::vector<long> of_region;
+  for (const Region& r : volume.regions()) {
+    const auto winding = r.unbounded ? 0 : clear_number(angles->winding(r.deepest));
+    if (!winding) return nullptr;
+    of_region.push_back(*winding);
+  }
+  if (std::all_of(of_region.begin(), of_region.end(), [](long w) { return w == 0; })) return nullptr;
+  const std::vector<WallProbe> probes = probes_on_walls(volume);
+  std::vector<std::uint8_t> told(probes.size(), 0), mistaken(probes.size(), 0);
+  parallel_until(probes.size(), wall_probes_per_task, control, [&](std::size_t i) {
+    const WallNeighbours n = neighbours_of_wall(volume, probes[i]);
+    told[i] = n.told();
+    for (std::size_t k = 0; k < 2 && told[i] != 0 && mistaken[i] == 0; ++k)
+      mistaken[i] = clear_number(angles->winding(n.places[k])) != of_region[n.regions[k].index()];
+  });
+  std::vector<std::size_t> all(volume.volume_component_count()), wrong(all.size());
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const std::uint32_t c = volume.volume_component(probes[i].triangle);
+    all[c] += told[i];
+    wrong[c] += mistaken[i];
+  }
+  for (std::size_t c = 0; c < all.size(); ++c)
+    if (static_cast<double>(wrong[c]) > small_share * static_cast<double>(all[c])) return nullptr;
+  return angles;
+}
+
+std::optional<std::vector<int>> label_by_walls(const ToleranceVolume& volume, const RunControl& control) {
+  const WallVotes votes = count_walls(volume, control);
+  std::size_t all = 0, in_the_open = 0;
+  std::vector<std::vector<std::pair<RegionId, int>>> beside(volume.regions().size());
+  for (const auto& [pair, between] : votes) {
+    const auto [a, b] = pair;
+    all += between.parted + between.joined;
+    if (a == b) {
+      in_the_open += between.parted;
+      continue;
+    }
+    if (between.parted + between.joined <= few_places) continue;
+    const int sign = between.parts() ? -1 : +1;
+    beside[a.index()].emplace_back(b, sign);
+    beside[b.index()].emplace_back(a, sign);
+  }
+  if (static_cast<double>(in_the_open) > small_share * static_cast<double>(all)) return std::nullopt;
+  std::vector<int> labels(volume.regions().size(), 0);
+  labels[0] = +1;
+  std::deque<RegionId> queue{RegionId(0)};
+  while (!queue.empty()) {
+    const RegionId from = queue.front();
+    queue.pop_front();
+    for (const auto& [to, sign] : beside[from.index()]) {
+      const int label = sign * labels[from.index()];
+      if (labels[to.index()] == -label) return std::nullopt;
+      if (std::exchange(labels[to.index()], label) == 0) queue.push_back(to);
+    }
+  }
+  // Pockets that hardly a place sees.
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] == 0) labels[i] = volume.sides().label(volume.regions()[i].deepest);
+  return labels;
+}
+
+} // namespace isoscope
