@@ -9,8 +9,8 @@ namespace isoscope {
 namespace {
 
 constexpr std::uint32_t leaf_size = 8;
-/// Nodes farther away than so many of their radii count as dipoles: errors of a few thousandths.
-constexpr double far = 2.5;
+/// Nodes farther away than so many of their radii count as dipoles.
+constexpr double far = 3;
 
 } // namespace
 

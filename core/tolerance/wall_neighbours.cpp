@@ -15,17 +15,28 @@ namespace {
 /// Both sides of walls are looked at this far from them, in units of δ', at places about so many δ apart, but
 /// at no more of them than this.
 constexpr double wall_reach = 1.2, probe_spacing = 2;
-constexpr std::size_t most_wall_probes = 100000, wall_probes_per_task = 256;
-/// A few places are mistaken, as segments may run through cracks: so many say nothing, nor does this share.
+constexpr std::size_t most_wall_probes = 100000, most_thinned = 50000, wall_probes_per_task = 256;
+/// A few places are mistaken, as segments may run through cracks: so many say nothing where they are less
+/// than this share, nor does the share.
 constexpr std::size_t few_places = 2;
 constexpr double small_share = 0.05;
 
 /// Places that say that walls part two regions, and that they do not.
 struct Votes {
   std::size_t parted = 0, joined = 0;
+  std::size_t all() const { return parted + joined; }
   bool parts() const { return parted > joined; }
 };
 using WallVotes = std::map<std::pair<RegionId, RegionId>, Votes>;
+
+/// So many of them at most, evenly spread over the triangles.
+std::vector<WallProbe> thinned(std::vector<WallProbe> probes) {
+  const std::size_t stride = probes.size() / most_thinned + 1;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < probes.size(); i += stride) probes[kept++] = probes[i];
+  probes.resize(kept);
+  return probes;
+}
 
 /// Where it is one up to what gaps of soups may take away.
 std::optional<long> clear_number(double winding) {
@@ -35,7 +46,7 @@ std::optional<long> clear_number(double winding) {
 }
 
 WallVotes count_walls(const ToleranceVolume& volume, const RunControl& control) {
-  const std::vector<WallProbe> probes = probes_on_walls(volume);
+  const std::vector<WallProbe> probes = thinned(probes_on_walls(volume));
   std::vector<WallNeighbours> found(probes.size());
   parallel_until(probes.size(), wall_probes_per_task, control,
                  [&](std::size_t i) { found[i] = neighbours_of_wall(volume, probes[i]); });
@@ -103,11 +114,12 @@ std::shared_ptr<const SolidAngles> find_clear_windings(const ToleranceVolume& vo
     of_region.push_back(*winding);
   }
   if (std::all_of(of_region.begin(), of_region.end(), [](long w) { return w == 0; })) return nullptr;
-  const std::vector<WallProbe> probes = probes_on_walls(volume);
+  const std::vector<WallProbe> probes = thinned(probes_on_walls(volume));
   std::vector<std::uint8_t> told(probes.size(), 0), mistaken(probes.size(), 0);
   parallel_until(probes.size(), wall_probes_per_task, control, [&](std::size_t i) {
     const WallNeighbours n = neighbours_of_wall(volume, probes[i]);
     told[i] = n.told();
+    mistaken[i] = n.ends_in_the_open();
     for (std::size_t k = 0; k < 2 && told[i] != 0 && mistaken[i] == 0; ++k)
       mistaken[i] = clear_number(angles->winding(n.places[k])) != of_region[n.regions[k].index()];
   });
@@ -125,15 +137,19 @@ std::shared_ptr<const SolidAngles> find_clear_windings(const ToleranceVolume& vo
 std::optional<std::vector<int>> label_by_walls(const ToleranceVolume& volume, const RunControl& control) {
   const WallVotes votes = count_walls(volume, control);
   std::size_t all = 0, in_the_open = 0;
+  std::vector<std::size_t> seen(volume.regions().size());
+  for (const auto& [pair, between] : votes)
+    for (const RegionId r : {pair.first, pair.second}) seen[r.index()] += between.all();
   std::vector<std::vector<std::pair<RegionId, int>>> beside(volume.regions().size());
   for (const auto& [pair, between] : votes) {
     const auto [a, b] = pair;
-    all += between.parted + between.joined;
+    all += between.all();
     if (a == b) {
       in_the_open += between.parted;
       continue;
     }
-    if (between.parted + between.joined <= few_places) continue;
+    const auto least = static_cast<double>(std::min(seen[a.index()], seen[b.index()]));
+    if (between.all() <= few_places && static_cast<double>(between.all()) < small_share * least) continue;
     const int sign = between.parts() ? -1 : +1;
     beside[a.index()].emplace_back(b, sign);
     beside[b.index()].emplace_back(a, sign);
@@ -152,8 +168,12 @@ std::optional<std::vector<int>> label_by_walls(const ToleranceVolume& volume, co
     }
   }
   // Pockets that hardly a place sees.
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] == 0) labels[i] = volume.sides().label(volume.regions()[i].deepest);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] != 0) continue;
+    const auto inside = volume.sides().unanimous_parity(volume.regions()[i].deepest);
+    if (!inside) return std::nullopt;
+    labels[i] = *inside ? -1 : +1;
+  }
   return labels;
 }
 
