@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace isoscope {
@@ -20,6 +21,8 @@ constexpr std::size_t most_wall_probes = 100000, most_thinned = 50000, wall_prob
 /// than this share, nor does the share.
 constexpr std::size_t few_places = 2;
 constexpr double small_share = 0.05;
+/// How far from a triangle rays tell its sides, in δ.
+constexpr double beside_wall = 1e-4;
 
 /// Places that say that walls part two regions, and that they do not.
 struct Votes {
@@ -45,18 +48,71 @@ std::optional<long> clear_number(double winding) {
   return std::abs(winding - whole) < clear ? std::optional(static_cast<long>(whole)) : std::nullopt;
 }
 
-WallVotes count_walls(const ToleranceVolume& volume, const RunControl& control) {
-  const std::vector<WallProbe> probes = thinned(probes_on_walls(volume));
-  std::vector<WallNeighbours> found(probes.size());
-  parallel_until(probes.size(), wall_probes_per_task, control,
-                 [&](std::size_t i) { found[i] = neighbours_of_wall(volume, probes[i]); });
-  WallVotes votes;
-  for (const WallNeighbours& n : found) {
-    if (!n.told()) continue;
-    Votes& between = votes[std::minmax(n.regions[0], n.regions[1])];
-    ++(n.parted ? between.parted : between.joined);
+/// What lies on both sides of the walls, at places spread over them.
+struct Survey {
+  std::vector<WallProbe> probes;
+  std::vector<WallNeighbours> found;
+
+  Survey(const ToleranceVolume& volume, const RunControl& control)
+      : probes(thinned(probes_on_walls(volume))), found(probes.size()) {
+    parallel_until(probes.size(), wall_probes_per_task, control,
+                   [&](std::size_t i) { found[i] = neighbours_of_wall(volume, probes[i]); });
   }
-  return votes;
+  WallVotes votes() const {
+    WallVotes votes;
+    for (const WallNeighbours& n : found) {
+      if (!n.told()) continue;
+      Votes& between = votes[std::minmax(n.regions[0], n.regions[1])];
+      ++(n.parted ? between.parted : between.joined);
+    }
+    return votes;
+  }
+};
+
+/// How the triangles of a soup have to turn so that the inside is behind them, as rays from both sides of
+/// each tell.
+std::vector<std::int8_t> turns_by_rays(const ToleranceVolume& volume, const RunControl& control) {
+  const ClosestPointIndex& index = volume.index();
+  std::vector<std::int8_t> turns(index.size(), 1);
+  parallel_until(index.size(), wall_probes_per_task, control, [&](std::size_t i) {
+    const Triangle3& t = index.triangle(TriangleId(i));
+    const Vec3 off = beside_wall * volume.thresholds().delta * normalized(area_vector(t));
+    if (volume.sides().inside(centroid(t) + off) && !volume.sides().inside(centroid(t) - off)) turns[i] = -1;
+  });
+  return turns;
+}
+
+/// Whether the soup winds clearly, with its triangles turned as these angles have them.
+bool winds_clearly(const ToleranceVolume& volume, const SolidAngles& angles, const Survey& survey,
+                   const RunControl& control) {
+  std::vector<long> of_region;
+  for (const Region& r : volume.regions()) {
+    const auto winding = r.unbounded ? 0 : clear_number(angles.winding(r.deepest));
+    if (!winding) return false;
+    of_region.push_back(*winding);
+  }
+  if (std::all_of(of_region.begin(), of_region.end(), [](long w) { return w == 0; })) return false;
+  // A wall between two regions of one side is one between rooms.
+  for (const auto& [pair, between] : survey.votes())
+    if (pair.first != pair.second && between.parts() && between.parted > few_places &&
+        (of_region[pair.first.index()] - of_region[pair.second.index()]) % 2 == 0)
+      return false;
+  std::vector<std::uint8_t> mistaken(survey.probes.size(), 0);
+  parallel_until(mistaken.size(), wall_probes_per_task, control, [&](std::size_t i) {
+    const WallNeighbours& n = survey.found[i];
+    mistaken[i] = n.ends_in_the_open();
+    for (std::size_t k = 0; k < 2 && n.told() && mistaken[i] == 0; ++k)
+      mistaken[i] = clear_number(angles.winding(n.places[k])) != of_region[n.regions[k].index()];
+  });
+  std::vector<std::size_t> all(volume.volume_component_count()), wrong(all.size());
+  for (std::size_t i = 0; i < mistaken.size(); ++i) {
+    const std::uint32_t c = volume.volume_component(survey.probes[i].triangle);
+    all[c] += survey.found[i].told();
+    wrong[c] += mistaken[i];
+  }
+  for (std::size_t c = 0; c < all.size(); ++c)
+    if (static_cast<double>(wrong[c]) > small_share * static_cast<double>(all[c])) return false;
+  return true;
 }
 
 } // namespace
@@ -104,38 +160,18 @@ std::shared_ptr<const SolidAngles> find_clear_windings(const ToleranceVolume& vo
                                                        const RunControl& control) {
   const InputTopology& input = volume.input();
   if (!input.may_wind_open) return nullptr;
-  auto angles = std::make_shared<const SolidAngles>(volume.index(),
-                                                    input.turns ? std::span<const std::int8_t>(*input.turns)
-                                                                : std::span<const std::int8_t>());
-  std::vector<long> of_region;
-  for (const Region& r : volume.regions()) {
-    const auto winding = r.unbounded ? 0 : clear_number(angles->winding(r.deepest));
-    if (!winding) return nullptr;
-    of_region.push_back(*winding);
-  }
-  if (std::all_of(of_region.begin(), of_region.end(), [](long w) { return w == 0; })) return nullptr;
-  const std::vector<WallProbe> probes = thinned(probes_on_walls(volume));
-  std::vector<std::uint8_t> told(probes.size(), 0), mistaken(probes.size(), 0);
-  parallel_until(probes.size(), wall_probes_per_task, control, [&](std::size_t i) {
-    const WallNeighbours n = neighbours_of_wall(volume, probes[i]);
-    told[i] = n.told();
-    mistaken[i] = n.ends_in_the_open();
-    for (std::size_t k = 0; k < 2 && told[i] != 0 && mistaken[i] == 0; ++k)
-      mistaken[i] = clear_number(angles->winding(n.places[k])) != of_region[n.regions[k].index()];
-  });
-  std::vector<std::size_t> all(volume.volume_component_count()), wrong(all.size());
-  for (std::size_t i = 0; i < probes.size(); ++i) {
-    const std::uint32_t c = volume.volume_component(probes[i].triangle);
-    all[c] += told[i];
-    wrong[c] += mistaken[i];
-  }
-  for (std::size_t c = 0; c < all.size(); ++c)
-    if (static_cast<double>(wrong[c]) > small_share * static_cast<double>(all[c])) return nullptr;
-  return angles;
+  const Survey survey(volume, control);
+  const auto clear = [&](std::span<const std::int8_t> turns) {
+    auto angles = std::make_shared<const SolidAngles>(volume.index(), turns);
+    return winds_clearly(volume, *angles, survey, control) ? angles : nullptr;
+  };
+  if (input.turns) return clear(*input.turns);
+  if (auto as_given = clear({})) return as_given;
+  return control.cancelled() ? nullptr : clear(turns_by_rays(volume, control));
 }
 
 std::optional<std::vector<int>> label_by_walls(const ToleranceVolume& volume, const RunControl& control) {
-  const WallVotes votes = count_walls(volume, control);
+  const WallVotes votes = Survey(volume, control).votes();
   std::size_t all = 0, in_the_open = 0;
   std::vector<std::size_t> seen(volume.regions().size());
   for (const auto& [pair, between] : votes)

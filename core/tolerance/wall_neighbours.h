@@ -35,8 +35,8 @@ WallNeighbours neighbours_of_wall(const ToleranceVolume& volume, const WallProbe
 
 /// Solid angles by which the input tells the sides, though it does not close: seen from in front of its walls
 /// and from behind them, it winds a whole number of times, the same as around the region there, and not
-/// everywhere alike. Null where it does not: open surfaces, walls that stand out, rooms that share walls,
-/// triangles that run this way and that.
+/// everywhere alike. Loose triangles are turned where rays say so. Null where it does not: open surfaces,
+/// walls that stand out, rooms that share walls.
 std::shared_ptr<const SolidAngles> find_clear_windings(const ToleranceVolume& volume,
                                                        const RunControl& control);
 

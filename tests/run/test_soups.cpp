@@ -82,16 +82,22 @@ TEST_CASE("What is thinner than Ω between two regions of a soup parts no rooms"
   CompleteRun oriented(cracked(dumbbell(0.06), 0.004), delta);
   check_certified(oriented, 2);
 
-  // Triangles that run this way and that wind around nothing: walls tell what they part.
+  // Rays tell how triangles that run this way and that have to turn.
   TriangleSoup mixed = cracked(dumbbell(0.06), 0.004);
   Random random(9);
   for (auto& t : mixed.triangles)
     if (random.unit() < 0.5) std::swap(t[1], t[2]);
   CompleteRun unoriented(mixed, delta);
-  REQUIRE(unoriented.prepare());
-  CHECK_FALSE(unoriented.scene->volume->sides().by_solid_angles());
-  CHECK_FALSE(unoriented.scene->volume->has_rooms());
-  const auto& regions = unoriented.scene->regions;
+  check_certified(unoriented, 2);
+  CHECK(unoriented.scene->volume->sides().by_solid_angles());
+
+  // Where the user wants parity, walls tell what they part.
+  CompleteRun coloured(mixed, delta);
+  coloured.parameters.sides = SidesMode::parity;
+  REQUIRE(coloured.prepare());
+  CHECK_FALSE(coloured.scene->volume->sides().by_solid_angles());
+  CHECK_FALSE(coloured.scene->volume->has_rooms());
+  const auto& regions = coloured.scene->regions;
   CHECK(std::count_if(regions.begin(), regions.end(), [](const Region& r) { return r.label < 0; }) == 2);
 }
 
