@@ -51,6 +51,7 @@ void Comparison::drop() {
 
 void Comparison::exchange() {
   std::swap<ShownRun>(window, *other_);
+  ++exchanges_;
   active_is_b_ = !active_is_b_;
   picked = {};
   if (!linked_cameras) std::swap(window.camera, camera);
