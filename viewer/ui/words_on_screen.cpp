@@ -61,8 +61,11 @@ class Reader {
                 line = low.y - g.Y0 * scale, size = known.size * scale;
     const ImVec2 seen_low{std::max(low.x, clip.x), std::max(low.y, clip.y)},
         seen_high{std::min(high.x, clip.z), std::min(high.y, clip.w)};
-    const bool seen =
-        seen_high.x - seen_low.x > (high.x - low.x) / 2 && seen_high.y - seen_low.y > (high.y - low.y) / 2;
+    // Of a line that is scrolled half out of sight all letters are seen or none.
+    const float line_seen = std::min(line + size, clip.w) - std::max(line, clip.y);
+    const bool in_line = line_seen > size / 2,
+               seen = in_line && seen_high.x - seen_low.x > (high.x - low.x) / 2,
+               cut = in_line && (low.x < clip.x - 0.5f || high.x > clip.z + 0.5f);
     constexpr float tolerance = 1.5f;
     const bool goes_on = at_ && std::abs(line - line_) < tolerance && pen > pen_ - tolerance &&
                          pen < pen_ + blanks * size && surface_ == words_[*at_].surface;
@@ -79,12 +82,13 @@ class Reader {
       }
       SeenWords& words = words_[*at_];
       append(words.text, g.Codepoint);
+      words.cut |= cut;
       words.low = {std::min(words.low.x, seen_low.x), std::min(words.low.y, seen_low.y)};
       words.high = {std::max(words.high.x, seen_high.x), std::max(words.high.y, seen_high.y)};
-    } else if (at_) {
+    } else if (cut && at_) {
       words_[*at_].cut = true;
     } else {
-      cut_before_ = true;
+      cut_before_ |= cut;
     }
     pen_ = pen + g.AdvanceX * scale;
     line_ = line;

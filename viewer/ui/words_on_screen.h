@@ -13,7 +13,7 @@ namespace isoscope {
 struct SeenWords {
   std::string text;
   ImVec2 low, high;    ///< what of them lies within the window and its panes; pixels
-  bool cut = false;    ///< more of them lies outside
+  bool cut = false;    ///< more of them lies beside it
   std::string surface; ///< the window or pane in which they stand
 };
 
