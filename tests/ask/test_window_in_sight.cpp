@@ -283,7 +283,7 @@ help
 wait 0.2
 expect-words Goes N operations on
 expect-no-words No point sees the whole one-ring
-click 850 134
+click-words Reasons
 wait 0.2
 expect-words No point sees the whole one-ring
 expect-words Lk(a) ∩ Lk(b)

@@ -81,19 +81,36 @@ Status move_mouse(AppModel& m, const Arguments& a) {
   return {};
 }
 
-Status click(AppModel& m, const Arguments& a) {
-  const auto n = numbers(a, 2);
-  if (!n) return n.error();
-  const float x = (*n)[0], y = (*n)[1];
-  const int button = has(a, "right") ? 1 : 0;
+/// Of the frame that was drawn last.
+std::vector<SeenWords> seen_words() {
+  const ImDrawData* frame = ImGui::GetDrawData();
+  return frame != nullptr ? words_on_screen(*frame, *ImGui::GetIO().Fonts) : std::vector<SeenWords>{};
+}
+
+void press(AppModel& m, float x, float y, int button, bool control) {
   auto& mouse = m.requests.mouse;
-  const bool control = has(a, "control");
   const auto add = [&](int pressed, bool down) { mouse.push_back({x, y, pressed, down, 0, false, control}); };
   add(-1, false);
   add(-1, false);
   add(button, true);
   add(button, false);
   add(-1, false);
+}
+
+Status click(AppModel& m, const Arguments& a) {
+  const auto n = numbers(a, 2);
+  if (!n) return n.error();
+  press(m, (*n)[0], (*n)[1], has(a, "right") ? 1 : 0, has(a, "control"));
+  return {};
+}
+
+Status click_words(AppModel& m, const Arguments& a) {
+  if (a.size() != 1) return wrong_arguments("Which words?");
+  const std::vector<SeenWords> seen = seen_words();
+  const SeenWords* found = find_words(seen, a[0]);
+  if (found == nullptr)
+    return Error{ErrorCode::cancelled, "\"" + a[0] + "\" cannot be read in the window.", ""};
+  press(m, (found->low.x + found->high.x) / 2, (found->low.y + found->high.y) / 2, 0, false);
   return {};
 }
 
@@ -149,12 +166,6 @@ Status tell_times(AppModel& m, const Arguments& a) {
   std::fputs(m.times.table().c_str(), stdout);
   std::fflush(stdout);
   return {};
-}
-
-/// Of the frame that was drawn last.
-std::vector<SeenWords> seen_words() {
-  const ImDrawData* frame = ImGui::GetDrawData();
-  return frame != nullptr ? words_on_screen(*frame, *ImGui::GetIO().Fonts) : std::vector<SeenWords>{};
 }
 
 Status expect_words(AppModel&, const Arguments& a) {
@@ -239,6 +250,13 @@ void add_script_commands(AppModel& m) {
               .usage = "X Y [left | right] [control]",
               .help = "Clicks at a place of the window.",
               .run = on(m, click),
+              .for_scripts = true},
+             {.name = "click-words",
+              .title = "Click on words",
+              .usage = "WORDS",
+              .help = "Clicks where these words stand in one line of the window.",
+              .run = on(m, click_words),
+              .raw = true,
               .for_scripts = true},
              {.name = "drag",
               .title = "Drag",

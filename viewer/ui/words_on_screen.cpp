@@ -61,11 +61,12 @@ class Reader {
                 line = low.y - g.Y0 * scale, size = known.size * scale;
     const ImVec2 seen_low{std::max(low.x, clip.x), std::max(low.y, clip.y)},
         seen_high{std::min(high.x, clip.z), std::min(high.y, clip.w)};
+    const float overhang = 0.12f * size; // as of a j
     // Of a line that is scrolled half out of sight all letters are seen or none.
     const float line_seen = std::min(line + size, clip.w) - std::max(line, clip.y);
     const bool in_line = line_seen > size / 2,
                seen = in_line && seen_high.x - seen_low.x > (high.x - low.x) / 2,
-               cut = in_line && (low.x < clip.x - 0.5f || high.x > clip.z + 0.5f);
+               cut = in_line && (low.x < clip.x - overhang || high.x > clip.z + overhang);
     constexpr float tolerance = 1.5f;
     const bool goes_on = at_ && std::abs(line - line_) < tolerance && pen > pen_ - tolerance &&
                          pen < pen_ + blanks * size && surface_ == words_[*at_].surface;
@@ -152,6 +153,14 @@ bool can_be_read(const std::vector<SeenWords>& seen, std::string_view words) {
   std::string all;
   for (const SeenWords& w : seen) all += without_blanks(w.text);
   return all.find(without_blanks(words)) != std::string::npos;
+}
+
+const SeenWords* find_words(const std::vector<SeenWords>& seen, std::string_view words) {
+  const std::string wanted = without_blanks(words);
+  const auto found = std::find_if(seen.rbegin(), seen.rend(), [&](const SeenWords& w) {
+    return without_blanks(w.text).find(wanted) != std::string::npos;
+  });
+  return found != seen.rend() ? &*found : nullptr;
 }
 
 } // namespace isoscope
