@@ -238,6 +238,7 @@ pick-worst
 frame
 wait settled
 expect filled > 1.2
+tab compare
 open gallery:torus
 wait settled
 wait 0.3
