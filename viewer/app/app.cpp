@@ -347,7 +347,7 @@ bool App::advance_script() {
   model_->wait_for = AppModel::Wait::time;
   if (script_->done()) return false;
   // What only asks leaves nothing to show.
-  if (!script_->next_is("expect")) frames_since_command_ = 0;
+  if (!script_->next_only_asks()) frames_since_command_ = 0;
   const Status status = script_->next(model_->commands);
   waits_since_ = glfwGetTime();
   if (status) return true;
