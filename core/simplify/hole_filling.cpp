@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <map>
+#include <system_error>
 
 namespace isoscope {
 namespace {
@@ -76,6 +78,25 @@ std::vector<Cap> find_caps(const Complex& complex, const ToleranceVolume& volume
     caps[c].euler_characteristic += static_cast<long>(corners[c].size() + caps[c].facets.size());
   }
   return caps;
+}
+
+std::string loops_in_words(const std::vector<std::uint32_t>& loops) {
+  std::string words = "loops";
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    words += (i == 0 ? " " : ", ") + std::to_string(loops[i] + 1);
+  return words;
+}
+
+std::vector<std::uint32_t> loops_in_words(std::string_view words) {
+  std::vector<std::uint32_t> loops;
+  for (auto at = words.find(' '); at != std::string_view::npos; at = words.find(' ', at + 1)) {
+    std::uint32_t number = 0;
+    const char* const end = words.data() + words.size();
+    if (std::from_chars(words.data() + at + 1, end, number).ec == std::errc{} && number > 0)
+      loops.push_back(number - 1);
+  }
+  sort_unique(loops);
+  return loops;
 }
 
 Delta fill_delta(const Complex& complex, const std::vector<DroppedFacet>& facets) {

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace isoscope {
@@ -32,6 +34,9 @@ struct Cap {
 
 /// The parts in the order of their first facets.
 std::vector<Cap> find_caps(const Complex& complex, const ToleranceVolume& volume);
+/// "loops 1, 3" of numbers of Rim::loops(), as the text of a filling names them, counted from one, and back.
+std::string loops_in_words(const std::vector<std::uint32_t>& loops);
+std::vector<std::uint32_t> loops_in_words(std::string_view words);
 /// What makes facets part of Z that were dropped. Ascending, each once.
 Delta fill_delta(const Complex& complex, const std::vector<DroppedFacet>& facets);
 

@@ -199,9 +199,7 @@ struct Simplification::Impl {
     Event e;
     e.kind = EventKind::fill;
     e.count = static_cast<std::uint32_t>(count);
-    std::string names;
-    for (const std::uint32_t loop : loops) names += (names.empty() ? "" : ", ") + std::to_string(loop + 1);
-    e.text = log.journal().add_text("loops " + names);
+    e.text = log.journal().add_text(loops_in_words(loops));
     return e;
   }
 

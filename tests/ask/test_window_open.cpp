@@ -59,6 +59,17 @@ screenshot )" + picture("open-edge") +
                        R"(
 clear
 end
+filter split
+wait settled
+expect loop.lanes == 1 and loop.events > events.listed and events.listed > 0
+lane loop-1
+wait settled
+expect lane == loop-1 and events.listed == loop.events
+lane-event loop-1 0
+expect event.kind == split
+lane loop-1
+expect lane == none
+end
 holes
 look-at-hole 1
 hole 1 fill

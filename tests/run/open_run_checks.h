@@ -24,6 +24,7 @@ inline std::unique_ptr<CompleteRun> finished_run(RunParameters parameters, Trian
 
 inline void check_certified(const CompleteRun& run, long chi, std::size_t loops, std::size_t components = 1) {
   const Certificate& c = run.result->certificate;
+  INFO(c.topology_note);
   CHECK(c.holds());
   CHECK(c.euler_characteristic == chi);
   CHECK(c.boundary_loops == loops);

@@ -39,6 +39,12 @@ void Debugger::add_values(NamedValues& t) {
     for (const FilteredEvents& lane : lanes) events += lane.rows().size();
     return events;
   });
+  t.add("loop.lanes", "lanes of loops of the open rim", [this] { return loops.lanes().size(); });
+  t.add("loop.events", "events that work on each of them, together", [this] {
+    std::size_t events = 0;
+    for (const std::uint32_t loop : loops.lanes()) events += loops.events(loop).size();
+    return events;
+  });
   t.add("depth", "how deep one steps: 0 stages, 1 operations, 2 gates",
         [this] { return static_cast<int>(window.place.level); });
   t.add("gates", "of the event at which one stands", [this] { return gates().size(); });

@@ -53,7 +53,7 @@ void Debugger::show_event(std::uint32_t index) {
 }
 
 void Debugger::gather_listed() {
-  listed.update(window.run.journal, {window.filter.expression, window.filter.chosen, window.range});
+  listed.update(window.run.journal, {window.filter.expression, window.filter.chosen, window.range, &loops});
 }
 
 // Goes to where the run paused, once a pause, and says why.
@@ -104,6 +104,7 @@ bool Debugger::take_answer() {
 }
 
 void Debugger::gather() {
+  loops.update(window.run.journal, window.run.scene);
   gather_listed();
   lanes.resize(window.settings.filters.size());
   for (std::size_t i = 0; i < lanes.size(); ++i) {
@@ -149,7 +150,7 @@ bool Debugger::update() {
 bool Debugger::is_current() const {
   const auto answer = worker_.answered();
   const bool waits = answer && answer->question.number != told_;
-  return worker_.idle() && !waits && (window.running() || listed.complete());
+  return worker_.idle() && !waits && (window.running() || (listed.complete() && loops.complete()));
 }
 
 std::ptrdiff_t Debugger::current_event() const {

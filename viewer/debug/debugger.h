@@ -51,6 +51,7 @@ class Debugger {
   std::shared_ptr<BreakpointSet> breakpoints = std::make_shared<BreakpointSet>();
   FilteredEvents listed;             ///< what the event list shows
   std::vector<FilteredEvents> lanes; ///< one a saved filter of the settings
+  LoopEvents loops;                  ///< of an open surface
 
   /// Once a frame: arms the session, tells hits, takes answers, gathers lists. True when something changed.
   bool update();

@@ -206,9 +206,9 @@ void Debugger::add_event_commands(CommandTable& table) {
         .enabled = has_run},
        {.name = "lane",
         .title = "Events of one lane",
-        .usage = "CONDITION | KIND | REASON | filter-N",
-        .help = "Lists the events of one lane of the timeline alone, as classification, collapse or "
-                "kernel-empty; again for all.",
+        .usage = "CONDITION | KIND | REASON | filter-N | loop-N | loops-other",
+        .help = "Lists the events of one lane of the timeline alone, as classification, collapse, "
+                "kernel-empty or, of an open surface, loop-3; again for all.",
         .run = on(*this, choose_lane),
         .enabled = has_run},
        {.name = "lane-event",

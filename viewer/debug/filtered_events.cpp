@@ -25,11 +25,13 @@ bool FilteredEvents::update(const std::shared_ptr<const Journal>& journal, const
   if (follows) budget /= follow_cost;
   const auto end =
       static_cast<std::uint32_t>(std::min<std::size_t>(complete_events(*journal_), scanned_ + budget));
-  for (; scanned_ < end; ++scanned_) {
+  const auto loop = query_.loops != nullptr ? query_.chosen.loop : std::nullopt;
+  const auto known = loop ? std::min(end, query_.loops->scanned()) : end;
+  for (; scanned_ < known; ++scanned_) {
     if (follows) watch_->go_to(scanned_);
     const Event& event = journal_->events()[scanned_];
     if (query_.range && !query_.range->holds(event.step)) continue;
-    if (!query_.chosen.passes(event)) continue;
+    if (!query_.chosen.passes(event) || (loop && !query_.loops->touches(*loop, scanned_))) continue;
     if (expression != nullptr && !holds(*expression, *journal_, scanned_, watch_.get())) continue;
     rows_.push_back(scanned_);
     steps_.push_back(event.step);

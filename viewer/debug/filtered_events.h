@@ -1,6 +1,7 @@
 // The events of a growing journal that pass a filter, gathered a little at a time.
 #pragma once
 
+#include "debug/loop_events.h"
 #include "model/event_filter.h"
 #include "query/watch.h"
 
@@ -11,11 +12,12 @@
 
 namespace isoscope {
 
-/// What passes: all three have to agree.
+/// What passes: all have to agree.
 struct EventQuery {
   std::shared_ptr<const Expression> expression; ///< null: everything
   EventFilter chosen;
-  std::optional<StepSpan> range; ///< by Event::step
+  std::optional<StepSpan> range;     ///< by Event::step
+  const LoopEvents* loops = nullptr; ///< who knows the events of a chosen loop; outlives the query
   friend bool operator==(const EventQuery&, const EventQuery&) = default;
 };
 

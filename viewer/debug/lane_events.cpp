@@ -28,6 +28,11 @@ std::optional<LaneFilter> lane_filter(const Debugger& d, std::string_view lane) 
     f.condition = d.window.settings.filters[*saved];
     return f;
   }
+  if (const auto loop = loop_of_lane(lane)) {
+    if (!d.loops.has(*loop)) return std::nullopt;
+    f.chosen.loop = loop;
+    return f;
+  }
   for (const ConditionWords& row : condition_table)
     if (row.value != Condition::none && row.name == lane) {
       f.chosen.conditions = only<condition_count>(static_cast<std::size_t>(row.value));
@@ -63,6 +68,8 @@ std::string shown_lane(const Debugger& d) {
     std::string name = std::string(filter_prefix) + std::to_string(i + 1);
     if (shows_lane(d, name)) return name;
   }
+  if (now.chosen.loop && shows_lane(d, loop_lane_name(*now.chosen.loop)))
+    return loop_lane_name(*now.chosen.loop);
   const auto among = [&](const auto& table) {
     for (const auto& row : table)
       if (shows_lane(d, row.name)) return std::string(row.name);
@@ -84,9 +91,10 @@ std::optional<std::uint32_t> nearest_event(const Debugger& d, std::string_view l
     if (far(at) > reach) return;
     if (!best || far(at) < far(journal.events()[*best].step)) best = event;
   };
-  if (const auto saved = saved_filter(d, lane)) {
-    if (*saved >= d.lanes.size()) return std::nullopt;
-    const auto& rows = d.lanes[*saved].rows();
+  const auto saved = saved_filter(d, lane);
+  if (saved && *saved >= d.lanes.size()) return std::nullopt;
+  if (saved || f->chosen.loop) {
+    const auto& rows = saved ? d.lanes[*saved].rows() : d.loops.events(*f->chosen.loop);
     const auto at = std::partition_point(
         rows.begin(), rows.end(), [&](std::uint32_t row) { return journal.events()[row].step < step; });
     if (at != rows.begin()) take(*std::prev(at));

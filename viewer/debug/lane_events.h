@@ -9,7 +9,8 @@
 namespace isoscope {
 
 /// What lets a lane's events pass, and no others. Lanes are called as conditions, kinds and reasons are in
-/// scripts, and those of saved filters filter-1, filter-2 ...
+/// scripts, and those of saved filters filter-1, filter-2 ..., those of
+/// loops of the open rim loop-1, loop-2 ... and loops-other.
 struct LaneFilter {
   EventFilter chosen;
   std::string condition; ///< of a saved filter

@@ -5,20 +5,27 @@
 #include "query/expression.h"
 
 #include <bitset>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace isoscope {
 
-/// A set bit lets an event of that kind pass; an event passes when all of its four do.
+/// A set bit lets an event of that kind pass; an event passes when all of its four do, and works on the loop
+/// of the open rim, where one is chosen: that is for whoever gathers events to ask.
 struct EventFilter {
   std::bitset<stage_count> stages = std::bitset<stage_count>().set();
   std::bitset<event_kind_count> kinds = std::bitset<event_kind_count>().set();
   std::bitset<condition_count> conditions = std::bitset<condition_count>().set();
   std::bitset<reason_count> reasons = std::bitset<reason_count>().set();
 
+  std::optional<std::uint32_t> loop; ///< its number, or other_loops
+
   bool passes(const Event& event) const;
-  bool everything() const { return stages.all() && kinds.all() && conditions.all() && reasons.all(); }
+  bool everything() const {
+    return stages.all() && kinds.all() && conditions.all() && reasons.all() && !loop;
+  }
   friend bool operator==(const EventFilter&, const EventFilter&) = default;
 };
 

@@ -11,6 +11,12 @@
 
 namespace isoscope {
 
+/// A part of the bars of a lane.
+struct LanePart {
+  Rgb color = 0;
+  std::function<std::uint32_t(Step, Step)> count; ///< within [begin, end)
+};
+
 /// One lane. Operations are drawn by their share of the steps, rejections, of which there may be any number
 /// at a step, by the logarithm of their number.
 struct TimelineLane {
@@ -21,13 +27,14 @@ struct TimelineLane {
   MarkerShape shape = MarkerShape::disc;
   bool rejections = false;
   std::uint32_t total = 0;
-  std::function<std::uint32_t(Step, Step)> count; ///< within [begin, end)
-  std::string letter;                             ///< of a saved filter, instead of the shape
+  std::vector<LanePart> parts; ///< from below
+  std::string letter;          ///< of a saved filter, instead of the shape
 };
 
-/// All lanes that hold something: insertions by condition, operations on edges by kind, rejections by reason.
-/// Of more than `most` those with the smallest numbers are left out. Saved filters come first and stay.
-/// Totals are those of the chosen range of steps, if any.
+/// All lanes that hold something: insertions by condition, operations on edges by kind, rejections by reason,
+/// and at the end loops of the open rim by what works on them. Of more than `most` those with the smallest
+/// numbers are left out, of loops the shortest, which keep a third. Saved filters come first and stay. Totals
+/// are those of the chosen range of steps, if any.
 std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind theme, std::size_t most);
 
 } // namespace isoscope

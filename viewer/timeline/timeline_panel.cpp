@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 namespace isoscope {
 
@@ -154,7 +156,6 @@ void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
 // A lane a reason: bars a few pixels wide, as high as the lane's share of the steps below them; for
 // rejections by the logarithm of their number.
 void TimelinePane::density(Ui& ui, ImVec2 low, ImVec2 size, float gutter) {
-  const WindowState& m = ui.window;
   const float gap = ui.px(1), least = ui.px(12);
   const auto most = static_cast<std::size_t>(std::max(1.0f, (size.y + gap) / (least + gap)));
   const std::vector<TimelineLane> lanes = timeline_lanes(debugger_, ui.theme, most);
@@ -163,10 +164,6 @@ void TimelinePane::density(Ui& ui, ImVec2 low, ImVec2 size, float gutter) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto used = static_cast<float>(lanes.size());
   const float lane = std::min((size.y - gap * (used - 1)) / used, ui.px(30));
-  const double steps = range_.end - range_.begin;
-  const int bins =
-      std::max(1, static_cast<int>(std::min(static_cast<double>(size.x / ui.px(3)), std::ceil(steps))));
-  const auto edge = [&](int i) { return static_cast<Step>(range_.begin + steps * i / bins); };
   float y = low.y;
   for (const TimelineLane& row : lanes) {
     const float text_y = y + (lane - ui.fonts.small->FontSize) / 2;
@@ -197,29 +194,53 @@ void TimelinePane::density(Ui& ui, ImVec2 low, ImVec2 size, float gutter) {
     widgets::draw_text(list, ui.fonts.mono, {low.x - extent - ui.px(10), text_y}, to_u32(ui.colors.quiet),
                        count);
     list.AddRectFilled({low.x, y}, {low.x + size.x, y + lane}, to_u32(ui.colors.ground, 0.6f), ui.px(3));
-    std::vector<std::uint32_t> numbers(static_cast<std::size_t>(bins), 0);
-    std::uint32_t largest = 1;
-    for (int i = 0; i < bins; ++i) {
-      // The last bin also holds what was rejected after the last operation.
-      const Step begin = edge(i), end = std::max(edge(i + 1), begin + 1) + (i + 1 == bins ? 1 : 0);
-      auto& n = numbers[static_cast<std::size_t>(i)];
-      n = row.count(begin, row.rejections ? end : std::min(end, m.index.steps()));
-      largest = std::max(largest, n);
-    }
-    for (int i = 0; i < bins; ++i) {
-      const auto n = static_cast<float>(numbers[static_cast<std::size_t>(i)]);
-      if (n == 0) continue;
-      const Step begin = edge(i);
-      const auto width = static_cast<float>(std::max(edge(i + 1), begin + 1) - begin);
-      const float share = row.rejections ? std::log1p(n) / std::log1p(static_cast<float>(largest))
-                                         : std::sqrt(std::min(n / width, 1.0f));
-      const float x0 = low.x + size.x * static_cast<float>(i) / static_cast<float>(bins),
-                  x1 = low.x + size.x * static_cast<float>(i + 1) / static_cast<float>(bins);
-      const float high = std::max(ui.px(2), (lane - ui.px(1)) * share);
-      list.AddRectFilled({x0, y + lane - high}, {std::max(x1, x0 + 1), y + lane},
-                         to_u32(row.color, strength * (begin < m.transport.step() ? 0.9f : 0.38f)));
-    }
+    lane_bars(ui, row, {low.x, y}, {size.x, lane}, strength);
     y += lane + gap;
+  }
+}
+
+void TimelinePane::lane_bars(const Ui& ui, const TimelineLane& row, ImVec2 low, ImVec2 size,
+                             float strength) const {
+  const WindowState& m = ui.window;
+  const double steps = range_.end - range_.begin;
+  const int bins =
+      std::max(1, static_cast<int>(std::min(static_cast<double>(size.x / ui.px(3)), std::ceil(steps))));
+  const auto edge = [&](int i) { return static_cast<Step>(range_.begin + steps * i / bins); };
+  // By bin and part.
+  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(bins) * row.parts.size(), 0);
+  const auto of_bin = [&](int i) {
+    return std::span(numbers).subspan(static_cast<std::size_t>(i) * row.parts.size(), row.parts.size());
+  };
+  std::uint32_t largest = 1;
+  for (int i = 0; i < bins; ++i) {
+    // The last bin also holds what was rejected after the last operation.
+    const Step begin = edge(i), end = std::max(edge(i + 1), begin + 1) + (i + 1 == bins ? 1 : 0);
+    const auto of_parts = of_bin(i);
+    std::uint32_t n = 0;
+    for (std::size_t p = 0; p < row.parts.size(); ++p)
+      n += of_parts[p] = row.parts[p].count(begin, row.rejections ? end : std::min(end, m.index.steps()));
+    largest = std::max(largest, n);
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (int i = 0; i < bins; ++i) {
+    const auto of_parts = of_bin(i);
+    const auto n = static_cast<float>(std::accumulate(of_parts.begin(), of_parts.end(), 0u));
+    if (n == 0) continue;
+    const Step begin = edge(i);
+    const auto width = static_cast<float>(std::max(edge(i + 1), begin + 1) - begin);
+    const float share = row.rejections ? std::log1p(n) / std::log1p(static_cast<float>(largest))
+                                       : std::sqrt(std::min(n / width, 1.0f));
+    const float x0 = low.x + size.x * static_cast<float>(i) / static_cast<float>(bins),
+                x1 = low.x + size.x * static_cast<float>(i + 1) / static_cast<float>(bins);
+    float y = low.y + size.y;
+    for (std::size_t p = 0; p < row.parts.size(); ++p) {
+      if (of_parts[p] == 0) continue;
+      const float part = share * static_cast<float>(of_parts[p]) / n;
+      const float high = std::max(ui.px(2), (size.y - ui.px(1)) * part);
+      list.AddRectFilled({x0, y - high}, {std::max(x1, x0 + 1), y},
+                         to_u32(row.parts[p].color, strength * (begin < m.transport.step() ? 0.9f : 0.38f)));
+      y -= high;
+    }
   }
 }
 

@@ -21,6 +21,8 @@ struct StepRange {
   void pan(double by, Step steps);
 };
 
+struct TimelineLane;
+
 class TimelinePane {
  public:
   TimelinePane(const Debugger& debugger, const Talk& talk, Investigation& asked, const Comparison& comparison)
@@ -33,6 +35,8 @@ class TimelinePane {
   void stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const;
   /// `gutter`: room on the left of the area for the lanes' names.
   void density(Ui& ui, ImVec2 low, ImVec2 size, float gutter);
+  /// How often over the steps, part upon part.
+  void lane_bars(const Ui& ui, const TimelineLane& row, ImVec2 low, ImVec2 size, float strength) const;
   /// A click on a bar of a lane goes to the nearest event of that lane.
   void lane_click(Ui& ui, ImVec2 low, ImVec2 size);
   void marks(const Ui& ui, ImVec2 low, ImVec2 size, float y) const;
