@@ -11,15 +11,22 @@ namespace isoscope {
 /// What kind of failure; the batch program's exit status follows from it (2 usage, 3 bad input,
 /// 4 stopped).
 enum class ErrorCode {
-  usage,        ///< an option or a command is wrong
-  bad_input,    ///< a file cannot be read or does not describe a surface we can work on
-  unsupported,  ///< understood, but not served by this version
-  open_surface, ///< the input has a border that Ω does not close, which this version does not serve
-  io,           ///< a file cannot be written, a disk is full
-  cancelled,    ///< stopped by the user or by a limit
-  device,       ///< display, OpenGL or font trouble
-  internal      ///< an invariant of ours does not hold
+  usage,         ///< an option or a command is wrong
+  bad_input,     ///< a file cannot be read or does not describe a surface we can work on
+  unsupported,   ///< understood, but not served by this version
+  open_surface,  ///< the input has a border that Ω does not close, which this version does not serve
+  joined_sheets, ///< sheets of the input meet, cross or lie too near where Ω does not take that in
+  io,            ///< a file cannot be written, a disk is full
+  cancelled,     ///< stopped by the user or by a limit
+  device,        ///< display, OpenGL or font trouble
+  internal       ///< an invariant of ours does not hold
 };
+
+/// Whether what was given cannot be worked on: not how, but what was asked for.
+constexpr bool refuses_input(ErrorCode code) {
+  return code == ErrorCode::bad_input || code == ErrorCode::unsupported || code == ErrorCode::open_surface ||
+         code == ErrorCode::joined_sheets;
+}
 
 /// One failure. `message` is a full sentence that names the place; `remedy` says what to do and may be empty.
 struct Error {

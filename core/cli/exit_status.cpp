@@ -8,13 +8,10 @@
 namespace isoscope {
 
 int exit_status(ErrorCode code) {
+  if (refuses_input(code)) return 3;
   switch (code) {
   case ErrorCode::usage:
     return 2;
-  case ErrorCode::bad_input:
-  case ErrorCode::unsupported:
-  case ErrorCode::open_surface:
-    return 3;
   case ErrorCode::cancelled:
     return 4;
   default:

@@ -9,6 +9,7 @@
 #include "cli/summary.h"
 #include "cli/tiles.h"
 #include "cli/verbs.h"
+#include "improve/improver.h"
 #include "input/mesh_io.h"
 #include "journal/describe.h"
 #include "recording/recording_writer.h"
@@ -202,7 +203,7 @@ int run(int argc, char** argv) {
   for (const ParameterWarning& w : (*scene)->warnings) note(w.message);
   if (!(*scene)->thickening_note.empty()) note((*scene)->thickening_note);
   if (const std::string start = start_note(*parameters, **scene); !start.empty() && !quiet) note(start);
-  if (parameters->effort == 3 && parameters->time_limit == 0 && !quiet)
+  if (parameters->effort == endless_effort && parameters->time_limit == 0 && !quiet)
     note("The improver goes on until Ctrl-C; --time-limit ends it as well.");
   recording.start(*parameters, **scene, journal);
   const auto result = pipeline.run();

@@ -8,6 +8,7 @@
 #include "cli/interruptible.h"
 #include "cli/passed_options.h"
 #include "cli/sweep_verbs.h"
+#include "improve/improver.h"
 #include "run/report.h"
 #include "sweep/slurm.h"
 
@@ -70,7 +71,7 @@ Result<Plan> plan_of(const Asks& asks, const PassedOptions& passed, const Comman
   if (!tolerances) return tolerances.error();
   auto words = passed.words();
   if (!words) return words.error();
-  if (passed.parameters().effort == 3 && passed.parameters().time_limit == 0)
+  if (passed.parameters().effort == endless_effort && passed.parameters().time_limit == 0)
     return Error{ErrorCode::usage, "--effort 3 improves without end.", "Give a --time-limit for each run."};
   auto models = find_models(asks.models);
   if (!models) return models.error();

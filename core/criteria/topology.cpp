@@ -122,8 +122,17 @@ ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode m
     expected.required = embedded;
     return expected;
   }
-  const bool meets_itself = input.sides_known() && !one_surface;
   const Side outer = side_of(volume, +1), inner = side_of(volume, -1);
+  if (volume.sides().by_solid_angles() && !thickening && !volume.has_inner_walls() && input.manifold &&
+      input.components == 1) {
+    expected.euler_characteristic =
+        *input.euler_characteristic + static_cast<long>(input.boundary_loops.value_or(0));
+    expected.components = 1;
+    expected.source = "the input, its holes closed";
+    expected.required = outer.components == 1 && outer.euler_characteristic == *expected.euler_characteristic;
+    return expected;
+  }
+  const bool meets_itself = input.sides_known() && !one_surface;
   if (outer.components == 0 || inner.components == 0) {
     expect_nothing(expected, "Ω has no boundary on one side");
     return expected;

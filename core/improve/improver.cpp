@@ -91,7 +91,7 @@ class Improver {
 
   ImproverOutcome run() {
     if (!options_.rounds_alone) run_phases();
-    if (options_.effort >= 3) go_on();
+    if (options_.effort >= endless_effort) go_on();
     if (stopped_ || control_.cancelled()) outcome_.end = ImproverOutcome::End::stopped;
     return outcome_;
   }

@@ -12,6 +12,9 @@
 
 namespace isoscope {
 
+/// The effort with which the improver ends only when it is stopped.
+inline constexpr int endless_effort = 3;
+
 struct ImproverOptions {
   /// 0: greedy collapses to minimax targets; 1: with relaxation between rounds; 2: then collapses with repair
   /// of the 2-ring, at most 5,000 tries, and passes of flips against the energy with collapses after each,

@@ -106,7 +106,8 @@ Turn ContainmentCondition::mend(TetId t, const Violation& violation) {
 
 Turn ContainmentCondition::give_up(TetId t, Checklist::State state, Event event) {
   checklist_.set(t, state);
-  if (!open_at_ && context_.volume().has_surface() && !context_.volume().sides().known() &&
+  const InputSides& sides = context_.volume().sides();
+  if (!open_at_ && context_.volume().has_surface() && (!sides.known() || sides.by_solid_angles()) &&
       context_.volume().open_sides() == nullptr)
     open_at_ = both_sides_meet(t);
   event.kind = EventKind::exhausted;

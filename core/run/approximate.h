@@ -22,7 +22,8 @@ struct Approximation {
 /// Runs all stages that the parameters ask for on the calling thread and on the threads of the parameters;
 /// their `input` is not read. A control that is cancelled, or their time limit, ends it with the mesh of the
 /// moment. A mesh that could not be certified is no failure: Certificate::holds() tells. Fails with
-/// bad_input, open_surface, unsupported, usage (parameters) or cancelled (before there was a mesh).
+/// bad_input, open_surface, joined_sheets, unsupported, usage (parameters) or cancelled (before there was a
+/// mesh).
 Result<Approximation> approximate(TriangleSoup soup, const RunParameters& parameters, RunControl& control);
 
 } // namespace isoscope

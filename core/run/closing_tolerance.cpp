@@ -5,7 +5,6 @@
 #include "refine/refinement.h"
 #include "run/passing_gate.h"
 #include "tolerance/parameter_check.h"
-#include "tolerance/region_labels.h"
 #include "tolerance/thin_parts.h"
 
 #include <cmath>
@@ -171,9 +170,10 @@ Error with_separating_tolerance(Error refused, const RefusedInput& input, const 
                                 const RunControl& control) {
   Trials trials(input, true, parameters, control);
   const Found found = search(trials, input.options.delta, true, control);
-  if (control.cancelled()) return refused;
-  refused.remedy.resize(refused.remedy.size() - larger_takes_in.size());
-  if (found.percent)
+  refused.remedy += " ";
+  if (control.cancelled())
+    refused.remedy += "A larger tolerance takes in what is short.";
+  else if (found.percent)
     refused.remedy += (found.smallest ? "The smallest larger tolerance at which a run begins is about "
                                       : "A run begins at a tolerance of ") +
                       share_text(*found.percent, trials.longest_edge()) + ".";

@@ -26,7 +26,7 @@ Error with_closing_tolerance(Error open, const RefusedInput& input, const RunPar
                              const RunControl& control);
 
 /// The same of sheets that meet, cross or lie too near to each other, which may be open at the tolerance that
-/// is sought: named is the smallest one found at which a run begins, in the place of `larger_takes_in`.
+/// is sought: the remedy goes on with the smallest one found at which a run begins.
 Error with_separating_tolerance(Error refused, const RefusedInput& input, const RunParameters& parameters,
                                 const RunControl& control);
 

@@ -2,6 +2,7 @@
 #include "run/input_walls.h"
 
 #include "base/disjoint_sets.h"
+#include "tolerance/volume_components.h"
 #include "tolerance/welded_mesh.h"
 
 #include <algorithm>
@@ -24,6 +25,8 @@ std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index) {
   return parts;
 }
 
+/// In δ': triangles of a soup belong to one part across cracks of twice that.
+constexpr double widest_crack = 0.25;
 /// A ball lies on a wall where nothing is nearer to its centre than this share of its radius.
 constexpr double fits = 1 - 1e-6;
 /// Cosine between the outward normals of a wall and of one that leans over it: some 75° between the walls or
@@ -62,7 +65,11 @@ Sight sight(const ToleranceVolume& volume, Vec3 p, Vec3 direction) {
 
 InputWalls::InputWalls(const ToleranceVolume& volume)
     : volume_(volume), gap_(2 * volume.thresholds().boundary) {
-  if (volume.input().components > 1) part_ = parts_of(volume.index());
+  if (volume.input().components <= 1) return;
+  if (volume.sides().by_solid_angles())
+    part_ = find_volume_components(volume.index(), widest_crack * volume.thresholds().boundary).of_triangle;
+  else
+    part_ = parts_of(volume.index());
 }
 
 bool InputWalls::near_another_part(TriangleId own, const Triangle3& piece) const {

@@ -98,7 +98,7 @@ Error Preparation::refused(Error error, const Scene& at) const {
   }
   if (at.field->surface() == nullptr) return error;
   const RefusedInput input{at.field, at.input_topology, kept_area_, volume_options(at.delta)};
-  if (error.remedy.ends_with(larger_takes_in)) {
+  if (error.code == ErrorCode::joined_sheets) {
     control_.report("tolerance that parts the sheets", -1);
     return with_separating_tolerance(std::move(error), input, parameters_, control_);
   }

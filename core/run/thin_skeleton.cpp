@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/sort_unique.h"
 
+#include <algorithm>
 #include <queue>
 #include <utility>
 
@@ -83,11 +84,24 @@ ThinSkeleton::Node ThinSkeleton::make_node(const Cell& cell) const {
   const Vec3 normal = normalized(area_vector(wall));
   if (normal == Vec3{}) return node;
   const WallVerdict verdict = walls_.judge(closest.triangle, closest.point, normal);
-  if (!verdict.bounds(label_)) return node;
-  const Vec3 direction = (verdict.outward > 0) == (label_ > 0) ? normal : -normal;
   const double boundary = volume_.thresholds().boundary;
-  const double radius = touching_radius(volume_.index(), closest.point, direction, boundary);
-  node.middle = closest.point + radius * direction;
+  const auto largest = [&](Vec3 direction) {
+    return touching_radius(volume_.index(), closest.point, direction, boundary);
+  };
+  double radius = 0;
+  if (verdict.bounds(label_)) {
+    const Vec3 direction = (verdict.outward > 0) == (label_ > 0) ? normal : -normal;
+    radius = largest(direction);
+    node.middle = closest.point + radius * direction;
+  } else if (verdict.kind == Wall::inner && volume_.sides().known()) {
+    // The way leads through what is a wall within the side only, as where parts overlap.
+    const double front = largest(normal), back = largest(-normal);
+    radius = std::max(front, back);
+    node.middle = closest.point + (front >= back ? front : -back) * normal;
+    if (volume_.sides().label(node.middle) != label_) return node;
+  } else {
+    return node;
+  }
   node.usable = true;
   node.root = radius >= root_radius * boundary;
   return node;

@@ -29,9 +29,6 @@ constexpr int most_rounds = 10;
 /// ones bring nothing that it does not find too.
 constexpr int most_exchanges = 8, exchanges_before_improver = 1;
 
-/// With it the improver never ends.
-constexpr int endless_effort = 3;
-
 /// Those behind the refinement.
 constexpr std::span<const Stage> stage_order = std::span(stages_in_order).subspan(2);
 static_assert(stage_order.front() == Stage::gamma);

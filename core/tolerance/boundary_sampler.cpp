@@ -79,19 +79,17 @@ Error inseparable_near(const ToleranceVolume& volume, Vec3 p, const RunControl& 
     if (const double d = distance(middle, p); d < least) least = d, crossing = middle;
   }
   if (crossing)
-    return {ErrorCode::unsupported,
+    return {ErrorCode::joined_sheets,
             "The input is not a manifold surface: sheets cross or branch near " +
                 place(*crossing, place_digits) + ".",
-            "Cut them apart along that line, and leave out what is not wanted. " +
-                std::string(larger_takes_in)};
+            "Cut them apart along that line, and leave out what is not wanted."};
   return {
-      ErrorCode::unsupported,
+      ErrorCode::joined_sheets,
       "The sides of the open surface cannot be told apart near " + place(p, place_digits) +
           ": none of its triangles cross there, but Ω joins its parts, so that what lies across from each "
           "other is one side.",
       parting_words(volume, control) +
-          "Filling the holes there, or taking out what lies between the parts, helps too. " +
-          std::string(larger_takes_in)};
+          "Filling the holes there, or taking out what lies between the parts, helps too."};
 }
 
 class Sampler {

@@ -48,6 +48,11 @@ std::string_view name(SideRule rule) {
   return names[static_cast<std::size_t>(rule)];
 }
 
+int InputSides::winding_number(Vec3 p) const {
+  if (angles_) return static_cast<int>(std::lround(angles_->winding(p)));
+  return index_->winding_number(p, turns());
+}
+
 bool InputSides::inside(Vec3 p) const {
   switch (rule_) {
   case SideRule::winding:
@@ -72,9 +77,10 @@ bool InputSides::inside(Vec3 p) const {
 }
 
 std::optional<bool> InputSides::unanimous_parity(Vec3 p) const {
-  const unsigned inside = votes_for_inside(*index_, p);
-  if (inside == 0) return false;
-  if (inside == ballot_size) return true;
+  if (angles_) return inside(p);
+  const unsigned votes = votes_for_inside(*index_, p);
+  if (votes == 0) return false;
+  if (votes == ballot_size) return true;
   return std::nullopt;
 }
 

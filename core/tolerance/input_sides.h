@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tolerance/closest_point.h"
+#include "tolerance/solid_angles.h"
 
 #include <cstdint>
 #include <memory>
@@ -44,11 +45,17 @@ class InputSides {
              std::shared_ptr<const std::vector<std::int8_t>> turns)
       : index_(std::move(index)), turns_(std::move(turns)), rule_(rule) {}
 
+  /// Of a soup whose solid angles tell how often it winds around a point.
+  InputSides(std::shared_ptr<const ClosestPointIndex> index, std::shared_ptr<const SolidAngles> angles)
+      : index_(std::move(index)), angles_(std::move(angles)), rule_(SideRule::winding) {}
+
   /// Of a field without a surface: it knows them, or they go with the depth of regions.
   explicit InputSides(std::shared_ptr<const ToleranceField> field, SideRule rule)
       : field_(std::move(field)), rule_(rule) {}
 
   SideRule rule() const { return rule_; }
+  /// Whether the input does not close, and winds clearly all the same.
+  bool by_solid_angles() const { return angles_ != nullptr; }
   /// Whether every point off the input has a side that is known.
   bool known() const {
     return rule_ != SideRule::colouring && rule_ != SideRule::depth && rule_ != SideRule::rooms;
@@ -61,7 +68,7 @@ class InputSides {
   /// F of p: -1 inside, +1 outside.
   int label(Vec3 p) const { return inside(p) ? -1 : +1; }
   /// How often the input winds around p, as it is oriented; only meaningful where that closes.
-  int winding_number(Vec3 p) const { return index_->winding_number(p, turns()); }
+  int winding_number(Vec3 p) const;
   /// Whether all of many rays say that p is inside (true), none does (false), or some do only (nothing).
   std::optional<bool> unanimous_parity(Vec3 p) const;
   /// The label of b, when that of a is `label`: by what the segment between them crosses, if there is a
@@ -70,6 +77,7 @@ class InputSides {
 
  private:
   std::shared_ptr<const ClosestPointIndex> index_;
+  std::shared_ptr<const SolidAngles> angles_;   ///< where the input winds without closing
   std::shared_ptr<const ToleranceField> field_; ///< where there is no surface
   std::shared_ptr<const std::vector<std::int8_t>> turns_;
   SideRule rule_ = SideRule::colouring;

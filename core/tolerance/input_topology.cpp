@@ -48,6 +48,7 @@ void choose_side_rule(const WeldedMesh& mesh, const std::vector<EdgeUse>& uses, 
   const FacetTurns turns = find_facet_turns(mesh, uses);
   const bool open = turns.closedness == Closedness::open;
   if (!open || mode != SidesMode::parity) topology.turns = turns.turns;
+  topology.may_wind_open = open && mode != SidesMode::parity && !topology.every_region;
   if (open) return;
   const bool oriented = turns.closedness == Closedness::oriented;
   topology.side_rule = oriented && mode != SidesMode::parity ? SideRule::winding : SideRule::parity;

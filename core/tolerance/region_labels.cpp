@@ -6,6 +6,7 @@
 #include "tolerance/facet_turns.h"
 #include "tolerance/patch_seams.h"
 #include "tolerance/room_labels.h"
+#include "tolerance/wall_neighbours.h"
 
 #include <algorithm>
 #include <deque>
@@ -21,10 +22,10 @@ constexpr std::size_t thickness_probes = 2000;
 /// Places between its walls that are asked whether a part is closed.
 constexpr std::size_t thin_part_probes = 16;
 constexpr int most_steps = 200; ///< of a climb
-/// Triangles whose sides are compared, how far from the plane in units of δ', and the share of them with one
-/// region on both sides from which on the surface counts as open.
+/// Triangles whose sides are compared, and the share of them with one region on both sides from which on the
+/// surface counts as open.
 constexpr std::size_t side_probes = 4000;
-constexpr double side_reach = 1.2, open_share = 0.05;
+constexpr double open_share = 0.05;
 /// The same of one component of Ω' among others that separate.
 constexpr double open_component_share = 0.5;
 /// The share of the sides of a component's triangles that must have a neighbour for its border to mean
@@ -77,24 +78,16 @@ bool is_open_at_border(const ToleranceVolume& volume) {
 void add_one_sided(const ToleranceVolume& volume, const std::vector<bool>& thin,
                    std::vector<std::uint8_t>& open, const RunControl& control) {
   const ClosestPointIndex& index = volume.index();
-  const double reach = side_reach * volume.thresholds().boundary;
   const std::size_t stride = index.size() / side_probes + 1;
   std::vector<std::size_t> compared(open.size(), 0), same(open.size(), 0);
   std::size_t all_compared = 0, all_same = 0;
   for (std::size_t i = 0; i < index.size() && !control.cancelled(); i += stride) {
     const std::uint32_t component = volume.volume_component(TriangleId(i));
     if (thin[component]) continue;
-    const Triangle3& t = index.triangle(TriangleId(i));
-    const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
-    if (n == Vec3{}) continue;
-    std::array<RegionId, 2> sides;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Vec3 p = centroid(t) + (k == 0 ? reach : -reach) * n;
-      const ClosestPoint closest = index.closest(p);
-      if (closest.distance() > volume.thresholds().boundary) sides[k] = volume.escape(p, closest).region;
-    }
-    if (!sides[0].valid() || !sides[1].valid()) continue;
-    const bool alike = sides[0] == sides[1];
+    const WallNeighbours sides =
+        neighbours_of_wall(volume, {TriangleId(i), centroid(index.triangle(TriangleId(i)))});
+    if (!sides.told()) continue;
+    const bool alike = sides.ends_in_the_open();
     ++compared[component], ++all_compared;
     same[component] += alike, all_same += alike;
   }
@@ -300,10 +293,10 @@ Result<std::shared_ptr<const OpenSides>> find_open_sides(const ToleranceVolume& 
     const std::uint32_t c = volume.volume_component(index.closest(*fin).triangle);
     const bool separates = regions_by_component(volume)[c].size() > 1;
     const auto wall = separates ? one_sided_wall(volume, c, control) : std::nullopt;
-    return Error{ErrorCode::unsupported,
+    return Error{ErrorCode::joined_sheets,
                  "The input is not a manifold surface: an open sheet ends on another part of it near " +
                      place(wall.value_or(*fin), place_digits) + ".",
-                 "Remove what stands out there. " + std::string(larger_takes_in)};
+                 "Remove what stands out there."};
   }
   const std::vector<std::uint8_t> rimmed = with_rim(volume, *sides);
   for (std::uint32_t c = 0; c < open.size(); ++c)
@@ -418,7 +411,7 @@ Result<std::vector<int>> label_by_two_colouring(const ToleranceVolume& volume, c
           const auto there = volume.sides().unanimous_parity(volume.regions()[to.index()].deepest);
           if (!here || !there) {
             if (is_open_at_border(volume)) return open_component_error(volume, c);
-            return std::vector<int>();
+            return label_by_walls(volume, control).value_or(std::vector<int>());
           }
           sign = *here == *there ? +1 : -1;
         }

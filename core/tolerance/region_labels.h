@@ -6,7 +6,6 @@
 #include "tolerance/tolerance_volume.h"
 
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 namespace isoscope {
@@ -48,10 +47,6 @@ DepthLabels spread_labels(const ToleranceVolume& volume, std::vector<int> of_reg
 /// What is said where inside and outside turn out to be one: open_surface_near(), in words for points where
 /// depths tell the sides.
 Error joined_sides_near(const ToleranceVolume& volume, Vec3 p);
-
-/// How the remedies of refusals end where sheets meet, cross or lie too near to each other: those who look
-/// for such a tolerance put the answer in its place.
-inline constexpr std::string_view larger_takes_in = "A larger tolerance takes in what is short.";
 
 /// The label of the region that ways up from p, which is outside of Ω', lead to; 0 where that is not told.
 int label_above(const ToleranceVolume& volume, Vec3 p);

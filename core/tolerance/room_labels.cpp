@@ -4,9 +4,9 @@
 #include "base/parallel.h"
 #include "base/place.h"
 #include "tolerance/delta_study.h"
+#include "tolerance/wall_neighbours.h"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <limits>
 #include <string>
@@ -15,35 +15,7 @@ namespace isoscope {
 namespace {
 
 constexpr int most_rooms = std::numeric_limits<std::int8_t>::max();
-/// Both sides of walls are looked at this far from them, in units of δ', at places about so many δ apart, but
-/// at no more of them than this.
-constexpr double wall_reach = 1.2, probe_spacing = 2;
-constexpr std::size_t most_probes = 100000, probes_per_task = 256;
-
-/// Places spread over the triangles, each with its triangle: at least one in each.
-struct WallProbe {
-  TriangleId triangle;
-  Vec3 point;
-};
-std::vector<WallProbe> probes_on_walls(const ClosestPointIndex& index, double spacing) {
-  double area = 0;
-  for (std::size_t i = 0; i < index.size(); ++i) area += isoscope::area(index.triangle(TriangleId(i)));
-  const double share = std::max(spacing * spacing, area / most_probes);
-  std::vector<WallProbe> probes;
-  for (std::size_t i = 0; i < index.size(); ++i) {
-    const Triangle3& t = index.triangle(TriangleId(i));
-    // n² equal parts, each asked at its middle: the upright ones and those between them.
-    const auto n = static_cast<int>(std::ceil(std::sqrt(isoscope::area(t) / share)));
-    const Vec3 u = (t[1] - t[0]) / std::max(n, 1), v = (t[2] - t[0]) / std::max(n, 1);
-    for (int a = 0; a < n; ++a)
-      for (int b = 0; a + b < n; ++b) {
-        const Vec3 corner = t[0] + double(a) * u + double(b) * v;
-        probes.push_back({TriangleId(i), corner + (u + v) / 3});
-        if (a + b + 1 < n) probes.push_back({TriangleId(i), corner + 2.0 / 3 * (u + v)});
-      }
-  }
-  return probes;
-}
+constexpr std::size_t probes_per_task = 256;
 
 /// Numbers the deep regions; 0 stays with the others.
 class RoomNumbers {
@@ -109,22 +81,11 @@ class RoomNumbers {
 
 std::optional<Vec3> one_sided_wall(const ToleranceVolume& volume, std::optional<std::uint32_t> component,
                                    const RunControl& control) {
-  const ClosestPointIndex& index = volume.index();
-  const double boundary = volume.thresholds().boundary;
-  const std::vector<WallProbe> probes = probes_on_walls(index, probe_spacing * volume.thresholds().delta);
+  const std::vector<WallProbe> probes = probes_on_walls(volume);
   std::vector<std::uint8_t> fin(probes.size(), 0);
   parallel_until(probes.size(), probes_per_task, control, [&](std::size_t i) {
-    if (component && volume.volume_component(probes[i].triangle) != *component) return;
-    const Triangle3& t = index.triangle(probes[i].triangle);
-    const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
-    if (n == Vec3{}) return;
-    const auto region = [&](double reach) {
-      const Vec3 p = probes[i].point + reach * boundary * n;
-      const ClosestPoint closest = index.closest(p);
-      return closest.distance() > boundary ? volume.escape(p, closest).region : RegionId();
-    };
-    const RegionId above = region(wall_reach);
-    fin[i] = above.valid() && region(-wall_reach) == above;
+    if (!component || volume.volume_component(probes[i].triangle) == *component)
+      fin[i] = neighbours_of_wall(volume, probes[i]).ends_in_the_open();
   });
   const auto found = std::find(fin.begin(), fin.end(), 1);
   if (found == fin.end()) return std::nullopt;
@@ -136,10 +97,10 @@ Result<DepthLabels> label_rooms(const ToleranceVolume& volume, const RunControl&
   if (!labels) return labels.error();
   const bool rooms = *std::min_element(labels->begin(), labels->end()) < -1;
   if (const auto fin = rooms ? one_sided_wall(volume, {}, control) : std::nullopt)
-    return Error{ErrorCode::unsupported,
+    return Error{ErrorCode::joined_sheets,
                  "A wall ends in the open near " + place(*fin, place_digits) +
                      ": one region is on both sides of it, and rooms cannot have fins.",
-                 "Remove what stands out there. " + std::string(larger_takes_in)};
+                 "Remove what stands out there."};
   return spread_labels(volume, std::move(*labels), control);
 }
 

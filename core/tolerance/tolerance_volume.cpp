@@ -9,6 +9,7 @@
 #include "tolerance/regions.h"
 #include "tolerance/room_labels.h"
 #include "tolerance/volume_components.h"
+#include "tolerance/wall_neighbours.h"
 #include "tolerance/wall_samples.h"
 
 #include <algorithm>
@@ -157,6 +158,13 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
   if (control.cancelled()) return stopped;
   v.add_seeded_regions(control);
   v.collect_boundary_components(control);
+  if (v.has_surface() && !v.sides_.known())
+    if (auto angles = find_clear_windings(v, control)) {
+      v.input_.side_rule = SideRule::winding;
+      v.sides_ = InputSides(v.shared_index(), std::move(angles));
+      for (Region& r : v.regions_) r.winding_number = r.unbounded ? 0 : v.sides_.winding_number(r.deepest);
+    }
+  if (control.cancelled()) return stopped;
   // Where sides are known, those that are missing are; soups must know all regions before they can be
   // coloured.
   if (v.has_surface() && !v.sides_.known()) v.find_thin_regions(control);

@@ -78,7 +78,8 @@ struct InputTopology {
   std::size_t components = 0;                ///< connected components of the input triangles
   std::optional<Vec3> border; ///< a point of an edge that does not have two triangles, if there is one
   SideRule side_rule = SideRule::colouring; ///< what tells the sides
-  bool every_region = false;                ///< asked for: each region that walls enclose is an inside
+  bool may_wind_open = false; ///< it does not close, and its solid angles may tell the sides all the same
+  bool every_region = false;  ///< asked for: each region that walls enclose is an inside
   std::shared_ptr<const std::vector<std::int8_t>>
       turns;                      ///< how each triangle counts for that; null: as it is
   std::vector<std::string> notes; ///< what the user should know about the sides, one sentence each
@@ -114,9 +115,9 @@ class ToleranceVolume {
 
   /// Builds the octree, joins fake pockets, labels the regions and two-colours them from the unbounded one.
   /// A component of Ω that does not separate two regions is an open surface, where it has a rim (§4.1); fails
-  /// with open_surface where it has none or one side only, with unsupported on rooms with fins, naming the
-  /// place, and where the octree takes too much memory; with cancelled when told to. Parts that are thinner
-  /// than 2δ' everywhere are built: find_thin_parts() tells them.
+  /// with open_surface where it has none or one side only, with joined_sheets on rooms with fins, naming the
+  /// place, with unsupported where the octree takes too much memory; with cancelled when told to. Parts that
+  /// are thinner than 2δ' everywhere are built: find_thin_parts() tells them.
   static Result<ToleranceVolume> build(std::shared_ptr<const ToleranceField> field,
                                        const InputTopology& input, const Options& options,
                                        const RunControl& control);

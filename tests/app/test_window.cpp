@@ -392,6 +392,29 @@ quit
   CHECK(run_window("keys", script, "gallery:sphere --tolerance 12%", hands) == 0);
 }
 
+TEST_CASE("Alt with a letter opens a menu, and the help finds what is typed" *
+          doctest::test_suite("xdotool")) {
+  if (exit_of("command -v xdotool >/dev/null") != 0) {
+    MESSAGE("SKIPPED: xdotool is not there.");
+    return;
+  }
+  const std::string ready = picture("alt-ready"), script = "wait settled\nscreenshot " + ready + R"(
+hands 8
+expect-words No candidate lies where the whole one-ring is seen
+expect-no-words Goes N operations on
+clear
+hands 6
+expect menu == View
+quit
+)";
+  fs::remove(ready);
+  const std::string hands =
+      "while [ ! -e " + ready +
+      " ]; do sleep 0.1; done; sleep 1; xdotool key F1; sleep 1; xdotool mousemove 260 134 "
+      "click 1; sleep 1; xdotool type candidate; sleep 6; xdotool key alt+v";
+  CHECK(run_window("alt", script, "gallery:sphere --tolerance 12% --size 1280x800", hands) == 0);
+}
+
 TEST_CASE("without a display there is a clear word and status 2") {
   fs::create_directories(results);
   const fs::path words = results / "no-display.txt";

@@ -43,12 +43,12 @@ bool belongs(const Row& row, const TargetLine& line) {
                      [&](const char* model) { return row.asked.model == model; });
 }
 
-/// Nothing where a row does not count.
+/// Nothing without rows.
 std::optional<double> value_of(Measure measure, const std::vector<const Row*>& rows) {
   std::vector<double> cpu;
   double ours = 0, theirs = 0, over_optimum = 0;
+  if (rows.empty()) return {};
   for (const Row* row : rows) {
-    if (!row->ours.outcome.good) return {};
     const auto vertices = static_cast<double>(row->ours.outcome.vertices);
     ours += vertices;
     theirs += static_cast<double>(row->lindstrom_turk.outcome.vertices);
@@ -68,14 +68,20 @@ std::optional<double> value_of(Measure measure, const std::vector<const Row*>& r
 
 std::string text_of(const TargetLine& line, const std::vector<Row>& rows, bool markdown) {
   std::map<std::uint32_t, std::vector<const Row*>> by_seed;
-  for (const Row& row : rows)
-    if (belongs(row, line)) by_seed[row.seed].push_back(&row);
+  std::size_t asked = 0, counted = 0;
+  for (const Row& row : rows) {
+    if (!belongs(row, line)) continue;
+    ++asked;
+    if (!row.ours.outcome.good) continue;
+    ++counted;
+    by_seed[row.seed].push_back(&row);
+  }
   std::vector<double> values;
   for (const auto& [seed, of_seed] : by_seed)
     if (const auto value = value_of(line.measure, of_seed)) values.push_back(*value);
   const int digits = line.measure == Measure::cpu ? 1 : 3;
   std::string now = "-";
-  if (!values.empty() && values.size() == by_seed.size()) {
+  if (!values.empty()) {
     double sum = 0;
     for (const double v : values) sum += v;
     const auto [least, largest] = std::minmax_element(values.begin(), values.end());
@@ -84,9 +90,11 @@ std::string text_of(const TargetLine& line, const std::vector<Row>& rows, bool m
                   sum / static_cast<double>(values.size()), digits, *least, digits, *largest);
     now = text.data();
   }
+  const std::string of = std::to_string(counted) + " of " + std::to_string(asked);
   std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), markdown ? "| %s | %s | %g | %g |\n" : "%-48s %-24s %6g %6g\n",
-                line.what, now.c_str(), line.floor, line.goal);
+  std::snprintf(text.data(), text.size(),
+                markdown ? "| %s | %s | %s | %g | %g |\n" : "%-48s %-24s %10s %6g %6g\n", line.what,
+                now.c_str(), of.c_str(), line.floor, line.goal);
   return text.data();
 }
 
@@ -116,10 +124,11 @@ TriangleSoup nudged(TriangleSoup soup, double delta, std::uint32_t seed) {
 std::string target_table(const std::vector<Row>& rows, bool markdown) {
   std::string text;
   if (markdown) {
-    text = "| target | now | floor | goal |\n| --- | --: | --: | --: |\n";
+    text = "| target | now | certified | floor | goal |\n| --- | --: | --: | --: | --: |\n";
   } else {
     std::array<char, 200> head{};
-    std::snprintf(head.data(), head.size(), "%-48s %-24s %6s %6s\n", "target", "now", "floor", "goal");
+    std::snprintf(head.data(), head.size(), "%-48s %-24s %10s %6s %6s\n", "target", "now", "certified",
+                  "floor", "goal");
     text = head.data();
   }
   for (const TargetLine& line : lines) text += text_of(line, rows, markdown);

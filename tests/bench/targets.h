@@ -19,7 +19,7 @@ std::vector<Case> cases_of_targets();
 TriangleSoup nudged(TriangleSoup soup, double delta, std::uint32_t seed);
 
 /// One line for each target: its mean over the seeds of the rows and the least and largest, the floor that
-/// must be reached and the goal. Lines without rows, or with rows that do not count, show a dash.
+/// must be reached and the goal. Rows that are not certified are left out; how many count is told.
 std::string target_table(const std::vector<Row>& rows, bool markdown);
 
 } // namespace isoscope::bench

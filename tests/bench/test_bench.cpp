@@ -290,12 +290,13 @@ TEST_CASE("Targets are told as mean, least and largest over the seeds") {
   CHECK(Table(true).line(rows[0]).starts_with("| elephant | 1% |"));
   CHECK(Table(true).line(rows[1]).starts_with("| elephant #1 | 1% |"));
   CHECK(target_table(rows, true) ==
-        "| target | now | floor | goal |\n| --- | --: | --: | --: |\n"
-        "| vertices / LT, all of free-form models at 1 % | 0.650 (0.650 to 0.650) | 0.54 | 0.5 |\n"
-        "| vertices / optimum, spheres at .01, .02, .04 r | - | 1.15 | 1.1 |\n"
-        "| CPU / LT, median of eight models at 1 % | 15.0 (14.0 to 16.0) | 15 | 8 |\n");
+        "| target | now | certified | floor | goal |\n| --- | --: | --: | --: | --: |\n"
+        "| vertices / LT, all of free-form models at 1 % | 0.650 (0.650 to 0.650) | 4 of 4 | 0.54 | 0.5 |\n"
+        "| vertices / optimum, spheres at .01, .02, .04 r | - | 0 of 0 | 1.15 | 1.1 |\n"
+        "| CPU / LT, median of eight models at 1 % | 15.0 (14.0 to 16.0) | 4 of 4 | 15 | 8 |\n");
   rows[1].ours.outcome.good = false;
-  CHECK(target_table(rows, true).find("models at 1 % | - |") != std::string::npos);
+  CHECK(target_table(rows, true).find("models at 1 % | 0.655 (0.650 to 0.660) | 3 of 4 |") !=
+        std::string::npos);
   for (const Case& c : cases_of_targets()) {
     CAPTURE(c.model);
     CHECK(c.load().ok());

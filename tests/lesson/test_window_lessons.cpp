@@ -188,6 +188,42 @@ quit
                    "lesson:tessellation --size 900x600") == 0);
 }
 
+TEST_CASE("whole lessons are gone through by the mouse alone, and by keys alone") {
+  for (const std::string name : {"tessellation", "classification"}) {
+    const Lesson* lesson = find_lesson(name);
+    REQUIRE(lesson != nullptr);
+    std::string mouse = "wait settled\n", keys = mouse;
+    std::size_t questions = 0;
+    for (std::size_t i = 0; i < lesson->stops.size(); ++i) {
+      const LessonStop& stop = lesson->stops[i];
+      for (std::string* script : {&mouse, &keys})
+        *script += "wait answers\nexpect lesson.stop == " + std::to_string(i + 1) + "\n";
+      if (stop.question) {
+        const std::size_t right = stop.question->right();
+        // An answer may be longer than its line.
+        const std::string& words = stop.question->answers[right].text;
+        mouse += "click-words " + words.substr(0, words.find(' ', 14)) + "\n";
+        keys += "key " + std::to_string(right + 1) + "\n";
+        ++questions;
+        for (std::string* script : {&mouse, &keys})
+          *script += "wait answers\nexpect lesson.phase == reading and lesson.right == " +
+                     std::to_string(questions) + "\nexpect-words Yes.\n";
+      }
+      const bool last = i + 1 == lesson->stops.size();
+      mouse += std::string("click-words ") + (stop.task ? "Skip" : last ? "Finish" : "Next") + "\n";
+      keys += "key Enter\n";
+    }
+    for (std::string* script : {&mouse, &keys})
+      *script += "wait answers\nexpect lesson.phase == finished\nexpect-words The end\n";
+    mouse += "click-words Leave\nwait 0.2\nexpect lesson.phase == off\nquit\n";
+    keys += "lesson-end\nexpect lesson.phase == off\nquit\n";
+    const std::string arguments = "lesson:" + name + " --size 1000x700";
+    CAPTURE(name);
+    CHECK(run_window("mouse-alone-" + name, mouse, arguments) == 0);
+    CHECK(run_window("keys-alone-" + name, keys, arguments) == 0);
+  }
+}
+
 TEST_CASE("a lesson is written as pages") {
   const fs::path folder = fs::path(ISOSCOPE_RESULTS) / "pages";
   fs::remove_all(folder);

@@ -65,12 +65,18 @@ TEST_CASE("the mosaic follows while another program makes the tiles, to the end"
   const TemporaryFolder folder;
   const std::string tiles = (folder / "torus.tiles").string();
   REQUIRE(run_shell(cut(tiles)).status == 0);
-  REQUIRE(run_shell("(sleep 1; $PROGRAM tiles step '" + tiles + "' --quiet) >/dev/null 2>&1 &").status == 0);
+  // The tiles are made once the window shows that none is.
+  const std::string shown = (folder / "shown.png").string();
+  REQUIRE(run_shell("(until [ -e '" + shown + "' ]; do sleep 0.1; done; $PROGRAM tiles step '" + tiles +
+                    "' --quiet) >/dev/null 2>&1 &")
+              .status == 0);
   CHECK(run_window(
             "follow",
             "open " + tiles +
-                "\nwait until tiles.round == 1 within 30\nexpect tiles.shown == on\n"
-                "wait until tiles.made > 0 within 60\nwait until tiles.round > 2 within 120\n"
+                "\nwait until tiles.round == 1 within 120\nexpect tiles.shown == on and tiles.made == 0\n"
+                "screenshot " +
+                shown +
+                "\nwait until tiles.made > 0 within 120\nwait until tiles.round > 2 within 120\n"
                 "wait until tiles.finished == on within 300\nexpect tiles.done == 1 and tiles.left == 0\n"
                 "expect tiles.waiting == 0 and tiles.in-hand == 0 and tiles.facets < 400\n"
                 "open gallery:sphere paused\nexpect tiles.shown == off\nquit\n",

@@ -192,7 +192,7 @@ TEST_CASE("fins are refused with their place") {
   add_square(rooms, {1.5, 0.2, 1}, {0, 0.6, 0}, {0, 0, 0.6});
   const auto run = run_rooms(rooms, 4);
   REQUIRE(run->error.has_value());
-  CHECK(run->error->code == ErrorCode::unsupported);
+  CHECK(run->error->code == ErrorCode::joined_sheets);
   CHECK_MESSAGE(run->error->message.find("(1.5, 0.") != std::string::npos, run->error->message);
   CHECK_MESSAGE(run->error->remedy.find("No tolerance up to 50%") != std::string::npos, run->error->remedy);
 
@@ -200,7 +200,7 @@ TEST_CASE("fins are refused with their place") {
   add_square(cube, {0.5, 0.2, 1}, {0, 0.6, 0}, {0, 0, 0.6});
   const auto single = run_rooms(cube, 4);
   REQUIRE(single->error.has_value());
-  CHECK(single->error->code == ErrorCode::unsupported);
+  CHECK(single->error->code == ErrorCode::joined_sheets);
   CHECK_MESSAGE(single->error->message.find("(0.5, 0.") != std::string::npos, single->error->message);
 
   // Among many small walls a fin counts for little.
@@ -209,7 +209,7 @@ TEST_CASE("fins are refused with their place") {
   add_square(fine, {1.5, 0.2, 1}, {0, 0.6, 0}, {0, 0, 0.6});
   const auto small = run_rooms(fine, 4);
   REQUIRE(small->error.has_value());
-  CHECK(small->error->code == ErrorCode::unsupported);
+  CHECK(small->error->code == ErrorCode::joined_sheets);
   CHECK_MESSAGE(small->error->message.find("(1.5, 0.") != std::string::npos, small->error->message);
 }
 

@@ -214,7 +214,7 @@ TEST_CASE("Sheets that cross are refused with a place on the line where they do"
   const auto samples = sample_boundary(*volume, 0.025, RunControl());
   REQUIRE_FALSE(samples.ok());
   CAPTURE(samples.error().message);
-  CHECK(samples.error().code == ErrorCode::unsupported);
+  CHECK(samples.error().code == ErrorCode::joined_sheets);
   CHECK(samples.error().message.find("sheets cross or branch near (") != std::string::npos);
 }
 
@@ -246,7 +246,7 @@ TEST_CASE("Sheets that cross in a ring, so that a part of one would be lost, are
   const auto samples = sample_boundary(*volume, 0.015, RunControl());
   REQUIRE_FALSE(samples.ok());
   CAPTURE(samples.error().message);
-  CHECK(samples.error().code == ErrorCode::unsupported);
+  CHECK(samples.error().code == ErrorCode::joined_sheets);
   CHECK(samples.error().message.find("sheets cross or branch near (") != std::string::npos);
 }
 
@@ -257,6 +257,6 @@ TEST_CASE("A sheet that ends on another one is refused with the place") {
     fin.points[i] = {fin.points[i].x + 0.9, fin.points[i].y - 0.5, 0};
   const auto volume = build(fin, 0.05);
   REQUIRE_FALSE(volume.ok());
-  CHECK(volume.error().code == ErrorCode::unsupported);
+  CHECK(volume.error().code == ErrorCode::joined_sheets);
   CHECK(volume.error().message.find("near (") != std::string::npos);
 }

@@ -340,7 +340,7 @@ TEST_CASE("an inner wall makes two rooms of a soup") {
   soup.triangles.push_back({fin, fin + 2, fin + 3});
   const auto refused = build(soup, 0.05);
   REQUIRE_FALSE(refused.ok());
-  CHECK(refused.error().code == ErrorCode::unsupported);
+  CHECK(refused.error().code == ErrorCode::joined_sheets);
   CHECK(refused.error().message.find("near (1, ") != std::string::npos);
 }
 

@@ -2,11 +2,13 @@
 #include "ui/theme.h"
 
 #include "journal/vocabulary.h"
+#include "model/words.h"
 #include "scene/meanings.h"
 #include "scene/octree_fates.h"
 #include "scene/palette.h"
 
 #include <doctest/doctest.h>
+#include <imgui_internal.h>
 
 #include <array>
 #include <cmath>
@@ -128,6 +130,17 @@ TEST_CASE("the embedded fonts load at several scales") {
     for (const ImWchar letter :
          {ImWchar(0x03B1), ImWchar(0x03A9), ImWchar(0x2202), ImWchar(0x2264), ImWchar(0xF04B)})
       CHECK(fonts->ui->FindGlyphNoFallback(letter) != nullptr);
+    // Whatever a reason or a layer is told by is told whole, in words and in lessons.
+    std::string told;
+    for (const ReasonWords& r : reason_table) told += std::string(r.title) + std::string(r.help);
+    for (const LayerName& layer : layer_names()) told += std::string(layer.title) + std::string(layer.tip);
+    for (const ImFont* font : {fonts->ui, fonts->bold, fonts->small, fonts->reading})
+      for (const char* at = told.data(); at < told.data() + told.size();) {
+        unsigned letter = 0;
+        at += ImTextCharFromUtf8(&letter, at, told.data() + told.size());
+        CAPTURE(letter);
+        CHECK(font->FindGlyphNoFallback(static_cast<ImWchar>(letter)) != nullptr);
+      }
     for (const ImWchar letter : {ImWchar(0x03B4), ImWchar('0')})
       CHECK(fonts->mono->FindGlyphNoFallback(letter) != nullptr);
   }

@@ -347,7 +347,7 @@ bool App::advance_script() {
   model_->wait_for = AppModel::Wait::time;
   if (script_->done()) return false;
   // What only asks leaves nothing to show.
-  if (!script_->next_is("expect")) frames_since_command_ = 0;
+  if (!script_->next_only_asks()) frames_since_command_ = 0;
   const Status status = script_->next(model_->commands);
   waits_since_ = glfwGetTime();
   if (status) return true;
@@ -416,10 +416,7 @@ int App::run() {
   const auto& error = model_->run.error;
   if (screenshot_only_ && error) {
     std::fprintf(stderr, "isoscope: %s\n", error->line().c_str());
-    return error->code == ErrorCode::bad_input || error->code == ErrorCode::unsupported ||
-                   error->code == ErrorCode::open_surface
-               ? 3
-               : 2;
+    return refuses_input(error->code) ? 3 : 2;
   }
   return exit_status_;
 }

@@ -104,6 +104,8 @@ void AppModel::forget_run() {
 // or another run; for any other the program frames it again. Two runs share what is seen.
 void AppModel::meet_input() {
   const TriangleSoup* input = run.scene ? run.scene->input.get() : run.input.get();
+  if (std::exchange(exchanges_met_, comparison.exchanges()) != comparison.exchanges())
+    exchanged_to_ = run.generation;
   if (input == nullptr || met_generation_ == run.generation) return;
   met_generation_ = run.generation;
   const Box3 box = input->bounds();
@@ -113,7 +115,7 @@ void AppModel::meet_input() {
              same = length(box.lo - met_.lo) <= reach && length(box.hi - met_.hi) <= reach;
   met_ = box;
   // A view that was taken since the run began is meant for it.
-  if (first || same || comparison.other() != nullptr || !(camera.goal() == pose_before_)) return;
+  if (first || same || exchanged_to_ == run.generation || !(camera.goal() == pose_before_)) return;
   camera.release();
   section_set = false;
 }

@@ -74,6 +74,8 @@ class AppModel : public WindowState {
   Box3 met_;                                              ///< of the input that was shown last
   CameraPose pose_before_;                                ///< when the present run began
   std::uint64_t met_generation_ = 0;
+  std::size_t exchanges_met_ = 0;
+  std::uint64_t exchanged_to_ = 0;      ///< the run that was beside the one before it
   std::uint64_t framed_generation_ = 0; ///< the run whose bounds the camera knows
   std::uint64_t history_warned_ = 0;    ///< the run whose journal was found too large
 };

@@ -15,20 +15,8 @@
 namespace {
 
 int status_of(isoscope::ErrorCode code) {
-  switch (code) {
-  case isoscope::ErrorCode::bad_input:
-  case isoscope::ErrorCode::unsupported:
-  case isoscope::ErrorCode::open_surface:
-    return 3;
-  case isoscope::ErrorCode::cancelled:
-    return 4;
-  case isoscope::ErrorCode::usage:
-  case isoscope::ErrorCode::device:
-  case isoscope::ErrorCode::io:
-  case isoscope::ErrorCode::internal:
-    break;
-  }
-  return 2;
+  if (isoscope::refuses_input(code)) return 3;
+  return code == isoscope::ErrorCode::cancelled ? 4 : 2;
 }
 
 int complain(const isoscope::Error& error) {

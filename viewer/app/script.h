@@ -28,6 +28,8 @@ class ScriptRunner {
   bool done() const { return at_ >= lines_.size(); }
   /// Whether the next line is that command.
   bool next_is(std::string_view name) const { return !done() && lines_[at_].call.name == name; }
+  /// Whether it changes nothing.
+  bool next_only_asks() const { return !done() && lines_[at_].call.name.starts_with("expect"); }
   /// The line that ran last, "Line 3 (wait): "; before the first nothing.
   std::string place() const;
   /// Runs the next line; the error names its number.

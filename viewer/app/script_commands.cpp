@@ -1,7 +1,10 @@
 // Values, expectations, waiting, mouse and keys, times.
 #include "app/app_model.h"
+#include "ui/words_on_screen.h"
 
+#include <array>
 #include <cstdio>
+#include <fstream>
 
 namespace isoscope {
 namespace {
@@ -78,19 +81,36 @@ Status move_mouse(AppModel& m, const Arguments& a) {
   return {};
 }
 
-Status click(AppModel& m, const Arguments& a) {
-  const auto n = numbers(a, 2);
-  if (!n) return n.error();
-  const float x = (*n)[0], y = (*n)[1];
-  const int button = has(a, "right") ? 1 : 0;
+/// Of the frame that was drawn last.
+std::vector<SeenWords> seen_words() {
+  const ImDrawData* frame = ImGui::GetDrawData();
+  return frame != nullptr ? words_on_screen(*frame, *ImGui::GetIO().Fonts) : std::vector<SeenWords>{};
+}
+
+void press(AppModel& m, float x, float y, int button, bool control) {
   auto& mouse = m.requests.mouse;
-  const bool control = has(a, "control");
   const auto add = [&](int pressed, bool down) { mouse.push_back({x, y, pressed, down, 0, false, control}); };
   add(-1, false);
   add(-1, false);
   add(button, true);
   add(button, false);
   add(-1, false);
+}
+
+Status click(AppModel& m, const Arguments& a) {
+  const auto n = numbers(a, 2);
+  if (!n) return n.error();
+  press(m, (*n)[0], (*n)[1], has(a, "right") ? 1 : 0, has(a, "control"));
+  return {};
+}
+
+Status click_words(AppModel& m, const Arguments& a) {
+  if (a.size() != 1) return wrong_arguments("Which words?");
+  const std::vector<SeenWords> seen = seen_words();
+  const SeenWords* found = find_words(seen, a[0]);
+  if (found == nullptr)
+    return Error{ErrorCode::cancelled, "\"" + a[0] + "\" cannot be read in the window.", ""};
+  press(m, (found->low.x + found->high.x) / 2, (found->low.y + found->high.y) / 2, 0, false);
   return {};
 }
 
@@ -148,6 +168,38 @@ Status tell_times(AppModel& m, const Arguments& a) {
   return {};
 }
 
+Status expect_words(AppModel&, const Arguments& a) {
+  if (a.size() != 1) return wrong_arguments("Which words?");
+  if (can_be_read(seen_words(), a[0])) return {};
+  return Error{ErrorCode::cancelled, "\"" + a[0] + "\" cannot be read in the window.", ""};
+}
+
+Status expect_no_words(AppModel&, const Arguments& a) {
+  if (a.size() != 1) return wrong_arguments("Which words?");
+  if (!can_be_read(seen_words(), a[0])) return {};
+  return Error{ErrorCode::cancelled, "\"" + a[0] + "\" can be read in the window.", ""};
+}
+
+Status tell_words(AppModel&, const Arguments& a) {
+  std::string lines;
+  for (const SeenWords& w : seen_words()) {
+    std::array<char, 80> place{};
+    std::snprintf(place.data(), place.size(), "%.0f %.0f %.0f %.0f\t%s\t", static_cast<double>(w.low.x),
+                  static_cast<double>(w.low.y), static_cast<double>(w.high.x), static_cast<double>(w.high.y),
+                  w.cut ? "cut" : "whole");
+    lines += place.data() + w.surface + '\t' + w.text + '\n';
+  }
+  if (a.empty()) {
+    std::fputs(lines.c_str(), stdout);
+    std::fflush(stdout);
+    return {};
+  }
+  std::ofstream out(a[0]);
+  if (!(out << lines).flush())
+    return Error{ErrorCode::io, a[0] + " cannot be written.", "Choose a folder that can be written to."};
+  return {};
+}
+
 } // namespace
 
 void add_script_commands(AppModel& m) {
@@ -164,6 +216,27 @@ void add_script_commands(AppModel& m) {
               .run = on(m, expect_value),
               .raw = true,
               .for_scripts = true},
+             {.name = "expect-words",
+              .title = "Expect words",
+              .usage = "WORDS",
+              .help = "Stops the script unless these words can be read in the window; blanks do not count.",
+              .run = on(m, expect_words),
+              .raw = true,
+              .for_scripts = true},
+             {.name = "expect-no-words",
+              .title = "Expect no such words",
+              .usage = "WORDS",
+              .help = "Stops the script where they can be read.",
+              .run = on(m, expect_no_words),
+              .raw = true,
+              .for_scripts = true},
+             {.name = "words",
+              .title = "Words of the window",
+              .usage = "[FILE]",
+              .help = "Tells or writes what can be read in the window, a line each: its place, whether it is "
+                      "cut by its pane's end, the pane, the words.",
+              .run = on(m, tell_words),
+              .for_scripts = true},
              {.name = "wait",
               .title = "Wait",
               .usage = "[settled | answers | SECONDS | until NAME OP VALUE [within SECONDS]]",
@@ -177,6 +250,13 @@ void add_script_commands(AppModel& m) {
               .usage = "X Y [left | right] [control]",
               .help = "Clicks at a place of the window.",
               .run = on(m, click),
+              .for_scripts = true},
+             {.name = "click-words",
+              .title = "Click on words",
+              .usage = "WORDS",
+              .help = "Clicks where these words stand in one line of the window.",
+              .run = on(m, click_words),
+              .raw = true,
               .for_scripts = true},
              {.name = "drag",
               .title = "Drag",

@@ -5,6 +5,7 @@
 #include "steering/steering.h"
 #include "ui/key_mark.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 #include "view/view.h"
 
 #include <algorithm>
@@ -117,7 +118,10 @@ void WindowPanes::tiles(Ui& ui, float low, float high, float width) {
 
 void WindowPanes::status_bar(Ui& ui, ImVec2 size, float high) {
   Pane pane("##status", {0, size.y - high}, {size.x, high}, false, {0, 0}, ui.colors.ground);
-  panels::status_bar(ui, model_.comparison.history_memory());
+  if (!model_.mosaic.shown()) return panels::status_bar(ui, model_.comparison.history_memory());
+  const widgets::Font font(ui.fonts.small);
+  ImGui::SetCursorPos({ui.px(12), (high - ui.fonts.small->FontSize) / 2});
+  widgets::quiet_text(ui, "a folder of tiles; Ctrl+Shift+T shows the run");
 }
 
 void WindowPanes::finish(Ui& ui, ImVec2 size, ImVec2 messages, float room) {

@@ -117,6 +117,8 @@ void sample_details(Ui& ui, const Investigation& asked, const StateSnapshot& s, 
                          side_text(label, ui.window.has_rooms()),
                      label > 0 ? ui.colors.accent_text : ui.colors.inner);
   before_the_operation(ui, s, id, label);
+  if (const std::string may_stay = ui.window.why_bad_may_stay(); is_bad(error) && !may_stay.empty())
+    widgets::quiet_text(ui, may_stay, true);
   if (classified) {
     widgets::value_row(ui, "f(s)", short_number((1 - error) * (label > 0 ? 1 : -1)));
     widgets::limit_bar(ui, "error ε(s)", error, s.criteria.error_limit(), error <= s.criteria.error_limit(),
@@ -292,10 +294,13 @@ void run_summary(Ui& ui, const StateSnapshot& s) {
       widgets::value_row(ui, "boundary samples B", grouped(s.samples->over_rim.size()));
     // Without samples or before T is there nothing is judged, which is not "none is bad".
     const bool judged = samples > 0 && s.classifies();
+    const std::string may_stay = m.why_bad_may_stay();
     widgets::value_row(ui, "bad samples", judged ? grouped(s.bad_samples) : "–",
-                       !judged         ? ui.colors.quiet
-                       : s.bad_samples ? ui.colors.bad_text
-                                       : ui.colors.good_text);
+                       !judged             ? ui.colors.quiet
+                       : !may_stay.empty() ? ui.colors.text
+                       : s.bad_samples     ? ui.colors.bad_text
+                                           : ui.colors.good_text);
+    if (!may_stay.empty()) widgets::quiet_text(ui, may_stay, true);
   }
   const auto largest = static_cast<double>(s.largest_error);
   if (interpolated && s.classifies())

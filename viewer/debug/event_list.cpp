@@ -201,30 +201,32 @@ void EventList::draw(Ui& ui, const Debugger& debugger) {
   const float left = ImGui::GetCursorScreenPos().x;
   filter_field(ui);
   EventFilter& f = m.filter.chosen;
-  ImGui::SameLine(0, ui.px(10));
+  widgets::beside_or_below(ui, "stage   ", 10);
   filter_menu(ui, "stage", f.stages, std::bitset<stage_count>().set(),
               [](std::size_t i) { return words(static_cast<Stage>(i)).title; });
-  ImGui::SameLine(0, ui.px(5));
+  widgets::beside_or_below(ui, "kind   ", 5);
   filter_menu(ui, "kind", f.kinds, std::bitset<event_kind_count>().set(),
               [](std::size_t i) { return words(static_cast<EventKind>(i)).title; });
-  ImGui::SameLine(0, ui.px(5));
+  widgets::beside_or_below(ui, "condition   ", 5);
   filter_menu(ui, "condition", f.conditions, std::bitset<condition_count>().set(),
               [](std::size_t i) { return i == 0 ? "none" : words(static_cast<Condition>(i)).title; });
-  ImGui::SameLine(0, ui.px(5));
+  widgets::beside_or_below(ui, "reason   ", 5);
   std::bitset<reason_count> rejections;
   for (const Reason reason : rejecting_reasons) rejections.set(static_cast<std::size_t>(reason));
   filter_menu(ui, "reason", f.reasons, rejections,
               [](std::size_t i) { return words(static_cast<Reason>(i)).title; });
-  ImGui::SameLine(0, ui.px(10));
   if (!m.filter.condition.empty() || !f.everything()) {
+    widgets::beside_or_below(ui, "show all", 10);
     if (widgets::plain_button(ui, "show all", true, 0, ui.px(24))) ui.commands.post("filter");
-    ImGui::SameLine(0, ui.px(5));
   }
-  if (m.filter.expression && widgets::plain_button(ui, "save as lane", true, 0, ui.px(24)))
-    ui.commands.post("save-filter");
-  ImGui::SameLine(0, ui.px(14));
+  if (m.filter.expression) {
+    widgets::beside_or_below(ui, "save as lane", 5);
+    if (widgets::plain_button(ui, "save as lane", true, 0, ui.px(24))) ui.commands.post("save-filter");
+  }
   const std::vector<std::uint32_t>& rows = debugger.listed_rows();
-  widgets::quiet_text(ui, counted(rows.size(), "event"));
+  const std::string number = counted(rows.size(), "event");
+  widgets::beside_or_below(ui, number.c_str(), 14);
+  widgets::quiet_text(ui, number);
   if (error_) query_error(ui, *error_, text_.data(), left);
   const Journal* journal = m.run.journal.get();
 

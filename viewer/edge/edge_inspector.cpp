@@ -239,12 +239,15 @@ void edge_details(Ui& ui, EdgeProbe& probe, const StateSnapshot& s) {
     widgets::quiet_text(ui, "The journal's decision");
     event_details(ui, *m.run.journal, *event);
   }
+  // Which points lie outside of the kernel is the answer where that is why the edge stays.
+  const bool outside = xray && xray->attempt.rejected == Reason::no_candidate;
+  if (outside) outside_kernel(ui, *xray);
   if (xray) {
     standing(ui, *xray);
     ladder(ui, *xray);
     offenders(ui, xray->attempt.link);
     if (!tried) what_if(ui, probe, *xray);
-    outside_kernel(ui, *xray);
+    if (!outside) outside_kernel(ui, *xray);
     candidates(ui, *xray);
     search_regions(ui, *xray);
     kernel(ui, *xray);

@@ -17,6 +17,7 @@ std::string_view error_word(ErrorCode code) {
     return "bad-input";
   case ErrorCode::unsupported:
   case ErrorCode::open_surface:
+  case ErrorCode::joined_sheets:
     return "unsupported";
   case ErrorCode::cancelled:
     return "cancelled";

@@ -9,12 +9,18 @@
 namespace isoscope::panels {
 namespace {
 
+constexpr float disc_step = 16;
+
+float stops_width(const Ui& ui, const LessonRunner& runner) {
+  return static_cast<float>(runner.lesson()->stops.size()) * ui.px(disc_step);
+}
+
 /// A disc a stop: passed, shown, to come.
 void stops_line(const Ui& ui, const LessonRunner& runner) {
   const std::size_t count = runner.lesson()->stops.size();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float step = ui.px(16), y = at.y + ui.px(7);
+  const float step = ui.px(disc_step), y = at.y + ui.px(7);
   for (std::size_t i = 0; i < count; ++i) {
     const ImVec2 middle{at.x + ui.px(5) + static_cast<float>(i) * step, y};
     if (i < runner.stop())
@@ -24,7 +30,7 @@ void stops_line(const Ui& ui, const LessonRunner& runner) {
     else
       list.AddCircle(middle, ui.px(4), to_u32(ui.colors.quiet), 0, ui.px(1.2f));
   }
-  ImGui::Dummy({static_cast<float>(count) * step, ui.px(14)});
+  ImGui::Dummy({stops_width(ui, runner), ui.px(14)});
 }
 
 void paragraphs(const Ui& ui, std::string_view text, ImFont* font, Rgb color) {
@@ -216,12 +222,15 @@ void lesson(Ui& ui, const LessonRunner& runner) {
     widgets::quiet_text(ui, progress_text(ui.window), true);
   }
   ImGui::EndChild();
-  stops_line(ui, runner);
-  ImGui::SameLine();
   {
-    const widgets::Font font(ui.fonts.small);
+    // The discs say what the words say: they go where both have no room.
     const std::string place = place_text(runner);
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - widgets::text_size(place).x);
+    const float wide = widgets::width_of(ui.fonts.small, place);
+    if (stops_width(ui, runner) + ui.px(8) + wide <= ImGui::GetContentRegionAvail().x) {
+      stops_line(ui, runner);
+      ImGui::SameLine();
+      ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - wide);
+    }
     widgets::quiet_text(ui, place);
   }
   way_on(ui, runner);

@@ -1,7 +1,9 @@
 // The way from the session's snapshot to the state shown.
 #include "model/shown_run.h"
 
+#include "base/numbers.h"
 #include "base/sort_unique.h"
+#include "journal/vocabulary.h"
 #include "questions/rim_questions.h"
 #include "scene/outline.h"
 
@@ -92,6 +94,18 @@ std::vector<std::string> ShownRun::warnings() const {
   if (run.scene)
     for (const ParameterWarning& warning : run.scene->warnings) texts.push_back(warning.message);
   return texts;
+}
+
+std::string ShownRun::why_bad_may_stay() const {
+  const auto shown = state();
+  if (!run.scene || !shown || shown->bad_samples == 0 || !shown->event ||
+      !comes_after(shown->event->stage, Stage::refinement))
+    return {};
+  const ToleranceThresholds& t = run.scene->thresholds;
+  if (!(t.boundary < t.delta)) return {};
+  return "Samples lie at " + general(t.boundary / t.delta, 3) +
+         " δ. After the refinement facets of Z are proven within δ instead: Z may pass samples and is in Ω "
+         "all the same.";
 }
 
 } // namespace isoscope

@@ -62,6 +62,8 @@ class ShownRun {
   const Rim* rim() const;
   /// What the user should know of the scene, in sentences; that Ω is no thickening comes first.
   std::vector<std::string> warnings() const;
+  /// Why bad samples are no fault at the step shown: Z is held by proofs there. Empty where they are asked.
+  std::string why_bad_may_stay() const;
   bool no_thickening() const { return run.scene && !run.scene->thickening_note.empty(); }
 
   // Once a frame, in this order.

@@ -97,7 +97,9 @@ std::vector<Part> status_parts(const Ui& ui, const HistoryMemory& h) {
   put(phase_text(m), failed ? ui.colors.warning_text : ui.colors.quiet);
   if (state && state->samples && state->classifies() && state->complex.form == ZeroForm::interpolated)
     put(grouped(state->bad_samples) + " bad of " + grouped(state->samples->size()) + " samples",
-        state->bad_samples ? ui.colors.bad_text : ui.colors.good_text);
+        !m.why_bad_may_stay().empty() ? ui.colors.quiet
+        : state->bad_samples          ? ui.colors.bad_text
+                                      : ui.colors.good_text);
   if (state && m.run.scene)
     put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
   put(rate_text(m), ui.colors.quiet);

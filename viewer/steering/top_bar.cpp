@@ -80,11 +80,14 @@ void menus(Ui& ui, bool wide) {
       bar_word(ui, name.data(), std::string(name), asked == name, [&] { entries(ui, name); });
   } else {
     bar_word(ui, "all", std::string(icon::layers) + "  Menu", !asked.empty(), [&] {
-      for (const std::string_view name : menu_names)
+      for (const std::string_view name : menu_names) {
+        if (asked == name) ImGui::OpenPopup(name.data());
         if (ImGui::BeginMenu(name.data())) {
+          ui.window.menu = name;
           entries(ui, name);
           ImGui::EndMenu();
         }
+      }
     });
   }
   ImGui::PopStyleVar();
@@ -153,7 +156,9 @@ ChipState chip_state(const WindowState& m, Stage stage) {
 
 /// The sign of the stages from the i-th on, where there is room for it.
 void more_stages(Ui& ui, const std::vector<Stage>& stages, std::size_t i, float room) {
-  const std::string label = "+" + std::to_string(stages.size() - i);
+  std::string label = "+" + std::to_string(stages.size() - i);
+  const std::string in_full = label + (i + 1 == stages.size() ? " stage" : " stages");
+  if (widgets::width_of(ui.fonts.small, in_full) + ui.px(14) <= room) label = in_full;
   const float width = widgets::width_of(ui.fonts.small, label) + ui.px(14), high = ui.px(28);
   if (width > room) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -64,7 +64,7 @@ void linked(Ui& ui, const char* label, bool on, const char* command) {
 void parameters_column(Ui& ui, const Comparison& m, const RunComparison* found) {
   run_line(ui, m, *m.run(false), false);
   run_line(ui, m, *m.run(true), true);
-  const float label_width = ui.px(110);
+  const float label_width = std::min(ui.px(110), 0.45f * ImGui::GetContentRegionAvail().x);
   if (found != nullptr) {
     if (found->parameters.empty() && found->same_samples)
       widgets::quiet_text(ui, "The same parameters.");
@@ -154,11 +154,15 @@ void stages_column(Ui& ui, const RunComparison* found) {
     stage_table<4>(ui, found);
   else if (cells >= 9)
     stage_table<3>(ui, found);
-  else
+  else if (cells >= 6)
     stage_table<2>(ui, found);
+  else
+    stage_table<1>(ui, found);
   if (cells < 12)
-    widgets::quiet_text(ui, cells >= 9 ? "operations: in a wider window"
-                                       : "seconds, operations: in a wider window");
+    widgets::quiet_text(ui,
+                        std::string(cells < 6 ? "refused, " : "") + (cells < 9 ? "seconds, " : "") +
+                            "operations: in a wider window",
+                        true);
   if (found == nullptr) return;
   std::array<std::size_t, reason_count> refused_a{}, refused_b{};
   for (const StageComparison& s : found->stages)

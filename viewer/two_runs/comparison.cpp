@@ -51,6 +51,7 @@ void Comparison::drop() {
 
 void Comparison::exchange() {
   std::swap<ShownRun>(window, *other_);
+  ++exchanges_;
   active_is_b_ = !active_is_b_;
   picked = {};
   if (!linked_cameras) std::swap(window.camera, camera);
@@ -78,8 +79,11 @@ bool Comparison::ask() {
 }
 
 std::shared_ptr<const RunComparison> Comparison::found() const {
+  // Another run may have been opened in the place of one of the two.
+  if (!asked_ || !other_ || !window.run.journal || !other_->run.journal || !same_pair(*asked_, question()))
+    return nullptr;
   const auto answered = worker_.answered();
-  return answered && asked_ && same_pair(answered->question, *asked_) ? answered->answer : nullptr;
+  return answered && same_pair(answered->question, *asked_) ? answered->answer : nullptr;
 }
 
 void Comparison::keep_steps() {

@@ -50,6 +50,8 @@ class Comparison {
   ShownRun* other() { return other_.get(); }
   const ShownRun* other() const { return other_.get(); }
   bool active_is_b() const { return active_is_b_; }
+  /// How often the other run has become the active one.
+  std::size_t exchanges() const { return exchanges_; }
   /// Both are drawn.
   bool beside() const { return other_ && beside_; }
   void set_beside(bool beside);
@@ -116,6 +118,7 @@ class Comparison {
   std::future<void> ending_; ///< of a run that was let go: it may take a while to notice
   std::unique_ptr<ShownRun> other_;
   bool active_is_b_ = false, beside_ = false;
+  std::size_t exchanges_ = 0;
   Worker<CompareQuestion, RunComparison> worker_;
   std::optional<CompareQuestion> asked_;
   /// What the other play head's place was made of.

@@ -90,6 +90,8 @@ constexpr std::array<ImWchar, 17> text_ranges{0x0020, 0x00FF, 0x0370, 0x03FF, 0x
                                               0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF,
                                               0x2318, 0x2328, 0x25A0, 0x25FF, 0};
 constexpr std::array<ImWchar, 3> icon_ranges{0xF000, 0xF2E0, 0};
+// ∩, which the font of words does not have.
+constexpr std::array<ImWchar, 3> missing_ranges{0x2229, 0x2229, 0};
 
 ImFont* add_font(ImFontAtlas& atlas, const char* role, float size, const ImWchar* ranges, bool merge,
                  float offset) {
@@ -106,8 +108,14 @@ ImFont* add_font(ImFontAtlas& atlas, const char* role, float size, const ImWchar
   return atlas.AddFontFromMemoryTTF(bytes, static_cast<int>(file->bytes.size()), size, &config, ranges);
 }
 
-ImFont* add_with_icons(ImFontAtlas& atlas, const char* role, float size) {
+ImFont* add_words(ImFontAtlas& atlas, const char* role, float size) {
   ImFont* font = add_font(atlas, role, size, text_ranges.data(), false, 0);
+  if (font == nullptr) return nullptr;
+  return add_font(atlas, "mono", size, missing_ranges.data(), true, 0) ? font : nullptr;
+}
+
+ImFont* add_with_icons(ImFontAtlas& atlas, const char* role, float size) {
+  ImFont* font = add_words(atlas, role, size);
   if (font == nullptr) return nullptr;
   return add_font(atlas, "icons", size * 0.95f, icon_ranges.data(), true, std::round(size * 0.04f)) ? font
                                                                                                     : nullptr;
@@ -163,10 +171,10 @@ Result<Fonts> load_fonts(ImFontAtlas& atlas, float scale) {
   fonts.ui = add_with_icons(atlas, "ui", size(15));
   fonts.bold = add_with_icons(atlas, "ui-bold", size(15));
   fonts.small = add_with_icons(atlas, "ui", size(13));
-  fonts.title = add_font(atlas, "ui-bold", size(22), text_ranges.data(), false, 0);
+  fonts.title = add_words(atlas, "ui-bold", size(22));
   fonts.mono = add_font(atlas, "mono", size(13.5f), text_ranges.data(), false, 0);
-  fonts.reading = add_font(atlas, "ui", size(18), text_ranges.data(), false, 0);
-  fonts.reading_bold = add_font(atlas, "ui-bold", size(18), text_ranges.data(), false, 0);
+  fonts.reading = add_words(atlas, "ui", size(18));
+  fonts.reading_bold = add_words(atlas, "ui-bold", size(18));
   const std::array all{fonts.ui,   fonts.bold,    fonts.small,       fonts.title,
                        fonts.mono, fonts.reading, fonts.reading_bold};
   if (std::find(all.begin(), all.end(), nullptr) != all.end() || !atlas.Build())

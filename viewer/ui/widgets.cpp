@@ -301,7 +301,8 @@ void bold_text(const Ui& ui, std::string_view s) {
 
 void subtitle(const Ui& ui, const char* text) {
   ImGui::Dummy({0, ui.px(4)});
-  bold_text(ui, text);
+  const Font bold(ui.fonts.bold);
+  wrapped_text(text);
 }
 
 void quiet_text(const Ui& ui, std::string_view s, bool wrapped) {

@@ -35,7 +35,9 @@ std::size_t fitting(const SceneKey& key, float unit, float most_high) {
 }
 
 std::string more_words(const SceneKey& key, std::size_t shown) {
-  return shown < key.entries.size() ? "and " + grouped(key.entries.size() - shown) + " more" : "";
+  if (shown >= key.entries.size()) return {};
+  const std::string left_out = grouped(key.entries.size() - shown);
+  return shown > 0 || key.map ? "and " + left_out + " more" : "legend of " + left_out + " entries";
 }
 
 std::string range_words(const ZeroMap& map) {
@@ -145,6 +147,7 @@ ImVec2 key_size(const Canvas& canvas, const SceneKey& key, float unit, float mos
   const std::size_t shown = fitting(key, unit, most_high);
   for (std::size_t i = 0; i < shown; ++i)
     width = std::max(width, sign * unit + canvas.text_width(key.entries[i].words));
+  width = std::max(width, canvas.text_width(more_words(key, shown)));
   const float more = shown < key.entries.size() ? 1.0f : 0.0f;
   return {width + 2 * pad * unit,
           (2 * pad + (bar_rows(key) + static_cast<float>(shown) + more) * row) * unit};

@@ -77,7 +77,8 @@ void mode_switch(Ui& ui, ImVec2 corner, float room) {
 }
 
 void axes(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 size) {
-  if (!ui.window.view.axes || size.y < ui.px(160)) return;
+  // Before an audience the legend comes first.
+  if (!ui.window.view.axes || size.y < ui.px(ui.window.presenter.on ? 300 : 160)) return;
   const glm::mat4 view = camera.view();
   const ImVec2 origin{low.x + ui.px(46), low.y + size.y - ui.px(46)};
   const float reach = ui.px(28);

@@ -1,0 +1,113 @@
+// Runs on soups whose triangles are not joined: their gaps are far narrower than δ, their parts may be
+// thinner.
+#include "run/complete_run.h"
+#include "run/cube_with_bar.h"
+#include "tolerance/shapes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+using namespace isoscope;
+using namespace isoscope::test;
+using namespace isoscope::testing;
+
+namespace {
+
+constexpr double delta = 0.06;
+
+/// Each triangle with corners of its own, which are moved by less than `gap`.
+TriangleSoup cracked(const TriangleSoup& soup, double gap) {
+  TriangleSoup out;
+  Random random(3);
+  for (const auto& t : soup.triangles) {
+    const auto first = static_cast<std::uint32_t>(out.points.size());
+    for (const std::uint32_t v : t)
+      out.points.push_back(soup.points[v] + Vec3{random.between(-gap, gap), random.between(-gap, gap),
+                                                 random.between(-gap, gap)});
+    out.triangles.push_back({first, first + 1, first + 2});
+  }
+  return out;
+}
+
+/// Two unit cubes, joined by a plate of this thickness.
+TriangleSoup dumbbell(double thickness) {
+  TriangleSoup soup = cube_with_bar(0.2, 0.8, 0.5 - thickness / 2, 0.5 + thickness / 2, 0.5);
+  soup.triangles.resize(soup.triangles.size() - 2);
+  const std::size_t half = soup.triangles.size();
+  const auto points = static_cast<std::uint32_t>(soup.points.size());
+  for (std::uint32_t v = 0; v < points; ++v) {
+    const Vec3 p = soup.points[v];
+    soup.points.push_back({3 - p.x, p.y, p.z});
+  }
+  for (std::size_t t = 0; t < half; ++t) {
+    const auto [a, b, c] = soup.triangles[t];
+    soup.triangles.push_back({points + a, points + c, points + b});
+  }
+  return soup;
+}
+
+void check_certified(CompleteRun& run, long euler_characteristic) {
+  run.parameters.effort = 0;
+  REQUIRE(run.run());
+  const Certificate& c = run.result->certificate;
+  CHECK(run.result->exit_status() == 0);
+  CHECK(c.components == 1);
+  CHECK(c.euler_characteristic == euler_characteristic);
+  CHECK(c.covers);
+  CHECK(c.input_distance.upper <= 3 * delta * 1.001);
+}
+
+} // namespace
+
+TEST_CASE(
+    "Fins and spikes of a soup with cracks or without a facet are kept like those of a closed surface") {
+  for (const TriangleSoup& closed :
+       {cube_with_bar(0.2, 0.8, 0.49, 0.51, 1), cube_with_bar(0.48, 0.52, 0.48, 0.52, 1)}) {
+    CompleteRun soup(cracked(closed, 0.004), delta);
+    check_certified(soup, 2);
+    CHECK(soup.scene->volume->sides().by_solid_angles());
+    CHECK(soup.scene->volume->held() > 0);
+
+    TriangleSoup less = closed;
+    less.triangles.pop_back();
+    CompleteRun open(less, delta);
+    check_certified(open, 2);
+    CHECK(open.scene->volume->sides().by_solid_angles());
+  }
+}
+
+TEST_CASE("What is thinner than Ω between two regions of a soup parts no rooms") {
+  CompleteRun oriented(cracked(dumbbell(0.06), 0.004), delta);
+  check_certified(oriented, 2);
+
+  // Rays tell how triangles that run this way and that have to turn.
+  TriangleSoup mixed = cracked(dumbbell(0.06), 0.004);
+  Random random(9);
+  for (auto& t : mixed.triangles)
+    if (random.unit() < 0.5) std::swap(t[1], t[2]);
+  CompleteRun unoriented(mixed, delta);
+  check_certified(unoriented, 2);
+  CHECK(unoriented.scene->volume->sides().by_solid_angles());
+
+  // Where the user wants parity, walls tell what they part.
+  CompleteRun coloured(mixed, delta);
+  coloured.parameters.sides = SidesMode::parity;
+  REQUIRE(coloured.prepare());
+  CHECK_FALSE(coloured.scene->volume->sides().by_solid_angles());
+  CHECK_FALSE(coloured.scene->volume->has_rooms());
+  const auto& regions = coloured.scene->regions;
+  CHECK(std::count_if(regions.begin(), regions.end(), [](const Region& r) { return r.label < 0; }) == 2);
+}
+
+TEST_CASE("A spike of two parts that overlap is kept, though a wall of each lies within the other") {
+  TriangleSoup soup = cube_with_bar(0.47, 0.53, 0.47, 0.53, 1);
+  const TriangleSoup once = soup;
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  for (const Vec3 p : once.points) soup.points.push_back(p + Vec3{0.05, 0.02, 0.03});
+  for (const auto& t : once.triangles) soup.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  CompleteRun run(soup, delta);
+  check_certified(run, 2);
+  CHECK(run.scene->volume->held() > 0);
+}
