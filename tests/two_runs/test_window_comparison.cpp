@@ -204,3 +204,34 @@ quit
 )",
                    "gallery:bracket --size 1440x900 --effort 0") == 0);
 }
+
+TEST_CASE("a run begun again while the table compares it with another has no answers about the one before") {
+  CHECK(run_window("compare-begun-again", R"(
+wait settled
+set alpha 0.5
+wait settled
+apply-earlier
+wait settled
+tab compare
+wait settled
+expect runs == 2 and compare.common > 0
+set tolerance 10%
+restart
+wait 0.3
+set tolerance 9%
+restart
+wait settled
+expect runs == 2 and phase == finished
+set tolerance 12%
+restart
+wait 0.1
+other-run
+wait 0.1
+other-run
+restart
+wait settled
+expect phase == finished
+quit
+)",
+                   "gallery:sphere --tolerance 12%") == 0);
+}
