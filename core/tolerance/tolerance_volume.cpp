@@ -162,7 +162,6 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
     if (auto angles = find_clear_windings(v, control)) {
       v.input_.side_rule = SideRule::winding;
       v.sides_ = InputSides(v.shared_index(), std::move(angles));
-      for (Region& r : v.regions_) r.winding_number = r.unbounded ? 0 : v.sides_.winding_number(r.deepest);
     }
   if (control.cancelled()) return stopped;
   // Where sides are known, those that are missing are; soups must know all regions before they can be

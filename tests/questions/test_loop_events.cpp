@@ -4,6 +4,7 @@
 #include "mesh/zero_curves.h"
 #include "questions/rim_questions.h"
 #include "questions/state_at.h"
+#include "run/open_run_checks.h"
 #include "tolerance/open_shapes.h"
 
 #include <doctest/doctest.h>
@@ -23,10 +24,7 @@ std::unique_ptr<CompleteRun> improved(TriangleSoup soup, double percent, const c
   parameters.tolerance = {percent, true};
   parameters.effort = 0;
   parameters.fill.holes = fill;
-  auto run = std::make_unique<CompleteRun>(parameters);
-  run->soup = std::make_shared<const TriangleSoup>(std::move(soup));
-  REQUIRE(run->run());
-  return run;
+  return finished_run(std::move(parameters), std::move(soup));
 }
 
 /// Edges of the border of Z by the loop they run along.

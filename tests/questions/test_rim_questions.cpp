@@ -7,7 +7,7 @@
 #include "mesh/zero_curves.h"
 #include "questions/edge_standing.h"
 #include "questions/state_at.h"
-#include "run/complete_run.h"
+#include "run/open_run_checks.h"
 #include "tolerance/open_shapes.h"
 
 #include <doctest/doctest.h>
@@ -24,10 +24,7 @@ std::unique_ptr<CompleteRun> finished(TriangleSoup soup, double percent, const c
   parameters.tolerance = {percent, true};
   parameters.until = Stage::zero_set;
   parameters.fill.holes = fill;
-  auto run = std::make_unique<CompleteRun>(parameters);
-  run->soup = shared(std::move(soup));
-  REQUIRE(run->run());
-  return run;
+  return finished_run(std::move(parameters), std::move(soup));
 }
 
 /// The first step after a stage began.

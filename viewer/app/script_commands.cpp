@@ -104,12 +104,15 @@ Status click(AppModel& m, const Arguments& a) {
   return {};
 }
 
+Error not_in_sight(const std::string& words) {
+  return {ErrorCode::cancelled, "\"" + words + "\" cannot be read in the window.", ""};
+}
+
 Status click_words(AppModel& m, const Arguments& a) {
   if (a.size() != 1) return wrong_arguments("Which words?");
   const std::vector<SeenWords> seen = seen_words();
   const SeenWords* found = find_words(seen, a[0]);
-  if (found == nullptr)
-    return Error{ErrorCode::cancelled, "\"" + a[0] + "\" cannot be read in the window.", ""};
+  if (found == nullptr) return not_in_sight(a[0]);
   press(m, (found->low.x + found->high.x) / 2, (found->low.y + found->high.y) / 2, 0, false);
   return {};
 }
@@ -171,7 +174,7 @@ Status tell_times(AppModel& m, const Arguments& a) {
 Status expect_words(AppModel&, const Arguments& a) {
   if (a.size() != 1) return wrong_arguments("Which words?");
   if (can_be_read(seen_words(), a[0])) return {};
-  return Error{ErrorCode::cancelled, "\"" + a[0] + "\" cannot be read in the window.", ""};
+  return not_in_sight(a[0]);
 }
 
 Status expect_no_words(AppModel&, const Arguments& a) {
