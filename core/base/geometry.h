@@ -75,13 +75,6 @@ inline double area(const Triangle3& t) {
   return 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
 }
 
-/// Signed solid angle of a triangle seen from p, in (−2π, 2π) (van Oosterom and Strackee 1983).
-inline double solid_angle(Vec3 p, const Triangle3& t) {
-  const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
-  const double la = length(a), lb = length(b), lc = length(c);
-  return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-}
-
 /// An axis-aligned box; empty (lo > hi) when default-constructed.
 struct Box3 {
   static constexpr double inf = std::numeric_limits<double>::infinity();

@@ -1,7 +1,6 @@
 // Distances to outer samples, and the lattice that counts what is within them.
 #include "criteria/outer_offset.h"
 
-#include "base/parallel.h"
 #include "tolerance/boundary_topology.h"
 #include "tolerance/regions.h"
 
@@ -18,38 +17,6 @@ constexpr double widest_lattice = 0.3;
 constexpr double reach_by_sigma = 1.3, least_reach = 0.5, most_reach = 0.95;
 /// Of a distance to the input: nearer than this, nothing of it is between.
 constexpr double surely_clear = 1 - 1e-9;
-
-/// The sides of the input, known at once near to outer samples: a ball without input is on one side.
-class SidesBySamples {
- public:
-  SidesBySamples(const ToleranceVolume& volume, const NearestSample& samples, const RunControl& control)
-      : volume_(volume), samples_(samples), known_(samples.positions().size()) {
-    parallel_until(known_.size(), 64, control, [&](std::size_t s) {
-      const Vec3 p = samples.positions()[s];
-      if (samples.nearest_of(p, +1, 0).valid())
-        known_[s] = {volume.index().distance(p), static_cast<std::int8_t>(volume.sides().label(p))};
-    });
-  }
-
-  /// Of a point and its d; `near` is an outer sample or invalid.
-  int label(Vec3 p, double d, SampleId near) const {
-    if (near.valid()) {
-      const Known& known = known_[near.index()];
-      const double clear = surely_clear * std::max(d, known.distance);
-      if (known.label != 0 && distance(p, samples_.positions()[near.index()]) < clear) return known.label;
-    }
-    return volume_.sides().label(p);
-  }
-
- private:
-  struct Known {
-    double distance = 0;
-    std::int8_t label = 0;
-  };
-  const ToleranceVolume& volume_;
-  const NearestSample& samples_;
-  std::vector<Known> known_; ///< by sample; of outer ones
-};
 
 } // namespace
 
@@ -85,11 +52,9 @@ std::optional<ExpectedTopology> OuterOffset::topology(const RunControl& control)
   while (octree.side(octree.main_level() + counting.halvings) >
          widest_lattice * volume_.thresholds().boundary)
     ++counting.halvings;
-  const SidesBySamples sides(volume_, samples_, control);
   const double boundary = volume_.thresholds().boundary;
   counting.outside = [&](Vec3 p, double d) {
-    const SampleId near = samples_.nearest_of(p, +1, d >= boundary ? d : reach_);
-    return (d >= boundary || near.valid()) && sides.label(p, d, near) > 0;
+    return d >= boundary ? is_outside(p, d) : samples_.nearest_of(p, +1, reach_).valid();
   };
   const auto count = count_offset(volume_, counting, control);
   if (!count || count->euler_characteristic % 2 != 0) return std::nullopt;

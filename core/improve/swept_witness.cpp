@@ -1,7 +1,7 @@
 // Compares solid angles: old and new facets bound a closed chain whose winding around a witness must be zero.
 #include "improve/swept_witness.h"
 
-#include <numbers>
+#include "base/solid_angle.h"
 
 namespace isoscope {
 
@@ -15,10 +15,10 @@ std::optional<Vec3> swept_witness(std::span<const Vec3> witnesses, std::span<con
     bool inside = true;
     for (int k = 0; k < 3; ++k) inside = inside && w[k] >= box.lo[k] && w[k] <= box.hi[k];
     if (!inside) continue;
-    double change = 0;
-    for (const Triangle3& t : before) change -= solid_angle(w, t);
-    for (const Triangle3& t : after) change += solid_angle(w, t);
-    if (std::abs(change) > std::numbers::pi) return w;
+    SolidAngleSum change;
+    for (const Triangle3& t : before) change.add(w, t, -1);
+    for (const Triangle3& t : after) change.add(w, t);
+    if (std::abs(change.winding()) > 0.25) return w;
   }
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/place.h"
+#include "base/solid_angle.h"
 #include "run/certificate_verdicts.h"
 #include "run/exposed_input.h"
 #include "run/mesh_connectivity.h"
@@ -16,7 +17,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <utility>
 
 namespace isoscope {
@@ -116,9 +116,9 @@ bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, con
 
 /// Winding number of the mesh around p.
 double winding_number(const TriangleMesh& mesh, Vec3 p) {
-  double sum = 0;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) sum += solid_angle(p, corners(mesh, f));
-  return sum / (4 * std::numbers::pi);
+  SolidAngleSum sum;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) sum.add(p, corners(mesh, f));
+  return sum.winding();
 }
 
 bool check_separation(const TriangleMesh& mesh, const ToleranceVolume& volume, Certificate& c,

@@ -3,11 +3,11 @@
 
 #include "base/disjoint_sets.h"
 #include "base/place.h"
+#include "base/solid_angle.h"
 
 #include <algorithm>
 #include <compare>
 #include <cstdint>
-#include <numbers>
 #include <set>
 
 namespace isoscope {
@@ -114,20 +114,21 @@ std::vector<RegionCertificate> certify_regions(const TriangleMesh& mesh) {
 
 std::vector<double> winding_numbers(const TriangleMesh& mesh, const std::vector<RegionCertificate>& regions,
                                     Vec3 p) {
-  std::vector<double> angle(regions.size(), 0);
-  const auto of = [&](int label) -> double& {
+  std::vector<SolidAngleSum> sums(regions.size());
+  const auto of = [&](int label) -> SolidAngleSum& {
     const auto at = std::find_if(regions.begin(), regions.end(),
                                  [label](const RegionCertificate& r) { return r.label == label; });
-    return angle[static_cast<std::size_t>(at - regions.begin())];
+    return sums[static_cast<std::size_t>(at - regions.begin())];
   };
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
-    const double seen = solid_angle(p, {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
-    of(mesh.labels[i].back) += seen;
-    of(mesh.labels[i].front) -= seen;
+    const Triangle3 corners{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
+    of(mesh.labels[i].back).add(p, corners);
+    of(mesh.labels[i].front).add(p, corners, -1);
   }
-  for (double& a : angle) a /= 4 * std::numbers::pi;
-  return angle;
+  std::vector<double> numbers;
+  for (const SolidAngleSum& sum : sums) numbers.push_back(sum.winding());
+  return numbers;
 }
 
 } // namespace isoscope

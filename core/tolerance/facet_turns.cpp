@@ -1,9 +1,10 @@
 // Orients the patches between edges of two triangles, after deciding which copies of a triangle count.
 #include "tolerance/facet_turns.h"
 
+#include "base/solid_angle.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <tuple>
 
@@ -212,9 +213,10 @@ class Orienter {
       looked_at_ += points.size() * patches_[q].triangles.size();
       if (looked_at_ > nesting_budget) return count;
       const auto inside = [&](Vec3 x) {
-        double angle = 0;
-        for (const std::uint32_t t : patches_[q].triangles) angle += turns_[t] * solid_angle(x, triangle(t));
-        return std::abs(angle) > 2 * std::numbers::pi;
+        SolidAngleSum sum;
+        for (const std::uint32_t t : patches_[q].triangles)
+          if (turns_[t] != 0) sum.add(x, triangle(t), turns_[t]);
+        return std::abs(sum.winding()) > 0.5;
       };
       if (std::all_of(points.begin(), points.end(), inside)) ++count;
     }

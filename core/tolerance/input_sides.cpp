@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace isoscope {
 namespace {
@@ -14,13 +13,9 @@ constexpr unsigned ballot_size = 16;
 /// A winding number this near a whole number is meant to be one.
 constexpr double clear = 0.25;
 
-/// How often an oriented soup winds around p, where its gaps leave that clear.
-std::optional<long> clear_winding_number(const ClosestPointIndex& index, std::span<const std::int8_t> turns,
-                                         Vec3 p) {
-  double angle = 0;
-  for (std::size_t t = 0; t < index.size(); ++t)
-    if (turns[t] != 0) angle += turns[t] * solid_angle(p, index.triangle(TriangleId(t)));
-  const double winding = angle / (4 * std::numbers::pi), whole = std::round(winding);
+/// A winding number that is near a whole one; nothing where gaps leave that open.
+std::optional<long> clear_winding_number(const SolidAngles& angles, Vec3 p) {
+  const double winding = angles.winding(p), whole = std::round(winding);
   if (std::abs(winding - whole) >= clear) return std::nullopt;
   return static_cast<long>(whole);
 }
@@ -48,6 +43,12 @@ std::string_view name(SideRule rule) {
   return names[static_cast<std::size_t>(rule)];
 }
 
+InputSides::InputSides(std::shared_ptr<const ClosestPointIndex> index, SideRule rule,
+                       std::shared_ptr<const std::vector<std::int8_t>> turns)
+    : index_(std::move(index)), turns_(std::move(turns)), rule_(rule) {
+  if (turns_ && !known()) angles_of_votes_ = std::make_shared<const SolidAngles>(*index_, *turns_);
+}
+
 int InputSides::winding_number(Vec3 p) const {
   if (angles_) return static_cast<int>(std::lround(angles_->winding(p)));
   return index_->winding_number(p, turns());
@@ -68,9 +69,9 @@ bool InputSides::inside(Vec3 p) const {
     break;
   }
   const unsigned votes = votes_for_inside(*index_, p);
-  if (turns_ && votes > 0 && votes < ballot_size) {
+  if (angles_of_votes_ && votes > 0 && votes < ballot_size) {
     // Parts of a soup run this way or that; layers of two parts alike are no more inside than none.
-    const auto winding = clear_winding_number(*index_, turns(), p);
+    const auto winding = clear_winding_number(*angles_of_votes_, p);
     if (winding && (*winding == 0 || *winding % 2 != 0)) return *winding != 0;
   }
   return 2 * votes > ballot_size;

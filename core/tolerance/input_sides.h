@@ -42,8 +42,7 @@ class InputSides {
   /// `turns`: how each triangle counts, by id (see FacetTurns); null: once, as it runs, and for soups that
   /// nothing is known about that.
   InputSides(std::shared_ptr<const ClosestPointIndex> index, SideRule rule,
-             std::shared_ptr<const std::vector<std::int8_t>> turns)
-      : index_(std::move(index)), turns_(std::move(turns)), rule_(rule) {}
+             std::shared_ptr<const std::vector<std::int8_t>> turns);
 
   /// Of a soup whose solid angles tell how often it winds around a point.
   InputSides(std::shared_ptr<const ClosestPointIndex> index, std::shared_ptr<const SolidAngles> angles)
@@ -80,6 +79,7 @@ class InputSides {
   std::shared_ptr<const SolidAngles> angles_;   ///< where the input winds without closing
   std::shared_ptr<const ToleranceField> field_; ///< where there is no surface
   std::shared_ptr<const std::vector<std::int8_t>> turns_;
+  std::shared_ptr<const SolidAngles> angles_of_votes_; ///< of soups of which turns are known
   SideRule rule_ = SideRule::colouring;
 
   std::span<const std::int8_t> turns() const {

@@ -1,4 +1,5 @@
 // Pairs of facets with known answers, the octree against brute force, and swept witnesses.
+#include "base/solid_angle.h"
 #include "improve/facet_intersection.h"
 #include "improve/facet_octree.h"
 #include "improve/swept_witness.h"
