@@ -2,31 +2,73 @@
 #include "run/input_walls.h"
 
 #include "base/disjoint_sets.h"
-#include "tolerance/volume_components.h"
+#include "base/sort_unique.h"
 #include "tolerance/welded_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace isoscope {
 namespace {
 
-/// The parts of the input by triangle, joined across edges: those that only touch or cross are two, and Ω
-/// closes the wedges between them.
-std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index) {
-  const std::vector<EdgeUse> uses = sorted_edge_uses(weld(index).triangles);
+/// In δ': across cracks of this width the borders of a soup are those of one part.
+constexpr double widest_crack = 0.5;
+
+/// Cosine between two borders along a crack, and the share of a piece's border that has to run along
+/// another's: those of parts that cross come close by chance.
+constexpr double along_crack = 0.8, share_of_border = 0.1;
+
+/// Joins pieces whose borders run along each other.
+void join_across_cracks(const WeldedMesh& mesh, double width, DisjointSets& sets) {
+  const std::vector<EdgeUse> borders = border_uses(mesh.triangles);
+  std::vector<Triangle3> segments;
+  std::vector<Vec3> edges;
+  std::map<std::uint32_t, double> length_of; // of the border, by piece
+  for (const EdgeUse& e : borders) {
+    segments.push_back({mesh.points[e.low], mesh.points[e.high], mesh.points[e.high]});
+    edges.push_back(mesh.points[e.high] - mesh.points[e.low]);
+    length_of[sets.find(e.triangle)] += length(edges.back());
+  }
+  const ClosestPointIndex index(segments, {});
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> along; // of the first piece's border, by pieces
+  for (std::size_t i = 0; i < borders.size(); ++i) {
+    const std::uint32_t own = sets.find(borders[i].triangle);
+    Box3 box;
+    for (const Vec3 p : segments[i]) box.add(p);
+    std::vector<std::uint32_t> pieces;
+    for (const TriangleId near : index.triangles_in(box.grown(width))) {
+      const std::size_t j = near.index();
+      const std::uint32_t other = sets.find(borders[j].triangle);
+      const double parallel = std::abs(dot(normalized(edges[i]), normalized(edges[j])));
+      if (other != own && parallel >= along_crack && triangles_within(segments[i], segments[j], width))
+        pieces.push_back(other);
+    }
+    sort_unique(pieces);
+    for (const std::uint32_t other : pieces) along[{own, other}] += length(edges[i]);
+  }
+  for (const auto& [pair, common] : along)
+    if (common >= share_of_border * length_of[pair.first]) sets.unite(pair.first, pair.second);
+}
+
+/// The parts of the input by triangle, joined across edges and cracks: those that only touch or cross are
+/// two, and Ω closes the wedges between them.
+std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index, double widest) {
+  const WeldedMesh mesh = weld(index);
+  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
   DisjointSets sets(index.size());
   for (std::size_t i = 1; i < uses.size(); ++i)
     if (uses[i].low == uses[i - 1].low && uses[i].high == uses[i - 1].high)
       sets.unite(uses[i].triangle, uses[i - 1].triangle);
+  if (widest > 0) join_across_cracks(mesh, widest, sets);
   std::vector<std::uint32_t> parts(index.size());
   for (std::uint32_t t = 0; t < parts.size(); ++t) parts[t] = sets.find(t);
   return parts;
 }
 
-/// In δ': triangles of a soup belong to one part across cracks of twice that.
-constexpr double widest_crack = 0.25;
 /// A ball lies on a wall where nothing is nearer to its centre than this share of its radius.
 constexpr double fits = 1 - 1e-6;
 /// Cosine between the outward normals of a wall and of one that leans over it: some 75° between the walls or
@@ -66,10 +108,8 @@ Sight sight(const ToleranceVolume& volume, Vec3 p, Vec3 direction) {
 InputWalls::InputWalls(const ToleranceVolume& volume)
     : volume_(volume), gap_(2 * volume.thresholds().boundary) {
   if (volume.input().components <= 1) return;
-  if (volume.sides().by_solid_angles())
-    part_ = find_volume_components(volume.index(), widest_crack * volume.thresholds().boundary).of_triangle;
-  else
-    part_ = parts_of(volume.index());
+  const bool may_crack = volume.sides().by_solid_angles();
+  part_ = parts_of(volume.index(), may_crack ? widest_crack * volume.thresholds().boundary : 0);
 }
 
 bool InputWalls::near_another_part(TriangleId own, const Triangle3& piece) const {
@@ -83,23 +123,44 @@ bool InputWalls::near_another_part(TriangleId own, const Triangle3& piece) const
   });
 }
 
+/// Loose triangles that cross are one part. The pockets that are left between them are cracks, and nobody's
+/// slots.
+bool InputWalls::is_of_pocket(Vec3 p, Vec3 out, double width) const {
+  return volume_.index().distance(p + width * out) < width / 2;
+}
+
+/// Whether across from the nearest wall another part's stands so near that Ω closes what is between them, as
+/// at the bottom of a gap.
+bool InputWalls::is_between_parts(Vec3 p, const ClosestPoint& nearest) const {
+  const Vec3 across = normalized(p - nearest.point);
+  const Vec3 end = p + (gap_ - nearest.distance()) * across;
+  const std::vector<double> hits = volume_.index().crossings(p, end);
+  if (hits.empty()) return false;
+  const TriangleId other = volume_.index().closest(p + hits.front() * (end - p)).triangle;
+  return part_[other.index()] != part_[nearest.triangle.index()];
+}
+
 WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {
   const Sight front = sight(volume_, p, normal), back = sight(volume_, p, -normal);
   if (front.side == back.side || front.side == 0 || back.side == 0) return {Wall::inner, +1};
   const int outward = front.side > 0 ? +1 : -1;
   const Sight& outside = outward > 0 ? front : back;
   if (part_.empty()) return {Wall::outer, outward};
+  const Vec3 out = static_cast<double>(outward) * normal;
+  const double boundary = volume_.thresholds().boundary, crack = widest_crack * boundary;
+  if (volume_.sides().by_solid_angles() && (outside.way <= crack || is_of_pocket(p, out, crack / 2)))
+    return {Wall::of_closed_gap, outward};
   // In the way is what stands in front, or what leans over the wall and keeps a ball of radius δ' from lying
   // on it, as in wedges and pits where parts cross.
   TriangleId before;
   if (outside.way <= gap_) {
     before = volume_.index().closest(outside.wall).triangle;
   } else {
-    const double boundary = volume_.thresholds().boundary;
-    const Vec3 out = static_cast<double>(outward) * normal, center = p + boundary * out;
+    const Vec3 center = p + boundary * out;
     const ClosestPoint beside = volume_.index().closest(center);
-    if (beside.distance() >= fits * boundary || dot(center - beside.point, out) > leaning * beside.distance())
-      return {Wall::outer, outward};
+    if (beside.distance() >= fits * boundary) return {Wall::outer, outward};
+    if (dot(center - beside.point, out) > leaning * beside.distance())
+      return {is_between_parts(center, beside) ? Wall::of_closed_gap : Wall::outer, outward};
     before = beside.triangle;
   }
   return {part_[before.index()] == part_[own.index()] ? Wall::outer : Wall::of_closed_gap, outward};

@@ -40,6 +40,9 @@ class InputWalls {
   bool near_another_part(TriangleId own, const Triangle3& piece) const;
 
  private:
+  bool is_of_pocket(Vec3 p, Vec3 out, double width) const;
+  bool is_between_parts(Vec3 p, const ClosestPoint& nearest) const;
+
   const ToleranceVolume& volume_;
   double gap_;
   std::vector<std::uint32_t> part_; ///< by triangle; none where there is one

@@ -2,6 +2,7 @@
 // thinner.
 #include "run/complete_run.h"
 #include "run/cube_with_bar.h"
+#include "run/input_walls.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
@@ -29,6 +30,19 @@ TriangleSoup cracked(const TriangleSoup& soup, double gap) {
     out.triangles.push_back({first, first + 1, first + 2});
   }
   return out;
+}
+
+/// A box whose faces are pieces of their own, each moved by less than `gap`.
+void add_box_of_pieces(TriangleSoup& soup, Vec3 lo, Vec3 hi, double gap, Random& random) {
+  TriangleSoup box;
+  add_box(box, lo, hi);
+  Vec3 off;
+  for (std::size_t t = 0; t < box.triangles.size(); ++t) {
+    if (t % 2 == 0) off = {random.between(-gap, gap), random.between(-gap, gap), random.between(-gap, gap)};
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const Vec3 p : box.triangle(t)) soup.points.push_back(p + off);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
 }
 
 /// Two unit cubes, joined by a plate of this thickness.
@@ -110,4 +124,38 @@ TEST_CASE("A spike of two parts that overlap is kept, though a wall of each lies
   CompleteRun run(soup, delta);
   check_certified(run, 2);
   CHECK(run.scene->volume->held() > 0);
+}
+
+TEST_CASE("Cracks do not make one part of bodies that cross, and Ω closes gaps between these") {
+  // Two cubes with a gap of 0.6 δ between them, and a bar through both.
+  TriangleSoup soup;
+  Random random(5);
+  const double gap = 0.6 * delta, crack = 0.05 * delta;
+  add_box_of_pieces(soup, {0, 0, 0}, {1, 1, 1}, crack, random);
+  add_box_of_pieces(soup, {1 + gap, 0, 0}, {2 + gap, 1, 1}, crack, random);
+  add_box_of_pieces(soup, {0.5, 0.3, 0.7}, {1.5, 0.6, 1.4}, crack, random);
+  CompleteRun run(soup, delta);
+  REQUIRE(run.prepare());
+  const ToleranceVolume& volume = *run.scene->volume;
+  REQUIRE(volume.sides().by_solid_angles());
+  const InputWalls walls(volume);
+  const auto judge_at = [&](Vec3 p, Vec3 normal) {
+    const ClosestPoint on = volume.index().closest(p);
+    return walls.judge(on.triangle, on.point, normal);
+  };
+  CHECK(judge_at({1, 0.4, 0.2}, {1, 0, 0}).kind == Wall::of_closed_gap);
+  CHECK(judge_at({0, 0.4, 0.2}, {-1, 0, 0}).kind == Wall::outer);
+  CHECK(judge_at({0, 0.4, 0.2}, {-1, 0, 0}).outward == 1);
+  CHECK(judge_at({0.9, 0.45, 1}, {0, 0, 1}).kind == Wall::inner);
+  // Beside a crack the rest of the same body is no other part.
+  const auto near_another = [&](Vec3 p) {
+    const ClosestPoint on = volume.index().closest(p);
+    return walls.near_another_part(on.triangle, {on.point, on.point, on.point});
+  };
+  CHECK_FALSE(near_another({0, 0.01, 0.5}));
+  CHECK(near_another({1, 0.4, 0.2}));
+
+  CompleteRun whole(soup, delta);
+  check_certified(whole, 2);
+  for (const auto& l : whole.result->certificate.failures) MESSAGE(l);
 }
