@@ -3,6 +3,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/sort_unique.h"
+#include "run/touching_ball.h"
 #include "tolerance/welded_mesh.h"
 
 #include <algorithm>
@@ -71,9 +72,6 @@ std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index, double wides
 
 /// A ball lies on a wall where nothing is nearer to its centre than this share of its radius.
 constexpr double fits = 1 - 1e-6;
-/// Cosine between the outward normals of a wall and of one that leans over it: some 75° between the walls or
-/// less.
-constexpr double leaning = -0.25;
 
 /// A wall that is met from a point.
 struct Sight {
@@ -129,15 +127,24 @@ bool InputWalls::is_of_pocket(Vec3 p, Vec3 out, double width) const {
   return volume_.index().distance(p + width * out) < width / 2;
 }
 
-/// Whether across from the nearest wall another part's stands so near that Ω closes what is between them, as
-/// at the bottom of a gap.
-bool InputWalls::is_between_parts(Vec3 p, const ClosestPoint& nearest) const {
-  const Vec3 across = normalized(p - nearest.point);
-  const Vec3 end = p + (gap_ - nearest.distance()) * across;
-  const std::vector<double> hits = volume_.index().crossings(p, end);
-  if (hits.empty()) return false;
-  const TriangleId other = volume_.index().closest(p + hits.front() * (end - p)).triangle;
-  return part_[other.index()] != part_[nearest.triangle.index()];
+/// Whether another part leaves no room for a ball of radius δ' on a wall, as at the foot of a fin or the
+/// bottom of a pit, and none of the own part leaves less. Borders at cracks stand out and do not count.
+bool InputWalls::is_closed_by_another(TriangleId own, Vec3 p, Vec3 out) const {
+  const ClosestPointIndex& index = volume_.index();
+  const double boundary = volume_.thresholds().boundary;
+  if (index.distance(p + boundary * out) >= fits * boundary) return false;
+  const double standing_out = volume_.sides().by_solid_angles() ? widest_crack * boundary / 2 : 0;
+  double of_own = boundary, of_others = boundary;
+  const Vec3 center = p + boundary * out;
+  for (const TriangleId id : index.triangles_in(Box3{center, center}.grown(boundary))) {
+    const double radius = touching_radius(
+        p, out, boundary, [&](Vec3 q) { return closest_point_on_triangle(q, index.triangle(id)); });
+    if (part_[id.index()] != part_[own.index()])
+      of_others = std::min(of_others, radius);
+    else if (radius >= standing_out)
+      of_own = std::min(of_own, radius);
+  }
+  return of_others < boundary && of_others <= of_own;
 }
 
 WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {
@@ -150,20 +157,11 @@ WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {
   const double boundary = volume_.thresholds().boundary, crack = widest_crack * boundary;
   if (volume_.sides().by_solid_angles() && (outside.way <= crack || is_of_pocket(p, out, crack / 2)))
     return {Wall::of_closed_gap, outward};
-  // In the way is what stands in front, or what leans over the wall and keeps a ball of radius δ' from lying
-  // on it, as in wedges and pits where parts cross.
-  TriangleId before;
-  if (outside.way <= gap_) {
-    before = volume_.index().closest(outside.wall).triangle;
-  } else {
-    const Vec3 center = p + boundary * out;
-    const ClosestPoint beside = volume_.index().closest(center);
-    if (beside.distance() >= fits * boundary) return {Wall::outer, outward};
-    if (dot(center - beside.point, out) > leaning * beside.distance())
-      return {is_between_parts(center, beside) ? Wall::of_closed_gap : Wall::outer, outward};
-    before = beside.triangle;
-  }
-  return {part_[before.index()] == part_[own.index()] ? Wall::outer : Wall::of_closed_gap, outward};
+  const bool another_in_front =
+      outside.way <= gap_ &&
+      part_[volume_.index().closest(outside.wall).triangle.index()] != part_[own.index()];
+  const bool closed = another_in_front || is_closed_by_another(own, p, out);
+  return {closed ? Wall::of_closed_gap : Wall::outer, outward};
 }
 
 } // namespace isoscope

@@ -12,8 +12,8 @@ namespace isoscope {
 enum class Wall : std::uint8_t {
   outer, ///< the inside on one of them, outside on the other: a mesh has to be near
   inner, ///< the same on both, as where closed parts overlap or touch, or sides are not sure
-  /// another part stands within 2δ' in front of it, or leans over it and leaves no room for a ball of radius
-  /// δ' on it: Ω closes the gap
+  /// another part stands within 2δ' in front of it or leaves no room for a ball of radius δ' on it: Ω closes
+  /// the gap
   of_closed_gap
 };
 
@@ -41,7 +41,7 @@ class InputWalls {
 
  private:
   bool is_of_pocket(Vec3 p, Vec3 out, double width) const;
-  bool is_between_parts(Vec3 p, const ClosestPoint& nearest) const;
+  bool is_closed_by_another(TriangleId own, Vec3 p, Vec3 out) const;
 
   const ToleranceVolume& volume_;
   double gap_;

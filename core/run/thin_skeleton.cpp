@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "base/sort_unique.h"
+#include "run/touching_ball.h"
 
 #include <algorithm>
 #include <queue>
@@ -30,23 +31,6 @@ constexpr double price_of_walls = 200;
 /// What is thin is looked at up to so many cells.
 constexpr std::size_t most_nodes = 600000;
 constexpr std::size_t node_grain = 16;
-constexpr int shrinking_steps = 40;
-
-/// The largest ball on the side of `direction` that touches the input at `foot`, by shrinking.
-double touching_radius(const ClosestPointIndex& index, Vec3 foot, Vec3 direction, double most) {
-  double radius = most;
-  for (int i = 0; i < shrinking_steps; ++i) {
-    const ClosestPoint near = index.closest(foot + radius * direction);
-    if (near.distance() >= radius * (1 - 1e-6)) break;
-    const Vec3 to = near.point - foot;
-    const double along = dot(to, direction);
-    if (!(along > 0)) break; // it is touched at its own wall
-    const double smaller = squared_length(to) / (2 * along);
-    if (smaller >= radius * (1 - 1e-6)) break;
-    radius = smaller;
-  }
-  return radius;
-}
 
 template <class Visit> void for_neighbors(const LatticeCell& cell, const Visit& visit) {
   for (std::int64_t x = -1; x <= 1; ++x)
@@ -86,7 +70,8 @@ ThinSkeleton::Node ThinSkeleton::make_node(const Cell& cell) const {
   const WallVerdict verdict = walls_.judge(closest.triangle, closest.point, normal);
   const double boundary = volume_.thresholds().boundary;
   const auto largest = [&](Vec3 direction) {
-    return touching_radius(volume_.index(), closest.point, direction, boundary);
+    return touching_radius(closest.point, direction, boundary,
+                           [&](Vec3 p) { return volume_.index().closest(p).point; });
   };
   double radius = 0;
   if (verdict.bounds(label_)) {
