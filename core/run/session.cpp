@@ -201,6 +201,8 @@ struct Session::Impl : public Gate {
     publish([&](SessionSnapshot& s) {
       s.scene = scene;
       s.phase = SessionPhase::running;
+      s.part.clear(); // of the preparation
+      s.fraction = -1;
       wanted = s.parameters.criteria(scene->delta, scene->default_sigma);
       if (follows) {
         parameters_pending = true; // heard once the step is reached
