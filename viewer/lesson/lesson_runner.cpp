@@ -225,8 +225,13 @@ void LessonRunner::update() {
   if (!own_) own_ = window_.run.generation;
   if (window_.run.error && !window_.running()) return fail(window_.run.error->line());
   if (window_.run.phase == SessionPhase::preparing) return; // nothing is known yet
-  if (!window_.has_state() || !window_.settled) return;
+  if (!window_.has_state()) return;
   const bool running = window_.running();
+  // A scene that is prepared is not played up to. What comes first needs nothing to be shown before it, and
+  // what the run has not come to yet is tried again.
+  const bool follows = window_.transport.mode() == Transport::Mode::following;
+  if (follows) window_.transport.follow();
+  if (!window_.settled && !(follows && running)) return;
   if (!pending_.empty()) {
     const std::size_t events = window_.run.journal->events().size();
     if (tried_at_ != 0 && tried_at_ == events && running) return;
