@@ -202,9 +202,12 @@ void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   if (name.empty())
     name = "(" + short_number(n.x) + ", " + short_number(n.y) + ", " + short_number(n.z) + ")";
   const std::string text = "section, normal " + name;
-  if (widgets::width_of(ui.fonts.small, text) > size.x - ui.px(160)) return;
+  const float room = size.x - ui.px(14 + 150); // beside the scale bar
+  if (room < ui.px(70)) return;
+  const std::string lines = widgets::broken_lines(ui.fonts.small, text, room);
+  const float high = widgets::height_of(ui.fonts.small, lines);
   widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
-                     {low.x + ui.px(14), low.y + size.y - ui.px(28)}, to_u32(ui.colors.quiet), text);
+                     {low.x + ui.px(14), low.y + size.y - ui.px(14) - high}, to_u32(ui.colors.quiet), lines);
 }
 
 void hover_tip(const Ui& ui) {
