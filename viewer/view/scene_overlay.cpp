@@ -175,8 +175,9 @@ float caption(const Ui& ui, ImVec2 low, ImVec2 size) {
     return std::max(0.0f, sentence(ui, event, std::move(text), low, beside, lines) - ui.px(26));
   }
   if (size.y < ui.px(240)) return 0; // the model comes first
-  return ui.px(32) +
-         sentence(ui, event, std::move(text), {low.x, low.y + ui.px(32)}, size.x - ui.px(24 + 30), 3);
+  const float high =
+      sentence(ui, event, std::move(text), {low.x, low.y + ui.px(32)}, size.x - ui.px(24 + 30), 3);
+  return ui.px(32) + std::max(0.0f, high - ui.px(26));
 }
 
 void preview(const Ui& ui, ImVec2 low, ImVec2 size) {

@@ -14,6 +14,18 @@ namespace isoscope {
 namespace {
 
 Status look_along(WindowState& m, const Arguments& a) {
+  if (a.size() == 3) {
+    Vec3 from;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const auto number = read_number(a[i]);
+      if (!number) return wrong_arguments("\"" + a[i] + "\" is not a finite number.");
+      from[static_cast<int>(i)] = *number;
+    }
+    if (squared_length(from) == 0) return wrong_arguments("From nowhere nothing is seen.");
+    m.camera.look_from(from, !m.scripted);
+    m.camera.mark_set();
+    return {};
+  }
   const std::string axis = a.empty() ? "" : a[0];
   const bool negative = axis.starts_with("-");
   const std::string name = negative ? axis.substr(1) : axis;
@@ -125,8 +137,8 @@ void add_view_commands(CommandTable& table, WindowState& m) {
               .run = does([&m] { m.frame_all(); })},
              {.name = "look",
               .title = "Look along an axis",
-              .usage = "x | y | z | -x | -y | -z",
-              .help = "Looks along an axis.",
+              .usage = "x | y | z | -x | -y | -z | X Y Z",
+              .help = "Looks along an axis, or from a direction.",
               .run = on(m, look_along)}});
   for (const AxisCommand& axis : axis_commands)
     table.add({{.name = axis.name,
