@@ -309,7 +309,9 @@ set axes off
 set layer.good off
 )" + take("no-dots") + "set layer.good on\n" +
                              take("few-dots") + "near-samples\nexpect samples.near == off\n" +
-                             take("carpet") + "set layer.bad off\n" + take("no-crosses") + "quit\n";
+                             take("carpet") + "set layer.bad off\n" + take("no-crosses") +
+                             "set layer.bad on\nseek 1\nwait settled\n" + take("all-bad") +
+                             "set layer.bad off\n" + take("all-bad-hidden") + "quit\n";
   REQUIRE(run_window("default-scene", script, "gallery:bracket --until refinement") == 0);
   const Image none = taken("no-dots"), few = taken("few-dots"), carpet = taken("carpet"),
               no_bad = taken("no-crosses");
@@ -317,6 +319,15 @@ set layer.good off
   CHECK(of_few > 0);
   CHECK(of_carpet > 5 * of_few);
   CHECK(differing(carpet, no_bad) > 20);
+  // Before Z is there every sample of a boundary is bad: they do not hide what they lie on.
+  const Image all_bad = taken("all-bad"), hidden = taken("all-bad-hidden");
+  const std::size_t of_all = differing(all_bad, hidden);
+  CHECK(of_all > 1000);
+  CHECK(of_all < 4 *
+                     drawn(
+                         hidden, [](int, int) { return true; })
+                         .pixels /
+                     10);
 }
 
 TEST_CASE("while a run is prepared its input is seen, one bar tells how far it is, and nothing is judged") {
