@@ -201,6 +201,7 @@ struct Session::Impl : public Gate {
     publish([&](SessionSnapshot& s) {
       s.scene = scene;
       s.phase = SessionPhase::running;
+      s.part.clear(); // of the preparation
       wanted = s.parameters.criteria(scene->delta, scene->default_sigma);
       if (follows) {
         parameters_pending = true; // heard once the step is reached
@@ -208,9 +209,8 @@ struct Session::Impl : public Gate {
       }
       serve_writer();
     });
-    if (branch) {
+    if (branch)
       if (Status begun = pipeline.branch(*branch, journal); !begun) return fail(begun.error());
-    }
     for (;;) {
       auto result = pipeline.run();
       if (!result) return fail(result.error());

@@ -48,9 +48,9 @@ bool no_hands() {
 }
 
 /// Where the buttons of the three marks are.
-constexpr const char* view_mark = "522 317";
-constexpr const char* inspector_mark = "1012 317";
-constexpr const char* timeline_mark = "543 677";
+constexpr const char* view_mark = "522 509";
+constexpr const char* inspector_mark = "1012 509";
+constexpr const char* timeline_mark = "543 744";
 
 } // namespace
 

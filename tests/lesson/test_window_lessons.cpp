@@ -45,47 +45,69 @@ constexpr std::array<Solution, 17> solutions{{
     {"why-a-collapse-failed", "Would another target do?", "what-if 100 100 100\n"},
 }};
 
+/// What goes through a lesson; what is to be done at a stop is done by commands.
+enum class By { mouse, keys, both };
+
+/// Goes on by a button, whose label is given, or by its key.
+std::string press(bool mouse, const std::string& label, const std::string& key) {
+  return mouse ? "click-words " + label + "\n" : "key " + key + "\n";
+}
+
+/// An answer may be longer than its line: its first words.
+std::string first_words(const std::string& answer) {
+  return answer.substr(0, answer.find(' ', 14));
+}
+
 /// The commands of a lesson that is on: wrong at the first question, right at all others; what is to be done
-/// is done, after the first look at its hint.
-std::string walk(const Lesson& lesson) {
+/// is done, after the first look at its hint. By both: one stop by the mouse, the next one by keys.
+std::string walk(const Lesson& lesson, By by) {
   std::string script;
-  bool wrong = true, hinted = false;
+  bool wrong = true, hinted = false, mouse = by != By::keys;
+  std::size_t right_ones = 0;
   for (std::size_t i = 0; i < lesson.stops.size(); ++i) {
     const LessonStop& stop = lesson.stops[i];
+    if (by == By::both) mouse = i % 2 == 0;
     script += "wait answers\nexpect lesson.error == none and lesson.stop == " + std::to_string(i + 1) + "\n";
     if (stop.question) {
       const std::size_t right = stop.question->right();
       const std::size_t guess = wrong ? (right + 1) % stop.question->answers.size() : right;
+      right_ones += wrong ? 0 : 1;
+      script += "expect lesson.phase == asking\nexpect-words Skip\n" +
+                press(mouse, first_words(stop.question->answers[guess].text), std::to_string(guess + 1)) +
+                "wait answers\nexpect lesson.error == none and lesson.phase == reading and lesson.right == " +
+                std::to_string(right_ones) + "\nexpect-words " + (wrong ? "No: it is answer " : "Yes.") +
+                "\n";
       wrong = false;
-      script += "expect lesson.phase == asking\nlesson-answer " + std::to_string(guess + 1) +
-                "\nwait answers\nexpect lesson.error == none and lesson.phase == reading\n";
     } else if (stop.task) {
       const auto solution = std::find_if(solutions.begin(), solutions.end(), [&](const Solution& s) {
         return s.lesson == lesson.name && s.stop == stop.heading;
       });
       CHECK_MESSAGE(solution != solutions.end(), stop.heading);
       script += "expect lesson.phase == trying and lesson.done == off and lesson.hint == off\n";
-      if (!std::exchange(hinted, true)) script += "lesson-hint\nexpect lesson.hint == on\n";
+      if (!std::exchange(hinted, true))
+        script +=
+            (mouse ? "click-words Hint\n" : "lesson-hint\n") + std::string("expect lesson.hint == on\n");
       if (solution != solutions.end())
         script += std::string(solution->commands) +
-                  "wait answers\nexpect lesson.done == on and lesson.phase == reading\n";
+                  "wait answers\nexpect lesson.done == on and lesson.phase == reading\nwait 0.1\n";
     } else {
       script += "expect lesson.phase == reading\n";
     }
-    script += "lesson-next\n";
+    script += press(mouse, i + 1 == lesson.stops.size() ? "Finish" : "Next", "Enter");
   }
-  return script + "wait answers\nexpect lesson.phase == finished\nlesson-end\nexpect lesson.phase == off\n";
+  return script + "wait answers\nexpect lesson.phase == finished\nexpect-words The end\n" +
+         press(by != By::keys, "Leave", "Ctrl+Shift+L") + "wait 0.2\nexpect lesson.phase == off\n";
 }
 
-/// Goes through every second lesson from the `first` on.
-void walk_every_second(std::size_t first) {
+/// Goes through every so manyth lesson from the `first` on.
+void walk_through(By by, std::size_t first, std::size_t every) {
   const auto& lessons = bundled_lessons();
   REQUIRE(lessons.ok());
-  for (std::size_t i = first; i < lessons->size(); i += 2) {
+  for (std::size_t i = first; i < lessons->size(); i += every) {
     const Lesson& lesson = (*lessons)[i];
     CAPTURE(lesson.name);
-    CHECK(run_window("lesson-" + lesson.name, walk(lesson) + "quit\n",
-                     "lesson:" + lesson.name + " --size 640x400") == 0);
+    CHECK(run_window("lesson-" + lesson.name, walk(lesson, by) + "quit\n",
+                     "lesson:" + lesson.name + " --size 900x640") == 0);
   }
 }
 
@@ -96,12 +118,21 @@ std::string text_of(const fs::path& file) {
 
 } // namespace
 
-TEST_CASE("every odd lesson can be gone through, and what it says holds") {
-  walk_every_second(0);
+TEST_CASE("every odd lesson can be gone through by mouse and keys, and what it says holds") {
+  walk_through(By::both, 0, 2);
 }
 
-TEST_CASE("every even lesson can be gone through, and what it says holds" * doctest::test_suite("even")) {
-  walk_every_second(1);
+TEST_CASE("every even lesson can be gone through by mouse and keys, and what it says holds" *
+          doctest::test_suite("even")) {
+  walk_through(By::both, 1, 2);
+}
+
+TEST_CASE("every lesson is gone through by the mouse alone" * doctest::test_suite("soak")) {
+  walk_through(By::mouse, 0, 1);
+}
+
+TEST_CASE("every lesson is gone through by keys alone" * doctest::test_suite("soak")) {
+  walk_through(By::keys, 0, 1);
 }
 
 TEST_CASE(
@@ -188,40 +219,43 @@ quit
                    "lesson:tessellation --size 900x600") == 0);
 }
 
-TEST_CASE("whole lessons are gone through by the mouse alone, and by keys alone") {
-  for (const std::string name : {"tessellation", "classification"}) {
-    const Lesson* lesson = find_lesson(name);
-    REQUIRE(lesson != nullptr);
-    std::string mouse = "wait settled\n", keys = mouse;
-    std::size_t questions = 0;
-    for (std::size_t i = 0; i < lesson->stops.size(); ++i) {
-      const LessonStop& stop = lesson->stops[i];
-      for (std::string* script : {&mouse, &keys})
-        *script += "wait answers\nexpect lesson.stop == " + std::to_string(i + 1) + "\n";
-      if (stop.question) {
-        const std::size_t right = stop.question->right();
-        // An answer may be longer than its line.
-        const std::string& words = stop.question->answers[right].text;
-        mouse += "click-words " + words.substr(0, words.find(' ', 14)) + "\n";
-        keys += "key " + std::to_string(right + 1) + "\n";
-        ++questions;
-        for (std::string* script : {&mouse, &keys})
-          *script += "wait answers\nexpect lesson.phase == reading and lesson.right == " +
-                     std::to_string(questions) + "\nexpect-words Yes.\n";
-      }
-      const bool last = i + 1 == lesson->stops.size();
-      mouse += std::string("click-words ") + (stop.task ? "Skip" : last ? "Finish" : "Next") + "\n";
-      keys += "key Enter\n";
-    }
-    for (std::string* script : {&mouse, &keys})
-      *script += "wait answers\nexpect lesson.phase == finished\nexpect-words The end\n";
-    mouse += "click-words Leave\nwait 0.2\nexpect lesson.phase == off\nquit\n";
-    keys += "lesson-end\nexpect lesson.phase == off\nquit\n";
-    const std::string arguments = "lesson:" + name + " --size 1000x700";
-    CAPTURE(name);
-    CHECK(run_window("mouse-alone-" + name, mouse, arguments) == 0);
-    CHECK(run_window("keys-alone-" + name, keys, arguments) == 0);
-  }
+TEST_CASE("the last stop on parameters makes its second run where it was begun with") {
+  CHECK(run_window("lesson-last-stop", R"(
+lesson parameters 5
+wait answers
+expect lesson.error == none and lesson.phase == reading and lesson.stop == 5
+expect runs == 2 and compare.beside == on and alpha == 0.2
+expect-words First differing decision
+key Backspace
+wait answers
+expect lesson.error == none and lesson.stop == 4 and runs == 2
+quit
+)",
+                   "--size 1000x700") == 0);
+}
+
+TEST_CASE("what is said of an answer comes into sight, and inspectors begin at the top of each stop") {
+  CHECK(run_window("lesson-in-sight", R"(
+lesson parameters 3
+wait answers
+expect lesson.stop == 3
+lesson-answer right
+wait answers
+wait 0.2
+expect-words Yes.
+expect-words its number goes with
+lesson making-room 2
+wait answers
+lesson-answer right
+wait answers
+wait 1.5
+expect-words neighbours tried
+lesson-next
+wait answers
+expect lesson.stop == 3 and inspector.scroll == 0
+quit
+)",
+                   "--size 1000x700") == 0);
 }
 
 TEST_CASE("a lesson is written as pages") {

@@ -75,3 +75,15 @@ TEST_CASE("what its pane cuts off is not read, and said to be cut") {
   CHECK(!can_be_read(seen, "of the pane"));
   CHECK(!can_be_read(seen, "far below"));
 }
+
+TEST_CASE("words that stand alone are found before those among others, and what is in front before all") {
+  const auto piece = [](const char* text, float at) {
+    return SeenWords{text, {at, 0}, {at + 1, 1}, false, "pane"};
+  };
+  const std::vector<SeenWords> seen{piece("four", 0), piece("four half-spaces", 1), piece("five", 2),
+                                    piece("five", 3)};
+  CHECK(find_words(seen, "four")->low.x == 0);
+  CHECK(find_words(seen, "half")->low.x == 1);
+  CHECK(find_words(seen, "five")->low.x == 3);
+  CHECK(find_words(seen, "six") == nullptr);
+}

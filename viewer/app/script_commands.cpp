@@ -117,6 +117,17 @@ Status click_words(AppModel& m, const Arguments& a) {
   return {};
 }
 
+Status hover_words(AppModel& m, const Arguments& a) {
+  if (a.size() != 1) return wrong_arguments("Which words?");
+  const std::vector<SeenWords> seen = seen_words();
+  const SeenWords* found = find_words(seen, a[0]);
+  if (found == nullptr) return not_in_sight(a[0]);
+  const MouseStep over{(found->low.x + found->high.x) / 2, (found->low.y + found->high.y) / 2};
+  constexpr int frames = 40; // of a sixtieth of a second: what is said there comes after a while
+  for (int i = 0; i < frames; ++i) m.requests.mouse.push_back(over);
+  return {};
+}
+
 Status drag(AppModel& m, const Arguments& a) {
   const auto n = numbers(a, 4);
   if (!n) return n.error();
@@ -259,6 +270,14 @@ void add_script_commands(AppModel& m) {
               .usage = "WORDS",
               .help = "Clicks where these words stand in one line of the window.",
               .run = on(m, click_words),
+              .raw = true,
+              .for_scripts = true},
+             {.name = "hover-words",
+              .title = "Rest on words",
+              .usage = "WORDS",
+              .help = "Rests the mouse where these words stand in one line of the window, until what is said "
+                      "there is shown.",
+              .run = on(m, hover_words),
               .raw = true,
               .for_scripts = true},
              {.name = "drag",

@@ -113,8 +113,9 @@ void coach_marks(Ui& ui, const std::array<CoachPlace, coach_mark_count>& places)
     const CoachPlace& place = places[i];
     if ((closed >> i & 1u) != 0 || place.size.x <= 0 || place.size.y <= 0) continue;
     const float wide = std::min(ui.px(270), place.size.x - ui.px(24));
-    ImGui::SetNextWindowPos({place.low.x + place.size.x / 2, place.low.y + place.size.y / 2},
-                            ImGuiCond_Always, {0.5f, 0.5f});
+    // At the lower rim, so that it does not lie on what it speaks of.
+    ImGui::SetNextWindowPos({place.low.x + place.size.x / 2, place.low.y + place.size.y - ui.px(10)},
+                            ImGuiCond_Always, {0.5f, 1});
     ImGui::SetNextWindowSizeConstraints({wide, 0}, {wide, place.size.y});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec(ui.colors.accent));
     ImGui::PushStyleColor(ImGuiCol_Text, to_vec(ui.colors.on_accent));

@@ -106,6 +106,14 @@ void add_window_commands(CommandTable& table, WindowState& m, const NamedValues&
         .help = "All panes in the sizes and places that they had at first.",
         .menu = "Window",
         .run = does([&m] { m.reset_layout(); })},
+       {.name = "all-lanes",
+        .title = "Room for every lane",
+        .help = "Makes the timeline as high as all of its lanes need; again as high as at first.",
+        .menu = "Window",
+        .run = does([&m] {
+          m.open_tab(BottomTab::timeline);
+          m.requests.all_lanes = true;
+        })},
        {.name = "tab",
         .title = "Bottom tab",
         .usage = tab_words(),

@@ -15,7 +15,8 @@ Status next_violation(Investigation& m, const Arguments& a, int direction) {
     m.violations = a[0] == "flat" ? ViolationKind::flat : ViolationKind::misoriented;
   }
   const auto state = m.window.state();
-  if (!state->classifies()) return usage("Nothing is judged here: there is no T that carries Z at this step.");
+  if (!state->classifies())
+    return usage("Nothing is judged here: there is no T that carries Z at this step.");
   if (m.violations == ViolationKind::misoriented && !state->orientation_judged)
     return usage("Condition 3 is judged when the play head rests.");
   const auto tets = violating_tets(*state, m.violations);
@@ -163,8 +164,10 @@ void Investigation::add_commands(CommandTable& table) {
           edge_advice = !edge_advice;
           if (edge_advice) window.bring_into_sight(AnswerKind::advice);
         }),
-        .checked = is_on(edge_advice)},
-       {.name = "topology",
+        .checked = is_on(edge_advice)}});
+  add_group(
+      table, {.menu = "Ask", .enabled = has_state},
+      {{.name = "topology",
         .title = "Topology of Z",
         .help = "Judges each component of Z against the boundaries of Ω and draws a shortest handle loop.",
         .keys = {{'T'}},
@@ -185,8 +188,10 @@ void Investigation::add_commands(CommandTable& table) {
         .title = "Find the first invalid step",
         .help = "Where the step shown is not valid: bisection over the journal for the first that is not.",
         .keys = {{'K', false, true}},
-        .run = [this](const Arguments&) { return check_step(*this, true); }},
-       {.name = "work",
+        .run = [this](const Arguments&) { return check_step(*this, true); }}});
+  add_group(
+      table, {.menu = "Ask", .enabled = has_state},
+      {{.name = "work",
         .title = "Where the work goes",
         .help =
             "Draws insertions or attempts as a heat map; tells time by reason and why nothing is accepted.",

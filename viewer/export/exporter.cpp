@@ -184,7 +184,7 @@ void Exporter::draw(Exports& desk, Renderer& renderer) {
 /// The colour bar and the legend, where the view has them, in the bottom right corner.
 void Exporter::add_key(const Exports& desk, Image& image) {
   KeptLegend legend;
-  const SceneKey key = scene_key(desk.window, desk.maps, shot_.view, legend);
+  const SceneKey key = scene_key(desk.window, desk.maps, shot_.view, desk.probe.xray(), legend);
   if (key.empty()) return;
   const float scale = std::clamp(shot_.pixel_scale, 0.5f, 8.0f);
   if (!key_fonts_ || key_scale_ != scale) {

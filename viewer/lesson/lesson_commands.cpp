@@ -90,6 +90,7 @@ void Lessons::add_commands(CommandTable& table) {
               .title = "Leave the lesson",
               .help = "Gives back the layout that was there; the run stays.",
               .icon = icon::close,
+              .keys = {{'L', true, true}},
               .run = does([this] { runner.end(); }),
               .enabled = on_lesson}});
   table.add(

@@ -86,6 +86,7 @@ bool answer_row(const Ui& ui, std::size_t number, const LessonQuestion::Answer& 
 void question(Ui& ui, const LessonRunner& runner, const LessonQuestion& q) {
   paragraphs(ui, runner.filled(q.text), ui.fonts.reading_bold);
   const bool open = !runner.guess() && runner.phase() == LessonPhase::asking;
+  if (open) ImGui::GetStateStorage()->SetInt(ImGui::GetID("told"), 0);
   for (std::size_t i = 0; i < q.answers.size(); ++i) {
     if (answer_row(ui, i, q.answers[i], !runner.guess(), runner.guess() == i) && open)
       ui.commands.post("lesson-answer", {std::to_string(i + 1)});
@@ -97,6 +98,13 @@ void question(Ui& ui, const LessonRunner& runner, const LessonQuestion& q) {
   paragraphs(ui, right ? "Yes." : "No: it is answer " + std::to_string(q.right() + 1) + ".",
              ui.fonts.reading_bold, right ? ui.colors.good_text : ui.colors.bad_text);
   paragraphs(ui, runner.why(), ui.fonts.reading);
+  // What is said of a guess comes into sight once.
+  ImGuiStorage& store = *ImGui::GetStateStorage();
+  const ImGuiID told = ImGui::GetID("told");
+  const int guess = static_cast<int>(8 * runner.stop() + *runner.guess()) + 1;
+  if (store.GetInt(told) == guess) return;
+  store.SetInt(told, guess);
+  ImGui::SetScrollHereY(1);
 }
 
 void task(Ui& ui, const LessonRunner& runner, const LessonTask& t) {
@@ -136,8 +144,14 @@ void finished(Ui& ui, const LessonRunner& runner) {
       ui.commands.post("lesson", {next->name});
   if (widgets::plain_button(ui, "All lessons", true, ImGui::GetContentRegionAvail().x))
     ui.commands.post("lesson");
+}
+
+/// Always in sight, as the way on is.
+void way_out(Ui& ui) {
+  ImGui::Dummy({0, ui.px(18)});
   if (widgets::plain_button(ui, "Leave", true, ImGui::GetContentRegionAvail().x))
     ui.commands.post("lesson-end");
+  widgets::command_tip(ui, "lesson-end");
 }
 
 std::string progress_text(const WindowState& window) {
@@ -206,6 +220,7 @@ void lesson(Ui& ui, const LessonRunner& runner) {
   if (stop == nullptr) {
     finished(ui, runner);
     ImGui::EndChild();
+    way_out(ui);
     return;
   }
   {

@@ -79,6 +79,12 @@ std::size_t LessonRunner::right() const {
       std::count_if(results_.begin(), results_.end(), [](const auto& r) { return r.value_or(false); }));
 }
 
+std::string LessonRunner::filled(std::string_view text) const {
+  std::string words = phase_ == LessonPhase::working ? with_gaps(text) : with_values(text, values_);
+  std::erase(words, '`');
+  return words;
+}
+
 std::string LessonRunner::text() const {
   return shown() != nullptr ? filled(shown()->text) : std::string();
 }
@@ -174,11 +180,13 @@ void LessonRunner::go(std::size_t stop) {
   const bool strayed = own_ && window_.run.generation != *own_ && !window_.has_guest(LayoutGuest::two_views);
   if (strayed)
     if (Status opened = open(*lesson_); !opened) return fail(opened.error().line());
+  if (own_) window_.draft = window_.run.parameters; // what was tried in the panel
   ViewSettings plain;
   plain.theme = window_.view.theme;
   window_.view = plain;
   window_.center_clip();
   window_.selection = {};
+  window_.inspected = {}; // what it tells begins at the top
   window_.filter = {};
   window_.blinking = false;
   window_.preview_delta.reset();
@@ -189,7 +197,11 @@ void LessonRunner::go(std::size_t stop) {
     if (const NamedValue* kept = values_.find(name)) static_cast<void>(kept->set(value));
   PaneLayout& panes = window_.settings.panes;
   panes.show_left = panes.show_right = panes.show_bottom = false;
-  follow(shown()->commands, LessonPhase::working);
+  // Panes come first: what is framed is framed in the room that they leave.
+  std::vector<std::string> commands = shown()->commands;
+  std::stable_partition(commands.begin(), commands.end(),
+                        [](const std::string& command) { return command.starts_with("pane-"); });
+  follow(commands, LessonPhase::working);
 }
 
 Status LessonRunner::answer(std::size_t which) {
@@ -225,8 +237,13 @@ void LessonRunner::update() {
   if (!own_) own_ = window_.run.generation;
   if (window_.run.error && !window_.running()) return fail(window_.run.error->line());
   if (window_.run.phase == SessionPhase::preparing) return; // nothing is known yet
-  if (!window_.has_state() || !window_.settled) return;
+  if (!window_.has_state()) return;
   const bool running = window_.running();
+  // A scene that is prepared is not played up to. What comes first needs nothing to be shown before it, and
+  // what the run has not come to yet is tried again.
+  const bool follows = window_.transport.mode() == Transport::Mode::following;
+  if (follows) window_.transport.follow();
+  if (!window_.settled && !(follows && running)) return;
   if (!pending_.empty()) {
     const std::size_t events = window_.run.journal->events().size();
     if (tried_at_ != 0 && tried_at_ == events && running) return;

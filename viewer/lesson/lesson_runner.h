@@ -68,10 +68,9 @@ class LessonRunner {
   /// The stop's text and why, with the values of now.
   std::string text() const;
   std::string why() const;
-  /// A text of the lesson with the values of now, or with gaps while the scene is still being made.
-  std::string filled(std::string_view text) const {
-    return phase_ == LessonPhase::working ? with_gaps(text) : with_values(text, values_);
-  }
+  /// A text of the lesson with the values of now, or with gaps while the scene is still being made; without
+  /// the marks that pages set code in.
+  std::string filled(std::string_view text) const;
 
  private:
   void enter(LessonPhase phase);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <mutex>
@@ -12,7 +13,6 @@
 namespace isoscope {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{256} << 20;
 /// What voxels smaller than a quarter of the thickness of Ω may take.
 constexpr std::size_t fine_bytes = std::size_t{64} << 20;
 /// What a finer part may take.
@@ -76,7 +76,8 @@ struct GridLoader::Parts {
     double voxel = 0;
     std::size_t most_bytes = 0;
   };
-  std::mutex mutex; ///< of the sketch
+  std::atomic<std::size_t> most_bytes = usual_bytes; ///< of both grids together
+  std::mutex mutex;                                  ///< of the sketch
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const DistanceGrid> sketch;
   std::optional<Detail> near; ///< what is wanted
@@ -104,7 +105,7 @@ GridLoader::GridLoader(std::function<void()> notify) : parts_(std::make_shared<P
       if (notify) notify();
     }
     Made made;
-    made.grid = make_grid(*scene, wish_for(*scene, voxel, most_bytes), control);
+    made.grid = make_grid(*scene, wish_for(*scene, voxel, parts->most_bytes), control);
     made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return std::make_shared<const Made>(std::move(made));
   };
@@ -120,6 +121,17 @@ void GridLoader::want(const std::shared_ptr<const Scene>& scene) {
     worker_->ask(scene);
   else
     worker_->stop();
+}
+
+void GridLoader::allow(std::size_t most_bytes) {
+  if (parts_->most_bytes.exchange(most_bytes) == most_bytes || !scene_ || !scene_->field) return;
+  parts_->near.reset();
+  parts_->detail.stop();
+  worker_->ask(scene_);
+}
+
+std::size_t GridLoader::allowed() const {
+  return parts_->most_bytes;
 }
 
 std::shared_ptr<const DistanceGrid> GridLoader::grid() const {
@@ -141,7 +153,8 @@ void GridLoader::look_near(const std::optional<GridFocus>& focus) {
                         SidedInput{*scene_->field, scene_->volume->sides(), scene_->delta, {}}.tells_sides();
   if (!possible) return far();
   const double enough = 2 * whole->delta / always_enough, wanted = std::max(focus->voxel, 0.5 * enough);
-  const std::size_t taken = whole->texture_bytes(), room = most_bytes > taken ? most_bytes - taken : 0;
+  const std::size_t taken = whole->texture_bytes(), most = parts_->most_bytes,
+                    room = most > taken ? most - taken : 0;
   if (whole->voxel <= 1.05 * enough || whole->voxel < worth_it * wanted || room < least_detail_bytes)
     return far();
   if (near) {

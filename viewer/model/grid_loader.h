@@ -25,6 +25,10 @@ class GridLoader {
 
   /// Begins unless this scene's grid is there or under way; null clears.
   void want(const std::shared_ptr<const Scene>& scene);
+  /// What the textures of the grids may take together; another number than before makes them again.
+  void allow(std::size_t most_bytes);
+  std::size_t allowed() const;
+  static constexpr std::size_t usual_bytes = std::size_t{256} << 20;
   /// Null until there is something to show: first a coarse one where the fine one takes long.
   std::shared_ptr<const DistanceGrid> grid() const;
   bool working() const { return !worker_->idle(); }

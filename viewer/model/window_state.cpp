@@ -83,7 +83,12 @@ std::string_view name(AnswerKind answer) {
 }
 
 void WindowState::bring_into_sight(AnswerKind which) {
-  settings.panes.show_right = true;
+  if (!settings.panes.show_right) {
+    // What it told of when it was seen last does not matter: the answer comes first.
+    settings.panes.show_right = true;
+    inspected = selection.picked;
+    inspected_event = selection.event;
+  }
   answer.wanted = which;
   answer.awaited = false;
 }

@@ -72,6 +72,7 @@ struct WindowRequests {
   double hands = 0; ///< seconds for which a script lets the real mouse and keys act
   bool paste = false, close = false;
   bool frame_selection = false;
+  bool all_lanes = false; ///< room for every lane of the timeline
 };
 
 /// What is selected and hovered, and which kinds a pick may hit.

@@ -102,13 +102,18 @@ void SamplesLayer::draw(gl::Program& program, const ViewFrame& frame, std::size_
   // scene.
   constexpr double gap = 5.5;
   const double spacing = samples_->sigma * frame.pixels_per_unit / static_cast<double>(frame.pixel_scale);
-  const auto thinned = [&](std::size_t count, std::size_t limit) {
-    const double part = spacing > 0 ? std::min(1.0, spacing * spacing / (gap * gap)) : 1.0;
+  const auto thinned = [&](std::size_t count, std::size_t limit, double apart) {
+    const double part = spacing > 0 ? std::min(1.0, spacing * spacing / (apart * apart)) : 1.0;
     return std::min(static_cast<std::size_t>(std::ceil(part * static_cast<double>(count))), limit);
   };
-  const std::size_t bad = thinned(bad_.count, budget);
-  const std::size_t good = thinned(good_.count, budget - bad);
-  const std::size_t over_rim = thinned(over_rim_.count, budget - bad - good);
+  // Where nearly every sample of a boundary is bad, as before Z is there, each of them tells less.
+  constexpr double most_apart = 13;
+  const double share =
+      static_cast<double>(bad_.count) / static_cast<double>(std::max<std::size_t>(samples_->size(), 1));
+  const double bad_gap = std::clamp(6 * gap * share, gap, most_apart);
+  const std::size_t bad = thinned(bad_.count, budget, bad_gap);
+  const std::size_t good = thinned(good_.count, budget - bad, gap);
+  const std::size_t over_rim = thinned(over_rim_.count, budget - bad - good, gap);
   thinned_ = bad_.count + good_.count + over_rim_.count - bad - good - over_rim;
   program.use();
   program.set("ground", 0.5f * (frame.colors.ground_top + frame.colors.ground_bottom));
@@ -118,7 +123,9 @@ void SamplesLayer::draw(gl::Program& program, const ViewFrame& frame, std::size_
   const float known = classified_ ? 1.0f : 0.3f;
   const glm::vec3 good_tint = classified_ ? frame.colors.good : frame.colors.tetrahedron;
   draw_class(program, frame, good_, good, {good_tint, 0, 1, 1.6f, view.good_samples.opacity * known});
-  draw_class(program, frame, bad_, bad, {frame.colors.bad, 1, 1.7f, 4.5f, view.bad_samples.opacity * known});
+  draw_class(
+      program, frame, bad_, bad,
+      {frame.colors.bad, 1, static_cast<float>(1.7 * gap / bad_gap), 4.5f, view.bad_samples.opacity * known});
   draw_class(program, frame, over_rim_, over_rim,
              {frame.colors.rim, 2, 1.5f, 3.0f, view.over_rim.opacity * known});
 }

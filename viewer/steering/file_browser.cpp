@@ -85,25 +85,31 @@ void FileBrowser::go(const fs::path& folder) {
 
 void FileBrowser::sidebar(Ui& ui, float width) {
   ImGui::BeginChild("places", {width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0, 0.5f});
+  const auto row = [&](const char* glyph, const std::string& name, bool here) {
+    return ImGui::Selectable((" " + std::string(glyph) + "   " + name).c_str(), here, 0, {0, ui.px(26)});
+  };
   const auto place = [&](const char* glyph, const std::string& name, const fs::path& target) {
-    if (ImGui::Selectable((std::string(glyph) + "   " + name).c_str(), folder_ == target, 0, {0, ui.px(24)}))
-      go(target);
+    if (row(glyph, name, folder_ == target)) go(target);
   };
   widgets::quiet_text(ui, "Places");
-  if (const char* home = std::getenv("HOME")) place(icon::home, "Home", home);
+  const char* const home = std::getenv("HOME");
+  if (home) place(icon::home, "Home", home);
   std::error_code ignored;
-  place(icon::folder, "Working folder", fs::current_path(ignored));
+  const fs::path working = fs::current_path(ignored);
+  if (!home || working != fs::path(home)) place(icon::folder, "Working folder", working);
   place(icon::disk, "Computer", "/");
+  if (wanted_ == FilesFor::open && row(icon::gallery, "Bundled models", false)) ui.commands.post("gallery");
+  const auto& recent = ui.window.settings.recent;
   ImGui::Dummy({0, ui.px(8)});
-  widgets::quiet_text(ui, "Recent");
-  for (const std::string& file : ui.window.settings.recent) {
+  if (!recent.empty()) widgets::quiet_text(ui, "Recent");
+  for (const std::string& file : recent) {
     ImGui::PushID(file.c_str());
-    if (ImGui::Selectable((std::string(icon::history) + "   " + fs::path(file).filename().string()).c_str(),
-                          false, 0, {0, ui.px(24)}))
-      chosen(ui, file);
+    if (row(icon::history, fs::path(file).filename().string(), false)) chosen(ui, file);
     widgets::tip(ui, {}, file);
     ImGui::PopID();
   }
+  ImGui::PopStyleVar();
   ImGui::EndChild();
 }
 
@@ -135,11 +141,13 @@ void FileBrowser::listing(Ui& ui) {
     if (pressed && !entry.folder) chosen(ui, (folder_ / entry.name).string());
   });
   if (shown.empty())
-    widgets::quiet_text(
-        ui, wanted_ == FilesFor::between
-                ? "No surfaces here: OFF, OBJ, PLY or STL."
-                : "No models here: surfaces (OFF, OBJ, PLY, STL), points (XYZ), grids (NRRD), a view as "
-                  "JSON, or a folder of tiles.");
+    widgets::quiet_text(ui,
+                        wanted_ == FilesFor::between ? "No surfaces in this folder: OFF, OBJ, PLY or STL."
+                                                     : "No models in this folder: surfaces (OFF, OBJ, PLY, "
+                                                       "STL), points (XYZ), grids (NRRD), a view as "
+                                                       "JSON, or a folder of tiles. A path can be typed "
+                                                       "above, and files can be dropped on the window.",
+                        true);
   ImGui::EndChild();
   if (!next.empty()) go(next);
 }
@@ -174,7 +182,11 @@ void FileBrowser::draw(Ui& ui) {
   ImGui::PopFont();
   ImGui::SameLine();
   if (wanted_ == FilesFor::open) {
-    widgets::quiet_text(ui, "   with Ctrl two surfaces: Ω between them");
+    // On the title's own line of writing.
+    ImGui::SetCursorPos(
+        {ImGui::GetCursorPosX() + ui.px(10),
+         ImGui::GetCursorPosY() + 0.8f * (ui.fonts.title->FontSize - ui.fonts.small->FontSize)});
+    widgets::quiet_text(ui, "A click on two surfaces with Ctrl: Ω is what lies between them");
     ImGui::SameLine();
   }
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - ui.px(28), ui.px(14)});

@@ -75,6 +75,12 @@ void add_run_values(NamedValues& t, const WindowState& m) {
   t.add("steps", "operations so far", [&m] { return m.live_step(); });
   t.add("events", "events so far", [&m] { return m.run.journal ? m.run.journal->events().size() : 0; });
   t.add("phase", "what the run is doing", [&m] { return phase_word(m.run.phase); });
+  const auto preparing = t.readings(
+      "preparation.", [&m] { return m.run.phase == SessionPhase::preparing ? &m.preparation() : nullptr; });
+  preparing("share", "of what comes before the first operation, in [0, 1]", &PreparationProgress::share);
+  preparing("seconds", "that it took so far", &PreparationProgress::seconds);
+  preparing("left", "seconds that it will take yet, as far as can be told",
+            &PreparationProgress::seconds_left);
   t.add("transport", "what the play head is doing", [&m] { return transport_word(m.transport.mode()); });
   // Nothing is judged before T is there, which is not 0.
   const auto judged = [&](const char* name, const char* help, auto member) {
@@ -120,6 +126,9 @@ void add_run_values(NamedValues& t, const WindowState& m) {
         [&m] { return m.run.scene && m.run.scene->optimum ? m.run.scene->optimum->vertices : std::nan(""); });
   t.add("model", "what is open", [&m] { return m.run.parameters.input; });
   t.add("answer", "the answer that was last brought into sight", [&m] { return m.answer.shown; });
+  t.add("answer.flashes", "whether it still flashes", [&m] {
+    return m.answer.shown != AnswerKind::none && m.clock - m.answer.since <= AnswerInSight::flash;
+  });
   t.add("inspector.scroll", "how far the inspector is scrolled, pixels", [&m] { return m.inspector_scroll; });
   t.add("messages", "messages shown", [&m] { return m.messages.size(); });
   t.add("message", "the last of them",

@@ -76,14 +76,25 @@ std::string rate_text(const WindowState& m) {
 struct Part {
   std::string text;
   Rgb color = 0;
+  std::string_view title; ///< of what is said where the mouse rests, if anything
+  std::string help;
 };
+
+/// Why samples are bad, and what becomes of them.
+std::string bad_samples_help(const WindowState& m, std::size_t bad) {
+  if (bad == 0) return "f has the right sign at every sample: Z separates those of the two labels. §2.3";
+  const std::string may_stay = m.why_bad_may_stay();
+  return "At a bad sample f has the wrong sign: Z passes it on the wrong side. " +
+         (may_stay.empty() ? "Refinement inserts points until there is none. W selects the worst. §2.3"
+                           : may_stay);
+}
 
 /// From left to right, the most asked for first.
 std::vector<Part> status_parts(const Ui& ui, const HistoryMemory& h) {
   const WindowState& m = ui.window;
   std::vector<Part> parts;
-  const auto put = [&](std::string text, Rgb color) {
-    if (!text.empty()) parts.push_back({std::move(text), color});
+  const auto put = [&](std::string text, Rgb color, std::string_view title = {}, std::string help = {}) {
+    if (!text.empty()) parts.push_back({std::move(text), color, title, std::move(help)});
   };
   put("step " + grouped(m.transport.step()) + " of " + grouped(m.live_step()), ui.colors.text);
   const bool failed =
@@ -95,11 +106,12 @@ std::vector<Part> status_parts(const Ui& ui, const HistoryMemory& h) {
     put(operation_words(*state->event), ui.colors.text);
   }
   put(phase_text(m), failed ? ui.colors.warning_text : ui.colors.quiet);
-  if (state && state->samples && state->classifies() && state->complex.form == ZeroForm::interpolated)
+  if (state && state->samples && state->classifies())
     put(grouped(state->bad_samples) + " bad of " + grouped(state->samples->size()) + " samples",
         !m.why_bad_may_stay().empty() ? ui.colors.quiet
         : state->bad_samples          ? ui.colors.bad_text
-                                      : ui.colors.good_text);
+                                      : ui.colors.good_text,
+        "Bad samples", bad_samples_help(m, state->bad_samples));
   if (state && m.run.scene)
     put("Z " + grouped(state->zero_set.vertices.size()) + " vertices", ui.colors.quiet);
   put(rate_text(m), ui.colors.quiet);
@@ -149,7 +161,15 @@ void status_bar(Ui& ui, const HistoryMemory& h) {
     const float width = widgets::width_of(ui.fonts.small, parts[shown].text) + (shown > 0 ? between : 0);
     if (x + width + (last ? 0 : sign) > end) break;
     if (shown > 0) dot();
-    put(parts[shown].text, parts[shown].color);
+    const Part& part = parts[shown];
+    const float from = x;
+    put(part.text, part.color);
+    if (part.help.empty()) continue;
+    ImGui::SetCursorScreenPos({from, low.y});
+    ImGui::PushID(static_cast<int>(shown));
+    ImGui::InvisibleButton("part", {std::max(x - from, 1.0f), size.y});
+    ImGui::PopID();
+    widgets::tip(ui, part.title, part.help);
   }
   if (shown == parts.size()) return;
   // What does not fit is told where the mouse asks for it: nothing goes without a sign.

@@ -1,8 +1,6 @@
 // Lanes of loops.
 #include "timeline/loop_lanes.h"
 
-#include <algorithm>
-
 namespace isoscope {
 namespace {
 
@@ -20,18 +18,10 @@ Rgb color_of(LoopWork work, const Palette& colors) {
 
 } // namespace
 
-std::vector<TimelineLane> loop_lanes(const Debugger& debugger, ThemeKind theme, std::size_t most, Step begin,
-                                     Step end) {
+std::vector<TimelineLane> loop_lanes(const Debugger& debugger, ThemeKind theme, Step begin, Step end) {
   const LoopEvents& loops = debugger.loops;
-  std::vector<std::uint32_t> shown = loops.lanes();
-  if (shown.size() > most) {
-    const bool shared = shown.back() == other_loops && most > 1;
-    shown.resize(most);
-    if (shared) shown.back() = other_loops;
-  }
-  std::sort(shown.begin(), shown.end());
   std::vector<TimelineLane> lanes;
-  for (const std::uint32_t loop : shown) {
+  for (const std::uint32_t loop : loops.lanes()) {
     TimelineLane lane;
     lane.name = loop_lane_name(loop);
     lane.title = loops.title(loop);

@@ -7,10 +7,8 @@
 
 namespace isoscope {
 
-/// The lanes of at most `most` loops, by number, the longest of them; what has none of its own shares one,
-/// the last, where there is room for two. Totals are over the steps in [begin, end). Empty where no rim is
-/// open.
-std::vector<TimelineLane> loop_lanes(const Debugger& debugger, ThemeKind theme, std::size_t most, Step begin,
-                                     Step end);
+/// The lanes of all loops that something worked on, the longest first; what has none of its own shares one,
+/// the last. Totals are over the steps in [begin, end). Empty where no rim is open.
+std::vector<TimelineLane> loop_lanes(const Debugger& debugger, ThemeKind theme, Step begin, Step end);
 
 } // namespace isoscope

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 namespace isoscope {
 namespace {
@@ -16,9 +17,46 @@ namespace {
 constexpr std::array kinds{EventKind::split, EventKind::collapse, EventKind::relaxation, EventKind::repair,
                            EventKind::shake};
 
+/// Moves those that `keeps` says no to behind `out`, in their order.
+template <class Keeps>
+void leave_out(std::vector<TimelineLane>& lanes, std::vector<TimelineLane>& out, Keeps keeps) {
+  std::vector<TimelineLane> kept;
+  for (std::size_t i = 0; i < lanes.size(); ++i) (keeps(i) ? kept : out).push_back(std::move(lanes[i]));
+  lanes = std::move(kept);
+}
+
+/// The `most` with the largest numbers stay.
+void keep_largest(std::vector<TimelineLane>& lanes, std::vector<TimelineLane>& out, std::size_t most) {
+  std::vector<std::size_t> order(lanes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return lanes[a].total > lanes[b].total; });
+  order.resize(std::min(most, order.size()));
+  leave_out(lanes, out,
+            [&](std::size_t i) { return std::find(order.begin(), order.end(), i) != order.end(); });
+}
+
+std::uint32_t number_of(const TimelineLane& loop) {
+  return loop_of_lane(loop.name).value_or(other_loops);
+}
+
+/// The `most` longest stay, by number, and the one that the others share where there is room for two.
+void keep_longest(std::vector<TimelineLane>& loops, std::vector<TimelineLane>& out, std::size_t most) {
+  const bool shared = most > 1 && !loops.empty() && number_of(loops.back()) == other_loops;
+  const std::size_t longest = shared ? most - 1 : most, last = loops.size() - (shared ? 1 : 0);
+  leave_out(loops, out, [&](std::size_t i) { return i < longest || i >= last; });
+  for (auto* part : {&loops, &out})
+    std::sort(part->begin(), part->end(),
+              [](const TimelineLane& a, const TimelineLane& b) { return number_of(a) < number_of(b); });
+}
+
+void append(std::vector<TimelineLane>& to, std::vector<TimelineLane> more) {
+  to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
 } // namespace
 
-std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind theme, std::size_t most) {
+LanesInRoom timeline_lanes(const Debugger& debugger, ThemeKind theme, std::size_t rows) {
   const JournalIndex& index = debugger.window.index;
   const auto& range = debugger.window.range;
   const Step begin = range ? range->begin : 0;
@@ -77,20 +115,31 @@ std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind the
          {}});
   }
   std::erase_if(lanes, [](const TimelineLane& lane) { return lane.total == 0; });
+  std::vector<TimelineLane> loops = loop_lanes(debugger, theme, begin, operations_end);
   constexpr std::size_t share_of_loops = 3; ///< the part of the room that loops keep
-  most -= std::min(most, filters.size());
+  std::size_t most = rows - std::min(rows, filters.size());
+  if (lanes.size() + loops.size() > most && most > 0) --most; // the sign that says so
   const std::size_t left = most - std::min(most, lanes.size());
-  std::vector<TimelineLane> loops =
-      loop_lanes(debugger, theme, std::max(left, most / share_of_loops), begin, operations_end);
-  most -= std::min(most, loops.size());
-  while (lanes.size() > most && !lanes.empty())
-    lanes.erase(
-        std::min_element(lanes.begin(), lanes.end(),
-                         [](const TimelineLane& a, const TimelineLane& b) { return a.total < b.total; }));
-  for (auto* more : {&lanes, &loops})
-    filters.insert(filters.end(), std::make_move_iterator(more->begin()),
-                   std::make_move_iterator(more->end()));
-  return filters;
+  std::vector<TimelineLane> no_lane, no_loop;
+  keep_longest(loops, no_loop, std::max(left, most / share_of_loops));
+  keep_largest(lanes, no_lane, most - std::min(most, loops.size()));
+  append(filters, std::move(lanes));
+  append(filters, std::move(loops));
+  append(no_lane, std::move(no_loop));
+  return {std::move(filters), std::move(no_lane)};
+}
+
+std::string left_out_words(const std::vector<TimelineLane>& left_out) {
+  const auto loops =
+      static_cast<std::size_t>(std::count_if(left_out.begin(), left_out.end(), [](const TimelineLane& l) {
+        return loop_of_lane(l.name).has_value();
+      }));
+  const std::size_t others = left_out.size() - loops;
+  const auto part = [](std::size_t n, const char* word) {
+    return n == 0 ? std::string() : "+" + grouped(n) + " " + word + (n == 1 ? "" : "s");
+  };
+  const std::string of_lanes = part(others, "lane"), of_loops = part(loops, "hole");
+  return of_lanes + (of_lanes.empty() || of_loops.empty() ? "" : ", ") + of_loops;
 }
 
 } // namespace isoscope

@@ -31,10 +31,19 @@ struct TimelineLane {
   std::string letter;          ///< of a saved filter, instead of the shape
 };
 
-/// All lanes that hold something: insertions by condition, operations on edges by kind, rejections by reason,
-/// and at the end loops of the open rim by what works on them. Of more than `most` those with the smallest
-/// numbers are left out, of loops the shortest, which keep a third. Saved filters come first and stay. Totals
-/// are those of the chosen range of steps, if any.
-std::vector<TimelineLane> timeline_lanes(const Debugger& debugger, ThemeKind theme, std::size_t most);
+/// The lanes that have room, and those that have none, both from above.
+struct LanesInRoom {
+  std::vector<TimelineLane> shown, left_out;
+};
+
+/// Of all lanes that hold something so many as `rows` have room for: insertions by condition, operations on
+/// edges by kind, rejections by reason, and at the end loops of the open rim by what works on them. Left out
+/// are those with the smallest numbers, of loops the shortest, which keep a third; saved filters come first
+/// and stay. Where any is left out, one of the rows stays free for a sign that says so. Totals are those of
+/// the chosen range of steps, if any.
+LanesInRoom timeline_lanes(const Debugger& debugger, ThemeKind theme, std::size_t rows);
+
+/// "+2 lanes, +5 holes": what is left out, in a few letters.
+std::string left_out_words(const std::vector<TimelineLane>& left_out);
 
 } // namespace isoscope

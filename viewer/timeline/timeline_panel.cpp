@@ -157,13 +157,19 @@ void TimelinePane::stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const {
 // rejections by the logarithm of their number.
 void TimelinePane::density(Ui& ui, ImVec2 low, ImVec2 size, float gutter) {
   const float gap = ui.px(1), least = ui.px(12);
-  const auto most = static_cast<std::size_t>(std::max(1.0f, (size.y + gap) / (least + gap)));
-  const std::vector<TimelineLane> lanes = timeline_lanes(debugger_, ui.theme, most);
+  const auto rows = static_cast<std::size_t>(std::max(1.0f, (size.y + gap) / (least + gap)));
+  const LanesInRoom in_room = timeline_lanes(debugger_, ui.theme, rows);
+  const std::vector<TimelineLane>& lanes = in_room.shown;
+  const bool some_left_out = !in_room.left_out.empty();
+  give_room(ui, lanes.size() + in_room.left_out.size(), some_left_out, size.y);
+  if (some_left_out)
+    left_out_sign(ui, in_room.left_out, {low.x - gutter, low.y + size.y - least}, {gutter - ui.px(8), least});
   if (lanes.empty()) return;
   const std::string chosen = shown_lane(debugger_);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto used = static_cast<float>(lanes.size());
-  const float lane = std::min((size.y - gap * (used - 1)) / used, ui.px(30));
+  const float room = size.y - (some_left_out ? least + gap : 0);
+  const float lane = std::min((room - gap * (used - 1)) / used, ui.px(30));
   float y = low.y;
   for (const TimelineLane& row : lanes) {
     const float text_y = y + (lane - ui.fonts.small->FontSize) / 2;
@@ -197,6 +203,31 @@ void TimelinePane::density(Ui& ui, ImVec2 low, ImVec2 size, float gutter) {
     lane_bars(ui, row, {low.x, y}, {size.x, lane}, strength);
     y += lane + gap;
   }
+}
+
+void TimelinePane::give_room(Ui& ui, std::size_t lanes, bool some_left_out, float high) {
+  bool& asked = ui.window.requests.all_lanes;
+  if (!asked) return;
+  asked = false;
+  constexpr float comfortable = 15; // units of the interface, a lane
+  PaneLayout& panes = ui.window.settings.panes;
+  const float around = ImGui::GetWindowHeight() - high;
+  const float wanted = (around + static_cast<float>(lanes) * ui.px(comfortable)) / ui.scale;
+  panes.bottom = some_left_out && wanted > panes.bottom + 1 ? wanted : PaneLayout().bottom;
+}
+
+void TimelinePane::left_out_sign(Ui& ui, const std::vector<TimelineLane>& left_out, ImVec2 at, ImVec2 size) {
+  ImGui::SetCursorScreenPos(at);
+  if (ImGui::InvisibleButton("left-out", size)) ui.commands.post("all-lanes");
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  std::string names;
+  for (const TimelineLane& lane : left_out) names += lane.title + ": " + grouped(lane.total) + "\n";
+  widgets::tip(ui, "Lanes without room", names + "A click enlarges the pane.");
+  const widgets::Font font(ui.fonts.small);
+  widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
+                     {at.x + ui.px(15), at.y + (size.y - ui.fonts.small->FontSize) / 2},
+                     to_u32(ui.colors.accent_text),
+                     widgets::fitted(left_out_words(left_out), size.x - ui.px(15)));
 }
 
 void TimelinePane::lane_bars(const Ui& ui, const TimelineLane& row, ImVec2 low, ImVec2 size,

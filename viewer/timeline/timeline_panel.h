@@ -35,6 +35,11 @@ class TimelinePane {
   void stage_lane(const Ui& ui, ImVec2 low, ImVec2 size) const;
   /// `gutter`: room on the left of the area for the lanes' names.
   void density(Ui& ui, ImVec2 low, ImVec2 size, float gutter);
+  /// Where it was asked for: the pane becomes as high as all lanes need, or as at first where they have room.
+  /// `high`: of the lanes now.
+  static void give_room(Ui& ui, std::size_t lanes, bool some_left_out, float high);
+  /// How many lanes have no room; a click gives it to them.
+  static void left_out_sign(Ui& ui, const std::vector<TimelineLane>& left_out, ImVec2 at, ImVec2 size);
   /// How often over the steps, part upon part.
   void lane_bars(const Ui& ui, const TimelineLane& row, ImVec2 low, ImVec2 size, float strength) const;
   /// A click on a bar of a lane goes to the nearest event of that lane.

@@ -157,10 +157,13 @@ bool can_be_read(const std::vector<SeenWords>& seen, std::string_view words) {
 
 const SeenWords* find_words(const std::vector<SeenWords>& seen, std::string_view words) {
   const std::string wanted = without_blanks(words);
-  const auto found = std::find_if(seen.rbegin(), seen.rend(), [&](const SeenWords& w) {
-    return without_blanks(w.text).find(wanted) != std::string::npos;
-  });
-  return found != seen.rend() ? &*found : nullptr;
+  const SeenWords* found = nullptr;
+  for (const SeenWords& w : seen) {
+    const std::string text = without_blanks(w.text);
+    const bool whole = found != nullptr && without_blanks(found->text) == wanted;
+    if (text == wanted || (!whole && text.find(wanted) != std::string::npos)) found = &w;
+  }
+  return found;
 }
 
 } // namespace isoscope

@@ -23,7 +23,8 @@ std::vector<SeenWords> words_on_screen(const ImDrawData& frame, const ImFontAtla
 /// Whether these words are among them, over lines too; blanks do not count.
 bool can_be_read(const std::vector<SeenWords>& seen, std::string_view words);
 
-/// The piece of them that has these words, the one in front where there are several; null where none has.
+/// The piece of them that has these words: one that has no others before all, and the one in front where
+/// there are several; null where none has.
 const SeenWords* find_words(const std::vector<SeenWords>& seen, std::string_view words);
 
 } // namespace isoscope

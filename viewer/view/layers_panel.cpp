@@ -231,6 +231,14 @@ void room_legend(const Ui& ui) {
 
 void layers(Ui& ui) {
   if (!widgets::section(ui, "Layers")) return;
+  // Where the samples are hidden as a group none of them is in sight; switching one on shows that one alone.
+  ViewSettings& view = ui.window.view;
+  const std::array classes{&view.good_samples.visible, &view.bad_samples.visible, &view.over_rim.visible};
+  std::array<bool, classes.size()> kept{};
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    kept[i] = *classes[i];
+    *classes[i] = kept[i] && view.samples.visible;
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0});
   for (const Row& row : layer_rows) {
     if (!has_layer(ui, row.layer)) continue;
@@ -241,10 +249,12 @@ void layers(Ui& ui) {
     if (row.layer == "zero" && ui.window.view.zero_set.visible && ui.window.has_rooms()) room_legend(ui);
   }
   ImGui::PopStyleVar();
-  // The group switch of the samples follows its parts.
-  ViewSettings& view = ui.window.view;
-  view.samples.visible = view.good_samples.visible || view.bad_samples.visible ||
-                         (view.over_rim.visible && ui.window.rim() != nullptr);
+  if (!view.samples.visible) {
+    view.samples.visible =
+        std::any_of(classes.begin(), classes.end(), [](const bool* shown) { return *shown; });
+    if (!view.samples.visible)
+      for (std::size_t i = 0; i < classes.size(); ++i) *classes[i] = kept[i];
+  }
   ImGui::Dummy({0, ui.px(4)});
 }
 

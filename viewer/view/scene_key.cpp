@@ -70,6 +70,12 @@ void draw_sign(Canvas& canvas, const LegendEntry& entry, ImVec2 middle, float un
     canvas.line(at(-0.9f, -0.9f), at(0.9f, 0.9f), color, thin);
     canvas.line(at(-0.9f, 0.9f), at(0.9f, -0.9f), color, thin);
     break;
+  case Sign::square:
+    for (const float side : {-0.9f, 0.9f}) {
+      canvas.line(at(side, -0.9f), at(side, 0.9f), color, thin);
+      canvas.line(at(-0.9f, side), at(0.9f, side), color, thin);
+    }
+    break;
   case Sign::diamond:
   case Sign::cell: {
     const std::array<ImVec2, 4> diamond{at(0, -1), at(1, 0), at(0, 1), at(-1, 0)};
@@ -117,7 +123,7 @@ const std::vector<LegendEntry>& KeptLegend::of(const std::shared_ptr<const State
 }
 
 SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSettings& view,
-                   KeptLegend& legend) {
+                   const std::shared_ptr<const EdgeXray>& xray, KeptLegend& legend) {
   SceneKey key;
   const auto state = window.state();
   if (!state) return key;
@@ -131,7 +137,7 @@ SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSe
     if (maps.makes_no_sense()) key.note = "nothing to colour Z by: the input is no surface";
   }
   const bool points = window.run.scene && window.run.scene->points;
-  if (view.legend) key.entries = legend.of(state, view, {window.rim() != nullptr, points});
+  if (view.legend) key.entries = legend.of(state, view, {window.rim() != nullptr, points, xray});
   return key;
 }
 
@@ -177,7 +183,9 @@ namespace overlay {
 void key(const Ui& ui, const SceneKey& key, ImVec2 low, ImVec2 size) {
   if (key.empty()) return;
   WindowCanvas canvas(*ui.fonts.small);
-  const float room = size.y - ui.px(100);
+  // In a split view what both halves show is in their middle.
+  const bool split = ui.window.view.mode == ViewMode::split;
+  const float room = (split ? 0.5f * size.y : size.y) - ui.px(split ? 80 : 100);
   const ImVec2 extent = key_size(canvas, key, ui.scale, room);
   if (extent.x > size.x - ui.px(24) || extent.y > room) return;
   draw_key(canvas, key, {low.x + size.x - extent.x - ui.px(10), low.y + size.y - extent.y - ui.px(50)},

@@ -32,9 +32,10 @@ class KeptLegend {
   std::vector<LegendEntry> entries_;
 };
 
-/// Of a view of the run shown. The legend only where the view has it switched on.
+/// Of a view of the run shown, and of the edge at hand in it, which may be null. The legend only where the
+/// view has it switched on.
 SceneKey scene_key(const WindowState& window, const ZeroMaps& maps, const ViewSettings& view,
-                   KeptLegend& legend);
+                   const std::shared_ptr<const EdgeXray>& xray, KeptLegend& legend);
 
 /// `unit`: pixels of a unit of the interface. Entries that do not fit into `most_high` are counted instead.
 ImVec2 key_size(const Canvas& canvas, const SceneKey& key, float unit, float most_high);

@@ -175,8 +175,9 @@ float caption(const Ui& ui, ImVec2 low, ImVec2 size) {
     return std::max(0.0f, sentence(ui, event, std::move(text), low, beside, lines) - ui.px(26));
   }
   if (size.y < ui.px(240)) return 0; // the model comes first
-  return ui.px(32) +
-         sentence(ui, event, std::move(text), {low.x, low.y + ui.px(32)}, size.x - ui.px(24 + 30), 3);
+  const float high =
+      sentence(ui, event, std::move(text), {low.x, low.y + ui.px(32)}, size.x - ui.px(24 + 30), 3);
+  return ui.px(32) + std::max(0.0f, high - ui.px(26));
 }
 
 void preview(const Ui& ui, ImVec2 low, ImVec2 size) {
@@ -202,9 +203,12 @@ void section_caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   if (name.empty())
     name = "(" + short_number(n.x) + ", " + short_number(n.y) + ", " + short_number(n.z) + ")";
   const std::string text = "section, normal " + name;
-  if (widgets::width_of(ui.fonts.small, text) > size.x - ui.px(160)) return;
+  const float room = size.x - ui.px(14 + 150); // beside the scale bar
+  if (room < ui.px(70)) return;
+  const std::string lines = widgets::broken_lines(ui.fonts.small, text, room);
+  const float high = widgets::height_of(ui.fonts.small, lines);
   widgets::draw_text(*ImGui::GetWindowDrawList(), ui.fonts.small,
-                     {low.x + ui.px(14), low.y + size.y - ui.px(28)}, to_u32(ui.colors.quiet), text);
+                     {low.x + ui.px(14), low.y + size.y - ui.px(14) - high}, to_u32(ui.colors.quiet), lines);
 }
 
 void hover_tip(const Ui& ui) {

@@ -76,7 +76,7 @@ void SceneView::draw(Ui& ui) {
     const float lower = overlay::caption(ui, low, all);
     const float chip = lower + overlay::warning_chip(ui, {low.x, low.y + lower}, all);
     overlay::preview(ui, {low.x, low.y + chip}, all);
-    overlay::key(ui, scene_key(m, maps_, m.shown_view(), legend_), low, all);
+    overlay::key(ui, scene_key(m, maps_, m.shown_view(), xray_, legend_), low, all);
   }
   overlay::progress(ui, m, "stop", low, all);
   overlay::invitation(ui, low, all);

@@ -14,6 +14,18 @@ namespace isoscope {
 namespace {
 
 Status look_along(WindowState& m, const Arguments& a) {
+  if (a.size() == 3) {
+    Vec3 from;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const auto number = read_number(a[i]);
+      if (!number) return wrong_arguments("\"" + a[i] + "\" is not a finite number.");
+      from[static_cast<int>(i)] = *number;
+    }
+    if (squared_length(from) == 0) return wrong_arguments("From nowhere nothing is seen.");
+    m.camera.look_from(from, !m.scripted);
+    m.camera.mark_set();
+    return {};
+  }
   const std::string axis = a.empty() ? "" : a[0];
   const bool negative = axis.starts_with("-");
   const std::string name = negative ? axis.substr(1) : axis;
@@ -125,8 +137,8 @@ void add_view_commands(CommandTable& table, WindowState& m) {
               .run = does([&m] { m.frame_all(); })},
              {.name = "look",
               .title = "Look along an axis",
-              .usage = "x | y | z | -x | -y | -z",
-              .help = "Looks along an axis.",
+              .usage = "x | y | z | -x | -y | -z | X Y Z",
+              .help = "Looks along an axis, or from a direction.",
               .run = on(m, look_along)}});
   for (const AxisCommand& axis : axis_commands)
     table.add({{.name = axis.name,
@@ -135,14 +147,15 @@ void add_view_commands(CommandTable& table, WindowState& m) {
                 .menu = "View",
                 .keys = {{axis.key}},
                 .run = [&m, along = axis.axis](const Arguments&) { return look_along(m, {along}); }}});
-  add_group(table, {.menu = "View"},
-            {{.name = "orthographic",
+  table.add({{.name = "orthographic",
               .title = "Orthographic",
               .help = "Switches between perspective and parallel projection.",
+              .menu = "View",
               .keys = {{GLFW_KEY_KP_5}, {'5'}},
               .run = on(m, toggle_orthographic),
-              .checked = [&m] { return m.camera.pose().orthographic; }},
-             {.name = "clip-next",
+              .checked = [&m] { return m.camera.pose().orthographic; }}});
+  add_group(table, {.menu = "View"},
+            {{.name = "clip-next",
               .title = "Next clip shape",
               .help = "Cuts by nothing, plane, slab or ball in turn.",
               .icon = icon::scissors,
@@ -159,8 +172,9 @@ void add_view_commands(CommandTable& table, WindowState& m) {
               .icon = icon::flip,
               .keys = {{'X', false, true}},
               .run = flips(m.view.clip.flipped),
-              .checked = is_on(m.view.clip.flipped)},
-             {.name = "blink",
+              .checked = is_on(m.view.clip.flipped)}});
+  add_group(table, {.menu = "View"},
+            {{.name = "blink",
               .title = "Blink before and after",
               .help = "Shows Z before and after the operation in turn.",
               .keys = {{'V'}},
@@ -172,7 +186,18 @@ void add_view_commands(CommandTable& table, WindowState& m) {
               .keys = {{'Z'}},
               .run = flips(m.view.focus),
               .checked = is_on(m.view.focus)},
-             {.name = "omega-look",
+             {.name = "psi",
+              .title = "Ψ of the edge",
+              .help = "Shows or hides Ψ in the X-ray: where targets are known to fail.",
+              .run = flips(m.view.invalid_regions),
+              .checked = is_on(m.view.invalid_regions)},
+             {.name = "octree-cells",
+              .title = "Octree of the edge",
+              .help = "Shows or hides the cells of the octree search in the X-ray.",
+              .run = flips(m.view.octree_cells),
+              .checked = is_on(m.view.octree_cells)}});
+  add_group(table, {.menu = "View"},
+            {{.name = "omega-look",
               .title = "Next look of Ω",
               .help = "Draws Ω as shell, fog, inner boundary or thickness in turn.",
               .run = on(m, next_look)},
@@ -187,17 +212,7 @@ void add_view_commands(CommandTable& table, WindowState& m) {
               .icon = icon::warning,
               .run = flips(m.warnings_open),
               .enabled = [&m] { return !m.warnings().empty(); },
-              .checked = is_on(m.warnings_open)},
-             {.name = "psi",
-              .title = "Ψ of the edge",
-              .help = "Shows or hides Ψ in the X-ray: where targets are known to fail.",
-              .run = flips(m.view.invalid_regions),
-              .checked = is_on(m.view.invalid_regions)},
-             {.name = "octree-cells",
-              .title = "Octree of the edge",
-              .help = "Shows or hides the cells of the octree search in the X-ray.",
-              .run = flips(m.view.octree_cells),
-              .checked = is_on(m.view.octree_cells)}});
+              .checked = is_on(m.warnings_open)}});
   table.add({{.name = "shrink-less",
               .title = "Grow tetrahedra",
               .help = "Shows tetrahedra larger.",

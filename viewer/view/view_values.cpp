@@ -39,6 +39,13 @@ Status set_look(WindowState& m, const std::string& name) {
   return wrong_value(name, "shell, fog, inner or thickness");
 }
 
+Status set_memory(WindowState& m, const std::string& text) {
+  const auto megabytes = read_number(text);
+  if (!megabytes || *megabytes < 1 || *megabytes > 16384) return wrong_value(text, "1 to 16384");
+  m.grid.allow(static_cast<std::size_t>(*megabytes * (1 << 20)));
+  return {};
+}
+
 } // namespace
 
 void add_view_values(NamedValues& t, WindowState& m) {
@@ -71,6 +78,10 @@ void add_view_values(NamedValues& t, WindowState& m) {
   detail("megabytes", "texture memory that they take, MiB",
          [](const DistanceGrid& g) { return static_cast<double>(g.texture_bytes()) / (1 << 20); });
   grid("bits", "of a sample in the texture of Ω", [](const DistanceGrid& g) { return 8 * g.sample_bytes; });
+  t.add(
+      "omega.memory", "texture memory that Ω may take, MiB, 1 to 16384",
+      [&m] { return static_cast<double>(m.grid.allowed()) / (1 << 20); },
+      [&m](const std::string& text) { return set_memory(m, text); });
   t.add("omega.seconds", "how long the grid of Ω took", [&m] { return m.grid.seconds(); });
   t.bind(
       "stills",
