@@ -28,7 +28,9 @@ RimCut::RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log)
 
 bool RimCut::keeps(Vec3 p) const {
   const ClosestPoint closest = volume_.field().closest(p);
-  return closest.distance() <= volume_.thresholds().delta && !volume_.open_sides()->is_by_wall(p, closest) &&
+  if (closest.distance() > volume_.thresholds().delta) return false;
+  if (is_by_kept_rim(p)) return true;
+  return !volume_.open_sides()->is_by_wall(p, closest) &&
          std::none_of(worn_.begin(), worn_.end(),
                       [&](const WornBall& ball) { return distance(ball.center, p) < ball.radius; });
 }
@@ -176,9 +178,9 @@ std::optional<Vec3> RimCut::strip_between(Vec3 a, Vec3 b) const {
   const Rim& rim = volume_.open_sides()->rim();
   const Vec3 middle = at(best_end - 0.5 * (best - 1));
   const bool one_loop = rim.loop_near(at(best_end - best + 1)) == rim.loop_near(at(best_end));
-  if (best < least_look_steps ||
-      (one_loop && rim.curve().distance(middle) <= by_rim * volume_.thresholds().delta))
-    return std::nullopt;
+  const bool is_strip = best >= least_look_steps &&
+                        (!one_loop || rim.curve().distance(middle) > by_rim * volume_.thresholds().delta);
+  if (!is_strip && !(best > 0 && is_by_kept_rim(middle))) return std::nullopt;
   return middle;
 }
 
@@ -189,8 +191,8 @@ bool RimCut::find_strips() {
   for (const Facet& f : facets_)
     for (const Edge& e : rim_edges(f)) {
       const Place pa = places_[e[0].index()], pb = places_[e[1].index()];
-      const bool crosses_inside = (pa == Place::kept || pb == Place::kept) && !at_end_.contains(e);
-      if (crosses_inside || (is_kept(e[0]) && is_kept(e[1]))) continue;
+      const bool crosses_wall = (pa == Place::kept || pb == Place::kept) && !at_end_.contains(e);
+      if (crosses_wall || (is_kept(e[0]) && is_kept(e[1]))) continue;
       if (!whole_.contains(e) && looked_at_.insert(e).second) edges.push_back(e);
     }
   std::sort(edges.begin(), edges.end());
@@ -242,8 +244,8 @@ void RimCut::run() {
       collect_facets();
     }
     settle_spare_patches();
-    join_patches();
-    const bool parted = cut_pinches();
+    bool changed = join_patches();
+    if (cut_pinches()) changed = true;
     if (round >= most_cut_rounds) break;
     const std::vector<Facet> kept = kept_facets();
     const std::vector<Edge> edges = border(kept);
@@ -254,7 +256,7 @@ void RimCut::run() {
       const std::vector<VertexId> stuck = proofs_.stuck();
       if (!stuck.empty())
         set_apart(stuck, Place::beyond, Reason::leaves_volume);
-      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !parted)
+      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !changed)
         break;
     }
     for (const RimSplit& s : splits) {

@@ -21,8 +21,16 @@ constexpr double near_gap = 0.25;
 constexpr int most_tries = 3;
 /// Ways to a gap pass along edges up to that length; longer ones so near to it are split. In units of δ.
 constexpr double way_edge = 0.5, way_reach = 1;
+/// How far along the rim what is near to it is kept beside a gap, in units of δ.
+constexpr double tongue_reach = 1.2;
+/// Halvings for one gap.
+constexpr int most_refinements = 6;
 /// Radii of what is taken away where the border is too far from the rim, in units of δ.
 constexpr double least_worn = 0.1, most_worn = 0.2;
+/// What is taken where Z leaves Ω before it is over the rim is farther than that from it, and lies within so
+/// much around a place of the border, in units of δ; halvings towards its end on an edge.
+constexpr double flap_edge = 0.95, flap_reach = 2;
+constexpr int level_steps = 30;
 /// How far from a vertex that is taken its edges are cut, in units of δ.
 constexpr double pinch_share = 0.05;
 /// A part of what is kept that is smaller than this is a crumb, in units of δ.
@@ -30,13 +38,19 @@ constexpr double crumb = 4;
 
 } // namespace
 
-/// Where Z leaves Ω before it is over the rim its border may be too far from that, and nearer to it a little
-/// way back: balls around such vertices are taken away, larger ones where smaller ones did not do. False
-/// where nothing is.
+/// Where Z leaves Ω before it is over the rim its border may be too far from that. What is so far from the
+/// rim there is taken away where it is a flap, that ends nearer to the rim all around; else balls around such
+/// vertices are, larger ones where smaller ones did not do. False where nothing is.
 bool RimCut::wear_away(std::span<const VertexId> vertices) {
   const double delta = volume_.thresholds().delta;
   const std::size_t before = worn_.size();
+  bool any = false;
   for (const VertexId v : vertices) {
+    if (!is_kept(v)) continue; // with a flap
+    if (take_flap(v)) {
+      any = true;
+      continue;
+    }
     const Vec3 p = live_.complex().position(v);
     double radius = least_worn * delta;
     bool fresh = true;
@@ -48,12 +62,48 @@ bool RimCut::wear_away(std::span<const VertexId> vertices) {
     }
     if (fresh && radius <= most_worn * delta) worn_.push_back({p, radius});
   }
-  if (worn_.size() == before) return false;
   for (std::size_t v = 0; v < places_.size(); ++v)
     if (is_kept(VertexId(v)))
       for (std::size_t i = before; i < worn_.size(); ++i)
         if (distance(worn_[i].center, live_.complex().position(VertexId(v))) < worn_[i].radius)
           places_[v] = Place::beyond;
+  return any || worn_.size() > before;
+}
+
+/// Takes away what is kept and farther than 0.95 δ from the rim around a vertex of the border, where that
+/// does not go on into the sheet.
+bool RimCut::take_flap(VertexId start) {
+  const double delta = volume_.thresholds().delta;
+  const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
+  const auto is_far = [&](Vec3 p) { return curve.distance(p) > flap_edge * delta; };
+  const Complex& complex = live_.complex();
+  std::vector<VertexId> flap{start};
+  std::set<Edge> edges; // from it to what stays
+  for (std::size_t i = 0; i < flap.size(); ++i) {
+    if (distance(complex.position(flap[i]), complex.position(start)) > flap_reach * delta) return false;
+    for (const VertexId n : live_.neighbors(flap[i])) {
+      if (complex.value(n) != 0 || !is_kept(n) || std::find(flap.begin(), flap.end(), n) != flap.end())
+        continue;
+      if (is_far(complex.position(n)))
+        flap.push_back(n);
+      else
+        edges.insert({flap[i], n});
+    }
+  }
+  for (const VertexId v : flap) places_[v.index()] = Place::beyond;
+  for (const auto& [far, near] : edges) {
+    if (log_.stopped()) return true;
+    Vec3 in = complex.position(near), out = complex.position(far);
+    for (int i = 0; i < level_steps; ++i) {
+      const Vec3 middle = 0.5 * (in + out);
+      (is_far(middle) ? out : in) = middle;
+    }
+    const Edge edge = sorted(Edge{far, near});
+    if (distance(in, complex.position(near)) <= at_wall * delta ||
+        !split({edge, Reason::border_off_rim, in, 0}, in, Place::wall))
+      at_end_.insert(edge);
+  }
+  collect_facets();
   return true;
 }
 
@@ -102,14 +152,16 @@ std::vector<RimPatch> RimCut::patches() const {
   return rim_patches(facets_, kept);
 }
 
+/// One after the other: of two that cover the same of the rim one may go.
 void RimCut::settle_spare_patches() {
-  const std::vector<RimPatch> all = patches();
-  for (const RimPatch& patch : all) {
-    if (log_.stopped()) return;
+  std::vector<RimPatch> all = patches();
+  for (std::size_t i = 0; i < all.size() && !log_.stopped(); ++i) {
+    const RimPatch& patch = all[i];
     if (patch.border.empty() || !(patch.kept ? is_crumb(patch) : lies_within(patch, volume_.field())) ||
         rim_needs(patch, all))
       continue;
     turn(patch);
+    all[i].border.clear();
   }
 }
 
@@ -132,8 +184,10 @@ std::vector<double> RimCut::lengths_by_loop(const RimPatch& patch) const {
 }
 
 /// One loop of the rim makes one patch that is dropped and has one that is kept: others are joined to the
-/// largest of their kind where the way is short; crumbs for which there is none are dropped.
-void RimCut::join_patches() {
+/// largest of their kind where the way is short; crumbs for which there is none are dropped. True where
+/// edges were split or more is kept so that there may be one the next time.
+bool RimCut::join_patches() {
+  bool prepared = false;
   for (bool again = true; again && !log_.stopped();) {
     again = false;
     const std::vector<RimPatch> all = patches();
@@ -149,7 +203,9 @@ void RimCut::join_patches() {
       if (larger.empty()) continue;
       bool changed = join(all[i], larger);
       again = changed && patches().size() < all.size();
-      if (!again && all[i].kept && is_crumb(all[i])) {
+      if (!changed && all[i].kept && follows_rim(all[i])) {
+        changed = prepared = refine_between(all[i], larger) || follow_rim_on(all[i]);
+      } else if (!again && all[i].kept && is_crumb(all[i])) {
         turn(all[i]);
         changed = true;
         again = patches().size() < all.size();
@@ -157,6 +213,7 @@ void RimCut::join_patches() {
       if (changed) break; // the patches are others now; without progress they wait for the next round
     }
   }
+  return prepared;
 }
 
 bool RimCut::is_in_volume(VertexId v) const {
@@ -190,7 +247,8 @@ bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to)
   vertices_of(patch.border, from);
   for (const RimPatch* other : to) vertices_of(other->border, ends);
   const auto is_allowed = [&](VertexId v) {
-    return is_kept(v) != patch.kept && is_near_rim(v) && (is_kept(v) || is_in_volume(v));
+    return is_kept(v) != patch.kept && is_near_rim(v) &&
+           (is_kept(v) ? !is_by_kept_rim(live_.complex().position(v)) : is_in_volume(v));
   };
   const auto apart = [this](VertexId a, VertexId b) { return length_by_rim({a, b}); };
   const std::vector<VertexId> way =
@@ -244,43 +302,125 @@ bool RimCut::close_gaps() {
 }
 
 /// Where Z is kept or beyond all around a place of the rim: leads the border there along the rim, by a
-/// channel or a tongue. What is kept and has no hole of that loop yet gets one.
+/// channel or a tongue. What is kept and has no hole of that loop yet gets one. Without a way along edges
+/// these are halved from there to the border.
 bool RimCut::close_gap(const RimGap& gap) {
-  const std::uint32_t loop = volume_.open_sides()->rim().loop_near(gap.place);
-  const auto [ends, others] = border_by_loop(loop);
-  const bool keep = !is_kept(gap.vertex);
-  std::vector<VertexId> taken = others;
-  if (keep) { // a tongue that touched another part would join both
-    for (const Facet& f : facets_)
-      if (std::any_of(f.begin(), f.end(), [&](VertexId v) {
-            return is_kept(v) && !std::binary_search(ends.begin(), ends.end(), v);
-          }))
-        taken.insert(taken.end(), f.begin(), f.end());
-    sort_unique(taken);
+  if (!is_kept(gap.vertex)) return follow_rim(gap);
+  bool refined = false;
+  for (int i = 0; i < most_refinements && !log_.stopped(); ++i) {
+    const std::vector<VertexId> way = channel_to(gap);
+    if (!way.empty()) {
+      set_apart(way, Place::beyond, Reason::rim_off_border);
+      return true;
+    }
+    if (!refine_around(gap)) break;
+    refined = true;
   }
-  const auto is_free = [&](VertexId v) {
-    return is_kept(v) != keep && !std::binary_search(taken.begin(), taken.end(), v) && is_near_rim(v) &&
-           (!keep || is_in_volume(v));
-  };
-  if (!is_free(gap.vertex)) return false;
-  std::vector<VertexId> way{gap.vertex};
-  if (!ends.empty() || keep) {
-    const auto apart = [this](VertexId a, VertexId b) { return length_by_rim({a, b}); };
-    way = shortest_way(facets_, way, ends, is_free, apart, longest_channel * volume_.thresholds().delta);
-  }
-  if (way.empty()) return refine_around(gap.place);
-  set_apart(way, keep ? Place::kept : Place::beyond, Reason::rim_off_border);
-  return true;
+  return refined;
 }
 
-/// Halves long edges near a place, so that ways have where to pass. False where there are none.
-bool RimCut::refine_around(Vec3 p) {
+/// The vertices of a channel to a place of the rim, from there on; none where edges do not allow it.
+std::vector<VertexId> RimCut::channel_to(const RimGap& gap) const {
+  const auto [ends, others] = border_by_loop(volume_.open_sides()->rim().loop_near(gap.place));
+  const auto is_free = [&, &others = others](VertexId v) {
+    return is_kept(v) && !std::binary_search(others.begin(), others.end(), v) && is_near_rim(v);
+  };
+  if (!is_free(gap.vertex)) return {};
+  if (ends.empty()) return {gap.vertex};
+  const auto apart = [this](VertexId a, VertexId b) { return length_by_rim({a, b}); };
+  return shortest_way(facets_, std::array{gap.vertex}, ends, is_free, apart,
+                      longest_channel * volume_.thresholds().delta);
+}
+
+/// Where Z is over the rim, though it passes by a place of it: keeps what is near to the rim there and a
+/// little further along it, by places, so that whatever is split there later is judged alike. False where Z
+/// is too far away, or all of that is kept.
+bool RimCut::follow_rim(const RimGap& gap) {
+  const double delta = volume_.thresholds().delta;
+  const double radius = distance(gap.place, live_.complex().position(gap.vertex)) + tongue * delta;
+  return radius <= by_rim * delta && keep_by_rim(std::array{gap.place}, radius);
+}
+
+/// Further along the rim from what is kept so and hangs together with nothing yet.
+bool RimCut::follow_rim_on(const RimPatch& patch) {
+  const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
+  std::vector<Vec3> from;
+  double radius = 0;
+  for (const Edge& e : patch.border) {
+    from.push_back(point_on(segment(e), 0.5));
+    radius = std::max(radius, kept_by_rim_[curve.closest(from.back()).triangle.index()]);
+  }
+  return keep_by_rim(from, radius);
+}
+
+/// What is nearer to the rim than a radius, as far along it as some places reach. False where all of that is
+/// kept.
+bool RimCut::keep_by_rim(std::span<const Vec3> places, double radius) {
+  const double delta = volume_.thresholds().delta;
+  const Rim& rim = volume_.open_sides()->rim();
+  kept_by_rim_.resize(rim.curve().size(), 0);
+  const std::uint32_t loop = rim.loop_near(places.front());
+  for (std::size_t i = 0; i < kept_by_rim_.size(); ++i) {
+    if (kept_by_rim_[i] >= radius) continue;
+    const Triangle3& piece = rim.curve().triangle(TriangleId(i));
+    const Vec3 middle = 0.5 * (piece[0] + piece[1]);
+    const auto is_near = [&](Vec3 p) { return distance(middle, p) <= tongue_reach * delta; };
+    if (std::any_of(places.begin(), places.end(), is_near) && rim.loop_near(middle) == loop)
+      kept_by_rim_[i] = radius;
+  }
+  looked_at_.clear();
+  bool any = false;
+  for (std::size_t v = 0; v < places_.size(); ++v)
+    if (places_[v] == Place::beyond && is_in_volume(VertexId(v)) &&
+        is_by_kept_rim(live_.complex().position(VertexId(v)))) {
+      places_[v] = Place::kept;
+      any = true;
+    }
+  return any;
+}
+
+/// Whether some of a patch is kept as it is near to the rim.
+bool RimCut::follows_rim(const RimPatch& patch) const {
+  return std::any_of(patch.border.begin(), patch.border.end(),
+                     [&](const Edge& e) { return is_by_kept_rim(point_on(segment(e), 0.5)); });
+}
+
+bool RimCut::is_by_kept_rim(Vec3 p) const {
+  if (kept_by_rim_.empty()) return false;
+  const ClosestPoint closest = volume_.open_sides()->rim().curve().closest(p);
+  return closest.distance() < kept_by_rim_[closest.triangle.index()];
+}
+
+/// Halves long edges from a place of the rim to the border, so that ways have where to pass. False where
+/// there are none.
+bool RimCut::refine_around(const RimGap& gap) {
+  double reach = longest_channel * volume_.thresholds().delta;
+  for (const Edge& e : border(kept_facets())) reach = std::min(reach, distance_to(segment(e), gap.place));
+  return refine_around(gap.place, reach);
+}
+
+/// The same from a patch to others.
+bool RimCut::refine_between(const RimPatch& patch, std::span<const RimPatch* const> others) {
+  const double limit = longest_way * volume_.thresholds().delta;
+  double reach = limit;
+  Vec3 from;
+  for (const Edge& a : patch.border)
+    for (const RimPatch* other : others)
+      for (const Edge& b : other->border)
+        if (const double d = distance_to(segment(b), point_on(segment(a), 0.5)); d < reach) {
+          reach = d;
+          from = point_on(segment(a), 0.5);
+        }
+  return reach < limit && refine_around(from, reach);
+}
+
+bool RimCut::refine_around(Vec3 p, double reach) {
   const double delta = volume_.thresholds().delta;
   std::vector<Edge> edges;
   for (const Facet& f : facets_)
     for (const Edge& e : rim_edges(f))
       if (is_kept(e[0]) == is_kept(e[1]) && length(e) > way_edge * delta &&
-          distance_to(segment(e), p) <= way_reach * delta)
+          distance_to(segment(e), p) <= reach + way_reach * delta)
         edges.push_back(e);
   sort_unique(edges);
   bool any = false;
@@ -347,7 +487,9 @@ bool RimCut::cut_pinches() {
   const std::vector<VertexId> found = pinches();
   for (const VertexId v : found) {
     if (log_.stopped()) break;
-    const bool widen = is_in_volume(v) && (!is_near_rim(v) || parts_loops(v)) && widened_.insert(v).second;
+    const bool widen = is_in_volume(v) &&
+                       (!is_near_rim(v) || is_by_kept_rim(live_.complex().position(v)) || parts_loops(v)) &&
+                       widened_.insert(v).second;
     set_apart(std::array{v}, widen ? Place::kept : Place::beyond, Reason::pinched_border);
   }
   return !found.empty();
