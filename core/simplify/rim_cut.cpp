@@ -2,6 +2,7 @@
 #include "simplify/rim_cut.h"
 
 #include "base/parallel.h"
+#include "base/place.h"
 #include "base/sort_unique.h"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace {
 /// Halvings towards the wall on an edge.
 constexpr int wall_steps = 50;
 constexpr int most_cut_rounds = 60;
+/// Vertices at which Z leaves Ω, or ends too far from the rim, with edges too short to be split: more than
+/// both of these, the second relative to the facets that are kept, are given up.
+constexpr double least_hopeless = 200, hopeless_share = 0.04;
 /// Strips of the input between two loops of the rim are looked for on edges at that many steps at most.
 /// Stretches of fewer steps, or near to one loop on both sides, are teeth of a jagged rim.
 constexpr int least_look_steps = 4;
@@ -232,7 +236,13 @@ void RimCut::drop() {
   log_.operation(e, std::move(delta), live_.step_figures());
 }
 
-void RimCut::run() {
+/// Whether Z leaves Ω, or ends too far from the rim, in more places than ways around them are found for.
+bool RimCut::is_hopeless(std::size_t kept) const {
+  const double most = std::max(least_hopeless, hopeless_share * static_cast<double>(kept));
+  return static_cast<double>(proofs_.stuck().size() + proofs_.stuck_border().size()) > most;
+}
+
+Status RimCut::run() {
   for (int round = 0; !log_.stopped(); ++round) {
     classify();
     collect_facets();
@@ -251,6 +261,15 @@ void RimCut::run() {
     const std::vector<Edge> edges = border(kept);
     const std::vector<RimSplit> splits =
         proofs_.wanted_splits({facets_, kept, edges, whole_}, [this](VertexId v) { return is_kept(v); });
+    if (is_hopeless(kept.size())) {
+      const std::vector<VertexId> stuck = proofs_.stuck(), ends = proofs_.stuck_border();
+      const Vec3 p = live_.complex().position(stuck.empty() ? ends.front() : stuck.front());
+      return Error{ErrorCode::unsupported,
+                   "Z leaves Ω before it is over the rim, in " + std::to_string(stuck.size() + ends.size()) +
+                       " places, one of them near " + place(p, place_digits) +
+                       ": parts of the surface with a border lie too near to each other for this tolerance.",
+                   "Use a smaller tolerance."};
+    }
     if (splits.empty()) {
       // What stays outside of Ω however small its parts are does not belong to what is kept.
       const std::vector<VertexId> stuck = proofs_.stuck();
@@ -260,12 +279,13 @@ void RimCut::run() {
         break;
     }
     for (const RimSplit& s : splits) {
-      if (log_.stopped()) return;
+      if (log_.stopped()) return {};
       const Vec3 middle = 0.5 * (live_.complex().position(s.edge[0]) + live_.complex().position(s.edge[1]));
       split(s, middle, keeps(middle) ? Place::kept : Place::beyond);
     }
   }
   if (!log_.stopped()) drop();
+  return {};
 }
 
 } // namespace isoscope

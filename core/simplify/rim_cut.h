@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/segment.h"
+#include "base/status.h"
 #include "collapse/live_complex.h"
 #include "journal/stage_log.h"
 #include "simplify/rim_patches.h"
@@ -29,8 +30,9 @@ class RimCut {
  public:
   RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log);
   /// Every split and the cut are operations. Ends early when the log says stop; goes on where it was when
-  /// called again.
-  void run();
+  /// called again. An error with the place where so much of Z leaves Ω before it is over the rim that no cut
+  /// can help.
+  Status run();
 
  private:
   enum class Place : std::uint8_t { unknown, kept, wall, beyond };
@@ -83,6 +85,7 @@ class RimCut {
   std::optional<Vec3> strip_between(Vec3 a, Vec3 b) const;
   bool find_strips();
   void drop();
+  bool is_hopeless(std::size_t kept) const;
   // In rim_mending.cpp: patches that are none of a loop, gaps before the rim, vertices in which parts meet.
   std::vector<RimPatch> patches() const;
   bool rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const;

@@ -203,8 +203,9 @@ bool RimCut::join_patches() {
       if (larger.empty()) continue;
       bool changed = join(all[i], larger);
       again = changed && patches().size() < all.size();
-      if (!changed && all[i].kept && follows_rim(all[i])) {
-        changed = prepared = refine_between(all[i], larger) || follow_rim_on(all[i]);
+      if (!again && all[i].kept && follows_rim(all[i])) {
+        if (!changed) changed = refine_between(all[i], larger) || follow_rim_on(all[i]);
+        prepared |= changed;
       } else if (!again && all[i].kept && is_crumb(all[i])) {
         turn(all[i]);
         changed = true;
@@ -269,6 +270,8 @@ bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to)
     if (is_beside(f))
       for (const VertexId v : f)
         if (!is_kept(v) && is_in_volume(v)) places_[v.index()] = Place::kept;
+  // What lies beside the way outside of Ω is cut off.
+  set_apart(way, Place::kept, Reason::pinched_border);
   return true;
 }
 
@@ -381,8 +384,10 @@ bool RimCut::keep_by_rim(std::span<const Vec3> places, double radius) {
 
 /// Whether some of a patch is kept as it is near to the rim.
 bool RimCut::follows_rim(const RimPatch& patch) const {
-  return std::any_of(patch.border.begin(), patch.border.end(),
-                     [&](const Edge& e) { return is_by_kept_rim(point_on(segment(e), 0.5)); });
+  return std::any_of(patch.facets.begin(), patch.facets.end(), [&](std::uint32_t i) {
+    return std::any_of(facets_[i].begin(), facets_[i].end(),
+                       [&](VertexId v) { return is_by_kept_rim(live_.complex().position(v)); });
+  });
 }
 
 bool RimCut::is_by_kept_rim(Vec3 p) const {
