@@ -46,6 +46,8 @@ class RimCut {
   static constexpr double look_step = 0.25;
   /// A vertex this near to where an edge crosses the wall is on it, in units of δ.
   static constexpr double at_wall = 0.01;
+  /// The longest way along which patches of one loop are joined, in units of δ.
+  static constexpr double longest_way = 3;
   /// What is so near to the rim, in units of δ, may have the border beside it.
   static constexpr double by_rim = 0.9;
   /// So much more than Z is away from the rim is kept where it has to be, in units of δ.
