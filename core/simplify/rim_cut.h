@@ -88,7 +88,7 @@ class RimCut {
   bool find_strips();
   void drop();
   bool is_hopeless(std::size_t kept) const;
-  // In rim_mending.cpp and rim_gaps.cpp: patches that are none of a loop, gaps before the rim, flaps, pinches.
+  // In rim_mending.cpp and rim_gaps.cpp: patches that are none of a loop, gaps, flaps, pinches.
   std::vector<RimPatch> patches() const;
   bool rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const;
   bool lies_within(const RimPatch& patch, const ToleranceField& field) const;
