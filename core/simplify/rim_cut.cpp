@@ -2,6 +2,7 @@
 #include "simplify/rim_cut.h"
 
 #include "base/parallel.h"
+#include "base/place.h"
 #include "base/sort_unique.h"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace {
 /// Halvings towards the wall on an edge.
 constexpr int wall_steps = 50;
 constexpr int most_cut_rounds = 60;
+/// Vertices at which Z leaves Ω, or ends too far from the rim, with edges too short to be split: more than
+/// both of these, the second relative to the facets that are kept, are given up.
+constexpr double least_hopeless = 200, hopeless_share = 0.04;
 /// Strips of the input between two loops of the rim are looked for on edges at that many steps at most.
 /// Stretches of fewer steps, or near to one loop on both sides, are teeth of a jagged rim.
 constexpr int least_look_steps = 4;
@@ -28,7 +32,9 @@ RimCut::RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log)
 
 bool RimCut::keeps(Vec3 p) const {
   const ClosestPoint closest = volume_.field().closest(p);
-  return closest.distance() <= volume_.thresholds().delta && !volume_.open_sides()->is_by_wall(p, closest) &&
+  if (closest.distance() > volume_.thresholds().delta) return false;
+  if (is_by_kept_rim(p)) return true;
+  return !volume_.open_sides()->is_by_wall(p, closest) &&
          std::none_of(worn_.begin(), worn_.end(),
                       [&](const WornBall& ball) { return distance(ball.center, p) < ball.radius; });
 }
@@ -176,9 +182,9 @@ std::optional<Vec3> RimCut::strip_between(Vec3 a, Vec3 b) const {
   const Rim& rim = volume_.open_sides()->rim();
   const Vec3 middle = at(best_end - 0.5 * (best - 1));
   const bool one_loop = rim.loop_near(at(best_end - best + 1)) == rim.loop_near(at(best_end));
-  if (best < least_look_steps ||
-      (one_loop && rim.curve().distance(middle) <= by_rim * volume_.thresholds().delta))
-    return std::nullopt;
+  const bool is_strip = best >= least_look_steps &&
+                        (!one_loop || rim.curve().distance(middle) > by_rim * volume_.thresholds().delta);
+  if (!is_strip && !(best > 0 && is_by_kept_rim(middle))) return std::nullopt;
   return middle;
 }
 
@@ -189,8 +195,8 @@ bool RimCut::find_strips() {
   for (const Facet& f : facets_)
     for (const Edge& e : rim_edges(f)) {
       const Place pa = places_[e[0].index()], pb = places_[e[1].index()];
-      const bool crosses_inside = (pa == Place::kept || pb == Place::kept) && !at_end_.contains(e);
-      if (crosses_inside || (is_kept(e[0]) && is_kept(e[1]))) continue;
+      const bool crosses_wall = (pa == Place::kept || pb == Place::kept) && !at_end_.contains(e);
+      if (crosses_wall || (is_kept(e[0]) && is_kept(e[1]))) continue;
       if (!whole_.contains(e) && looked_at_.insert(e).second) edges.push_back(e);
     }
   std::sort(edges.begin(), edges.end());
@@ -230,7 +236,13 @@ void RimCut::drop() {
   log_.operation(e, std::move(delta), live_.step_figures());
 }
 
-void RimCut::run() {
+/// Whether Z leaves Ω, or ends too far from the rim, in more places than ways around them are found for.
+bool RimCut::is_hopeless(std::size_t kept) const {
+  const double most = std::max(least_hopeless, hopeless_share * static_cast<double>(kept));
+  return static_cast<double>(proofs_.stuck().size() + proofs_.stuck_border().size()) > most;
+}
+
+Status RimCut::run() {
   for (int round = 0; !log_.stopped(); ++round) {
     classify();
     collect_facets();
@@ -242,28 +254,38 @@ void RimCut::run() {
       collect_facets();
     }
     settle_spare_patches();
-    join_patches();
-    const bool parted = cut_pinches();
+    bool changed = join_patches();
+    if (cut_pinches()) changed = true;
     if (round >= most_cut_rounds) break;
     const std::vector<Facet> kept = kept_facets();
     const std::vector<Edge> edges = border(kept);
     const std::vector<RimSplit> splits =
         proofs_.wanted_splits({facets_, kept, edges, whole_}, [this](VertexId v) { return is_kept(v); });
+    if (is_hopeless(kept.size())) {
+      const std::vector<VertexId> stuck = proofs_.stuck(), ends = proofs_.stuck_border();
+      const Vec3 p = live_.complex().position(stuck.empty() ? ends.front() : stuck.front());
+      return Error{ErrorCode::unsupported,
+                   "Z leaves Ω before it is over the rim, in " + std::to_string(stuck.size() + ends.size()) +
+                       " places, one of them near " + place(p, place_digits) +
+                       ": parts of the surface with a border lie too near to each other for this tolerance.",
+                   "Use a smaller tolerance."};
+    }
     if (splits.empty()) {
       // What stays outside of Ω however small its parts are does not belong to what is kept.
       const std::vector<VertexId> stuck = proofs_.stuck();
       if (!stuck.empty())
         set_apart(stuck, Place::beyond, Reason::leaves_volume);
-      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !parted)
+      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !changed)
         break;
     }
     for (const RimSplit& s : splits) {
-      if (log_.stopped()) return;
+      if (log_.stopped()) return {};
       const Vec3 middle = 0.5 * (live_.complex().position(s.edge[0]) + live_.complex().position(s.edge[1]));
       split(s, middle, keeps(middle) ? Place::kept : Place::beyond);
     }
   }
   if (!log_.stopped()) drop();
+  return {};
 }
 
 } // namespace isoscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/segment.h"
+#include "base/status.h"
 #include "collapse/live_complex.h"
 #include "journal/stage_log.h"
 #include "simplify/rim_patches.h"
@@ -29,8 +30,9 @@ class RimCut {
  public:
   RimCut(LiveComplex& live, const ToleranceVolume& volume, StageLog& log);
   /// Every split and the cut are operations. Ends early when the log says stop; goes on where it was when
-  /// called again.
-  void run();
+  /// called again. An error with the place where so much of Z leaves Ω before it is over the rim that no cut
+  /// can help.
+  Status run();
 
  private:
   enum class Place : std::uint8_t { unknown, kept, wall, beyond };
@@ -44,8 +46,12 @@ class RimCut {
   static constexpr double look_step = 0.25;
   /// A vertex this near to where an edge crosses the wall is on it, in units of δ.
   static constexpr double at_wall = 0.01;
+  /// The longest way along which patches of one loop are joined, in units of δ.
+  static constexpr double longest_way = 3;
   /// What is so near to the rim, in units of δ, may have the border beside it.
   static constexpr double by_rim = 0.9;
+  /// So much more than Z is away from the rim is kept where it has to be, in units of δ.
+  static constexpr double tongue = 0.15;
 
   LiveComplex& live_;
   const ToleranceVolume& volume_;
@@ -59,6 +65,8 @@ class RimCut {
   std::set<VertexId> widened_;   ///< vertices in which parts met that were joined there
   std::vector<Vec3> tried_gaps_; ///< places of the rim
   std::vector<WornBall> worn_;   ///< nothing is kept in them
+  /// By open piece of the rim: what is nearer to it than that is kept, as far as it is in Ω. Empty: nothing.
+  std::vector<double> kept_by_rim_;
 
   bool is_kept(VertexId v) const {
     return places_[v.index()] == Place::kept || places_[v.index()] == Place::wall;
@@ -79,7 +87,8 @@ class RimCut {
   std::optional<Vec3> strip_between(Vec3 a, Vec3 b) const;
   bool find_strips();
   void drop();
-  // In rim_mending.cpp: patches that are none of a loop, gaps before the rim, vertices in which parts meet.
+  bool is_hopeless(std::size_t kept) const;
+  // In rim_mending.cpp and rim_gaps.cpp: patches that are none of a loop, gaps, flaps, pinches.
   std::vector<RimPatch> patches() const;
   bool rim_needs(const RimPatch& patch, const std::vector<RimPatch>& all) const;
   bool lies_within(const RimPatch& patch, const ToleranceField& field) const;
@@ -87,7 +96,7 @@ class RimCut {
   std::vector<double> lengths_by_loop(const RimPatch& patch) const;
   void settle_spare_patches();
   void turn(const RimPatch& patch);
-  void join_patches();
+  bool join_patches();
   bool join(const RimPatch& patch, const std::vector<const RimPatch*>& to);
   bool is_in_volume(VertexId v) const;
   bool is_near_rim(VertexId v) const;
@@ -95,12 +104,21 @@ class RimCut {
   std::array<std::vector<VertexId>, 2> border_by_loop(std::uint32_t loop) const;
   bool close_gaps();
   bool close_gap(const RimGap& gap);
-  bool refine_around(Vec3 p);
+  bool follow_rim(const RimGap& gap);
+  bool follow_rim_on(const RimPatch& patch);
+  bool keep_by_rim(std::span<const Vec3> places, double radius);
+  bool follows_rim(const RimPatch& patch) const;
+  bool is_by_kept_rim(Vec3 p) const;
+  bool refine_between(const RimPatch& patch, std::span<const RimPatch* const> others);
+  std::vector<VertexId> channel_to(const RimGap& gap) const;
+  bool refine_around(const RimGap& gap);
+  bool refine_around(Vec3 p, double reach);
   std::vector<VertexId> pinches() const;
   bool parts_loops(VertexId v) const;
   bool cut_pinches();
   void set_apart(std::span<const VertexId> vertices, Place place, Reason reason);
   bool wear_away(std::span<const VertexId> vertices);
+  bool take_flap(VertexId start);
 
   Segment3 segment(const Edge& e) const {
     return {live_.complex().position(e[0]), live_.complex().position(e[1])};

@@ -14,15 +14,12 @@
 namespace isoscope {
 namespace {
 
-/// The longest way along which patches of one loop are joined, and that to a gap, in units of δ.
-constexpr double longest_way = 3, longest_channel = 5;
-/// Gaps this near to each other, in units of δ, are one, and one is tried to be closed so often.
-constexpr double near_gap = 0.25;
-constexpr int most_tries = 3;
-/// Ways to a gap pass along edges up to that length; longer ones so near to it are split. In units of δ.
-constexpr double way_edge = 0.5, way_reach = 1;
 /// Radii of what is taken away where the border is too far from the rim, in units of δ.
 constexpr double least_worn = 0.1, most_worn = 0.2;
+/// What is taken where Z leaves Ω before it is over the rim is farther than that from it, and lies within so
+/// much around a place of the border, in units of δ; halvings towards its end on an edge.
+constexpr double flap_edge = 0.95, flap_reach = 2;
+constexpr int level_steps = 30;
 /// How far from a vertex that is taken its edges are cut, in units of δ.
 constexpr double pinch_share = 0.05;
 /// A part of what is kept that is smaller than this is a crumb, in units of δ.
@@ -30,13 +27,19 @@ constexpr double crumb = 4;
 
 } // namespace
 
-/// Where Z leaves Ω before it is over the rim its border may be too far from that, and nearer to it a little
-/// way back: balls around such vertices are taken away, larger ones where smaller ones did not do. False
-/// where nothing is.
+/// Where Z leaves Ω before it is over the rim its border may be too far from that. What is so far from the
+/// rim there is taken away where it is a flap, that ends nearer to the rim all around; else balls around such
+/// vertices are, larger ones where smaller ones did not do. False where nothing is.
 bool RimCut::wear_away(std::span<const VertexId> vertices) {
   const double delta = volume_.thresholds().delta;
   const std::size_t before = worn_.size();
+  bool any = false;
   for (const VertexId v : vertices) {
+    if (!is_kept(v)) continue; // with a flap
+    if (take_flap(v)) {
+      any = true;
+      continue;
+    }
     const Vec3 p = live_.complex().position(v);
     double radius = least_worn * delta;
     bool fresh = true;
@@ -48,12 +51,48 @@ bool RimCut::wear_away(std::span<const VertexId> vertices) {
     }
     if (fresh && radius <= most_worn * delta) worn_.push_back({p, radius});
   }
-  if (worn_.size() == before) return false;
   for (std::size_t v = 0; v < places_.size(); ++v)
     if (is_kept(VertexId(v)))
       for (std::size_t i = before; i < worn_.size(); ++i)
         if (distance(worn_[i].center, live_.complex().position(VertexId(v))) < worn_[i].radius)
           places_[v] = Place::beyond;
+  return any || worn_.size() > before;
+}
+
+/// Takes away what is kept and farther than 0.95 δ from the rim around a vertex of the border, where that
+/// does not go on into the sheet.
+bool RimCut::take_flap(VertexId start) {
+  const double delta = volume_.thresholds().delta;
+  const ClosestPointIndex& curve = volume_.open_sides()->rim().curve();
+  const auto is_far = [&](Vec3 p) { return curve.distance(p) > flap_edge * delta; };
+  const Complex& complex = live_.complex();
+  std::vector<VertexId> flap{start};
+  std::set<Edge> edges; // from it to what stays
+  for (std::size_t i = 0; i < flap.size(); ++i) {
+    if (distance(complex.position(flap[i]), complex.position(start)) > flap_reach * delta) return false;
+    for (const VertexId n : live_.neighbors(flap[i])) {
+      if (complex.value(n) != 0 || !is_kept(n) || std::find(flap.begin(), flap.end(), n) != flap.end())
+        continue;
+      if (is_far(complex.position(n)))
+        flap.push_back(n);
+      else
+        edges.insert({flap[i], n});
+    }
+  }
+  for (const VertexId v : flap) places_[v.index()] = Place::beyond;
+  for (const auto& [far, near] : edges) {
+    if (log_.stopped()) return true;
+    Vec3 in = complex.position(near), out = complex.position(far);
+    for (int i = 0; i < level_steps; ++i) {
+      const Vec3 middle = 0.5 * (in + out);
+      (is_far(middle) ? out : in) = middle;
+    }
+    const Edge edge = sorted(Edge{far, near});
+    if (distance(in, complex.position(near)) <= at_wall * delta ||
+        !split({edge, Reason::border_off_rim, in, 0}, in, Place::wall))
+      at_end_.insert(edge);
+  }
+  collect_facets();
   return true;
 }
 
@@ -102,14 +141,16 @@ std::vector<RimPatch> RimCut::patches() const {
   return rim_patches(facets_, kept);
 }
 
+/// One after the other: of two that cover the same of the rim one may go.
 void RimCut::settle_spare_patches() {
-  const std::vector<RimPatch> all = patches();
-  for (const RimPatch& patch : all) {
-    if (log_.stopped()) return;
+  std::vector<RimPatch> all = patches();
+  for (std::size_t i = 0; i < all.size() && !log_.stopped(); ++i) {
+    const RimPatch& patch = all[i];
     if (patch.border.empty() || !(patch.kept ? is_crumb(patch) : lies_within(patch, volume_.field())) ||
         rim_needs(patch, all))
       continue;
     turn(patch);
+    all[i].border.clear();
   }
 }
 
@@ -132,8 +173,10 @@ std::vector<double> RimCut::lengths_by_loop(const RimPatch& patch) const {
 }
 
 /// One loop of the rim makes one patch that is dropped and has one that is kept: others are joined to the
-/// largest of their kind where the way is short; crumbs for which there is none are dropped.
-void RimCut::join_patches() {
+/// largest of their kind where the way is short; crumbs for which there is none are dropped. True where
+/// edges were split or more is kept so that there may be one the next time.
+bool RimCut::join_patches() {
+  bool prepared = false;
   for (bool again = true; again && !log_.stopped();) {
     again = false;
     const std::vector<RimPatch> all = patches();
@@ -149,7 +192,10 @@ void RimCut::join_patches() {
       if (larger.empty()) continue;
       bool changed = join(all[i], larger);
       again = changed && patches().size() < all.size();
-      if (!again && all[i].kept && is_crumb(all[i])) {
+      if (!again && all[i].kept && follows_rim(all[i])) {
+        if (!changed) changed = refine_between(all[i], larger) || follow_rim_on(all[i]);
+        prepared |= changed;
+      } else if (!again && all[i].kept && is_crumb(all[i])) {
         turn(all[i]);
         changed = true;
         again = patches().size() < all.size();
@@ -157,6 +203,7 @@ void RimCut::join_patches() {
       if (changed) break; // the patches are others now; without progress they wait for the next round
     }
   }
+  return prepared;
 }
 
 bool RimCut::is_in_volume(VertexId v) const {
@@ -190,7 +237,8 @@ bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to)
   vertices_of(patch.border, from);
   for (const RimPatch* other : to) vertices_of(other->border, ends);
   const auto is_allowed = [&](VertexId v) {
-    return is_kept(v) != patch.kept && is_near_rim(v) && (is_kept(v) || is_in_volume(v));
+    return is_kept(v) != patch.kept && is_near_rim(v) &&
+           (is_kept(v) ? !is_by_kept_rim(live_.complex().position(v)) : is_in_volume(v));
   };
   const auto apart = [this](VertexId a, VertexId b) { return length_by_rim({a, b}); };
   const std::vector<VertexId> way =
@@ -211,6 +259,8 @@ bool RimCut::join(const RimPatch& patch, const std::vector<const RimPatch*>& to)
     if (is_beside(f))
       for (const VertexId v : f)
         if (!is_kept(v) && is_in_volume(v)) places_[v.index()] = Place::kept;
+  // What lies beside the way outside of Ω is cut off.
+  set_apart(way, Place::kept, Reason::pinched_border);
   return true;
 }
 
@@ -223,74 +273,6 @@ std::array<std::vector<VertexId>, 2> RimCut::border_by_loop(std::uint32_t loop) 
   }
   for (auto& list : vertices) sort_unique(list);
   return vertices;
-}
-
-/// True where some gap was closed. Those near to it look again.
-bool RimCut::close_gaps() {
-  const double delta = volume_.thresholds().delta;
-  std::vector<Vec3> closed;
-  const auto count_near = [](const std::vector<Vec3>& places, Vec3 p, double reach) {
-    return std::count_if(places.begin(), places.end(), [&](Vec3 q) { return distance(p, q) <= reach; });
-  };
-  for (const RimGap& gap : proofs_.gaps()) {
-    if (log_.stopped()) return false;
-    if (count_near(tried_gaps_, gap.place, near_gap * delta) >= most_tries ||
-        count_near(closed, gap.place, longest_channel * delta) > 0)
-      continue;
-    tried_gaps_.push_back(gap.place);
-    if (close_gap(gap)) closed.push_back(gap.place);
-  }
-  return !closed.empty();
-}
-
-/// Where Z is kept or beyond all around a place of the rim: leads the border there along the rim, by a
-/// channel or a tongue. What is kept and has no hole of that loop yet gets one.
-bool RimCut::close_gap(const RimGap& gap) {
-  const std::uint32_t loop = volume_.open_sides()->rim().loop_near(gap.place);
-  const auto [ends, others] = border_by_loop(loop);
-  const bool keep = !is_kept(gap.vertex);
-  std::vector<VertexId> taken = others;
-  if (keep) { // a tongue that touched another part would join both
-    for (const Facet& f : facets_)
-      if (std::any_of(f.begin(), f.end(), [&](VertexId v) {
-            return is_kept(v) && !std::binary_search(ends.begin(), ends.end(), v);
-          }))
-        taken.insert(taken.end(), f.begin(), f.end());
-    sort_unique(taken);
-  }
-  const auto is_free = [&](VertexId v) {
-    return is_kept(v) != keep && !std::binary_search(taken.begin(), taken.end(), v) && is_near_rim(v) &&
-           (!keep || is_in_volume(v));
-  };
-  if (!is_free(gap.vertex)) return false;
-  std::vector<VertexId> way{gap.vertex};
-  if (!ends.empty() || keep) {
-    const auto apart = [this](VertexId a, VertexId b) { return length_by_rim({a, b}); };
-    way = shortest_way(facets_, way, ends, is_free, apart, longest_channel * volume_.thresholds().delta);
-  }
-  if (way.empty()) return refine_around(gap.place);
-  set_apart(way, keep ? Place::kept : Place::beyond, Reason::rim_off_border);
-  return true;
-}
-
-/// Halves long edges near a place, so that ways have where to pass. False where there are none.
-bool RimCut::refine_around(Vec3 p) {
-  const double delta = volume_.thresholds().delta;
-  std::vector<Edge> edges;
-  for (const Facet& f : facets_)
-    for (const Edge& e : rim_edges(f))
-      if (is_kept(e[0]) == is_kept(e[1]) && length(e) > way_edge * delta &&
-          distance_to(segment(e), p) <= way_reach * delta)
-        edges.push_back(e);
-  sort_unique(edges);
-  bool any = false;
-  for (const Edge& e : edges) {
-    if (log_.stopped()) return false;
-    const Vec3 middle = point_on(segment(e), 0.5);
-    any |= split({e, Reason::rim_off_border, p, 0}, middle, keeps(middle) ? Place::kept : Place::beyond);
-  }
-  collect_facets();
-  return any;
 }
 
 /// Vertices at which what is kept has more than one fan, ascending.
@@ -347,7 +329,9 @@ bool RimCut::cut_pinches() {
   const std::vector<VertexId> found = pinches();
   for (const VertexId v : found) {
     if (log_.stopped()) break;
-    const bool widen = is_in_volume(v) && (!is_near_rim(v) || parts_loops(v)) && widened_.insert(v).second;
+    const bool widen = is_in_volume(v) &&
+                       (!is_near_rim(v) || is_by_kept_rim(live_.complex().position(v)) || parts_loops(v)) &&
+                       widened_.insert(v).second;
     set_apart(std::array{v}, widen ? Place::kept : Place::beyond, Reason::pinched_border);
   }
   return !found.empty();

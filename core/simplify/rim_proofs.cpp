@@ -13,6 +13,8 @@ namespace {
 
 /// Edges are not split below this length, in units of δ.
 constexpr double shortest_edge = 0.02;
+/// The longest edge of a facet is much longer than another one from this on.
+constexpr double much_longer = 1.1;
 /// Nor so below this one, where a place of the rim has no border and Z is kept all around it: what is over
 /// the rim there would have been met.
 constexpr double gap_edge = 0.2;
@@ -71,6 +73,22 @@ void RimProofs::want_inside(const RimSurface& z, std::vector<RimSplit>& splits) 
   }
 }
 
+/// From an edge to the longest of the facets at it, as long as that is much longer, and on from there [Rivara
+/// 1997]. Halving edges of what is long and thin would come back to edges as long as before.
+RimEdge RimProofs::longest_beside(const RimSurface& z, RimEdge edge) const {
+  for (RimEdge longest = edge;; edge = longest) {
+    for (const RimFacet& f : z.facets) {
+      if (std::find(f.begin(), f.end(), edge[0]) == f.end() ||
+          std::find(f.begin(), f.end(), edge[1]) == f.end())
+        continue;
+      for (const RimEdge& e : rim_edges(f))
+        if (length(e) > std::max(much_longer * length(edge), length(longest)) && !z.whole.contains(e))
+          longest = e;
+    }
+    if (longest == edge) return edge;
+  }
+}
+
 /// Edges of the border that are not proven to be within δ of the rim.
 void RimProofs::want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits) {
   const double delta = volume_.thresholds().delta;
@@ -85,7 +103,7 @@ void RimProofs::want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits
     if (near_rim_.contains(z.border[i])) continue;
     if (near[i].kind == FacetVerdict::Kind::inside)
       near_rim_.insert(z.border[i]);
-    else if (!want(splits, z, z.border[i], Reason::border_off_rim, near[i].witness,
+    else if (!want(splits, z, longest_beside(z, z.border[i]), Reason::border_off_rim, near[i].witness,
                    near[i].closest.distance()))
       stuck_border_.push_back(z.border[i]);
   }

@@ -124,9 +124,11 @@ struct Simplification::Impl {
     return {};
   }
 
-  void cut_along_rim() {
+  Status cut_along_rim() {
     if (!rim_cut) rim_cut.emplace(*live, context.volume, log);
-    rim_cut->run();
+    Status cut = rim_cut->run();
+    if (!cut) log.warn(cut.error().line());
+    return cut;
   }
 
   void leave() {
@@ -292,7 +294,7 @@ struct Simplification::Impl {
       made = tessellate();
       break;
     case Stage::rim:
-      cut_along_rim();
+      made = cut_along_rim();
       break;
     case Stage::zero_set:
       collapse(EdgeKind::zero, true, most_rounds);

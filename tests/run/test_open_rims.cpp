@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <numbers>
 #include <string>
+#include <tuple>
 
 using namespace isoscope;
 using namespace isoscope::test;
@@ -51,6 +52,14 @@ TEST_CASE("The border follows a tooth that is much narrower than Ω is thick") {
   for (const double width : {0.004, 0.02, 0.05}) {
     CAPTURE(width);
     check_certified(*at_least_effort(square_with_tooth(0.15, width), 3, Stage::improve), 1, 1);
+  }
+}
+
+TEST_CASE("Right after the cut the border is at the tips of large teeth that Z passes over the rim") {
+  for (const auto& [teeth, taper, percent] : {std::tuple{20u, 0.0, 0.5}, {20u, 0.0, 1.0}, {8u, 0.5, 0.5}}) {
+    CAPTURE(teeth);
+    CAPTURE(percent);
+    check_certified(*at_least_effort(crown(teeth, 0.6, taper), percent, Stage::rim), 0, 2);
   }
 }
 

@@ -104,6 +104,29 @@ inline TriangleSoup jagged_square(int n, unsigned seed) {
       [](double x, double) { return 0.2 * x * x; });
 }
 
+/// A tube of height 0.6 and radius 1 below, which narrows upwards by `taper` times the height, of triangles
+/// as long as it is high. Its upper end is a ring of teeth, a triangle each.
+inline TriangleSoup crown(std::uint32_t teeth, double length, double taper) {
+  TriangleSoup tube;
+  tube.name = "crown";
+  const auto add_ring = [&](double height, double shift) {
+    for (std::uint32_t i = 0; i < teeth; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + shift) / teeth, radius = 1 - taper * height;
+      tube.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
+    }
+  };
+  add_ring(0, 0);
+  add_ring(0.6, 0.5);
+  add_ring(0.6 + length, 1);
+  for (std::uint32_t i = 0; i < teeth; ++i) {
+    const std::uint32_t next = (i + 1) % teeth;
+    tube.triangles.push_back({i, next, teeth + i});
+    tube.triangles.push_back({next, teeth + next, teeth + i});
+    tube.triangles.push_back({teeth + i, teeth + next, 2 * teeth + i});
+  }
+  return tube;
+}
+
 /// A wedge of the plane between two edges of length 1, bent along them, with its tip in the origin.
 inline TriangleSoup wedge(double degrees, int n = 16) {
   const double half = std::tan(degrees * std::numbers::pi / 360);
