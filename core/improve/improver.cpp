@@ -73,6 +73,11 @@ ShakeLevel bounded_shakes(std::size_t vertices) {
   return {30, 5, flips, flips / 5};
 }
 
+/// Up to so many vertices the passes come before the other collapses with repair: in eight models of 52 to 160
+/// vertices that left 897 instead of 906, in 56 instead of 66 CPU seconds. Of larger surfaces the bounds reach
+/// a part: two of four were left with 3 % more.
+constexpr std::size_t most_shaken_first = 200;
+
 /// After a flip. More of both makes a few more flips come below δ, at half as much time again.
 constexpr RepairOptions shake_repair{.sweeps = 4, .certificates = 2};
 /// The collapses between two passes.
@@ -101,8 +106,10 @@ class Improver {
   void run_phases() {
     shrink_greedily();
     if (options_.effort < 2) return;
+    const bool shakes_first = surface_.vertex_count() <= most_shaken_first;
+    if (shakes_first) shake_and_repair(bounded_shakes(surface_.vertex_count()));
     repair({2, 14, 1.5, RepairOptions::impatient, most_repairs});
-    shake_and_repair(bounded_shakes(surface_.vertex_count()));
+    if (!shakes_first) shake_and_repair(bounded_shakes(surface_.vertex_count()));
     repair({2, 20, 2.5, RepairOptions::patient, most_patient_repairs});
   }
 
