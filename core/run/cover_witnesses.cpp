@@ -4,6 +4,7 @@
 #include "base/halves.h"
 #include "base/parallel.h"
 #include "criteria/nearest_sample.h"
+#include "run/overlap_witnesses.h"
 #include "run/thin_skeleton.h"
 #include "tolerance/sample_grid.h"
 #include "tolerance/wall_samples.h"
@@ -211,6 +212,11 @@ CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const Boundar
     keep_outer(bare, volume, *walls, label, control);
     if ((!bare.empty() || !ends.empty()) && !control.cancelled())
       hold_side(volume, *walls, label, bare, ends, reach, out, control);
+  }
+  if (volume.has_inner_walls() && !control.cancelled()) {
+    if (!walls) walls.emplace(volume);
+    const std::vector<Witness> kept = overlap_witnesses(volume, nearest, *walls, reach, out.held, control);
+    out.held.insert(out.held.end(), kept.begin(), kept.end());
   }
   return out;
 }

@@ -70,8 +70,14 @@ std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index, double wides
   return parts;
 }
 
-/// A ball lies on a wall where nothing is nearer to its centre than this share of its radius.
-constexpr double fits = 1 - 1e-6;
+/// A ball lies on a wall where nothing is nearer to its centre than this share of its radius; of one that is
+/// moved until it has room, this one.
+constexpr double fits = 1 - 1e-6, nearly_fits = 0.99;
+/// Moves of a ball's centre, of its radius.
+constexpr double within_ball = 0.9;
+/// Cosine between the outward normals of a wall and of one that leans over it: some 75° between the walls or
+/// less.
+constexpr double leaning = -0.25;
 
 /// A wall that is met from a point.
 struct Sight {
@@ -110,14 +116,14 @@ InputWalls::InputWalls(const ToleranceVolume& volume)
   part_ = parts_of(volume.index(), may_crack ? widest_crack * volume.thresholds().boundary : 0);
 }
 
-bool InputWalls::near_another_part(TriangleId own, const Triangle3& piece) const {
+bool InputWalls::near_another_part(TriangleId own, const Triangle3& piece, double within) const {
   if (part_.empty()) return false;
   Box3 box;
   for (const Vec3 p : piece) box.add(p);
-  const auto near = volume_.index().triangles_in(box.grown(gap_));
+  const auto near = volume_.index().triangles_in(box.grown(within));
   return std::any_of(near.begin(), near.end(), [&](TriangleId other) {
     return part_[other.index()] != part_[own.index()] &&
-           triangles_within(piece, volume_.index().triangle(other), gap_);
+           triangles_within(piece, volume_.index().triangle(other), within);
   });
 }
 
@@ -127,24 +133,45 @@ bool InputWalls::is_of_pocket(Vec3 p, Vec3 out, double width) const {
   return volume_.index().distance(p + width * out) < width / 2;
 }
 
-/// Whether another part leaves no room for a ball of radius δ' on a wall, as at the foot of a fin or the
-/// bottom of a pit, and none of the own part leaves less. Borders at cracks stand out and do not count.
+/// Whether a ball of radius δ' has room where a smaller one has, after moves that stay on its side of all
+/// walls.
+bool InputWalls::has_room_near(Vec3 center) const {
+  constexpr int most_moves = 16;
+  const double boundary = volume_.thresholds().boundary;
+  for (int i = 0; i < most_moves; ++i) {
+    const ClosestPoint near = volume_.index().closest(center);
+    if (near.distance() >= nearly_fits * boundary) return true;
+    const double step = std::min(boundary - near.distance(), within_ball * near.distance());
+    center += step * normalized(center - near.point);
+  }
+  return false;
+}
+
+/// Whether another part leaves no room for a ball of radius δ' on a wall, and none of the own part leaves
+/// less: it leans over the wall, as at the foot of a fin, or there is none beside it either, as at the bottom
+/// of a gap. Borders at cracks stand out and do not count.
 bool InputWalls::is_closed_by_another(TriangleId own, Vec3 p, Vec3 out) const {
   const ClosestPointIndex& index = volume_.index();
   const double boundary = volume_.thresholds().boundary;
-  if (index.distance(p + boundary * out) >= fits * boundary) return false;
+  const Vec3 center = p + boundary * out;
+  if (index.distance(center) >= fits * boundary) return false;
   const double standing_out = volume_.sides().by_solid_angles() ? widest_crack * boundary / 2 : 0;
   double of_own = boundary, of_others = boundary;
-  const Vec3 center = p + boundary * out;
+  TriangleId other;
   for (const TriangleId id : index.triangles_in(Box3{center, center}.grown(boundary))) {
     const double radius = touching_radius(
         p, out, boundary, [&](Vec3 q) { return closest_point_on_triangle(q, index.triangle(id)); });
-    if (part_[id.index()] != part_[own.index()])
-      of_others = std::min(of_others, radius);
-    else if (radius >= standing_out)
-      of_own = std::min(of_own, radius);
+    if (part_[id.index()] == part_[own.index()]) {
+      if (radius >= standing_out) of_own = std::min(of_own, radius);
+    } else if (radius < of_others) {
+      of_others = radius;
+      other = id;
+    }
   }
-  return of_others < boundary && of_others <= of_own;
+  if (!other.valid() || of_others > of_own) return false;
+  const Vec3 touching = p + of_others * out;
+  const Vec3 away = touching - closest_point_on_triangle(touching, index.triangle(other));
+  return dot(away, out) <= leaning * length(away) || !has_room_near(touching);
 }
 
 WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {

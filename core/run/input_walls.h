@@ -37,10 +37,15 @@ class InputWalls {
   /// against it.
   WallVerdict judge(TriangleId own, Vec3 p, Vec3 normal) const;
   /// Whether a piece of a triangle lies within 2δ' of another connected part of the input.
-  bool near_another_part(TriangleId own, const Triangle3& piece) const;
+  bool near_another_part(TriangleId own, const Triangle3& piece) const {
+    return near_another_part(own, piece, gap_);
+  }
+  /// The same within another distance.
+  bool near_another_part(TriangleId own, const Triangle3& piece, double within) const;
 
  private:
   bool is_of_pocket(Vec3 p, Vec3 out, double width) const;
+  bool has_room_near(Vec3 center) const;
   bool is_closed_by_another(TriangleId own, Vec3 p, Vec3 out) const;
 
   const ToleranceVolume& volume_;

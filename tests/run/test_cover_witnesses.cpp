@@ -144,3 +144,41 @@ TEST_CASE("Two thin fins beside each other with a thin gap between them are both
   CHECK(run.result->exit_status() == 0);
   CHECK(run.scene->volume->held() > 0);
 }
+
+TEST_CASE("Where a part lies in another, samples keep Z at the outside and not at the walls within") {
+  constexpr double delta = 0.06, limit = 3 * delta;
+  // A bar through a cube, beside one of its edges.
+  TriangleSoup crossing;
+  add_box(crossing, {0, 0, 0}, {1, 1, 1});
+  add_box(crossing, {0.3, 0.4, 0.4}, {1.4, 0.9, 0.9});
+  const Bare bare(crossing, delta);
+  const CoverWitnesses cover = bare.found(limit);
+  const auto is_sample = [&](const Witness& w) {
+    const auto& positions = bare.scene->samples->positions;
+    const auto at = std::find(positions.begin(), positions.end(), w.point);
+    return at != positions.end() &&
+           bare.scene->samples->labels[static_cast<std::size_t>(at - positions.begin())] == w.label;
+  };
+  CHECK(held_on(-1, cover) > 0);
+  CHECK(held_on(-1, cover) < 60);
+  CHECK(std::count_if(cover.held.begin(), cover.held.end(), is_sample) > 10);
+  const auto nearest = [&](Vec3 p, int label) {
+    double least = Box3::inf;
+    for (const Witness& w : cover.held)
+      if (w.label == label) least = std::min(least, distance(p, w.point));
+    return least;
+  };
+  for (const int label : {-1, +1})
+    for (double x = 0.35; x <= 1; x += delta) {
+      CAPTURE(x);
+      CHECK(nearest({x, 1, 0.95}, label) <= limit);
+      CHECK(nearest({x, 1, 1}, label) <= limit + delta);
+    }
+  // Far from the bar nothing is kept.
+  CHECK(nearest({0, 0, 0}, -1) > limit);
+
+  TriangleSoup apart;
+  add_box(apart, {0, 0, 0}, {1, 1, 1});
+  add_box(apart, {1.3, 0, 0}, {2, 1, 1});
+  CHECK(Bare(apart, delta).found(limit).held.empty());
+}

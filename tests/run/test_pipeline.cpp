@@ -23,7 +23,7 @@ using namespace isoscope::test;
 namespace {
 
 constexpr std::string_view golden_model = "sphere";
-constexpr std::uint64_t golden_digest = 0x3e2bb2098db6a983;
+constexpr std::uint64_t golden_digest = 0x8e34042d44e7770f;
 
 } // namespace
 
