@@ -182,8 +182,8 @@ std::string summary(const RunParameters& parameters, const Scene& scene, const R
                                 counted(scene.volume->open_sides()->rim().loops().size(), "loop") + ", ") +
                      number("%.2f", scene.sampling_seconds) + " s");
   if (scene.held > 0)
-    text += line("Held", counted(scene.held, "point") +
-                             ", so that the mesh stays near to thin parts and out of overlaps");
+    text += line("Held",
+                 counted(scene.held, "point") + ", so that the mesh stays near to what is thin or overlaps");
   for (const StageStatistics& stage : stages) text += line(name(stage.stage), stage_words(stage));
   text += line("Output",
                counted(made.vertices, "vertex", "vertices") + ", " + counted(made.triangles, "face") + ", " +

@@ -73,9 +73,9 @@ ShakeLevel bounded_shakes(std::size_t vertices) {
   return {30, 5, flips, flips / 5};
 }
 
-/// Up to so many vertices the passes come before the other collapses with repair: in eight models of 52 to 160
-/// vertices that left 897 instead of 906, in 56 instead of 66 CPU seconds. Of larger surfaces the bounds reach
-/// a part: two of four were left with 3 % more.
+/// Up to so many vertices the passes come before the other collapses with repair: in eight models of 52 to
+/// 160 vertices that left 897 instead of 906, in 56 instead of 66 CPU seconds. Of larger surfaces the bounds
+/// reach a part: two of four were left with 3 % more; so were rooms, whose sheets have few vertices each.
 constexpr std::size_t most_shaken_first = 200;
 
 /// After a flip. More of both makes a few more flips come below δ, at half as much time again.
@@ -106,7 +106,8 @@ class Improver {
   void run_phases() {
     shrink_greedily();
     if (options_.effort < 2) return;
-    const bool shakes_first = surface_.vertex_count() <= most_shaken_first;
+    const bool shakes_first = surface_.vertex_count() <= most_shaken_first &&
+                              surface_.complex().strata.empty() && surface_.complex().border.empty();
     if (shakes_first) shake_and_repair(bounded_shakes(surface_.vertex_count()));
     repair({2, 14, 1.5, RepairOptions::impatient, most_repairs});
     if (!shakes_first) shake_and_repair(bounded_shakes(surface_.vertex_count()));
