@@ -35,8 +35,11 @@ TEST_CASE("histories list what happened and L goes to the last change") {
   CHECK(run_window("histories", R"(
 wait settled
 seek 30
+wait settled
 pick-worst
+wait settled
 key H
+wait settled
 expect history.changes > 1 and history.rows == history.changes
 expect history.first_step < 30
 key L

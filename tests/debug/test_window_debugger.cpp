@@ -159,7 +159,7 @@ wait settled
 expect state_step == begin.all
 key F11
 expect depth == 1
-next-event repair
+next-event repair && sweeps > 1
 wait settled
 key F11
 wait settled
