@@ -210,7 +210,7 @@ void difference(Ui& ui, const Comparison& m, const RunComparison& found) {
                         width - button - ui.px(10))
             .c_str());
   }
-  ImGui::SetCursorScreenPos({at.x + width - button, at.y - ui.px(2)});
+  ImGui::SetCursorScreenPos({at.x + width - button, at.y});
   if (widgets::primary_button(ui, "Go there   D", true, button)) ui.commands.post("first-difference");
   widgets::command_tip(ui, "first-difference");
   ImGui::SetCursorScreenPos({at.x, at.y + ui.px(22)});
