@@ -70,7 +70,7 @@ TEST_CASE("A spike is kept; a lost one ends with 1 and its place, or with 0 wher
   };
   const Ended kept = with({});
   CHECK(kept.status == 0);
-  CHECK(kept.says("held, so that the mesh stays near"));
+  CHECK(kept.says("so that the mesh stays near to what is thin"));
   CHECK(kept.says("the input covered within 3 δ"));
   // So near as this no point that is held can keep Z.
   const Ended lost = with({"--cover", "1.9", "--record", run});
