@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace isoscope {
 
@@ -39,6 +40,13 @@ class SolidAngleSum {
   double re_ = 1, im_ = 0;
   int turns_ = 0;
 };
+
+/// The whole number that a winding number is nearer to than `within`, in (0, 0.5]; nothing where gaps leave
+/// that open.
+inline std::optional<long> whole_winding(double winding, double within) {
+  const double whole = std::round(winding);
+  return std::abs(winding - whole) < within ? std::optional(static_cast<long>(whole)) : std::nullopt;
+}
 
 /// Of one triangle.
 inline double solid_angle(Vec3 p, const Triangle3& t) {

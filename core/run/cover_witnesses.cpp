@@ -4,9 +4,9 @@
 #include "base/halves.h"
 #include "base/parallel.h"
 #include "criteria/nearest_sample.h"
+#include "run/kept_points.h"
 #include "run/overlap_witnesses.h"
 #include "run/thin_skeleton.h"
-#include "tolerance/sample_grid.h"
 #include "tolerance/wall_samples.h"
 
 #include <algorithm>
@@ -88,22 +88,16 @@ class Choice {
  public:
   Choice(const ToleranceVolume& volume, const ThinSkeleton& skeleton, int label, double limit)
       : volume_(volume), nodes_(skeleton.nodes()), label_(label), limit_(limit), on_path_(nodes_.size()),
-        grid_(volume.index().bounds().lo, limit) {}
+        held_(volume.index().bounds().lo, limit) {}
 
   void cover(Vec3 piece, std::uint32_t node, CoverWitnesses& out) {
     if (nodes_[node].way == Box3::inf) return;
+    if (held_.has_near(piece)) return;
     const auto near = [&](Vec3 p) { return distance(p, piece) <= limit_; };
-    Box3 around;
-    around.add(piece);
-    std::vector<std::uint32_t> candidates;
-    grid_.gather(around.grown(limit_), candidates);
-    if (std::any_of(candidates.begin(), candidates.end(), [&](std::uint32_t i) { return near(held_[i]); }))
-      return;
     std::uint32_t best = node;
     for (std::uint32_t n = node; n != ThinSkeleton::none && near(nodes_[n].middle); n = nodes_[n].parent)
       if (!nodes_[n].root) best = n;
-    held_.push_back(nodes_[best].middle);
-    grid_.add(held_.back());
+    held_.add(nodes_[best].middle);
     out.held.push_back(witness(best));
     add_way(best, out);
   }
@@ -121,8 +115,7 @@ class Choice {
   int label_;
   double limit_;
   std::vector<bool> on_path_;
-  std::vector<Vec3> held_;
-  SampleGrid grid_; ///< of them
+  KeptPoints held_;
 
   void add_way(std::uint32_t from, CoverWitnesses& out) {
     std::vector<std::uint32_t> way;

@@ -3,7 +3,7 @@
 
 #include "base/halves.h"
 #include "base/parallel.h"
-#include "tolerance/sample_grid.h"
+#include "run/kept_points.h"
 
 #include <algorithm>
 
@@ -36,28 +36,6 @@ std::vector<Vec3> outer_places(const ToleranceVolume& volume, const InputWalls& 
   return places;
 }
 
-/// The witnesses of one side that there are so far.
-class Chosen {
- public:
-  Chosen(Vec3 origin, double reach) : reach_(reach), grid_(origin, reach) {}
-
-  void add(Vec3 p) {
-    points_.push_back(p);
-    grid_.add(p);
-  }
-  bool has_near(Vec3 p) const {
-    std::vector<std::uint32_t> found;
-    grid_.gather(Box3{p, p}.grown(reach_), found);
-    return std::any_of(found.begin(), found.end(),
-                       [&](std::uint32_t i) { return distance(points_[i], p) <= reach_; });
-  }
-
- private:
-  double reach_;
-  std::vector<Vec3> points_;
-  SampleGrid grid_;
-};
-
 } // namespace
 
 std::vector<Witness> overlap_witnesses(const ToleranceVolume& volume, const NearestSample& samples,
@@ -69,7 +47,7 @@ std::vector<Witness> overlap_witnesses(const ToleranceVolume& volume, const Near
   parallel_until(places.size(), 16, control,
                  [&](std::size_t t) { places[t] = outer_places(volume, walls, TriangleId(t), reach); });
   for (const int label : {-1, +1}) {
-    Chosen chosen(volume.index().bounds().lo, reach);
+    KeptPoints chosen(volume.index().bounds().lo, reach);
     for (const Witness& w : held)
       if (w.label == label) chosen.add(w.point);
     for (const std::vector<Vec3>& of_one : places)

@@ -1,6 +1,8 @@
 // Sides by rays, and by solid angles where the rays of a soup disagree.
 #include "tolerance/input_sides.h"
 
+#include "base/solid_angle.h"
+
 #include <array>
 #include <cmath>
 
@@ -12,13 +14,6 @@ constexpr unsigned ballot_size = 16;
 
 /// A winding number this near a whole number is meant to be one.
 constexpr double clear = 0.25;
-
-/// A winding number that is near a whole one; nothing where gaps leave that open.
-std::optional<long> clear_winding_number(const SolidAngles& angles, Vec3 p) {
-  const double winding = angles.winding(p), whole = std::round(winding);
-  if (std::abs(winding - whole) >= clear) return std::nullopt;
-  return static_cast<long>(whole);
-}
 
 /// How many of the ballot's rays say that p is inside.
 unsigned votes_for_inside(const ClosestPointIndex& index, Vec3 p) {
@@ -71,7 +66,7 @@ bool InputSides::inside(Vec3 p) const {
   const unsigned votes = votes_for_inside(*index_, p);
   if (angles_of_votes_ && votes > 0 && votes < ballot_size) {
     // Parts of a soup run this way or that; layers of two parts alike are no more inside than none.
-    const auto winding = clear_winding_number(*angles_of_votes_, p);
+    const auto winding = whole_winding(angles_of_votes_->winding(p), clear);
     if (winding && (*winding == 0 || *winding % 2 != 0)) return *winding != 0;
   }
   return 2 * votes > ballot_size;

@@ -2,6 +2,7 @@
 #include "tolerance/wall_neighbours.h"
 
 #include "base/parallel.h"
+#include "base/solid_angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +45,7 @@ std::vector<WallProbe> thinned(std::vector<WallProbe> probes) {
 /// Where it is one up to what gaps of soups may take away.
 std::optional<long> clear_number(double winding) {
   constexpr double clear = 0.12; // holes as wide as Ω closes them change more
-  const double whole = std::round(winding);
-  return std::abs(winding - whole) < clear ? std::optional(static_cast<long>(whole)) : std::nullopt;
+  return whole_winding(winding, clear);
 }
 
 /// What lies on both sides of the walls, at places spread over them.

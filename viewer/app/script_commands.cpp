@@ -108,23 +108,27 @@ Error not_in_sight(const std::string& words) {
   return {ErrorCode::cancelled, "\"" + words + "\" cannot be read in the window.", ""};
 }
 
-Status click_words(AppModel& m, const Arguments& a) {
+/// The mouse over the words that are asked for.
+Result<MouseStep> place_of_words(const Arguments& a) {
   if (a.size() != 1) return wrong_arguments("Which words?");
   const std::vector<SeenWords> seen = seen_words();
   const SeenWords* found = find_words(seen, a[0]);
   if (found == nullptr) return not_in_sight(a[0]);
-  press(m, (found->low.x + found->high.x) / 2, (found->low.y + found->high.y) / 2, 0, false);
+  return MouseStep{(found->low.x + found->high.x) / 2, (found->low.y + found->high.y) / 2};
+}
+
+Status click_words(AppModel& m, const Arguments& a) {
+  const auto at = place_of_words(a);
+  if (!at) return at.error();
+  press(m, at->x, at->y, 0, false);
   return {};
 }
 
 Status hover_words(AppModel& m, const Arguments& a) {
-  if (a.size() != 1) return wrong_arguments("Which words?");
-  const std::vector<SeenWords> seen = seen_words();
-  const SeenWords* found = find_words(seen, a[0]);
-  if (found == nullptr) return not_in_sight(a[0]);
-  const MouseStep over{(found->low.x + found->high.x) / 2, (found->low.y + found->high.y) / 2};
+  const auto at = place_of_words(a);
+  if (!at) return at.error();
   constexpr int frames = 40; // of a sixtieth of a second: what is said there comes after a while
-  for (int i = 0; i < frames; ++i) m.requests.mouse.push_back(over);
+  for (int i = 0; i < frames; ++i) m.requests.mouse.push_back(*at);
   return {};
 }
 

@@ -97,6 +97,13 @@ std::optional<std::array<float, 2>> pixels_of(const Arguments& a) {
   return std::array{static_cast<float>(*dx), static_cast<float>(*dy)};
 }
 
+std::optional<Vec3> vector_of(const Arguments& a) {
+  if (a.size() != 3) return std::nullopt;
+  const auto x = read_number(a[0]), y = read_number(a[1]), z = read_number(a[2]);
+  if (!x || !y || !z) return std::nullopt;
+  return Vec3{*x, *y, *z};
+}
+
 Result<long> count_argument(const Arguments& a, const std::string& things) {
   if (a.empty()) return 1L;
   const auto n = whole_argument(a, 0, 1, 1000000000);

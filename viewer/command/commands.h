@@ -2,6 +2,7 @@
 // commands, bound to what they act on.
 #pragma once
 
+#include "base/geometry.h"
 #include "base/status.h"
 
 #include <array>
@@ -91,6 +92,8 @@ std::optional<std::size_t> whole_argument(const Arguments& a, std::size_t at, st
                                           std::size_t high = 4000000000);
 /// Two arguments, and no others, as a way on the screen.
 std::optional<std::array<float, 2>> pixels_of(const Arguments& a);
+/// Three arguments, and no others, as a point or a direction.
+std::optional<Vec3> vector_of(const Arguments& a);
 /// The first argument as a count of `things`, 1 without it.
 Result<long> count_argument(const Arguments& a, const std::string& things);
 

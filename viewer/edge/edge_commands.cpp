@@ -49,13 +49,9 @@ Status try_target(EdgeProbe& m, const Arguments& a) {
     return {};
   }
   if (a.size() == 3) {
-    Vec3 target;
-    for (int i = 0; i < 3; ++i) {
-      const auto number = read_number(a[static_cast<std::size_t>(i)]);
-      if (!number) return wrong_arguments("Three numbers are needed.");
-      target[i] = *number;
-    }
-    m.window.selection.try_target(target);
+    const auto target = vector_of(a);
+    if (!target) return wrong_arguments("Three numbers are needed.");
+    m.window.selection.try_target(*target);
     return {};
   }
   for (const auto& [word, snap] : snaps) {

@@ -15,14 +15,10 @@ namespace {
 
 Status look_along(WindowState& m, const Arguments& a) {
   if (a.size() == 3) {
-    Vec3 from;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const auto number = read_number(a[i]);
-      if (!number) return wrong_arguments("\"" + a[i] + "\" is not a finite number.");
-      from[static_cast<int>(i)] = *number;
-    }
-    if (squared_length(from) == 0) return wrong_arguments("From nowhere nothing is seen.");
-    m.camera.look_from(from, !m.scripted);
+    const auto from = vector_of(a);
+    if (!from) return wrong_arguments("Three numbers are needed.");
+    if (squared_length(*from) == 0) return wrong_arguments("From nowhere nothing is seen.");
+    m.camera.look_from(*from, !m.scripted);
     m.camera.mark_set();
     return {};
   }
