@@ -45,6 +45,9 @@ TEST_CASE("hits are counted anew for every run") {
   CHECK(run_window("another-run", R"(
 break stage_begin && stage == gamma
 break reject && stage == gamma
+open gallery:sphere paused
+wait settled
+key F5
 wait settled
 expect phase == paused and breakpoints.hits > 0
 breakpoint 2 off
