@@ -1,10 +1,10 @@
 // Distances to outer samples, and the lattice that counts what is within them.
 #include "criteria/outer_offset.h"
 
-#include "tolerance/boundary_topology.h"
 #include "tolerance/regions.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace isoscope {
@@ -15,15 +15,36 @@ constexpr double widest_lattice = 0.3;
 /// How far the points reach: enough to be connected from sample to sample, in units of σ; within Ω, in units
 /// of δ'.
 constexpr double reach_by_sigma = 1.3, least_reach = 0.5, most_reach = 0.95;
+/// Reaches that are tried where counts do not agree, in units of δ'.
+constexpr std::array other_reaches{0.9, 0.8, 0.6, 0.95, 0.85, 0.75, 0.65};
+/// The usual reach is doubted where one so much larger, in units of δ', has another count.
+constexpr double doubted_by = 0.1;
 /// Of a distance to the input: nearer than this, nothing of it is between.
 constexpr double surely_clear = 1 - 1e-9;
 
+bool alike(const BoundaryCount& a, const BoundaryCount& b) {
+  return a.euler_characteristic == b.euler_characteristic && a.pieces == b.pieces;
+}
+
+ExpectedTopology expectation(const BoundaryCount& count, double reach) {
+  ExpectedTopology expected;
+  expected.euler_characteristic = count.euler_characteristic;
+  expected.components = count.pieces;
+  expected.source = "the outer boundary of Ω";
+  expected.joined = true;
+  expected.reach = reach;
+  return expected;
+}
+
 } // namespace
 
-OuterOffset::OuterOffset(const ToleranceVolume& volume, const NearestSample& samples, double sigma)
-    : volume_(volume), samples_(samples) {
+double OuterOffset::usual_reach(const ToleranceVolume& volume, double sigma) {
   const double boundary = volume.thresholds().boundary;
-  reach_ = std::clamp(reach_by_sigma * sigma, least_reach * boundary, most_reach * boundary);
+  return std::clamp(reach_by_sigma * sigma, least_reach * boundary, most_reach * boundary);
+}
+
+OuterOffset::OuterOffset(const ToleranceVolume& volume, const NearestSample& samples, double reach)
+    : volume_(volume), samples_(samples), reach_(reach) {
   for (const Witness& w : volume.cover_path())
     if (w.label > 0) held_.push_back({w.point, volume.index().distance(w.point)});
 }
@@ -45,25 +66,61 @@ double OuterOffset::depth(Vec3 p) const {
   return depth;
 }
 
-std::optional<ExpectedTopology> OuterOffset::topology(const RunControl& control) const {
-  const Regions& octree = volume_.octree();
+bool OuterOffset::is_in(Vec3 p, TriangleId guess) const {
+  if (samples_.nearest_of(p, +1, reach_).valid()) return true;
+  const double d = volume_.index().closest_near(p, guess).distance();
+  return d >= volume_.thresholds().boundary && is_outside(p, d);
+}
+
+bool OuterOffset::is_near(Vec3 p, double radius) const {
+  const SampleId nearest = samples_.nearest_of(p, +1, reach_ + radius);
+  if (!nearest.valid() || distance(p, samples_.positions()[nearest.index()]) < reach_ - radius) return false;
+  const double d = volume_.index().distance(p);
+  return d - volume_.thresholds().boundary <= radius || !is_outside(p, d);
+}
+
+std::optional<BoundaryCount> OuterOffset::count(unsigned halvings, const RunControl& control) const {
   OffsetCounting counting;
+  counting.halvings = halvings;
   counting.reach = reach_;
-  while (octree.side(octree.main_level() + counting.halvings) >
-         widest_lattice * volume_.thresholds().boundary)
-    ++counting.halvings;
-  const double boundary = volume_.thresholds().boundary;
-  counting.outside = [&](Vec3 p, double d) {
-    return d >= boundary ? is_outside(p, d) : samples_.nearest_of(p, +1, reach_).valid();
+  counting.outside = [&](Vec3 p, TriangleId guess) { return is_in(p, guess); };
+  counting.near = [&](Vec3 p, double radius) { return is_near(p, radius); };
+  const auto counted = count_offset(volume_, counting, control);
+  if (!counted || counted->euler_characteristic % 2 != 0) return std::nullopt;
+  return *counted;
+}
+
+std::optional<ExpectedTopology> outer_offset_topology(const ToleranceVolume& volume,
+                                                      const NearestSample& samples, double sigma,
+                                                      const RunControl& control) {
+  const double boundary = volume.thresholds().boundary;
+  const Regions& octree = volume.octree();
+  unsigned halvings = 0;
+  while (octree.side(octree.main_level() + halvings) > widest_lattice * boundary) ++halvings;
+  const auto count = [&](double reach, unsigned more) {
+    return OuterOffset(volume, samples, reach).count(halvings + more, control);
   };
-  const auto count = count_offset(volume_, counting, control);
-  if (!count || count->euler_characteristic % 2 != 0) return std::nullopt;
-  ExpectedTopology expected;
-  expected.euler_characteristic = count->euler_characteristic;
-  expected.components = count->pieces;
-  expected.source = "the outer boundary of Ω";
-  expected.joined = true;
-  return expected;
+  const double usual = OuterOffset::usual_reach(volume, sigma);
+  const auto counted = count(usual, 0);
+  if (!counted) return std::nullopt;
+  const double larger = std::min(usual + doubted_by * boundary, most_reach * boundary);
+  if (const auto other = count(larger, 0); !other || alike(*counted, *other))
+    return expectation(*counted, usual);
+  const auto agreed = [&](double reach) {
+    const auto first = count(reach, 0);
+    const auto finer = first ? count(reach, 1) : std::nullopt;
+    return first && finer && alike(*first, *finer) ? std::optional(expectation(*first, reach)) : std::nullopt;
+  };
+  if (auto expected = agreed(usual)) return expected;
+  for (const double share : other_reaches) {
+    if (control.cancelled()) return std::nullopt;
+    if (share * boundary < sigma) continue;
+    if (auto expected = agreed(share * boundary)) return expected;
+  }
+  ExpectedTopology unsure = expectation(*counted, usual);
+  unsure.required = false;
+  unsure.source += ", whose handles are too small to be counted";
+  return unsure;
 }
 
 } // namespace isoscope

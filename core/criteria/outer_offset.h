@@ -4,6 +4,7 @@
 #include "base/run_control.h"
 #include "criteria/nearest_sample.h"
 #include "criteria/topology.h"
+#include "tolerance/boundary_topology.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <optional>
@@ -11,26 +12,32 @@
 
 namespace isoscope {
 
-/// The points within some two thirds of δ' of the region outside of Ω', as its samples tell. Their boundary
-/// lies in Ω; gaps that Ω' closes are inside of it, wherever the input has its own sides. Where walls meet at
-/// a sharp angle the outside of Ω' ends in a wedge as thin as can be; around that they are blunt, so that
-/// their boundary is one whose topology can be counted, and made.
+/// The points within some reach of the region outside of Ω', as its samples tell. Their boundary lies in Ω;
+/// gaps that Ω' closes are inside of it, wherever the input has its own sides. Where walls meet at a sharp
+/// angle the outside of Ω' ends in a wedge as thin as can be; around that they are blunt, so that their
+/// boundary is one whose topology can be counted, and made.
 class OuterOffset {
  public:
-  /// Both must outlive it. The samples are those of S, of density sigma; the sides of the input are known.
-  OuterOffset(const ToleranceVolume& volume, const NearestSample& samples, double sigma);
+  /// Both must outlive it. The samples are those of S; the sides of the input are known. `reach` is below δ'
+  /// and above what lies between samples.
+  OuterOffset(const ToleranceVolume& volume, const NearestSample& samples, double reach);
+  /// Some two thirds of δ', for samples of density sigma.
+  static double usual_reach(const ToleranceVolume& volume, double sigma);
 
   /// How deep p is inside; negative outside.
   double depth(Vec3 p) const;
-
-  /// What its boundary is, in place of what is expected of Z: nothing where it is too large to be counted or
-  /// the count is none of closed surfaces, or once cancelled. `volume` has its octree still.
-  std::optional<ExpectedTopology> topology(const RunControl& control) const;
+  /// Its boundary's, by a lattice whose cells are the octree's main ones, halved so often: nothing where it
+  /// is too large to be counted or the count is none of closed surfaces, or once cancelled. `volume` has its
+  /// octree still.
+  std::optional<BoundaryCount> count(unsigned halvings, const RunControl& control) const;
 
  private:
   /// Whether a point of this d, beyond Ω', is outside. A ball without input is on one side, and mostly holds
   /// a sample of it.
   bool is_outside(Vec3 p, double d) const;
+  bool is_in(Vec3 p, TriangleId guess) const;
+  /// Whether its boundary may be within `radius` of p.
+  bool is_near(Vec3 p, double radius) const;
 
   const ToleranceVolume& volume_;
   const NearestSample& samples_;
@@ -41,5 +48,12 @@ class OuterOffset {
   };
   std::vector<Ball> held_; ///< in gaps of one part that are held open; they touch its walls
 };
+
+/// What the boundary of an offset of the outside is, in place of what is expected of Z: of the usual one, or,
+/// where it has handles that counts do not agree on, of one where they do. What no counts agree on is not
+/// required. Nothing where it can not be counted, or once cancelled.
+std::optional<ExpectedTopology> outer_offset_topology(const ToleranceVolume& volume,
+                                                      const NearestSample& samples, double sigma,
+                                                      const RunControl& control);
 
 } // namespace isoscope

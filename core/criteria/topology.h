@@ -33,6 +33,8 @@ struct ExpectedTopology {
   /// Whether parts that overlap or touch are to be one there, as Ω joins them; what counts as inside in Ω is
   /// then up to where it has its boundary, not to the input alone.
   bool joined = false;
+  /// How far into Ω the offset of the outside reaches whose boundary was counted then; 0: none was.
+  double reach = 0;
 };
 ExpectedTopology expected_topology(const ToleranceVolume& volume, TopologyMode mode);
 /// What refinement may be asked for: nothing where there are open surfaces, along whose rim Z is not cut yet.

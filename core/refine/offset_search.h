@@ -18,7 +18,7 @@ class OffsetSearch {
   struct Limits {
     double level = 0;         ///< points are at least so far beyond
     double smallest_part = 0; ///< parts below it in radius are judged by their middles
-    double sigma = 0;         ///< of the samples that the offset is of
+    double reach = 0;         ///< of the offset
     friend bool operator==(const Limits&, const Limits&) = default;
   };
   /// Farthest first; their heights are these distances. Some only once the control is cancelled.

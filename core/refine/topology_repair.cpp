@@ -209,9 +209,11 @@ void TopologyCondition::collect_points() {
     while (!points_.empty() && points_.back().height < level_) points_.pop_back();
   } else if (phase_ == Phase::offset) {
     const double boundary = context_.volume().thresholds().boundary;
-    const double sigma = context_.criteria().sigma;
-    points_ = offset_search_.find(context_.live(), OuterOffset(context_.volume(), context_.nearest(), sigma),
-                                  {level_, smallest_offset_part * boundary, sigma}, context_.control());
+    const double reach = expected_.reach > 0
+                             ? expected_.reach
+                             : OuterOffset::usual_reach(context_.volume(), context_.criteria().sigma);
+    points_ = offset_search_.find(context_.live(), OuterOffset(context_.volume(), context_.nearest(), reach),
+                                  {level_, smallest_offset_part * boundary, reach}, context_.control());
   } else if (phase_ == Phase::basins) {
     points_ = misclassified_basins(context_.live(), context_.volume(), level_, context_.control());
   } else if (phase_ == Phase::edges) {

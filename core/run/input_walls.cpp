@@ -70,11 +70,14 @@ std::vector<std::uint32_t> parts_of(const ClosestPointIndex& index, double wides
   return parts;
 }
 
-/// A ball lies on a wall where nothing is nearer to its centre than this share of its radius; of one that is
-/// moved until it has room, this one.
-constexpr double fits = 1 - 1e-6, nearly_fits = 0.99;
+/// A ball lies on a wall where nothing is nearer to its centre than this share of its radius.
+constexpr double fits = 1 - 1e-6;
+/// Radius of a ball that has room, in δ': pockets with room for less are none that cells of Ω's octree show.
+constexpr double seen_room = 1.1;
 /// Moves of a ball's centre, of its radius.
 constexpr double within_ball = 0.9;
+/// So much farther than is wanted, in δ', so that moves along a wedge do not come to rest before.
+constexpr double smallest_move = 0.05;
 /// Cosine between the outward normals of a wall and of one that leans over it: some 75° between the walls or
 /// less.
 constexpr double leaning = -0.25;
@@ -133,24 +136,26 @@ bool InputWalls::is_of_pocket(Vec3 p, Vec3 out, double width) const {
   return volume_.index().distance(p + width * out) < width / 2;
 }
 
-/// Whether a ball of radius δ' has room where a smaller one has, after moves that stay on its side of all
-/// walls.
-bool InputWalls::has_room_near(Vec3 center) const {
+/// Whether a ball of more than δ' has room where a smaller one has, after moves away from what is nearest.
+bool InputWalls::has_room_near(Vec3 center, const Nearest& nearest) const {
   constexpr int most_moves = 16;
   const double boundary = volume_.thresholds().boundary;
+  const double wanted = seen_room * boundary;
   for (int i = 0; i < most_moves; ++i) {
-    const ClosestPoint near = volume_.index().closest(center);
-    if (near.distance() >= nearly_fits * boundary) return true;
-    const double step = std::min(boundary - near.distance(), within_ball * near.distance());
-    center += step * normalized(center - near.point);
+    const Vec3 away = center - nearest(center);
+    const double room = length(away);
+    if (room >= wanted) return true;
+    if (room == 0) return false;
+    center += (std::min(wanted + smallest_move * boundary - room, within_ball * room) / room) * away;
   }
   return false;
 }
 
-/// Whether another part leaves no room for a ball of radius δ' on a wall, and none of the own part leaves
-/// less: it leans over the wall, as at the foot of a fin, or there is none beside it either, as at the bottom
-/// of a gap. Borders at cracks stand out and do not count.
-bool InputWalls::is_closed_by_another(TriangleId own, Vec3 p, Vec3 out) const {
+/// Whether another part leaves no room for a ball of radius δ' on a wall. Where none of the own part leaves
+/// less, it leans over the wall, as at the foot of a fin, or there is none beside it either, as at the bottom
+/// of a gap. In the own part's corners and hollows there would be room beside them, but for other parts.
+/// Borders at cracks stand out and do not count. Nothing is in `way` along `out`.
+bool InputWalls::is_closed_by_another(TriangleId own, Vec3 p, Vec3 out, double way) const {
   const ClosestPointIndex& index = volume_.index();
   const double boundary = volume_.thresholds().boundary;
   const Vec3 center = p + boundary * out;
@@ -168,10 +173,23 @@ bool InputWalls::is_closed_by_another(TriangleId own, Vec3 p, Vec3 out) const {
       other = id;
     }
   }
-  if (!other.valid() || of_others > of_own) return false;
+  const auto nearest = [&](Vec3 q) { return index.closest(q).point; };
+  if (!other.valid() || of_others > of_own) {
+    const Vec3 before = p + (std::min(way, boundary) / 2) * out;
+    const auto nearest_of_own = [&](Vec3 q) {
+      Vec3 at = q + Vec3{2 * boundary, 0, 0};
+      for (const TriangleId id : index.triangles_in(Box3{q, q}.grown(2 * boundary))) {
+        if (part_[id.index()] != part_[own.index()]) continue;
+        const Vec3 x = closest_point_on_triangle(q, index.triangle(id));
+        if (distance(x, q) < distance(at, q)) at = x;
+      }
+      return at;
+    };
+    return !has_room_near(before, nearest) && has_room_near(before, nearest_of_own);
+  }
   const Vec3 touching = p + of_others * out;
   const Vec3 away = touching - closest_point_on_triangle(touching, index.triangle(other));
-  return dot(away, out) <= leaning * length(away) || !has_room_near(touching);
+  return dot(away, out) <= leaning * length(away) || !has_room_near(touching, nearest);
 }
 
 WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {
@@ -187,7 +205,7 @@ WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {
   const bool another_in_front =
       outside.way <= gap_ &&
       part_[volume_.index().closest(outside.wall).triangle.index()] != part_[own.index()];
-  const bool closed = another_in_front || is_closed_by_another(own, p, out);
+  const bool closed = another_in_front || is_closed_by_another(own, p, out, outside.way);
   return {closed ? Wall::of_closed_gap : Wall::outer, outward};
 }
 

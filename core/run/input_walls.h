@@ -4,6 +4,7 @@
 #include "tolerance/tolerance_volume.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace isoscope {
@@ -45,8 +46,9 @@ class InputWalls {
 
  private:
   bool is_of_pocket(Vec3 p, Vec3 out, double width) const;
-  bool has_room_near(Vec3 center) const;
-  bool is_closed_by_another(TriangleId own, Vec3 p, Vec3 out) const;
+  using Nearest = std::function<Vec3(Vec3)>;
+  bool has_room_near(Vec3 center, const Nearest& nearest) const;
+  bool is_closed_by_another(TriangleId own, Vec3 p, Vec3 out, double way) const;
 
   const ToleranceVolume& volume_;
   double gap_;

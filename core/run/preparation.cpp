@@ -343,7 +343,7 @@ Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(SampleDensity
 /// Where parts are joined in Ω, what can be made of its outer boundary is counted with the samples.
 void Preparation::count_joined(Scene& made, const CriteriaParameters& criteria) const {
   const NearestSample nearest(made.samples->positions, made.samples->labels);
-  if (auto counted = OuterOffset(*volume_, nearest, criteria.sigma).topology(control_))
+  if (auto counted = outer_offset_topology(*volume_, nearest, criteria.sigma, control_))
     made.expected = std::move(*counted);
 }
 

@@ -21,6 +21,8 @@ namespace {
 
 /// Cells that share their corners, and how many such blocks are counted at once.
 constexpr std::size_t counted_block = 32768, blocks_at_once = 4;
+/// Cells of the octree that are looked at at once, and by one thread.
+constexpr std::size_t roots_at_once = 16384, roots_grain = 64;
 /// Cells whose pieces are counted at most: some 100 bytes each. Noise leaves pockets in Ω that finer cells
 /// break into pieces as well, so that of points fewer are worth it.
 constexpr std::size_t most_careful_cells = 6'000'000, most_careful_cells_of_points = 1'000'000;
@@ -210,31 +212,31 @@ class Counter {
     const Regions& octree = volume_.octree();
     const std::size_t most =
         volume_.field().kind() == FieldKind::points ? most_careful_cells_of_points : most_careful_cells;
-    if (careful_ && (!Pieces::fits(level_) || lattice_cells() > most))
-      return Error{ErrorCode::unsupported, "The boundaries of Ω are too large to count their pieces.", ""};
-    std::vector<std::vector<LatticeCell>> blocks(1);
+    const Error too_large{ErrorCode::unsupported, "The boundaries of Ω are too large to count their pieces.",
+                          ""};
+    const Error stopped{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+    if (careful_ && (!Pieces::fits(level_) || (offset_ == nullptr && lattice_cells() > most)))
+      return too_large;
+    std::size_t counted = 0;
+    std::vector<Regions::Cell> roots;
+    std::vector<LatticeCell> cells;
     for (std::size_t i = 0; i < octree.main_size(); ++i) {
-      if (offset_ == nullptr && octree.kind(static_cast<Regions::CellIndex>(i)) != Regions::Kind::ambiguous)
-        continue;
-      const Regions::Cell c = octree.cell(static_cast<Regions::CellIndex>(i));
-      if (!is_counted(c)) continue;
-      const std::uint32_t n = 1u << (level_ - c.level);
-      for (std::uint32_t k = 0; k < n * n * n; ++k)
-        blocks.back().push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
-      if (blocks.back().size() < counted_block) continue;
+      const bool is_last = i + 1 == octree.main_size();
+      const auto index = static_cast<Regions::CellIndex>(i);
+      if (offset_ != nullptr || octree.kind(index) == Regions::Kind::ambiguous)
+        if (const Regions::Cell c = octree.cell(index); is_counted(c)) roots.push_back(c);
+      if (roots.size() < roots_at_once && !is_last) continue;
+      add_lattice_cells(roots, cells, control);
+      roots.clear();
+      if (careful_ && counted + cells.size() > most) return too_large;
+      if (cells.size() < blocks_at_once * counted_block && !is_last) continue;
       control.report("boundary", static_cast<double>(i) / static_cast<double>(octree.main_size()));
-      if (blocks.size() < blocks_at_once) {
-        blocks.emplace_back();
-        continue;
-      }
-      if (control.cancelled())
-        return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
-      count(blocks, control);
-      blocks.assign(1, {});
+      if (control.cancelled()) return stopped;
+      count_blocks(cells, control);
+      counted += cells.size();
+      cells.clear();
     }
-    count(blocks, control);
-    if (control.cancelled())
-      return Error{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
+    if (control.cancelled()) return stopped;
     return {};
   }
   std::vector<BoundaryCount> take(const RunControl& control) {
@@ -310,8 +312,7 @@ class Counter {
 
   /// Whether a corner is in the set whose boundary is counted.
   Corner examine_offset(Vec3 p, TriangleId guess) const {
-    const double d = volume_.field().closest_near(p, guess).distance();
-    if (d < volume_.thresholds().boundary - offset_->reach || !offset_->outside(p, d)) return {};
+    if (!offset_->outside(p, guess)) return {};
     return {true, RegionId(0), 0};
   }
 
@@ -351,11 +352,37 @@ class Counter {
     Pieces pieces;
   };
 
-  void count(const std::vector<std::vector<LatticeCell>>& blocks, const RunControl& control) {
-    std::vector<Part> parts(blocks.size());
-    if (!parallel_until(blocks.size(), 1, control, [&](std::size_t b) {
+  /// The lattice's cells in cells of the octree through which the surface may pass.
+  void add_lattice_cells(const std::vector<Regions::Cell>& roots, std::vector<LatticeCell>& cells,
+                         const RunControl& control) const {
+    std::vector<std::vector<LatticeCell>> found(roots.size());
+    parallel_until(roots.size(), roots_grain, control, [&](std::size_t i) {
+      const Regions::Cell& c = roots[i];
+      if (offset_ != nullptr) return descend({c.x, c.y, c.z, c.triangle}, c.level, found[i]);
+      const std::uint32_t n = 1u << (level_ - c.level);
+      for (std::uint32_t k = 0; k < n * n * n; ++k)
+        found[i].push_back({c.x * n + k % n, c.y * n + k / n % n, c.z * n + k / (n * n), c.triangle});
+    });
+    for (const auto& list : found) cells.insert(cells.end(), list.begin(), list.end());
+  }
+
+  /// Halves a cell as long as the surface may pass through it.
+  void descend(const LatticeCell& c, unsigned level, std::vector<LatticeCell>& cells) const {
+    if (level == level_) return cells.push_back(c);
+    const double side = volume_.octree().side(level);
+    const Vec3 center = volume_.octree().origin() + side * Vec3{c.x + 0.5, c.y + 0.5, c.z + 0.5};
+    if (!offset_->near(center, 0.5 * std::sqrt(3.0) * side)) return;
+    for (std::uint32_t k = 0; k < 8; ++k)
+      descend({2 * c.x + (k & 1u), 2 * c.y + (k >> 1 & 1u), 2 * c.z + (k >> 2), c.triangle}, level + 1,
+              cells);
+  }
+
+  void count_blocks(const std::vector<LatticeCell>& cells, const RunControl& control) {
+    std::vector<Part> parts((cells.size() + counted_block - 1) / counted_block);
+    if (!parallel_until(parts.size(), 1, control, [&](std::size_t b) {
+          const auto block = std::span(cells).subspan(b * counted_block);
           parts[b].euler_characteristics.assign(counts_.size(), 0);
-          count(blocks[b], parts[b], control);
+          count(block.first(std::min(counted_block, block.size())), parts[b], control);
         }))
       return;
     for (const Part& part : parts) {
@@ -365,7 +392,7 @@ class Counter {
     }
   }
 
-  void count(const std::vector<LatticeCell>& cells, Part& part, const RunControl& control) const {
+  void count(std::span<const LatticeCell> cells, Part& part, const RunControl& control) const {
     CornerNumbers numbers(2 * cells.size());
     std::vector<std::uint32_t> corner_of(8 * cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -389,7 +416,7 @@ class Counter {
   /// Regions that come close to each other are counted one at a time, each against all that is not in it: so
   /// every count is that of a closed surface.
   void count_cell(const LatticeCell& cell, const std::array<const Corner*, 8>& at, Part& part) const {
-    if (!careful_ && count_plain_cell(at, part)) return;
+    if (careful_ ? is_uniform(at) : count_plain_cell(at, part)) return;
     for (unsigned k = 0; k < 8; ++k) {
       if (!at[k]->outside) continue;
       const RegionId region = at[k]->region;
@@ -397,6 +424,13 @@ class Counter {
       if (std::any_of(at.begin(), at.begin() + k, counted_before)) continue;
       for (const kuhn::Simplex& s : simplices_) count_simplex(s, cell, at, region, part);
     }
+  }
+
+  /// No surface passes through a cell whose corners are in one region, or in none.
+  static bool is_uniform(const std::array<const Corner*, 8>& at) {
+    return std::all_of(at.begin() + 1, at.end(), [&](const Corner* c) {
+      return c->outside == at[0]->outside && (!c->outside || c->region == at[0]->region);
+    });
   }
 
   /// A cell with one region and one component of Ω' at its corners, at once; false where there are more.

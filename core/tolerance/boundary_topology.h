@@ -30,13 +30,15 @@ struct BoundaryCounting {
 Result<std::vector<BoundaryCount>>
 count_boundaries(const ToleranceVolume& volume, const BoundaryCounting& counting, const RunControl& control);
 
-/// The same for one surface in Ω', the boundary of a set around all that is outside of Ω'. `outside` tells of
-/// points with d >= δ' - reach whether they belong to it; nearer to the input none does. Pieces are counted
-/// too.
+/// The same for one surface in Ω', the boundary of a set around all that is outside of Ω', which has no point
+/// nearer to the input than δ' - reach. Pieces are counted too.
 struct OffsetCounting {
-  unsigned halvings = 0;                     ///< how often the lattice is finer than the octree's main cells
-  double reach = 0;                          ///< below δ'
-  std::function<bool(Vec3, double)> outside; ///< of a point and its d
+  unsigned halvings = 0; ///< how often the lattice is finer than the octree's main cells
+  double reach = 0;      ///< below δ'
+  /// Whether a point belongs to the set; with a guess at what of the input is nearest.
+  std::function<bool(Vec3, TriangleId)> outside;
+  /// Whether the set's boundary may be so near to a point.
+  std::function<bool(Vec3, double)> near;
 };
 Result<BoundaryCount> count_offset(const ToleranceVolume& volume, const OffsetCounting& counting,
                                    const RunControl& control);

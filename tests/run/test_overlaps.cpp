@@ -1,5 +1,6 @@
 // Whole runs on closed parts that overlap or touch: the union, joined where Ω joins it.
 #include "run/complete_run.h"
+#include "run/input_walls.h"
 #include "run/voxel_soup.h"
 #include "tolerance/shapes.h"
 
@@ -41,6 +42,27 @@ TriangleSoup overlapping_boxes() {
   add_box(soup, {0, 0, 0}, {1, 1, 1});
   add_box(soup, {0.6, 0.3, 0.2}, {1.6, 1.3, 1.2});
   return soup;
+}
+
+/// A block along y with a groove in its upper face, 0.8 wide and 0.7 deep, that ends in an edge at z = 0.3.
+void add_grooved_block(TriangleSoup& soup) {
+  const std::array<std::array<double, 2>, 7> profile{
+      {{-1, 0}, {1, 0}, {1, 1}, {0.4, 1}, {0, 0.3}, {-0.4, 1}, {-1, 1}}};
+  const auto n = static_cast<std::uint32_t>(profile.size());
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  for (const double y : {0.0, 2.0})
+    for (const auto& [x, z] : profile) soup.points.push_back({x, y, z});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t a = first + i, b = first + (i + 1) % n;
+    soup.triangles.push_back({a, b + n, b});
+    soup.triangles.push_back({a, a + n, b + n});
+  }
+  // The profile as seen from the groove's edge.
+  for (std::uint32_t i = 5; i + 1 < n + 4; ++i) {
+    const std::uint32_t a = first + i % n, b = first + (i + 1) % n, edge = first + 4;
+    soup.triangles.push_back({edge, a, b});
+    soup.triangles.push_back({edge + n, b + n, a + n});
+  }
 }
 
 void turn_inside_out(TriangleSoup& soup, std::size_t first_triangle) {
@@ -230,6 +252,40 @@ TEST_CASE("a pit where three balls cross is closed by Ω: its bottom need not be
   run->parameters.cover = 1.2;
   run->run();
   check_run(*run, 1, 2);
+}
+
+TEST_CASE("the bottom of a groove need not be near where another part closes what is above it") {
+  const auto judge_bottom = [](double plug_from) {
+    TriangleSoup soup;
+    add_grooved_block(soup);
+    add_box(soup, {-0.2, -0.2, plug_from}, {0.2, 2.2, 1.2});
+    CompleteRun run(soup, 0.06);
+    REQUIRE(run.prepare());
+    const ClosestPoint on = run.scene->volume->index().closest({0.02, 1, 0.3 + 0.02 * 0.7 / 0.4});
+    return InputWalls(*run.scene->volume).judge(on.triangle, on.point, normalized(Vec3{-0.7, 0, 0.4}));
+  };
+  // The pocket below the plug has room for a ball of 0.04, less than δ'; further up for one of 0.09.
+  CHECK(judge_bottom(0.42).kind == Wall::of_closed_gap);
+  CHECK(judge_bottom(0.42).outward == 1);
+  CHECK(judge_bottom(0.7).kind == Wall::outer);
+
+  TriangleSoup plugged;
+  add_grooved_block(plugged);
+  add_box(plugged, {-0.2, -0.2, 0.42}, {0.2, 2.2, 1.2});
+  check_run(*run_soup(plugged, 0.06), 1, 2);
+}
+
+TEST_CASE("what offsets of the outside have in common is told by a count that two lattices agree on") {
+  TriangleSoup soup = overlapping_boxes();
+  const auto run = run_soup(soup, 0.1);
+  REQUIRE(run->scene);
+  const ExpectedTopology& expected = run->scene->expected;
+  CHECK(expected.joined);
+  CHECK(expected.required);
+  CHECK(expected.euler_characteristic == 2);
+  CHECK(expected.components == 1u);
+  CHECK(expected.reach > 0.5 * run->scene->thresholds.boundary);
+  CHECK(expected.reach < run->scene->thresholds.boundary);
 }
 
 TEST_CASE("boxes that touch at an edge, a vertex or in parts of faces and edges are joined there") {
