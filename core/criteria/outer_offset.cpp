@@ -26,6 +26,11 @@ bool alike(const BoundaryCount& a, const BoundaryCount& b) {
   return a.euler_characteristic == b.euler_characteristic && a.pieces == b.pieces;
 }
 
+/// Whether it is the count of closed surfaces.
+bool is_closed(const BoundaryCount& count) {
+  return count.euler_characteristic % 2 == 0;
+}
+
 ExpectedTopology expectation(const BoundaryCount& count, double reach) {
   ExpectedTopology expected;
   expected.euler_characteristic = count.euler_characteristic;
@@ -86,8 +91,7 @@ std::optional<BoundaryCount> OuterOffset::count(unsigned halvings, const RunCont
   counting.outside = [&](Vec3 p, TriangleId guess) { return is_in(p, guess); };
   counting.near = [&](Vec3 p, double radius) { return is_near(p, radius); };
   const auto counted = count_offset(volume_, counting, control);
-  if (!counted || counted->euler_characteristic % 2 != 0) return std::nullopt;
-  return *counted;
+  return counted ? std::optional(*counted) : std::nullopt;
 }
 
 std::optional<ExpectedTopology> outer_offset_topology(const ToleranceVolume& volume,
@@ -101,23 +105,21 @@ std::optional<ExpectedTopology> outer_offset_topology(const ToleranceVolume& vol
     return OuterOffset(volume, samples, reach).count(halvings + more, control);
   };
   const double usual = OuterOffset::usual_reach(volume, sigma);
-  const auto counted = count(usual, 0);
-  if (!counted) return std::nullopt;
   const double larger = std::min(usual + doubted_by * boundary, most_reach * boundary);
-  if (const auto other = count(larger, 0); !other || alike(*counted, *other))
-    return expectation(*counted, usual);
-  const auto agreed = [&](double reach) {
-    const auto first = count(reach, 0);
-    const auto finer = first ? count(reach, 1) : std::nullopt;
-    return first && finer && alike(*first, *finer) ? std::optional(expectation(*first, reach)) : std::nullopt;
-  };
-  if (auto expected = agreed(usual)) return expected;
-  for (const double share : other_reaches) {
-    if (control.cancelled()) return std::nullopt;
-    if (share * boundary < sigma) continue;
-    if (auto expected = agreed(share * boundary)) return expected;
+  const auto counted = count(usual, 0), other = counted ? count(larger, 0) : std::nullopt;
+  if (!other) return std::nullopt;
+  if (is_closed(*counted) && alike(*counted, *other)) return expectation(*counted, usual);
+
+  std::vector<double> reaches{usual};
+  for (const double share : other_reaches)
+    if (share * boundary >= sigma) reaches.push_back(share * boundary);
+  for (const double reach : reaches) {
+    const auto first = count(reach, 0), finer = first ? count(reach, 1) : std::nullopt;
+    if (!finer) break; // no other is much smaller
+    if (is_closed(*first) && alike(*first, *finer)) return expectation(*first, reach);
   }
-  ExpectedTopology unsure = expectation(*counted, usual);
+  if (control.cancelled()) return std::nullopt;
+  ExpectedTopology unsure = expectation(is_closed(*counted) ? *counted : *other, usual);
   unsure.required = false;
   unsure.source += ", whose handles are too small to be counted";
   return unsure;

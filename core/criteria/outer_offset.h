@@ -26,9 +26,8 @@ class OuterOffset {
 
   /// How deep p is inside; negative outside.
   double depth(Vec3 p) const;
-  /// Its boundary's, by a lattice whose cells are the octree's main ones, halved so often: nothing where it
-  /// is too large to be counted or the count is none of closed surfaces, or once cancelled. `volume` has its
-  /// octree still.
+  /// Its boundary's, by a lattice whose cells are the octree's main ones, halved so often: nothing where
+  /// it is too large to be counted, or once cancelled. `volume` has its octree still.
   std::optional<BoundaryCount> count(unsigned halvings, const RunControl& control) const;
 
  private:

@@ -343,8 +343,12 @@ Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(SampleDensity
 /// Where parts are joined in Ω, what can be made of its outer boundary is counted with the samples.
 void Preparation::count_joined(Scene& made, const CriteriaParameters& criteria) const {
   const NearestSample nearest(made.samples->positions, made.samples->labels);
-  if (auto counted = outer_offset_topology(*volume_, nearest, criteria.sigma, control_))
+  if (auto counted = outer_offset_topology(*volume_, nearest, criteria.sigma, control_)) {
     made.expected = std::move(*counted);
+  } else {
+    made.expected.required = false;
+    made.expected.source += ", as coarsely as it could be counted";
+  }
 }
 
 /// Z need not go into what is thinner than 2δ, but for the cover that is asked for.

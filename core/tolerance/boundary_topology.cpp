@@ -26,6 +26,8 @@ constexpr std::size_t roots_at_once = 16384, roots_grain = 64;
 /// Cells whose pieces are counted at most: some 100 bytes each. Noise leaves pockets in Ω that finer cells
 /// break into pieces as well, so that of points fewer are worth it.
 constexpr std::size_t most_careful_cells = 6'000'000, most_careful_cells_of_points = 1'000'000;
+/// The same of cells that the one surface that is counted may pass through: its vertices alone are kept.
+constexpr std::size_t most_offset_cells = 20'000'000;
 
 /// A lattice point: on which side it lies, and of what.
 struct Corner {
@@ -210,8 +212,9 @@ class Counter {
 
   Status run(const RunControl& control) {
     const Regions& octree = volume_.octree();
-    const std::size_t most =
-        volume_.field().kind() == FieldKind::points ? most_careful_cells_of_points : most_careful_cells;
+    const std::size_t most = offset_ != nullptr                            ? most_offset_cells
+                             : volume_.field().kind() == FieldKind::points ? most_careful_cells_of_points
+                                                                           : most_careful_cells;
     const Error too_large{ErrorCode::unsupported, "The boundaries of Ω are too large to count their pieces.",
                           ""};
     const Error stopped{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
