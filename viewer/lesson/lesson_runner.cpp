@@ -96,6 +96,7 @@ std::string LessonRunner::why() const {
 
 void LessonRunner::enter(LessonPhase phase) {
   phase_ = phase;
+  if (phase != LessonPhase::working) window_.scene_awaited = false;
   if (phase == LessonPhase::trying) hint_at_ = window_.clock + hint_after;
 }
 
@@ -142,7 +143,9 @@ Status LessonRunner::open(const Lesson& lesson) {
     if (Status set = commands_.run(commands_.parse("set " + setting)); !set) return set;
   generation_ = window_.run.generation;
   own_.reset();
-  return commands_.run({"restart", {}});
+  if (Status begun = commands_.run({"restart", {}}); !begun) return begun;
+  window_.scene_awaited = true;
+  return {};
 }
 
 Status LessonRunner::begin(const Lesson& lesson, std::size_t stop) {

@@ -149,7 +149,7 @@ void WindowState::show(const ViewState& state) {
 ViewSettings WindowState::shown_view() const {
   ViewSettings shown = view;
   if (!other_state) shown.other_zero.visible = false;
-  if (!run.scene && run.input) shown.input = {true, 1}; // there is nothing else yet
+  if (input_alone()) shown.input = {true, 1};
   if (preview_delta && run.scene && run.scene->delta > 0)
     shown.level = static_cast<float>(*preview_delta / run.scene->delta);
   const bool heat = settings.panes.tab == BottomTab::work && settings.panes.show_bottom;
@@ -165,6 +165,13 @@ ViewSettings WindowState::shown_view() const {
   shown.inner.opacity *= step_back;
   shown.tets.changed = false;
   return shown;
+}
+
+bool WindowState::input_alone() const {
+  if (!run.input) return false;
+  const auto shown = state();
+  const bool unfilled = grid.working() && !grid.grid() && (view.outer.visible || view.inner.visible);
+  return !run.scene || scene_awaited || (unfilled && shown && shown->step == 0);
 }
 
 std::optional<std::array<double, 2>> WindowState::preview_range() const {

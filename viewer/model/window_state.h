@@ -196,6 +196,8 @@ class WindowState : public ShownRun {
   int stills = 8;        ///< frames that are averaged in pictures and where a view rests, at least 1
   double clock = 0;      ///< seconds since the start
   bool scripted = false; ///< no easing, nothing remembered, following is immediate
+  /// A run has begun of which a scene is to be made: until then nothing of it is shown.
+  bool scene_awaited = false;
   /// After the last update: the state shown is the one asked for, and nothing under way would change it.
   bool settled = false;
 
@@ -235,6 +237,10 @@ class WindowState : public ShownRun {
   std::optional<std::array<double, 2>> preview_range() const;
   /// The event that the selection speaks of at the step shown, if any.
   std::optional<std::uint32_t> selected_event() const;
+
+  /// Whether the input is all there is to see yet: its run is being prepared, a scene that is prepared is not
+  /// made yet, or Ω is not filled that is shown alone.
+  bool input_alone() const;
 
   bool has_run() const { return run.journal != nullptr; }
   bool has_state() const { return state() != nullptr; }

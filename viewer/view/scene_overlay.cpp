@@ -156,7 +156,7 @@ float sentence(const Ui& ui, const Event* event, std::string text, ImVec2 low, f
 float caption(const Ui& ui, ImVec2 low, ImVec2 size) {
   const WindowState& m = ui.window;
   const auto state = m.state();
-  if (!state || !m.run.journal || m.run.journal->events().empty()) return 0;
+  if (m.input_alone() || !state || !m.run.journal || m.run.journal->events().empty()) return 0;
   // A rejection that was chosen is no operation: it is told instead of the one that led here.
   const auto chosen = m.selection.event ? m.selected_event() : std::nullopt;
   const Event* event = chosen ? &m.run.journal->events()[*chosen] : state->event ? &*state->event : nullptr;

@@ -38,11 +38,12 @@ ImVec2 local(ImVec2 mouse, ImVec2 low) {
 
 void SceneView::draw(Ui& ui) {
   WindowState& m = ui.window;
-  renderer_->set_scene(m.run.scene);
+  const bool input_alone = m.input_alone();
+  renderer_->set_scene(input_alone ? nullptr : m.run.scene);
   renderer_->set_input(m.run.input);
-  renderer_->set_grid(m.grid.grid());
-  renderer_->set_detail(m.grid.detail());
-  renderer_->set_state(m.state());
+  renderer_->set_grid(input_alone ? nullptr : m.grid.grid());
+  renderer_->set_detail(input_alone ? nullptr : m.grid.detail());
+  renderer_->set_state(input_alone ? nullptr : m.state());
   renderer_->set_other(m.other_state);
   xray_ = probe_.xray();
   renderer_->set_xray(xray_);
