@@ -118,7 +118,7 @@ std::optional<ExpectedTopology> outer_offset_topology(const ToleranceVolume& vol
     if (!finer) break; // no other is much smaller
     if (is_closed(*first) && alike(*first, *finer)) return expectation(*first, reach);
   }
-  if (control.cancelled()) return std::nullopt;
+  if (control.cancelled() || !(is_closed(*counted) || is_closed(*other))) return std::nullopt;
   ExpectedTopology unsure = expectation(is_closed(*counted) ? *counted : *other, usual);
   unsure.required = false;
   unsure.source += ", whose handles are too small to be counted";

@@ -151,6 +151,26 @@ bool InputWalls::has_room_near(Vec3 center, const Nearest& nearest) const {
   return false;
 }
 
+InputWalls::Nearest InputWalls::nearest() const {
+  return [this](Vec3 q) { return volume_.index().closest(q).point; };
+}
+
+/// Whether there would be room near a point before a wall, were there none but its own part.
+bool InputWalls::is_plugged(TriangleId own, Vec3 before) const {
+  const ClosestPointIndex& index = volume_.index();
+  const double far = 2 * volume_.thresholds().boundary;
+  const auto nearest_of_own = [&](Vec3 q) {
+    Vec3 at = q + Vec3{far, 0, 0};
+    for (const TriangleId id : index.triangles_in(Box3{q, q}.grown(far))) {
+      if (part_[id.index()] != part_[own.index()]) continue;
+      const Vec3 x = closest_point_on_triangle(q, index.triangle(id));
+      if (distance(x, q) < distance(at, q)) at = x;
+    }
+    return at;
+  };
+  return !has_room_near(before, nearest()) && has_room_near(before, nearest_of_own);
+}
+
 /// Whether another part leaves no room for a ball of radius δ' on a wall. Where none of the own part leaves
 /// less, it leans over the wall, as at the foot of a fin, or there is none beside it either, as at the bottom
 /// of a gap. In the own part's corners and hollows there would be room beside them, but for other parts.
@@ -173,23 +193,10 @@ bool InputWalls::is_closed_by_another(TriangleId own, Vec3 p, Vec3 out, double w
       other = id;
     }
   }
-  const auto nearest = [&](Vec3 q) { return index.closest(q).point; };
-  if (!other.valid() || of_others > of_own) {
-    const Vec3 before = p + (std::min(way, boundary) / 2) * out;
-    const auto nearest_of_own = [&](Vec3 q) {
-      Vec3 at = q + Vec3{2 * boundary, 0, 0};
-      for (const TriangleId id : index.triangles_in(Box3{q, q}.grown(2 * boundary))) {
-        if (part_[id.index()] != part_[own.index()]) continue;
-        const Vec3 x = closest_point_on_triangle(q, index.triangle(id));
-        if (distance(x, q) < distance(at, q)) at = x;
-      }
-      return at;
-    };
-    return !has_room_near(before, nearest) && has_room_near(before, nearest_of_own);
-  }
+  if (!other.valid() || of_others > of_own) return is_plugged(own, p + (std::min(way, boundary) / 2) * out);
   const Vec3 touching = p + of_others * out;
   const Vec3 away = touching - closest_point_on_triangle(touching, index.triangle(other));
-  return dot(away, out) <= leaning * length(away) || !has_room_near(touching, nearest);
+  return dot(away, out) <= leaning * length(away) || !has_room_near(touching, nearest());
 }
 
 WallVerdict InputWalls::judge(TriangleId own, Vec3 p, Vec3 normal) const {

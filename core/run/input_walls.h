@@ -47,7 +47,9 @@ class InputWalls {
  private:
   bool is_of_pocket(Vec3 p, Vec3 out, double width) const;
   using Nearest = std::function<Vec3(Vec3)>;
+  Nearest nearest() const;
   bool has_room_near(Vec3 center, const Nearest& nearest) const;
+  bool is_plugged(TriangleId own, Vec3 before) const;
   bool is_closed_by_another(TriangleId own, Vec3 p, Vec3 out, double way) const;
 
   const ToleranceVolume& volume_;
