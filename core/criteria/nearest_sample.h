@@ -4,7 +4,9 @@
 #include "base/geometry.h"
 #include "base/ids.h"
 #include "base/labels.h"
+#include "tolerance/box_hierarchy.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,21 +23,20 @@ class NearestSample {
   /// The same among the samples of one side, told by its label.
   SampleId nearest_of(Vec3 p, int label, double radius = Box3::inf) const;
   bool has(int label) const {
-    return place_of(label) < sides_.size() && !sides_[place_of(label)].order.empty();
+    return place_of(label) < sides_.size() && !sides_[place_of(label)].boxes.ids.empty();
   }
   std::span<const Vec3> positions() const { return positions_; }
   std::size_t memory_bytes() const;
 
  private:
-  /// A balanced tree in heap order: node k halves its range of `order` between nodes 2k + 1 and 2k + 2.
+  /// A balanced tree in heap order: node k quarters its range of samples between nodes 4k + 1 to 4k + 4.
   struct Tree {
-    std::vector<std::uint32_t> order;
-    std::vector<Box3> boxes;
+    BoxHierarchy boxes;
+    std::array<std::vector<float>, 3> rough; ///< by axis: places of the samples in the frame, by slot
   };
   struct Best;
-  struct Range;
-  void build(Tree& tree, const Range& range);
-  void search(const Tree& tree, const Range& range, Vec3 p, Best& best) const;
+  class Builder;
+  Best search(const Tree& tree, Vec3 p, const Best& best) const;
 
   std::span<const Vec3> positions_;
   std::vector<Tree> sides_; ///< by place_of their labels; a search over all of S asks each
