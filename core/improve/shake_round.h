@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/run_control.h"
+#include "improve/edge_memory.h"
 #include "improve/live_surface.h"
 
 #include <limits>
@@ -12,7 +13,8 @@ struct ShakeOptions {
   std::uint32_t pass = 0;                                              ///< chooses the order of the edges
   std::size_t most_attempts = std::numeric_limits<std::size_t>::max(); ///< after these no batch is begun
   RepairOptions repair;                                                ///< of each flip
-  int rings = 1; ///< free vertices: this many edges from the ends of the flipped one
+  int rings = 1;                  ///< free vertices: this many edges from the ends of the flipped one
+  FlipsInVain* in_vain = nullptr; ///< remembers them from pass to pass, where given
 };
 
 struct ShakeFigures {
