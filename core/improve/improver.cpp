@@ -171,7 +171,7 @@ class Improver {
     return figures.collapses;
   }
 
-  CollapseRoundOptions round_options(const RepairLevel& level) {
+  CollapseRoundOptions round_options(const RepairLevel& level) const {
     CollapseRoundOptions options;
     options.cost_limit = level.excess * input_.delta();
     options.rings = level.rings;
@@ -179,7 +179,6 @@ class Improver {
     options.repair.funnel = level.funnel;
     // Flips may unfold what a collapse folds.
     options.placement = {true, 2, folded_surcharge};
-    options.known = &known_;
     return options;
   }
 
@@ -210,7 +209,7 @@ class Improver {
   void relax_all() {
     for (int s = 0; s < sweeps_after_round && !stopped_ && !control_.cancelled(); ++s) {
       const bool changed = report_pass(EventKind::relaxation, [&] {
-        const RelaxationFigures figures = relax(surface_, rules_, in_vain_, control_);
+        const RelaxationFigures figures = relax(surface_, rules_, best_places_, control_);
         outcome_.moved += figures.moved;
         outcome_.flipped += figures.flipped;
         return figures;
@@ -221,8 +220,7 @@ class Improver {
   }
 
   /// A pass of flips, reported as one operation.
-  ShakeFigures shake_once(ShakeOptions options) {
-    options.in_vain = &flips_in_vain_;
+  ShakeFigures shake_once(const ShakeOptions& options) {
     ShakeFigures figures;
     const bool changed = report_pass(EventKind::shake, [&] {
       figures = shake(surface_, rules_, options, control_);
@@ -262,7 +260,6 @@ class Improver {
 
   void shrink_greedily() {
     CollapseRoundOptions options;
-    options.known = &known_;
     FailedEdges failed;
     // Far below the limit the exact target does not matter yet.
     options.cost_limit = thinning_limit * input_.delta();
@@ -300,9 +297,7 @@ class Improver {
   InputSurface input_;
   SurfaceRules rules_;
   LiveSurface surface_;
-  InVain in_vain_;
-  FlipsInVain flips_in_vain_;
-  KnownCandidates known_;
+  BestPlaces best_places_;
   ImproverOutcome outcome_;
   std::optional<FacetComplex> whole_; ///< Z before a pass that was cancelled
   bool stopped_ = false;

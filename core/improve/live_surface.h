@@ -34,11 +34,6 @@ class LiveSurface {
   std::uint32_t collapse_stamp(std::uint32_t v) const { return collapse_stamps_[v]; }
   std::uint32_t commits() const { return commits_; }
   const Embedding* embedding() const { return embedding_; }
-  /// Whether what becomes of a change follows from the facets that it is given alone, so that their stamps
-  /// tell when it may become something else: not inside T, nor where Z has a border or curves.
-  bool stamps_tell_all() const {
-    return embedding_ == nullptr && complex_.border.empty() && complex_.strata.empty();
-  }
   /// Whether a vertex stays where it is, with all its edges: a facet of it is not wholly in the box of the
   /// rules.
   bool frozen(std::uint32_t v) const { return !frozen_.empty() && frozen_[v] != 0; }

@@ -22,7 +22,6 @@ struct PlacementEffort {
   double folded_surcharge = 3; ///< δ, on the cost where a facet would be folded
   /// Absolute: nothing is placed where the star has a sample farther away at every start.
   double farthest_start = std::numeric_limits<double>::infinity();
-  friend bool operator==(const PlacementEffort&, const PlacementEffort&) = default;
 };
 
 /// Places the merged vertex of ab, within the kernel if one is given; nothing where the link condition fails

@@ -14,7 +14,7 @@ constexpr std::size_t batch_size = 64;
 struct Proposal {
   SurfacePatch patch;
   bool wanted = false;
-  bool in_vain = false; ///< nothing is gained there, as the surface is
+  bool best = false; ///< a vertex that gains nothing by moving
 };
 
 /// Classes of vertices without edges inside a class, each ascending: greedy by ascending id.
@@ -62,7 +62,7 @@ Proposal propose_relocation(const LiveSurface& surface, const SurfaceRules& rule
   p.patch = surface.patch(std::array{v});
   const auto verdict = relocate_vertex(rules, p.patch, p.patch.local_vertex(v));
   p.wanted = verdict && verdict->accepted();
-  p.in_vain = !verdict || (!p.wanted && surface.stamps_tell_all());
+  p.best = !verdict;
   return p;
 }
 
@@ -84,43 +84,33 @@ Proposal propose_flip(const LiveSurface& surface, const SurfaceRules& rules, std
     p.wanted = check_briefly(rules, p.patch).accepted();
     if (p.wanted) break;
   }
-  p.in_vain = !p.wanted && surface.stamps_tell_all();
   return p;
 }
 
 } // namespace
 
-RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, InVain& in_vain,
+RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, BestPlaces& best_places,
                         const RunControl& control) {
-  in_vain.relocations.resize(surface.complex().points.size(), 0);
-  in_vain.flips.resize(surface.complex().facets.size(), 0);
+  best_places.resize(surface.complex().points.size(), 0);
   RelaxationFigures figures;
   const double delta = rules.input->delta();
   for (std::vector<std::uint32_t>& c : independent_classes(surface.complex())) {
     std::erase_if(c, [&](std::uint32_t v) { return surface.frozen(v); });
     // Commit numbers start at 1, so that 0 stands for never.
-    std::erase_if(c, [&](std::uint32_t v) {
-      return in_vain.relocations[v] > 0 && in_vain.relocations[v] >= surface.stamp(v);
-    });
+    std::erase_if(c,
+                  [&](std::uint32_t v) { return best_places[v] > 0 && best_places[v] >= surface.stamp(v); });
     const std::uint32_t now = surface.commits();
     figures.moved += run_batches(surface, c.size(), delta, figures.largest, control, [&](std::size_t i) {
       Proposal p = propose_relocation(surface, rules, c[i]);
-      if (p.in_vain) in_vain.relocations[c[i]] = now;
+      if (p.best) best_places[c[i]] = now;
       return p;
     });
   }
   std::vector<std::uint32_t> facets;
   for (std::uint32_t f = 0; f < surface.complex().facets.size(); ++f)
     if (surface.complex().facets[f].alive()) facets.push_back(f);
-  figures.flipped += run_batches(surface, facets.size(), delta, figures.largest, control, [&](std::size_t i) {
-    std::uint32_t& failed = in_vain.flips[facets[i]];
-    const auto& v = surface.complex().facets[facets[i]].v;
-    const std::uint32_t changed = std::max({surface.stamp(v[0]), surface.stamp(v[1]), surface.stamp(v[2])});
-    if (failed > 0 && failed >= changed) return Proposal();
-    Proposal p = propose_flip(surface, rules, facets[i]);
-    if (p.in_vain) failed = surface.commits();
-    return p;
-  });
+  figures.flipped += run_batches(surface, facets.size(), delta, figures.largest, control,
+                                 [&](std::size_t i) { return propose_flip(surface, rules, facets[i]); });
   return figures;
 }
 

@@ -6,11 +6,8 @@
 
 namespace isoscope {
 
-/// What came to nothing, by vertex and by facet: the number of commits when a relocation or a flip was found
-/// to gain nothing or failed its checks. It would do so again until something changes there.
-struct InVain {
-  std::vector<std::uint32_t> relocations, flips;
-};
+/// By vertex: number of commits when it was last found at its best place.
+using BestPlaces = std::vector<std::uint32_t>;
 
 /// What a sweep did.
 struct RelaxationFigures {
@@ -19,9 +16,9 @@ struct RelaxationFigures {
 };
 
 /// Relocations in batches of vertices that are not neighbours, then flips; each is certified and tested
-/// before it is committed. What came to nothing where nothing has changed since is left out. Stops
+/// before it is committed. Vertices at their best place whose star has not changed since are left out. Stops
 /// early, with a valid surface, when cancelled. The result does not depend on the number of threads.
-RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, InVain& in_vain,
+RelaxationFigures relax(LiveSurface& surface, const SurfaceRules& rules, BestPlaces& best_places,
                         const RunControl& control);
 
 } // namespace isoscope

@@ -38,7 +38,6 @@ struct RepairOptions {
                                                    std::numeric_limits<double>::infinity()};
   /// Keeps those that begin far above and come down fast, as rings of vertices around a hole do.
   static constexpr std::array<double, 3> patient{1.3, 1.13, 1.05};
-  friend bool operator==(const RepairOptions&, const RepairOptions&) = default;
 };
 
 /// The outcome for the patch: accepted, or the first reason against it with its figures.

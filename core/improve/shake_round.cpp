@@ -26,26 +26,14 @@ struct FlipAttempt {
   Edge edge;
   SurfacePatch patch;
   std::optional<PatchVerdict> verdict;
-  std::optional<FlipsInVain::Outcome> known; ///< it has failed before, on the same facets
 };
 
 /// Tries that are made side by side, wherever they are: few of those that would do come too late.
 constexpr std::size_t flips_at_once = 8;
 
-/// What is known of a flip that failed when the facets of its patch, and those next to them, were the same.
-std::optional<FlipsInVain::Outcome> outcome_before(const LiveSurface& surface, const Edge& edge, int rings,
-                                                   const FlipsInVain::Memory* memory) {
-  const auto* known = memory != nullptr ? memory->find(edge.first, edge.second) : nullptr;
-  if (known == nullptr) return std::nullopt;
-  for (const std::uint32_t v : vertices_around(surface.complex(), {edge.first, edge.second}, rings + 1))
-    if (surface.stamp(v) > known->time) return std::nullopt;
-  return known->value;
-}
-
 /// Takes edges from the front that may be flipped.
 std::vector<FlipAttempt> gather(const LiveSurface& surface, const SurfaceRules& rules,
-                                const ShakeOptions& options, const FlipsInVain::Memory* memory,
-                                std::deque<Edge>& edges) {
+                                const ShakeOptions& options, std::deque<Edge>& edges) {
   std::vector<FlipAttempt> attempts;
   while (!edges.empty() && attempts.size() < flips_at_once) {
     const auto [a, b] = edges.front();
@@ -53,10 +41,8 @@ std::vector<FlipAttempt> gather(const LiveSurface& surface, const SurfaceRules& 
     if (surface.frozen(a) || surface.frozen(b) ||
         !is_worth_a_flip(rules, surface.complex(), a, b, options.repair))
       continue;
-    FlipAttempt attempt{{a, b}, {}, {}, outcome_before(surface, {a, b}, options.rings, memory)};
-    if (!attempt.known)
-      attempt.patch = surface.patch(vertices_around(surface.complex(), {a, b}, options.rings));
-    attempts.push_back(std::move(attempt));
+    attempts.push_back(
+        {{a, b}, surface.patch(vertices_around(surface.complex(), {a, b}, options.rings)), {}});
   }
   return attempts;
 }
@@ -67,27 +53,16 @@ ShakeFigures shake(LiveSurface& surface, const SurfaceRules& rules, const ShakeO
                    const RunControl& control) {
   ShakeFigures figures;
   std::deque<Edge> edges = edges_in_order(surface.complex(), options.pass);
-  FlipsInVain::Memory* memory = options.in_vain != nullptr && surface.stamps_tell_all()
-                                    ? &options.in_vain->of(options.repair, options.rings)
-                                    : nullptr;
   while (!edges.empty() && figures.attempts < options.most_attempts && !control.cancelled()) {
-    std::vector<FlipAttempt> attempts = gather(surface, rules, options, memory, edges);
-    const std::uint32_t now = surface.commits();
+    std::vector<FlipAttempt> attempts = gather(surface, rules, options, edges);
     const bool complete = parallel_until(attempts.size(), 1, control, [&](std::size_t i) {
       FlipAttempt& a = attempts[i];
-      if (a.known) return;
       a.verdict = flip_with_repair(rules, a.patch, a.patch.local_vertex(a.edge.first),
                                    a.patch.local_vertex(a.edge.second), options.repair);
     });
     if (!complete) break;
     std::vector<Edge> too_late;
     for (const FlipAttempt& a : attempts) {
-      if (a.known) {
-        figures.attempts += a.known->tried ? 1 : 0;
-        continue;
-      }
-      if (memory != nullptr && !(a.verdict && a.verdict->accepted()))
-        memory->set(a.edge.first, a.edge.second, {now, {a.verdict.has_value()}});
       if (!a.verdict) continue;
       ++figures.attempts;
       if (!a.verdict->accepted()) continue;

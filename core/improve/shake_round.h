@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/run_control.h"
-#include "improve/edge_memory.h"
 #include "improve/live_surface.h"
 
 #include <limits>
@@ -13,8 +12,7 @@ struct ShakeOptions {
   std::uint32_t pass = 0;                                              ///< chooses the order of the edges
   std::size_t most_attempts = std::numeric_limits<std::size_t>::max(); ///< after these no batch is begun
   RepairOptions repair;                                                ///< of each flip
-  int rings = 1;                  ///< free vertices: this many edges from the ends of the flipped one
-  FlipsInVain* in_vain = nullptr; ///< remembers them from pass to pass, where given
+  int rings = 1; ///< free vertices: this many edges from the ends of the flipped one
 };
 
 struct ShakeFigures {

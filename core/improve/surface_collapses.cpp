@@ -38,9 +38,6 @@ constexpr std::size_t repairs_at_once = 8;
 /// that began farther away than this many times the limit one came below it.
 constexpr double hopeless = 3;
 
-/// Surfaces with more vertices would have to remember too much.
-constexpr std::size_t most_remembered = 10'000;
-
 /// An entry under evaluation.
 struct Attempt {
   Entry entry;
@@ -55,8 +52,6 @@ class Round {
       : surface_(surface), rules_(rules), options_(options), failed_(failed), control_(control),
         observer_(observer), placement_(options.placement), claims_(surface.complex().points.size()) {
     placement_.farthest_start = hopeless * options.cost_limit;
-    if (options.known != nullptr && surface.stamps_tell_all() && surface.vertex_count() <= most_remembered)
-      known_ = &options.known->of(placement_);
   }
 
   CollapseRoundFigures run() {
@@ -82,8 +77,6 @@ class Round {
   const FacetComplex& complex() const { return surface_.complex(); }
   void push_all();
   void push(std::vector<Edge>& edges);
-  /// The target of an edge, or why T refuses the collapse.
-  std::optional<CollapseCandidate> find_candidate(const Edge& edge, Refusal& refusal) const;
   void gather();
   bool is_current(const Entry& e) const {
     return e.stamp >= std::max(surface_.stamp(e.a), surface_.stamp(e.b));
@@ -109,7 +102,6 @@ class Round {
   std::vector<Attempt> attempts_;
   std::vector<Edge> stale_; ///< edges whose cost has to be computed before the next batch
   PatchClaims claims_;
-  KnownCandidates::Memory* known_ = nullptr; ///< where targets follow from facets alone
   CollapseRoundFigures figures_;
   std::size_t in_vain_ = 0; ///< tries that failed since the last collapse
 };
@@ -123,22 +115,17 @@ void Round::push(std::vector<Edge>& edges) {
   sort_unique(edges);
   std::vector<std::optional<CollapseCandidate>> candidates(edges.size());
   std::vector<Refusal> refusals(edges.size()); // by T
-  std::vector<std::size_t> asked;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
+  parallel_until(edges.size(), 4, control_, [&](std::size_t i) {
     const auto [a, b] = edges[i];
-    const auto* known = known_ != nullptr ? known_->find(a, b) : nullptr;
-    if (known != nullptr && known->time >= std::max(surface_.stamp(a), surface_.stamp(b)))
-      candidates[i] = known->value;
-    else
-      asked.push_back(i);
-  }
-  const bool complete = parallel_until(asked.size(), 4, control_, [&](std::size_t k) {
-    const std::size_t i = asked[k];
-    candidates[i] = find_candidate(edges[i], refusals[i]);
+    if (surface_.frozen(a) || surface_.frozen(b) || !complex().has_edge(a, b)) return;
+    Kernel kernel;
+    if (surface_.embedding() != nullptr) {
+      refusals[i] = surface_.embedding()->check_edge(a, b, kernel);
+      if (!refusals[i].accepted()) return;
+    }
+    candidates[i] = collapse_candidate(*rules_.input, complex(), a, b, placement_,
+                                       surface_.embedding() != nullptr ? &kernel : nullptr);
   });
-  if (known_ != nullptr && complete)
-    for (const std::size_t i : asked)
-      known_->set(edges[i].first, edges[i].second, {surface_.commits(), candidates[i]});
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto [a, b] = edges[i];
     if (candidates[i] && candidates[i]->cost <= options_.cost_limit)
@@ -150,18 +137,6 @@ void Round::push(std::vector<Edge>& edges) {
     }
   }
   edges.clear();
-}
-
-std::optional<CollapseCandidate> Round::find_candidate(const Edge& edge, Refusal& refusal) const {
-  const auto [a, b] = edge;
-  if (surface_.frozen(a) || surface_.frozen(b) || !complex().has_edge(a, b)) return std::nullopt;
-  Kernel kernel;
-  if (surface_.embedding() != nullptr) {
-    refusal = surface_.embedding()->check_edge(a, b, kernel);
-    if (!refusal.accepted()) return std::nullopt;
-  }
-  return collapse_candidate(*rules_.input, complex(), a, b, placement_,
-                            surface_.embedding() != nullptr ? &kernel : nullptr);
 }
 
 bool Round::failed_before(std::uint32_t a, std::uint32_t b) const {

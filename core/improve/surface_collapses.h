@@ -3,7 +3,6 @@
 
 #include "base/run_control.h"
 #include "collapse/collapse_queue.h"
-#include "improve/edge_memory.h"
 #include "improve/live_surface.h"
 
 #include <limits>
@@ -28,7 +27,6 @@ struct CollapseRoundOptions {
   int rings = 0;                               ///< free vertices: this many edges from the edge's ends
   RepairOptions repair;                        ///< repair.sweeps 0: without repair
   PlacementEffort placement;                   ///< of the targets
-  KnownCandidates* known = nullptr;            ///< remembers them from round to round, where given
 };
 
 /// Edges that failed, with the number of commits by then. They are tried again only when something near them
