@@ -114,7 +114,8 @@ NearestSample::NearestSample(std::span<const Vec3> positions, std::span<const st
   for (Tree& tree : sides_) Builder(positions_, tree).build();
 }
 
-NearestSample::Best NearestSample::search(const Tree& tree, Vec3 p, const Best& best) const {
+NearestSample::Best NearestSample::search(const Tree& tree, Vec3 p, const Best& best,
+                                          double squared_enough) const {
   const FramePoint from(tree.boxes, p);
   const auto at_leaf = [&](std::uint32_t first, std::uint32_t count, Best& found) {
     const std::uint32_t end = first + count;
@@ -130,7 +131,7 @@ NearestSample::Best NearestSample::search(const Tree& tree, Vec3 p, const Best& 
     }
   };
   return search_boxes(
-      tree.boxes, from, best, 0, [](std::uint32_t) { return Lanes{}; }, at_leaf);
+      tree.boxes, from, best, squared_enough, [](std::uint32_t) { return Lanes{}; }, at_leaf);
 }
 
 SampleId NearestSample::nearest(Vec3 p, double radius) const {
@@ -142,6 +143,12 @@ SampleId NearestSample::nearest(Vec3 p, double radius) const {
 SampleId NearestSample::nearest_of(Vec3 p, int label, double radius) const {
   if (!has(label)) return {};
   return SampleId(search(sides_[place_of(label)], p, {radius * radius, SampleId::none}).sample);
+}
+
+bool NearestSample::has_near(Vec3 p, int label, double radius) const {
+  if (!has(label)) return false;
+  const double r2 = radius * radius;
+  return search(sides_[place_of(label)], p, {r2, SampleId::none}, r2).sample != SampleId::none;
 }
 
 std::size_t NearestSample::memory_bytes() const {

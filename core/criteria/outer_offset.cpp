@@ -30,8 +30,8 @@ OuterOffset::OuterOffset(const ToleranceVolume& volume, const NearestSample& sam
 
 bool OuterOffset::is_outside(Vec3 p, double d) const {
   const double clear = surely_clear * d;
-  if (samples_.nearest_of(p, +1, clear).valid()) return true;
-  if (samples_.nearest_of(p, -1, clear).valid()) return false;
+  if (samples_.has_near(p, +1, clear)) return true;
+  if (samples_.has_near(p, -1, clear)) return false;
   return volume_.sides().label(p) > 0;
 }
 
@@ -54,7 +54,7 @@ std::optional<ExpectedTopology> OuterOffset::topology(const RunControl& control)
     ++counting.halvings;
   const double boundary = volume_.thresholds().boundary;
   counting.outside = [&](Vec3 p, double d) {
-    return d >= boundary ? is_outside(p, d) : samples_.nearest_of(p, +1, reach_).valid();
+    return d >= boundary ? is_outside(p, d) : samples_.has_near(p, +1, reach_);
   };
   const auto count = count_offset(volume_, counting, control);
   if (!count || count->euler_characteristic % 2 != 0) return std::nullopt;
