@@ -234,15 +234,16 @@ void ClosestPointIndex::visit(const MeetsBox& meets_box, const AtSlot& at_slot) 
 }
 
 bool ClosestPointIndex::inside_by_parity(Vec3 p) const {
-  unsigned votes = 0;
+  constexpr std::size_t majority = parity_rays.size() / 2 + 1;
+  std::array<std::size_t, 2> votes{};
   for (const Vec3 d : parity_rays) {
     const Vec3 inverse{1 / d.x, 1 / d.y, 1 / d.z};
     unsigned hits = 0;
     visit([&](const Box3& box) { return ray_meets(p, inverse, std::numeric_limits<double>::max(), box); },
           [&](std::uint32_t slot) { hits += crossing(p, d, triangles_[slot]) > 0 ? 1u : 0u; });
-    votes += hits & 1u;
+    if (++votes[hits & 1u] == majority) break;
   }
-  return 2 * votes > parity_rays.size();
+  return votes[1] >= majority;
 }
 
 int ClosestPointIndex::winding_number(Vec3 p, std::span<const std::int8_t> turns) const {
@@ -256,6 +257,9 @@ int ClosestPointIndex::winding_number(Vec3 p, std::span<const std::int8_t> turns
             const int turn = turns.empty() ? 1 : turns[boxes_.ids[slot]];
             sums[k] += dot(d, cross(t[1] - t[0], t[2] - t[0])) > 0 ? turn : -turn;
           });
+    // What most rays say is the median.
+    const auto same = std::count(sums.begin(), sums.begin() + k + 1, sums[k]);
+    if (2 * static_cast<std::size_t>(same) > sums.size()) return sums[k];
   }
   std::nth_element(sums.begin(), sums.begin() + sums.size() / 2, sums.end());
   return sums[sums.size() / 2];
