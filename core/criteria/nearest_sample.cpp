@@ -53,7 +53,7 @@ class NearestSample::Builder {
     std::size_t nodes = 1;
     for (std::size_t size = (count + 3) / 4; size > leaf_size; size = (size + 3) / 4) nodes = 4 * nodes + 1;
     boxes.nodes.resize(nodes);
-    fill(0, 0, count);
+    fill(0, 0, count, boxes.bounds);
     boxes.nodes.shrink_to_fit();
     for (std::size_t a = 0; a < 3; ++a) {
       tree_.rough[a].resize(count + lane_count - 1);
@@ -71,8 +71,8 @@ class NearestSample::Builder {
   double in_frame(Vec3 p, int axis) const {
     return (p[axis] - tree_.boxes.origin[axis]) * tree_.boxes.inverse_scale;
   }
-  std::size_t halve(std::size_t begin, std::size_t end) {
-    const int a = longest_axis(box_of(begin, end).extent());
+  std::size_t halve(std::size_t begin, std::size_t end, const Box3& box) {
+    const int a = longest_axis(box.extent());
     const std::size_t middle = begin + (end - begin) / 2;
     const auto at = [&](std::size_t i) { return tree_.boxes.ids.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t i, std::uint32_t j) {
@@ -81,9 +81,10 @@ class NearestSample::Builder {
     });
     return middle;
   }
-  void fill(std::size_t node, std::size_t begin, std::size_t end) {
-    const std::size_t middle = halve(begin, end);
-    const std::array<std::size_t, 5> ends{begin, halve(begin, middle), middle, halve(middle, end), end};
+  void fill(std::size_t node, std::size_t begin, std::size_t end, const Box3& own) {
+    const std::size_t middle = halve(begin, end, own);
+    const std::array<std::size_t, 5> ends{begin, halve(begin, middle, box_of(begin, middle)), middle,
+                                          halve(middle, end, box_of(middle, end)), end};
     BoxHierarchy::Node& n = tree_.boxes.nodes[node];
     const std::size_t grain = end - begin >= parallel_build_size ? 1 : lane_count;
     parallel_for(lane_count, grain, [&](std::size_t k) {
@@ -96,7 +97,7 @@ class NearestSample::Builder {
       const bool is_leaf = size <= leaf_size;
       n.child[k] = static_cast<std::uint32_t>(is_leaf ? ends[k] : 4 * node + 1 + k);
       n.count[k] = !is_leaf ? 0 : size > 0 ? static_cast<std::uint8_t>(size) : BoxHierarchy::empty_child;
-      if (!is_leaf) fill(4 * node + 1 + k, ends[k], ends[k + 1]);
+      if (!is_leaf) fill(4 * node + 1 + k, ends[k], ends[k + 1], box);
     });
   }
 
