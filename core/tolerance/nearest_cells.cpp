@@ -3,7 +3,6 @@
 
 #include "base/scramble.h"
 #include "tolerance/box_search.h"
-#include "tolerance/triangle_point.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,8 +26,6 @@ constexpr double least_side = 1e-20, largest_side = 1e20;
 constexpr double float_margin = 1e-6;
 
 using Corners = std::array<Vec3, 8>;
-/// What comparing four floats gives.
-using Mask = std::int32_t __attribute__((vector_size(16)));
 
 /// A lower bound of the distance to a triangle, linear in the offset from a cell's centre: distances to
 /// convex sets are convex.
@@ -204,31 +201,22 @@ ClosestPoint NearestCells::from_cell(Vec3 p, const ClosestPoint& found) const {
   const Group* const groups = cell->groups();
   const std::uint32_t count = cell->group_count;
   std::array<Lanes, most_listed / 4> bounds;
-  const auto bounds_of = [&](std::uint32_t g) {
-    return groups[g].distance + x * groups[g].x + y * groups[g].y + z * groups[g].z;
-  };
-  Lanes least = bounds_of(0);
-  Mask group_of_least{};
+  Lanes least = groups[0].distance + x * groups[0].x + y * groups[0].y + z * groups[0].z;
   bounds[0] = least;
   for (std::uint32_t g = 1; g < count; ++g) {
-    bounds[g] = bounds_of(g);
-    const Mask less = bounds[g] < least;
-    least = less ? bounds[g] : least;
-    group_of_least = less ? Mask{} + static_cast<std::int32_t>(g) : group_of_least;
+    bounds[g] = groups[g].distance + x * groups[g].x + y * groups[g].y + z * groups[g].z;
+    least = bounds[g] < least ? bounds[g] : least;
   }
   ClosestPoint best = found;
   // What is known already is not asked again.
   const std::uint32_t known =
       found.triangle.valid() ? index_->slot_of(found.triangle) : std::numeric_limits<std::uint32_t>::max();
   // The triangle with the least bound is the nearest, mostly; then few others can be nearer.
-  std::size_t lane = 0;
-  for (std::size_t k = 1; k < 4; ++k)
-    if (least[k] < least[lane]) lane = k;
-  float limit = least[lane];
+  float limit = std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
   const auto limit_of_best = [&] { return static_cast<float>(best.distance()); };
   const auto look_at = [&](std::uint32_t slot) {
     if (slot == known) return;
-    const Vec3 c = closest_point_inlined(p, index_->triangle_at(slot));
+    const Vec3 c = closest_point_on_triangle(p, index_->triangle_at(slot));
     const double d2 = squared_length(c - p);
     if (d2 > best.squared_distance) return;
     const TriangleId id = index_->id_at(slot);
@@ -237,13 +225,21 @@ ClosestPoint NearestCells::from_cell(Vec3 p, const ClosestPoint& found) const {
     limit = limit_of_best();
   };
   if (known != std::numeric_limits<std::uint32_t>::max() && limit > limit_of_best()) return best;
-  const auto first = static_cast<std::uint32_t>(group_of_least[lane]);
+  std::uint32_t first = 0;
+  const auto up_to_limit = [&](std::uint32_t g) {
+    return std::bit_cast<std::array<std::int32_t, 4>>(bounds[g] <= limit);
+  };
+  const auto any = [](const std::array<std::int32_t, 4>& lanes) {
+    return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0;
+  };
+  while (!any(up_to_limit(first))) ++first;
+  const auto is_least = up_to_limit(first);
+  const std::size_t lane = is_least[0] != 0 ? 0 : is_least[1] != 0 ? 1 : is_least[2] != 0 ? 2 : 3;
   look_at(groups[first].slot[lane]);
   limit = limit_of_best();
   bounds[first][lane] = std::numeric_limits<float>::max();
   for (std::uint32_t g = 0; g < count; ++g) {
-    const auto any = std::bit_cast<std::array<std::uint64_t, 2>>(bounds[g] <= limit);
-    if ((any[0] | any[1]) == 0) continue;
+    if (!any(up_to_limit(g))) continue;
     for (std::size_t k = 0; k < 4; ++k)
       if (bounds[g][k] <= limit) look_at(groups[g].slot[k]);
   }
