@@ -4,10 +4,15 @@
 #include "base/geometry.h"
 #include "base/ids.h"
 #include "base/labels.h"
+#include "tolerance/boundary_sampler.h"
+#include "tolerance/box_hierarchy.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace isoscope {
@@ -20,25 +25,36 @@ class NearestSample {
   SampleId nearest(Vec3 p, double radius = Box3::inf) const;
   /// The same among the samples of one side, told by its label.
   SampleId nearest_of(Vec3 p, int label, double radius = Box3::inf) const;
+  /// Whether there is a sample of that side at most `radius` from p.
+  bool has_near(Vec3 p, int label, double radius) const;
   bool has(int label) const {
-    return place_of(label) < sides_.size() && !sides_[place_of(label)].order.empty();
+    return place_of(label) < sides_.size() && !sides_[place_of(label)].boxes.ids.empty();
   }
   std::span<const Vec3> positions() const { return positions_; }
   std::size_t memory_bytes() const;
 
  private:
-  /// A balanced tree in heap order: node k halves its range of `order` between nodes 2k + 1 and 2k + 2.
+  /// A balanced tree in heap order: node k quarters its range of samples between nodes 4k + 1 to 4k + 4.
   struct Tree {
-    std::vector<std::uint32_t> order;
-    std::vector<Box3> boxes;
+    BoxHierarchy boxes;
+    std::array<std::vector<float>, 3> rough; ///< by axis: places of the samples in the frame, by slot
   };
   struct Best;
-  struct Range;
-  void build(Tree& tree, const Range& range);
-  void search(const Tree& tree, const Range& range, Vec3 p, Best& best) const;
+  class Builder;
+  Best search(const Tree& tree, Vec3 p, const Best& best, double squared_enough = 0) const;
 
   std::span<const Vec3> positions_;
   std::vector<Tree> sides_; ///< by place_of their labels; a search over all of S asks each
+};
+
+/// S with what finds the nearest of its samples, for all who ask.
+struct SearchedSamples {
+  SearchedSamples(std::shared_ptr<const BoundarySamples> of)
+      : samples(std::move(of)),
+        nearest(std::make_shared<const NearestSample>(samples->positions, samples->labels)) {}
+
+  std::shared_ptr<const BoundarySamples> samples;
+  std::shared_ptr<const NearestSample> nearest; ///< as long as the samples are there
 };
 
 } // namespace isoscope

@@ -56,8 +56,8 @@ OuterOffset::OuterOffset(const ToleranceVolume& volume, const NearestSample& sam
 
 bool OuterOffset::is_outside(Vec3 p, double d) const {
   const double clear = surely_clear * d;
-  if (samples_.nearest_of(p, +1, clear).valid()) return true;
-  if (samples_.nearest_of(p, -1, clear).valid()) return false;
+  if (samples_.has_near(p, +1, clear)) return true;
+  if (samples_.has_near(p, -1, clear)) return false;
   return volume_.sides().label(p) > 0;
 }
 
@@ -72,7 +72,7 @@ double OuterOffset::depth(Vec3 p) const {
 }
 
 bool OuterOffset::is_in(Vec3 p, TriangleId guess) const {
-  if (samples_.nearest_of(p, +1, reach_).valid()) return true;
+  if (samples_.has_near(p, +1, reach_)) return true;
   const double d = volume_.index().closest_near(p, guess).distance();
   return d >= volume_.thresholds().boundary && is_outside(p, d);
 }

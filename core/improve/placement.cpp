@@ -249,16 +249,21 @@ int StarEvaluator::longest_steps(std::size_t i) const {
 
 Vec3 StarEvaluator::minimax_step(double trust) const {
   Vec3 step;
+  std::vector<double> values(best_linear_.size()); // of the linearised distances after the step
   for (const int p : exponents) {
     double largest = 0;
-    for (const Linear& l : best_linear_)
-      largest = std::max(largest, std::abs(l.sample.distance + l.weight * dot(l.sample.direction, step)));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Linear& l = best_linear_[i];
+      values[i] = l.sample.distance + l.weight * dot(l.sample.direction, step);
+      largest = std::max(largest, std::abs(values[i]));
+    }
     if (largest <= 0) break;
     Symmetric3 h{};
     Vec3 g;
-    for (const Linear& l : best_linear_) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Linear& l = best_linear_[i];
       const Vec3 n = l.sample.direction;
-      const double e = (l.sample.distance + l.weight * dot(n, step)) / largest;
+      const double e = values[i] / largest;
       const double q = integer_power(e, p - 2);
       const double first = q * e * l.weight, second = (p - 1) * q * l.weight * l.weight;
       g += first * n;

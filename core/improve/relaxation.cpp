@@ -81,7 +81,7 @@ Proposal propose_flip(const LiveSurface& surface, const SurfaceRules& rules, std
     std::optional<SurfacePatch> patch = surface.flip_patch(*plan);
     if (!patch) continue;
     p.patch = std::move(*patch);
-    p.wanted = check_patch(rules, p.patch).accepted();
+    p.wanted = check_briefly(rules, p.patch).accepted();
     if (p.wanted) break;
   }
   return p;

@@ -30,6 +30,21 @@ struct Proof {
   PatchVerdict::Corners facet{};
 };
 
+/// Certifies all unproven facets; true where all are inside Ω.
+bool prove_all(const InputSurface& input, FacetComplex& complex) {
+  const double delta = input.delta();
+  std::vector<Vec3> witness;
+  for (Facet& facet : complex.facets) {
+    if (!facet.alive() || facet.proven) continue;
+    const FacetSearch search{certificate_budget, facet.seed, &witness, 1, nullptr, nullptr, input.parts()};
+    const FacetVerdict verdict =
+        certify_facet(input.field(), complex.triangle(facet), delta, reject_from * delta, search);
+    if (verdict.kind != FacetVerdict::Kind::inside) return false;
+    facet.proven = true;
+  }
+  return true;
+}
+
 /// Certifies all unproven facets; violating points become samples of their facets.
 Proof prove(const InputSurface& input, FacetComplex& complex) {
   Proof proof;
@@ -254,8 +269,16 @@ bool is_hopeless(const Progress& p, double largest, double limit, const RepairOp
                         (p.sweeps > 2 && excess > 1.6 * gain * (options.sweeps - p.sweeps)));
 }
 
+/// Whether somebody hears why a change failed.
+enum class Failures { told, untold };
+
+/// The last check of a change, after which it is committed or forgotten.
+PatchVerdict check_at_last(const SurfaceRules& rules, SurfacePatch& patch, Failures failures) {
+  return failures == Failures::told ? check_patch(rules, patch) : check_briefly(rules, patch);
+}
+
 PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const RepairOptions& options,
-                    const std::optional<EdgeOfPatch>& kept = {}) {
+                    Failures failures, const std::optional<EdgeOfPatch>& kept = {}) {
   const double limit = rules.sampled_limit();
   // Sweeps bring a facet back to the side of a witness so rarely that they are not worth their time.
   if (const auto swept = find_swept(rules, patch)) return Refusal{Reason::witness_side, 0, 0, *swept};
@@ -270,12 +293,11 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
     record.largest_distance = level.largest;
     record.energy = level.energy;
     if (level.largest <= limit && !level.fold) {
-      verdict = check_patch(rules, patch);
+      const bool last = ++progress.checks > options.certificates || progress.sweeps >= options.sweeps;
+      verdict = last ? check_at_last(rules, patch, failures) : check_patch(rules, patch);
       record.points_added = verdict.points_added;
       progress.points_added += verdict.points_added;
-      if (!can_be_repaired(verdict.reason) || ++progress.checks > options.certificates ||
-          progress.points_added > most_points_added || progress.sweeps >= options.sweeps)
-        break;
+      if (last || !can_be_repaired(verdict.reason) || progress.points_added > most_points_added) break;
       for (const Facet& f : patch.complex.facets)
         if (f.alive() && (!f.extra.empty() || !f.sides.empty())) unsettle(f, settled);
       progress.above = 0;
@@ -297,15 +319,16 @@ PatchVerdict repair(const SurfaceRules& rules, SurfacePatch& patch, const Repair
 }
 
 /// Checks the facets around v, relocating it when that may help.
-PatchVerdict settle(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v, int retries) {
+PatchVerdict settle(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v, int retries,
+                    Failures failures) {
   for (int attempt = 0;; ++attempt) {
     const Level level = measure(patch);
     if (level.largest > rules.sampled_limit())
       return {Refusal{Reason::stays_above, level.largest, rules.sampled_limit(), level.where}, level.worst};
     if (level.fold) return {Refusal{Reason::folded, 0, 0, level.where}, *level.fold};
+    if (attempt == retries) return check_at_last(rules, patch, failures);
     PatchVerdict verdict = check_patch(rules, patch);
-    if (!can_be_repaired(verdict.reason) || attempt == retries ||
-        !relocate(*rules.input, patch, v, relocation_rounds))
+    if (!can_be_repaired(verdict.reason) || !relocate(*rules.input, patch, v, relocation_rounds))
       return verdict;
   }
 }
@@ -315,8 +338,8 @@ PatchVerdict settle(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_
 PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
                                   std::uint32_t b, Vec3 target, const RepairOptions& options) {
   collapse_to(*rules.input, patch, a, b, target);
-  if (options.sweeps > 0) return repair(rules, patch, options);
-  return settle(rules, patch, a, collapse_retries);
+  if (options.sweeps > 0) return repair(rules, patch, options, Failures::told);
+  return settle(rules, patch, a, collapse_retries, Failures::told);
 }
 
 bool is_worth_a_flip(const SurfaceRules& rules, const FacetComplex& complex, std::uint32_t a, std::uint32_t b,
@@ -330,12 +353,12 @@ std::optional<PatchVerdict> flip_with_repair(const SurfaceRules& rules, SurfaceP
                                              std::uint32_t b, const RepairOptions& options) {
   const auto plan = force_flip(*rules.input, patch, a, b, options.most_flip_excess * rules.input->delta());
   if (!plan) return std::nullopt;
-  return repair(rules, patch, options, EdgeOfPatch(std::minmax(plan->c, plan->d)));
+  return repair(rules, patch, options, Failures::untold, EdgeOfPatch(std::minmax(plan->c, plan->d)));
 }
 
 std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v) {
   if (!relocate(*rules.input, patch, v, relocation_rounds)) return std::nullopt;
-  return settle(rules, patch, v, relocation_retries);
+  return settle(rules, patch, v, relocation_retries, Failures::untold);
 }
 
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch) {
@@ -348,6 +371,13 @@ PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch) {
                        proof.facet};
   verdict.points_added = proof.failures;
   return verdict;
+}
+
+PatchVerdict check_briefly(const SurfaceRules& rules, SurfacePatch& patch) {
+  // What takes longest comes last.
+  if (PatchVerdict shape = check_shape(rules, patch); !shape.accepted()) return shape;
+  if (!prove_all(*rules.input, patch.complex)) return Refusal{Reason::outside_tolerance, 0, 0, {}};
+  return prove_border(*rules.input, patch.complex);
 }
 
 } // namespace isoscope

@@ -62,12 +62,17 @@ PatchVerdict collapse_with_repair(const SurfaceRules& rules, SurfacePatch& patch
 bool is_worth_a_flip(const SurfaceRules& rules, const FacetComplex& complex, std::uint32_t a, std::uint32_t b,
                      const RepairOptions& options);
 /// Flips the edge ab (local ids) against the energy and repairs the patch without flipping it back; nothing
-/// where the flip cannot be made or begins too far above δ. Everything is checked but the same.
+/// where the flip cannot be made or begins too far above δ. Everything is checked but the same. Of one that
+/// fails in the end the reason alone is told, which may be any that holds.
 std::optional<PatchVerdict> flip_with_repair(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t a,
                                              std::uint32_t b, const RepairOptions& options);
-/// Relocates a free vertex (local id) and checks the patch; nothing when it is at its best place.
+/// Relocates a free vertex (local id) and checks the patch; nothing when it is at its best place. Of one that
+/// fails the same is told.
 std::optional<PatchVerdict> relocate_vertex(const SurfaceRules& rules, SurfacePatch& patch, std::uint32_t v);
 /// Certificates of the patch's changed facets and border edges, fold, orientation and witnesses.
 PatchVerdict check_patch(const SurfaceRules& rules, SurfacePatch& patch);
+/// The same where the reason matters alone: the first one that is found ends it, and the patch is of no use
+/// then.
+PatchVerdict check_briefly(const SurfaceRules& rules, SurfacePatch& patch);
 
 } // namespace isoscope

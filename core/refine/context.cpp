@@ -12,11 +12,10 @@ constexpr double spacing_ratio = 0.005;
 
 } // namespace
 
-RefinementContext::RefinementContext(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
+RefinementContext::RefinementContext(ToleranceVolume& volume, SearchedSamples samples,
                                      const CriteriaParameters& criteria, Recorder& recorder,
                                      const RunControl& control)
-    : volume_(volume), live_(samples), samples_(std::move(samples)),
-      nearest_(std::make_unique<NearestSample>(samples_->positions, samples_->labels)), criteria_(criteria),
+    : volume_(volume), live_(samples.samples), samples_(std::move(samples)), criteria_(criteria),
       recorder_(recorder), control_(control) {
   live_.set_delta(volume.thresholds().delta);
 }
@@ -31,7 +30,7 @@ void RefinementContext::set_criteria(const CriteriaParameters& criteria) {
 }
 
 Vec3 RefinementContext::snapped(Vec3 p) const {
-  return isoscope::snapped(p, samples_->snap_unit);
+  return isoscope::snapped(p, samples_.samples->snap_unit);
 }
 
 Vertex RefinementContext::free_vertex(Vec3 p, int label, VertexKind kind) const {
@@ -45,8 +44,8 @@ Vertex RefinementContext::free_vertex(Vec3 p, int label, VertexKind kind) const 
 
 Vertex RefinementContext::sample_vertex(SampleId s) const {
   Vertex vertex;
-  vertex.position = samples_->positions[s.index()];
-  const std::int8_t label = samples_->labels[s.index()];
+  vertex.position = samples_.samples->positions[s.index()];
+  const std::int8_t label = samples_.samples->labels[s.index()];
   vertex.value = label > 0 ? +1 : -1;
   vertex.room = room_of(label);
   vertex.kind = VertexKind::sample;
@@ -64,7 +63,7 @@ double RefinementContext::smallest_spacing() const {
 }
 
 void RefinementContext::start() {
-  std::vector<Vertex> corners = loose_box_corners(volume_, *samples_);
+  std::vector<Vertex> corners = loose_box_corners(volume_, *samples_.samples);
   Delta delta = live_.start(corners);
   hint_ = live_.changed().empty() ? TetId() : live_.changed().front();
   update_checklists();
@@ -101,16 +100,15 @@ void RefinementContext::relabel(std::span<const VertexId> vertices, Event event)
 
 void RefinementContext::replace_samples(std::shared_ptr<const BoundarySamples> samples) {
   const std::uint16_t set = recorder_.journal().add_sample_set(samples);
-  samples_ = std::move(samples);
-  nearest_ = std::make_unique<NearestSample>(samples_->positions, samples_->labels);
-  Delta delta = live_.replace_samples(samples_, set);
-  criteria_.sigma = samples_->sigma;
+  samples_ = SearchedSamples(std::move(samples));
+  Delta delta = live_.replace_samples(samples_.samples, set);
+  criteria_.sigma = samples_.samples->sigma;
   recorder_.journal().add_parameters(criteria_);
   requeue_all();
   Event event;
   event.kind = EventKind::parameter_change;
   event.operation = true;
-  event.value = samples_->sigma;
+  event.value = samples_.samples->sigma;
   hear(recorder_.operation(event, std::move(delta), figures()));
 }
 

@@ -24,14 +24,15 @@ enum class Turn {
 /// Shared by all conditions of one refinement; every change of T goes through it into the journal.
 class RefinementContext {
  public:
-  RefinementContext(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
-                    const CriteriaParameters& criteria, Recorder& recorder, const RunControl& control);
+  RefinementContext(ToleranceVolume& volume, SearchedSamples samples, const CriteriaParameters& criteria,
+                    Recorder& recorder, const RunControl& control);
 
   ToleranceVolume& volume() { return volume_; }
   const ToleranceVolume& volume() const { return volume_; }
   LiveTriangulation& live() { return live_; }
   const LiveTriangulation& live() const { return live_; }
-  const NearestSample& nearest() const { return *nearest_; }
+  const SearchedSamples& samples() const { return samples_; }
+  const NearestSample& nearest() const { return *samples_.nearest; }
   const CriteriaParameters& criteria() const { return criteria_; }
   void set_criteria(const CriteriaParameters& criteria);
   Recorder& recorder() { return recorder_; }
@@ -78,8 +79,7 @@ class RefinementContext {
 
   ToleranceVolume& volume_;
   LiveTriangulation live_;
-  std::shared_ptr<const BoundarySamples> samples_;
-  std::unique_ptr<NearestSample> nearest_;
+  SearchedSamples samples_;
   CriteriaParameters criteria_;
   Recorder& recorder_;
   const RunControl& control_;

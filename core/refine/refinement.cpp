@@ -9,9 +9,9 @@
 namespace isoscope {
 
 struct Refinement::Impl {
-  Impl(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
-       const CriteriaParameters& criteria, const ExpectedTopology& expected, const RefinementLimits& limits,
-       Recorder& recorder, const RunControl& control)
+  Impl(ToleranceVolume& volume, SearchedSamples samples, const CriteriaParameters& criteria,
+       const ExpectedTopology& expected, const RefinementLimits& limits, Recorder& recorder,
+       const RunControl& control)
       : context(volume, std::move(samples), criteria, recorder, control), classification(context),
         height(context), containment(context), witnesses(context), orientation(context),
         topology(context, expected, limits.topology_insertions), limit(limits.insertions) {}
@@ -177,11 +177,11 @@ void Refinement::Impl::report_unmet(const RefinementOutcome& result) {
   }
 }
 
-Refinement::Refinement(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
-                       const CriteriaParameters& criteria, const ExpectedTopology& expected,
-                       const RefinementLimits& limits, Recorder& recorder, const RunControl& control) {
+Refinement::Refinement(ToleranceVolume& volume, SearchedSamples samples, const CriteriaParameters& criteria,
+                       const ExpectedTopology& expected, const RefinementLimits& limits, Recorder& recorder,
+                       const RunControl& control) {
   Journal& journal = recorder.journal();
-  if (journal.sample_sets().empty()) journal.add_sample_set(samples);
+  if (journal.sample_sets().empty()) journal.add_sample_set(samples.samples);
   if (journal.parameters().empty() || journal.parameters().back().criteria != criteria) {
     journal.add_parameters(criteria);
   }
@@ -189,6 +189,10 @@ Refinement::Refinement(ToleranceVolume& volume, std::shared_ptr<const BoundarySa
 }
 
 Refinement::~Refinement() = default;
+
+const SearchedSamples& Refinement::samples() const {
+  return impl_->context.samples();
+}
 
 const Complex& Refinement::complex() const {
   return impl_->context.live().complex();

@@ -4,9 +4,9 @@
 
 #include "base/run_control.h"
 #include "base/status.h"
+#include "criteria/nearest_sample.h"
 #include "criteria/topology.h"
 #include "journal/recorder.h"
-#include "tolerance/boundary_sampler.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <memory>
@@ -41,9 +41,9 @@ struct RefinementOutcome {
 class Refinement {
  public:
   /// `volume` and `samples` must outlive the refinement. `samples` is set 0 of the journal.
-  Refinement(ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
-             const CriteriaParameters& criteria, const ExpectedTopology& expected,
-             const RefinementLimits& limits, Recorder& recorder, const RunControl& control);
+  Refinement(ToleranceVolume& volume, SearchedSamples samples, const CriteriaParameters& criteria,
+             const ExpectedTopology& expected, const RefinementLimits& limits, Recorder& recorder,
+             const RunControl& control);
   ~Refinement();
 
   /// Runs until the conditions hold, nothing more can be done, the gate stops it, or the control is
@@ -53,6 +53,8 @@ class Refinement {
   void replace_samples(std::shared_ptr<const BoundarySamples> samples);
 
   const Complex& complex() const;
+  /// S as it is now.
+  const SearchedSamples& samples() const;
   const CriteriaParameters& criteria() const;
 
  private:

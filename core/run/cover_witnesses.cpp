@@ -44,7 +44,7 @@ void find_bare(const NearestSample& samples, int label, TriangleId id, const Tri
     open.pop_back();
     const Vec3 c = centroid(t);
     const double radius = std::max({distance(c, t[0]), distance(c, t[1]), distance(c, t[2])});
-    if (limit > radius && samples.nearest_of(c, label, limit - radius).valid()) continue;
+    if (limit > radius && samples.has_near(c, label, limit - radius)) continue;
     if (radius <= finest) {
       bare.push_back({c, id});
       continue;
@@ -187,14 +187,13 @@ void hold_side(const ToleranceVolume& volume, const InputWalls& walls, int label
 
 } // namespace
 
-CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const BoundarySamples& samples,
-                                    double limit, const RunControl& control) {
+CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const NearestSample& nearest, double limit,
+                                    const RunControl& control) {
   CoverWitnesses out;
   const double delta = volume.thresholds().delta;
   if (!volume.has_surface() || volume.has_rooms()) return out;
   if (!(limit >= least_limit * delta)) return out;
   const double reach = limit - slack * delta;
-  const NearestSample nearest(samples.positions, samples.labels);
   std::optional<InputWalls> walls;
   for (const int label : {-1, +1}) {
     if (!nearest.has(label)) continue;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/run_control.h"
-#include "tolerance/boundary_sampler.h"
+#include "criteria/nearest_sample.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <vector>
@@ -21,7 +21,7 @@ struct CoverWitnesses {
 /// tube stays one.
 /// None of rooms, nor of soups where rays do not agree on a side, and where `limit` (absolute) is below 2δ:
 /// there Ω alone decides. What is thin and has no way to a region of its side is left.
-CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const BoundarySamples& samples,
-                                    double limit, const RunControl& control);
+CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const NearestSample& samples, double limit,
+                                    const RunControl& control);
 
 } // namespace isoscope

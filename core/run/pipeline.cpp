@@ -187,16 +187,16 @@ struct Pipeline::Impl {
       first = [&volume, expected = scene->expected, bytes = parameters->most_bytes()](const RunControl& c) {
         return first_from_lattice(volume, expected, bytes, c);
       };
-    simplification =
-        std::make_unique<Simplification>(volume, current_samples, criteria, parameters->simplification(),
-                                         *recorder, *control, Complex(), std::move(first));
+    simplification = std::make_unique<Simplification>(volume, preparation.take_samples(), criteria,
+                                                      parameters->simplification(), *recorder, *control,
+                                                      Complex(), std::move(first));
     return {};
   }
 
   /// T goes from the refinement, which is not needed any more, to the simplification.
   void begin_simplification(const SimplificationParameters& wanted) {
     simplification =
-        std::make_unique<Simplification>(preparation.volume(), current_samples, refinement->criteria(),
+        std::make_unique<Simplification>(preparation.volume(), refinement->samples(), refinement->criteria(),
                                          wanted, *recorder, *control, refinement->complex());
     refinement.reset();
   }
@@ -230,7 +230,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   m.recorder.emplace(*m.journal, *m.resampling);
   if (parameters_.start == FirstZ::delaunay)
     m.refinement =
-        std::make_unique<Refinement>(m.preparation.volume(), m.scene->samples, criteria,
+        std::make_unique<Refinement>(m.preparation.volume(), m.preparation.take_samples(), criteria,
                                      expected_before_the_cut(m.preparation.volume(), m.scene->expected),
                                      RefinementLimits{}, *m.recorder, *m.control);
   else if (Status begun = m.begin_outside_of_t(criteria); !begun)

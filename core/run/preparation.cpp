@@ -342,8 +342,7 @@ Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(SampleDensity
 
 /// Where parts are joined in Ω, what can be made of its outer boundary is counted with the samples.
 void Preparation::count_joined(Scene& made, const CriteriaParameters& criteria) const {
-  const NearestSample nearest(made.samples->positions, made.samples->labels);
-  if (auto counted = outer_offset_topology(*volume_, nearest, criteria.sigma, control_)) {
+  if (auto counted = outer_offset_topology(*volume_, *samples_->nearest, criteria.sigma, control_)) {
     made.expected = std::move(*counted);
   } else {
     made.expected.required = false;
@@ -352,9 +351,9 @@ void Preparation::count_joined(Scene& made, const CriteriaParameters& criteria) 
 }
 
 /// Z need not go into what is thinner than 2δ, but for the cover that is asked for.
-void Preparation::hold_thin_parts(const Scene& made, const CriteriaParameters& criteria) {
+void Preparation::hold_thin_parts(const CriteriaParameters& criteria) {
   if (!criteria.certified || !parameters_.cover || parameters_.topology == TopologyMode::separate) return;
-  CoverWitnesses found = find_cover_witnesses(*volume_, *made.samples,
+  CoverWitnesses found = find_cover_witnesses(*volume_, *samples_->nearest,
                                               *parameters_.cover * volume_->thresholds().delta, control_);
   volume_->hold(found.held, std::move(found.path));
 }
@@ -448,9 +447,10 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   if (!samples) return refused(samples.error(), *scene);
   if (Status closed = volume_->check_passages(); !closed) return refused(closed.error(), *scene);
   scene->samples = *samples;
+  samples_.emplace(*samples);
   scene->expected = expected_topology(*volume_, parameters_.topology);
   if (scene->expected.joined && !volume_->thickening()) count_joined(*scene, criteria);
-  hold_thin_parts(*scene, criteria);
+  hold_thin_parts(criteria);
   if (control_.cancelled()) return cancelled_error(control_);
   scene->sample_estimate = estimate_samples(*volume_);
   scene->sampling_seconds = watch.seconds() - scene->input_seconds - scene->volume_seconds;

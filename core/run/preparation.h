@@ -3,12 +3,12 @@
 
 #include "base/run_control.h"
 #include "base/status.h"
+#include "criteria/nearest_sample.h"
 #include "input/input_note.h"
 #include "input/triangle_soup.h"
 #include "run/asymptotic_count.h"
 #include "run/parameters.h"
 #include "run/point_field.h"
-#include "tolerance/boundary_sampler.h"
 #include "tolerance/parameter_check.h"
 #include "tolerance/point_sheets.h"
 #include "tolerance/sample_estimate.h"
@@ -84,6 +84,8 @@ class Preparation {
   std::shared_ptr<const Scene> examined() const { return examined_; }
   /// Ω with its octree; after make().
   ToleranceVolume& volume() { return *volume_; }
+  /// S with what finds the nearest of its samples; once after make().
+  SearchedSamples take_samples() { return *std::exchange(samples_, std::nullopt); }
   /// S at another density, absolute. Fails with unsupported where that takes more memory than it may, or with
   /// what sample_boundary() says.
   Result<std::shared_ptr<const BoundarySamples>> sample(SampleDensity density);
@@ -106,7 +108,7 @@ class Preparation {
   Status build_volume_of_points(Scene& made, const std::shared_ptr<const TriangleSoup>& soup);
   void examine(const Scene& made);
   void count_joined(Scene& made, const CriteriaParameters& criteria) const;
-  void hold_thin_parts(const Scene& made, const CriteriaParameters& criteria);
+  void hold_thin_parts(const CriteriaParameters& criteria);
   void warn(Scene& made, const CriteriaParameters& criteria) const;
 
   const RunParameters& parameters_;
@@ -114,6 +116,7 @@ class Preparation {
   Read read_;
   std::shared_ptr<const Scene> examined_;
   std::optional<ToleranceVolume> volume_;
+  std::optional<SearchedSamples> samples_;
   MadePointField points_; ///< where the field is one of points
   double kept_area_ = 0;  ///< of the input without what is left out
 };

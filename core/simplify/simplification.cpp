@@ -36,17 +36,17 @@ static_assert(stage_order.front() == Stage::gamma);
 } // namespace
 
 struct Simplification::Impl {
-  Impl(const ToleranceVolume& v, std::shared_ptr<const BoundarySamples> s, const CriteriaParameters& c,
+  Impl(const ToleranceVolume& v, SearchedSamples s, const CriteriaParameters& c,
        const SimplificationParameters& p, Recorder& recorder, const RunControl& run_control, Complex complex,
        FirstSurfaceMaker maker)
-      : samples(std::move(s)), nearest(samples->positions, samples->labels), context{v, &nearest, c},
+      : samples(std::move(s.samples)), nearest(std::move(s.nearest)), context{v, nearest.get(), c},
         parameters(p), first(std::move(maker)), log(recorder, run_control) {
     if (in_t()) live = std::make_unique<LiveComplex>(std::move(complex), c.certified ? nullptr : samples);
     log.on_parameters([this](const CriteriaParameters& wanted) { adopt(wanted); });
   }
 
   std::shared_ptr<const BoundarySamples> samples;
-  NearestSample nearest;
+  std::shared_ptr<const NearestSample> nearest;
   EvaluationContext context;
   SimplificationParameters parameters;
   FirstSurfaceMaker first; ///< where Z begins outside of T
@@ -316,7 +316,7 @@ struct Simplification::Impl {
   }
 };
 
-Simplification::Simplification(const ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
+Simplification::Simplification(const ToleranceVolume& volume, SearchedSamples samples,
                                const CriteriaParameters& criteria, const SimplificationParameters& parameters,
                                Recorder& recorder, const RunControl& control, Complex complex,
                                FirstSurfaceMaker first)

@@ -4,11 +4,11 @@
 #include "base/run_control.h"
 #include "base/status.h"
 #include "collapse/target_search.h"
+#include "criteria/nearest_sample.h"
 #include "journal/recorder.h"
 #include "mesh/incidence.h"
 #include "simplify/first_surface.h"
 #include "simplify/hole_filling.h"
-#include "tolerance/boundary_sampler.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <array>
@@ -40,10 +40,9 @@ class Simplification {
  public:
   /// `volume` must outlive it; `complex` is T as refinement left it. With `first`, which makes the first Z,
   /// there is no T, and the improver alone runs on Z alone.
-  Simplification(const ToleranceVolume& volume, std::shared_ptr<const BoundarySamples> samples,
-                 const CriteriaParameters& criteria, const SimplificationParameters& parameters,
-                 Recorder& recorder, const RunControl& control, Complex complex,
-                 FirstSurfaceMaker first = {});
+  Simplification(const ToleranceVolume& volume, SearchedSamples samples, const CriteriaParameters& criteria,
+                 const SimplificationParameters& parameters, Recorder& recorder, const RunControl& control,
+                 Complex complex, FirstSurfaceMaker first = {});
   ~Simplification();
 
   /// Before the first run(): collapses an edge as a person asked for, in a stage that the journal has begun,

@@ -271,10 +271,14 @@ class Counter {
            static_cast<double>(c.distance) >= volume_.thresholds().boundary - offset_->reach - half_diagonal;
   }
 
-  Vec3 position(std::uint64_t key) const {
+  static std::array<std::uint32_t, 3> place(std::uint64_t key) {
     constexpr std::uint64_t mask = (std::uint64_t{1} << key_bits) - 1;
-    const Vec3 u{static_cast<double>(key & mask), static_cast<double>(key >> key_bits & mask),
-                 static_cast<double>(key >> (2 * key_bits))};
+    return {static_cast<std::uint32_t>(key & mask), static_cast<std::uint32_t>(key >> key_bits & mask),
+            static_cast<std::uint32_t>(key >> (2 * key_bits))};
+  }
+  Vec3 position(std::uint64_t key) const {
+    const auto [x, y, z] = place(key);
+    const Vec3 u{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
     return volume_.octree().origin() + volume_.octree().side(level_) * u;
   }
 
@@ -285,24 +289,33 @@ class Counter {
     std::optional<Corner> corner; ///< when a cell that has it on its border decides
     RegionId finer_region;        ///< of a cell close by that may be too small to reach it
   };
-  Surroundings surroundings(Vec3 p) const {
+  Surroundings surroundings(Vec3 p, const std::array<std::uint32_t, 3>& place) const {
     const Regions& octree = volume_.octree();
     const double offset = 0.25 * octree.side(level_);
+    const std::uint32_t cells = 1u << level_;
     Surroundings result;
     for (unsigned k = 0; k < 8; ++k) {
-      const Vec3 towards{k & 1u ? offset : -offset, k & 2u ? offset : -offset, k & 4u ? offset : -offset};
-      const Regions::CellIndex i = octree.locate(p + towards);
+      // Below 0 they wrap around.
+      const std::array<std::uint32_t, 3> beside{place[0] - (k & 1u ? 0 : 1), place[1] - (k & 2u ? 0 : 1),
+                                                place[2] - (k & 4u ? 0 : 1)};
+      const bool is_inside = beside[0] < cells && beside[1] < cells && beside[2] < cells;
+      Regions::CellIndex i = is_inside ? octree.cell_at(level_, beside) : Regions::none;
+      if (i != Regions::none && octree.child(i) != Regions::none)
+        i = octree.locate(
+            p + Vec3{k & 1u ? offset : -offset, k & 2u ? offset : -offset, k & 4u ? offset : -offset});
       if (i == Regions::none) {
         result.corner = Corner{true, RegionId(0), 0};
         return result;
       }
+      const Regions::Kind kind = octree.kind(i);
+      if (kind == Regions::Kind::ambiguous) continue;
       const Regions::Cell c = octree.cell(i);
       const bool reaches = c.level <= level_;
-      if (c.kind == Regions::Kind::in && reaches) {
+      if (kind == Regions::Kind::in && reaches) {
         result.corner = Corner{false, RegionId(), volume_.volume_component(c.triangle)};
         return result;
       }
-      if (c.kind != Regions::Kind::out) continue;
+      if (kind != Regions::Kind::out) continue;
       const auto number = octree.number(i);
       if (number && reaches) {
         result.corner = Corner{true, RegionId(*number), 0};
@@ -322,7 +335,7 @@ class Counter {
   Corner examine(std::uint64_t key, TriangleId guess) const {
     const Vec3 p = position(key);
     if (offset_ != nullptr) return examine_offset(p, guess);
-    const auto [told, finer_region] = surroundings(p);
+    const auto [told, finer_region] = surroundings(p, place(key));
     const bool one_component = volume_.volume_component_count() == 1;
     if (told && (one_component || !told->outside)) return *told;
     const ClosestPoint closest = volume_.field().closest_near(p, guess);
@@ -423,9 +436,14 @@ class Counter {
     for (unsigned k = 0; k < 8; ++k) {
       if (!at[k]->outside) continue;
       const RegionId region = at[k]->region;
-      const auto counted_before = [&](const Corner* c) { return c->outside && c->region == region; };
-      if (std::any_of(at.begin(), at.begin() + k, counted_before)) continue;
-      for (const kuhn::Simplex& s : simplices_) count_simplex(s, cell, at, region, part);
+      const auto is_in_region = [&](const Corner* c) { return c->outside && c->region == region; };
+      if (std::any_of(at.begin(), at.begin() + k, is_in_region)) continue;
+      unsigned outer = 0;
+      for (unsigned j = k; j < 8; ++j) outer |= (is_in_region(at[j]) ? 1u : 0u) << j;
+      if (outer == 0xff) return;
+      for (const kuhn::Simplex& s : simplices_) {
+        if ((s.mask & outer) != 0 && (s.mask & ~outer) != 0) count_simplex(s, cell, at, region, part);
+      }
     }
   }
 
@@ -458,21 +476,16 @@ class Counter {
     return volume_.boundary_component(outer, inner.volume_component);
   }
 
+  /// Of a simplex that has corners in the region and others.
   void count_simplex(const kuhn::Simplex& s, const LatticeCell& cell, const std::array<const Corner*, 8>& at,
                      RegionId region, Part& part) const {
     const auto is_outer = [&](unsigned i) {
       const Corner* c = at[s.corners[i]];
       return c->outside && c->region == region;
     };
-    bool outer = false;
     const Corner* inner = nullptr;
-    for (unsigned i = s.size; i-- > 0;) {
-      if (is_outer(i))
-        outer = true;
-      else
-        inner = at[s.corners[i]];
-    }
-    if (!outer || !inner) return;
+    for (unsigned i = s.size; i-- > 0;)
+      if (!is_outer(i)) inner = at[s.corners[i]];
     const auto component = component_between(region, *inner);
     if (component) part.euler_characteristics[*component] += s.sign;
     if (!careful_ || s.size > 3) return;

@@ -6,6 +6,7 @@
 #include "tolerance/field.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -21,7 +22,7 @@ inline constexpr std::size_t most_neighbors = 128;
 /// Four floats that the compiler keeps in one register: branches for each of them cost more than the sums.
 using Lanes = float __attribute__((vector_size(16)));
 
-inline Lanes lanes(const float (&values)[BoxHierarchy::width]) {
+inline Lanes lanes(const float* values) {
   Lanes loaded;
   std::memcpy(&loaded, values, sizeof loaded);
   return loaded;
@@ -73,30 +74,36 @@ class FramePoint {
   }
   /// Of the squared distances to a node's children, each more by what `least` says.
   Lanes bounds(const BoxHierarchy::Node& n, Lanes least) const {
+    return bounds({n.lo[0], n.lo[1], n.lo[2]}, {n.hi[0], n.hi[1], n.hi[2]}, least);
+  }
+  /// The same of four points of the frame by axis, rounded to the nearest float.
+  Lanes bounds(const std::array<const float*, 3>& points) const { return bounds(points, points, Lanes{}); }
+
+ private:
+  Lanes bounds(const std::array<const float*, 3>& lo, const std::array<const float*, 3>& hi,
+               Lanes least) const {
     for (unsigned a = 0; a < 3; ++a) {
-      const Lanes below = lanes(n.lo[a]) - from_below_[a], above = from_above_[a] - lanes(n.hi[a]);
+      const Lanes below = lanes(lo[a]) - from_below_[a], above = from_above_[a] - lanes(hi[a]);
       Lanes d = below > 0 ? below : Lanes{};
       d = above > d ? above : d;
       least += d * d;
     }
     return least;
   }
-
- private:
   /// Relative rounding of a float operation, with room for the few that follow each other.
   static constexpr float float_slack = 4 * std::numeric_limits<float>::epsilon();
   double to_frame_;
   float from_below_[3], from_above_[3];
 };
 
-/// Improves `best` by the items whose box may hold something nearer to p, nearest boxes first, until nothing
-/// does or it is below `squared_enough`. `least(node)`: what is to be added to the squared distances of its
-/// children's boxes, in the frame. `at_leaf(first, count, best)` looks at the slots of a leaf.
-template <class Least, class AtLeaf>
-ClosestPoint search_boxes(const BoxHierarchy& boxes, Vec3 p, ClosestPoint best, double squared_enough,
-                          const Least& least, const AtLeaf& at_leaf) {
+/// Improves `best`, which has a squared_distance, by the items whose box may hold something nearer to p or as
+/// near, nearest boxes first, until nothing does or it is below `squared_enough`. `least(node)`: what is to
+/// be added to the squared distances of its children's boxes, in the frame. `at_leaf(first, count, best)`
+/// looks at the slots of a leaf.
+template <class Best, class Least, class AtLeaf>
+Best search_boxes(const BoxHierarchy& boxes, const FramePoint& from, Best best, double squared_enough,
+                  const Least& least, const AtLeaf& at_leaf) {
   // Distances to items are computed in double.
-  const FramePoint from(boxes, p);
   float limit = from.limit(best.squared_distance);
 
   WaitingChildren waiting;
@@ -120,6 +127,12 @@ ClosestPoint search_boxes(const BoxHierarchy& boxes, Vec3 p, ClosestPoint best, 
         waiting.push(bound[k], n.child[k], n.count[k]);
   }
   return best;
+}
+
+template <class Best, class Least, class AtLeaf>
+Best search_boxes(const BoxHierarchy& boxes, Vec3 p, const Best& best, double squared_enough,
+                  const Least& least, const AtLeaf& at_leaf) {
+  return search_boxes(boxes, FramePoint(boxes, p), best, squared_enough, least, at_leaf);
 }
 
 /// Calls at_leaf(first, count) for each leaf whose box may hold something within a reach of p; ends when that

@@ -4,6 +4,7 @@
 #include "tolerance/box_search.h"
 #include "tolerance/bvh_builder.h"
 #include "tolerance/index_building.h"
+#include "tolerance/triangle_point.h"
 
 #include <algorithm>
 
@@ -110,7 +111,7 @@ ClosestPoint ClosestPointIndex::search(Vec3 p, ClosestPoint best, double squared
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
           const double height = std::abs(dot(planes_[slot].normal, p) - planes_[slot].offset) - plane_slack;
           if (height > 0 && height * height > found.squared_distance) continue;
-          const Vec3 c = closest_point_on_triangle(p, triangles_[slot]);
+          const Vec3 c = closest_point_inlined(p, triangles_[slot]);
           const double d2 = squared_length(c - p);
           if (replaces(d2, slot, found)) found = {c, d2, TriangleId(boxes_.ids[slot])};
         }
@@ -154,7 +155,7 @@ void ClosestPointIndex::find_neighborhood(Vec3 center, double radius, TriangleNe
       boxes_, center, r2, [](std::uint32_t) { return Lanes{}; },
       [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          const Vec3 away = center - closest_point_on_triangle(center, triangles_[slot]);
+          const Vec3 away = center - closest_point_inlined(center, triangles_[slot]);
           if (squared_length(away) <= r2) near.entries.push_back({length(away), normalized(away), slot});
         }
         return few = near.entries.size() <= most_neighbors;
@@ -174,7 +175,7 @@ ClosestPoint ClosestPointIndex::closest_near(Vec3 p, TriangleId guess, const Tri
   for (const TriangleNeighborhood::Entry& e : near.entries) {
     if (e.distance - offset > best_distance) break;
     if (e.distance + dot(e.direction, step) > best_distance) continue;
-    const Vec3 c = closest_point_on_triangle(p, triangles_[e.slot]);
+    const Vec3 c = closest_point_inlined(p, triangles_[e.slot]);
     const double d2 = squared_length(c - p);
     if (!(d2 < best.squared_distance)) continue;
     best = {c, d2, TriangleId(boxes_.ids[e.slot])};
@@ -233,15 +234,16 @@ void ClosestPointIndex::visit(const MeetsBox& meets_box, const AtSlot& at_slot) 
 }
 
 bool ClosestPointIndex::inside_by_parity(Vec3 p) const {
-  unsigned votes = 0;
+  constexpr std::size_t majority = parity_rays.size() / 2 + 1;
+  std::array<std::size_t, 2> votes{};
   for (const Vec3 d : parity_rays) {
     const Vec3 inverse{1 / d.x, 1 / d.y, 1 / d.z};
     unsigned hits = 0;
     visit([&](const Box3& box) { return ray_meets(p, inverse, std::numeric_limits<double>::max(), box); },
           [&](std::uint32_t slot) { hits += crossing(p, d, triangles_[slot]) > 0 ? 1u : 0u; });
-    votes += hits & 1u;
+    if (++votes[hits & 1u] == majority) break;
   }
-  return 2 * votes > parity_rays.size();
+  return votes[1] >= majority;
 }
 
 int ClosestPointIndex::winding_number(Vec3 p, std::span<const std::int8_t> turns) const {
@@ -255,6 +257,9 @@ int ClosestPointIndex::winding_number(Vec3 p, std::span<const std::int8_t> turns
             const int turn = turns.empty() ? 1 : turns[boxes_.ids[slot]];
             sums[k] += dot(d, cross(t[1] - t[0], t[2] - t[0])) > 0 ? turn : -turn;
           });
+    // What most rays say is the median.
+    const auto same = std::count(sums.begin(), sums.begin() + k + 1, sums[k]);
+    if (2 * static_cast<std::size_t>(same) > sums.size()) return sums[k];
   }
   std::nth_element(sums.begin(), sums.begin() + sums.size() / 2, sums.end());
   return sums[sums.size() / 2];

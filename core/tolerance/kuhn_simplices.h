@@ -14,17 +14,20 @@ struct Simplex {
   std::array<unsigned, 4> corners;
   unsigned size;
   int sign;
+  unsigned mask; ///< a bit for each corner
 };
 
 inline std::vector<Simplex> simplices_at_corner() {
   std::vector<Simplex> list;
-  for (unsigned a = 1; a < 8; ++a) list.push_back({{0, a, 0, 0}, 2, 1});
+  for (unsigned a = 1; a < 8; ++a) list.push_back({{0, a, 0, 0}, 2, 1, 0});
   for (unsigned b = 1; b < 8; ++b)
     for (unsigned a = 1; a < b; ++a)
-      if ((a & b) == a) list.push_back({{0, a, b, 0}, 3, -1});
+      if ((a & b) == a) list.push_back({{0, a, b, 0}, 3, -1, 0});
   for (unsigned first = 1; first < 8; first <<= 1)
     for (unsigned second = 1; second < 8; second <<= 1)
-      if (first != second) list.push_back({{0, first, first | second, 7}, 4, 1});
+      if (first != second) list.push_back({{0, first, first | second, 7}, 4, 1, 0});
+  for (Simplex& s : list)
+    for (unsigned i = 0; i < s.size; ++i) s.mask |= 1u << s.corners[i];
   return list;
 }
 

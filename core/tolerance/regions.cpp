@@ -208,25 +208,27 @@ void Regions::unite_main(const RunControl& control) {
   for_each_link(size(), control, find, [this](const CellLink& link) { unite(link.a, link.b); });
 }
 
-/// The cell of the same or a coarser level across a face; none at the domain's border. Face 2a + s is the
-/// side s of axis a.
 Regions::CellIndex Regions::neighbor(const Cell& c, int face) const {
   auto p = position(c);
   auto& coordinate = p[static_cast<std::size_t>(face / 2)];
   const std::uint32_t last = (1u << c.level) - 1;
   if (coordinate == (face % 2 ? last : 0u)) return none;
   coordinate += face % 2 ? 1u : 0xffffffffu;
+  return cell_at(c.level, p);
+}
+
+Regions::CellIndex Regions::cell_at(unsigned level, const std::array<std::uint32_t, 3>& p) const {
   CellIndex j = 0;
-  unsigned level = 1;
-  if (c.level >= entry_level_) {
-    const unsigned above = c.level - entry_level_;
+  unsigned reached = 0;
+  if (level >= entry_level_) {
+    const unsigned above = level - entry_level_;
     j = entry(p[0] >> above, p[1] >> above, p[2] >> above);
-    level = at(j).level + 1u;
+    reached = at(j).level;
   }
-  for (; level <= c.level; ++level) {
+  while (reached < level) {
     const CellIndex below = child(j);
     if (below == none) break;
-    const unsigned shift = c.level - level;
+    const unsigned shift = level - ++reached;
     j = below + ((p[0] >> shift) & 1u) + 2 * ((p[1] >> shift) & 1u) + 4 * ((p[2] >> shift) & 1u);
   }
   return j;

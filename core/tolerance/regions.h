@@ -75,6 +75,11 @@ class Regions {
 
   /// The same among the first `count` cells, which include the main ones.
   CellIndex locate_among(Vec3 p, std::size_t count) const;
+  /// Of the existing cells that hold the cell at this place of a level the deepest, which may be that one.
+  CellIndex cell_at(unsigned level, const std::array<std::uint32_t, 3>& place) const;
+  /// The cell of the same or a coarser level across a face; none at the domain's border. Face 2a + s is the
+  /// side s of axis a.
+  CellIndex neighbor(const Cell& c, int face) const;
   /// Each two leaves with a common face. Fewer once the control is cancelled.
   std::vector<CellLink> leaf_links(const RunControl& control) const;
 
@@ -138,7 +143,6 @@ class Regions {
     return entries_[(std::size_t{z} << entry_level_ | y) << entry_level_ | x];
   }
   template <class EndsAt> CellIndex descend(Vec3 p, const EndsAt& ends_at) const;
-  CellIndex neighbor(const Cell& c, int face) const;
   bool touches(const Cell& a, const Cell& b, int face) const;
   CellIndex compress(CellIndex i);
   bool is_goal(CellIndex root) const { return root < main_size_ || numbers_.contains(root); }

@@ -3,6 +3,7 @@
 
 #include "tolerance/flat_parts.h"
 #include "tolerance/rounding.h"
+#include "tolerance/triangle_point.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +50,7 @@ struct ConvexSites {
     PieceCorner::Other& made = corner.others[corner.asked++ % PieceCorner::most_others];
     made.site = site;
     if (site < surface->size())
-      made.away = corner.point - closest_point_on_triangle(corner.point, surface->triangle(TriangleId(site)));
+      made.away = corner.point - closest_point_inlined(corner.point, surface->triangle(TriangleId(site)));
     else
       made.away = parts->away_from(static_cast<std::uint32_t>(site - surface->size()), corner.point)
                       .value_or(Vec3{1e100, 1e100, 1e100});
@@ -75,18 +76,26 @@ constexpr std::size_t usual_corners = 64, usual_pieces = 16;
 /// all vectors change linearly: each site gives a convex bound.
 double bound_of_piece(const ConvexSites& sites, const std::array<PieceCorner*, 3>& c,
                       const std::array<std::uint32_t, 3>& site, double limit) {
-  std::array<std::array<Vec3, 3>, 3> away; // from the site of one corner to another corner
+  // Vectors from the site of one corner to another corner, as they are needed.
+  std::array<std::array<Vec3, 3>, 3> away;
   std::array<std::array<double, 3>, 3> squared;
-  double own = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    double largest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
+  squared.fill({-1, -1, -1});
+  const auto look = [&](std::size_t i, std::size_t k) {
+    if (squared[i][k] < 0) {
       away[i][k] = sites.away(site[i], *c[k]);
       squared[i][k] = squared_length(away[i][k]);
-      largest = std::max(largest, squared[i][k]);
     }
-    own = std::max(own, squared[i][i]);
-    if (largest <= limit || own > limit) return largest;
+    return squared[i][k];
+  };
+  double own = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    own = std::max(own, look(i, i));
+    if (own > limit) return own;
+    // What failed at a corner before fails again.
+    if (i > 0 && (site[i] == site[0] || site[i] == site[i - 1])) continue;
+    if (look(i, j) <= limit && look(i, k) <= limit)
+      return std::max({squared[i][i], squared[i][j], squared[i][k]});
   }
   // The piece is cut into one part for each corner, in which that corner's triangle is near: parts end on
   // edges, where both triangles are about as far, and meet inside.
@@ -97,7 +106,7 @@ double bound_of_piece(const ConvexSites& sites, const std::array<PieceCorner*, 3
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     if (site[i] == site[j]) continue;
-    const double at_start = squared[j][i] - squared[i][i], at_end = squared[i][j] - squared[j][j];
+    const double at_start = look(j, i) - squared[i][i], at_end = look(i, j) - squared[j][j];
     const double sum = at_start + at_end;
     const double t = sum > 0 ? std::clamp(at_start / sum, 0., 1.) : 0.5;
     for (const std::size_t from : {i, j})

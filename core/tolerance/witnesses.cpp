@@ -39,13 +39,11 @@ class DeepCells {
     const auto find_links = [this](CellIndex i, std::vector<CellLink>& links) {
       if (!deep(i)) return;
       const Regions::Cell c = octree_.cell(i);
-      const Vec3 center = octree_.center(c);
-      const double reach = 0.5 * octree_.side(c.level) * (1 + 1e-6);
       for (int face = 0; face < 6; ++face) {
-        Vec3 p = center;
-        p[face / 2] += face % 2 == 0 ? reach : -reach;
-        const CellIndex n = octree_.locate(p);
-        if (n != Regions::none && deep(n)) links.push_back({i, n});
+        // Of two one tells: the smaller, or of the same size the one before.
+        const CellIndex n = octree_.neighbor(c, face);
+        if (n == Regions::none || (face % 2 == 0 && octree_.cell(n).level == c.level) || !deep(n)) continue;
+        links.push_back({i, n});
       }
     };
     for_each_link(octree.size(), control, find_links, [this](const CellLink& l) { unite(l.a, l.b); });

@@ -64,6 +64,23 @@ TEST_CASE("a bounded search finds what lies within the radius only") {
   CHECK(index.nearest({2, 0, 0}, 1.5) == SampleId(1));
   CHECK(index.nearest({2, 0, 0}, 1.0) == SampleId(1));
   CHECK_FALSE(index.nearest({2, 0, 0}, 0.5).valid());
+  CHECK(index.has_near({2, 0, 0}, -1, 1.0));
+  CHECK_FALSE(index.has_near({2, 0, 0}, -1, 0.5));
+  CHECK(index.has_near({2, 0, 0}, +1, 2.0));
+  CHECK_FALSE(index.has_near({2, 0, 0}, +1, 1.5));
+}
+
+TEST_CASE("samples far from the origin are told apart though floats could not") {
+  const Vec3 off{1e6, -2e6, 3e6};
+  std::vector<Vec3> positions = lattice(600);
+  for (Vec3& p : positions) p = off + (1. / 1024) * p;
+  const std::vector<std::int8_t> labels(positions.size(), 1);
+  const NearestSample index(positions, labels);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 p = off + (1. / 1024) * Vec3{std::fmod(k * 1.37, 18), std::fmod(k * 0.5, 17), k * 0.06};
+    CHECK(index.nearest(p).value == brute_force(positions, labels, p, 0));
+    CHECK(index.has_near(p, +1, 1) == (length(positions[index.nearest(p).index()] - p) <= 1));
+  }
 }
 
 TEST_CASE("a side without samples has no nearest one") {
@@ -73,5 +90,6 @@ TEST_CASE("a side without samples has no nearest one") {
   CHECK(index.has(+1));
   CHECK_FALSE(index.has(-1));
   CHECK_FALSE(index.nearest_of({}, -1).valid());
+  CHECK_FALSE(index.has_near({}, -1, 1));
   CHECK_FALSE(NearestSample({}, {}).nearest({}).valid());
 }

@@ -25,7 +25,8 @@ struct Bare : CompleteRun {
     REQUIRE(prepare());
   }
   CoverWitnesses found(double limit) const {
-    return find_cover_witnesses(*scene->volume, *scene->samples, limit, RunControl());
+    return find_cover_witnesses(*scene->volume, *SearchedSamples(scene->samples).nearest, limit,
+                                RunControl());
   }
   /// The distance from p to the nearest sample or held point of a side.
   double bareness(Vec3 p, int label, const CoverWitnesses& cover) const {
