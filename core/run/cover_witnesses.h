@@ -11,7 +11,8 @@ namespace isoscope {
 
 /// A point of the input that has a sample, or a point that is held, of each side within a distance is that
 /// near to Z, as Z passes between them. These are the points to be held where samples are farther away: of
-/// walls thinner than 2δ' nothing but Ω is left, and Z could end where their inside does.
+/// walls thinner than 2δ' nothing but Ω is left, and Z could end where their inside does. Where samples are
+/// near, but nothing anchors them (AnchoredSamples), some of them are held.
 struct CoverWitnesses {
   std::vector<Witness> held; ///< Z keeps them on their side from the end of the refinement on
   std::vector<Witness> path; ///< from what has a region to those: they are on their side at that end
