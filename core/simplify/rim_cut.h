@@ -83,6 +83,9 @@ class RimCut {
   std::vector<Vec3> places_on_edge(const Edge& edge, Vec3 at) const;
   /// False where a tetrahedron would turn over at any place that was tried.
   bool split(const RimSplit& split, Vec3 at, Place place);
+  bool split_at(const RimSplit& split, Vec3 at, Place place);
+  bool unfold(const RimSplit& split);
+  void tell(const RimSplit& split, Vec3 at, Delta delta);
   void cut_edges(const std::vector<Edge>& edges);
   std::optional<Vec3> strip_between(Vec3 a, Vec3 b) const;
   bool find_strips();

@@ -70,7 +70,8 @@ TEST_CASE("Of a hollow plate of which little is left inside the lattice tells no
 }
 
 TEST_CASE("Right after the cut the border is at the tips of large teeth that Z passes over the rim") {
-  for (const auto& [teeth, taper, percent] : {std::tuple{20u, 0.0, 0.5}, {20u, 0.0, 1.0}, {8u, 0.5, 0.5}}) {
+  for (const auto& [teeth, taper, percent] :
+       {std::tuple{20u, 0.0, 0.5}, {20u, 0.0, 1.0}, {8u, 0.5, 0.5}, {12u, 0.5, 0.5}}) {
     CAPTURE(teeth);
     CAPTURE(percent);
     check_certified(*at_least_effort(crown(teeth, 0.6, taper), percent, Stage::rim), 0, 2);
