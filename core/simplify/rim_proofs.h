@@ -62,7 +62,8 @@ class RimProofs {
   void want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits);
   void want_rim_reached(const RimSurface& z, std::vector<RimSplit>& splits,
                         const std::function<bool(VertexId)>& is_kept);
-  RimEdge longest_beside(const RimSurface& z, RimEdge edge) const;
+  class FacetsAt;
+  RimEdge longest_beside(const RimSurface& z, const FacetsAt& facets, RimEdge edge) const;
   /// False where the edge is too short.
   bool want(std::vector<RimSplit>& splits, const RimSurface& z, RimEdge edge, Reason reason, Vec3 witness,
             double value) const;
