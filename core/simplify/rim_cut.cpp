@@ -27,6 +27,8 @@ constexpr int most_strip_rounds = 8;
 /// Facets at an edge that are turned so that it can be split, and how flat they are, relative to it.
 constexpr int most_unfoldings = 4;
 constexpr double flat = 1e-9;
+/// Shorter edges, in units of δ, are not worth that: what is as fine there only becomes finer.
+constexpr double least_unfolded = 0.1;
 
 } // namespace
 
@@ -168,18 +170,15 @@ void RimCut::tell(const RimSplit& s, Vec3 at, Delta delta) {
 /// no place on the edge splits them. Its longest edge then falls in two at the third corner, which lies on
 /// it: it is turned within its two facets, which leaves Z where it is. False where that is not possible.
 bool RimCut::unfold(const RimSplit& s) {
+  if (!unfolds_ || length(s.edge) < least_unfolded * volume_.thresholds().delta) return false;
   const Complex& complex = live_.complex();
-  const auto height = [&](const Facet& f) {
-    const Vec3 p = complex.position(f[0]), q = complex.position(f[1]), r = complex.position(f[2]);
-    const double longest = std::max({distance(p, q), distance(q, r), distance(r, p)});
-    return isoscope::length(cross(q - p, r - p)) / longest;
-  };
+  const double least = flat * length(s.edge);
   for (const TetId t : live_.incidence().tets_of(s.edge[0])) {
-    const Tet& tet = complex.tet(t);
     for (std::size_t k = 0; k < 4; ++k) {
-      const Facet f = sorted(tet.facet(k));
-      if (tet.side < 0 || !complex.on_zero_set(t, k) || std::find(f.begin(), f.end(), s.edge[0]) == f.end() ||
-          std::find(f.begin(), f.end(), s.edge[1]) == f.end() || height(f) > flat * length(s.edge))
+      const Facet f = sorted(complex.tet(t).facet(k));
+      const auto has = [&](VertexId v) { return std::find(f.begin(), f.end(), v) != f.end(); };
+      if (complex.tet(t).side < 0 || !complex.on_zero_set(t, k) || !has(s.edge[0]) || !has(s.edge[1]) ||
+          height(f) > least)
         continue;
       const auto edges = rim_edges(f);
       const Edge longest = *std::max_element(
@@ -189,15 +188,22 @@ bool RimCut::unfold(const RimSplit& s) {
       std::optional<Delta> delta = live_.flip(longest[0], longest[1]);
       if (!delta) continue;
       live_.apply(*delta);
-      std::erase_if(whole_, [&](const Edge& e) {
-        return std::any_of(e.begin(), e.end(),
-                           [&](VertexId v) { return std::find(f.begin(), f.end(), v) != f.end(); });
-      });
-      tell({longest, s.reason, s.witness, s.value}, live_.complex().position(middle), std::move(*delta));
+      std::erase_if(whole_, [&](const Edge& e) { return has(e[0]) || has(e[1]); });
+      tell({longest, s.reason, s.witness, s.value}, complex.position(middle), std::move(*delta));
       return true;
     }
   }
   return false;
+}
+
+/// Of a facet over its longest edge.
+double RimCut::height(const Facet& f) const {
+  const auto edges = rim_edges(f);
+  double longest = 0;
+  for (const Edge& e : edges) longest = std::max(longest, length(e));
+  const Vec3 p = live_.complex().position(f[0]);
+  const Vec3 area = cross(live_.complex().position(f[1]) - p, live_.complex().position(f[2]) - p);
+  return isoscope::length(area) / longest;
 }
 
 void RimCut::cut_edges(const std::vector<Edge>& edges) {
@@ -328,8 +334,12 @@ Status RimCut::run() {
       const std::vector<VertexId> stuck = proofs_.stuck();
       if (!stuck.empty())
         set_apart(stuck, Place::beyond, Reason::leaves_volume);
-      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !changed)
-        break;
+      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !changed) {
+        // Only now, as what is unfolded is split on and on where the border lies well in the end.
+        if (unfolds_ || !proofs_.is_border_stuck()) break;
+        unfolds_ = true;
+        whole_.clear();
+      }
     }
     for (const RimSplit& s : splits) {
       if (log_.stopped()) return {};
