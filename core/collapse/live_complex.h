@@ -39,6 +39,8 @@ class LiveComplex {
   Delta collapse(VertexId a, VertexId b, Vec3 target) const;
   /// The delta of splitting the edge ab at a point of it; nothing where a tetrahedron would turn over.
   std::optional<Delta> split(VertexId a, VertexId b, Vec3 point) const;
+  /// The delta of turning the edge ab of Z within its two facets; nothing where that is not possible.
+  std::optional<Delta> flip(VertexId a, VertexId b) const { return flip_delta(complex_, incidence_, a, b); }
   void apply(const Delta& delta);
 
   std::size_t alive_tets() const { return alive_tets_; }

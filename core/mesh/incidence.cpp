@@ -341,4 +341,46 @@ std::optional<Delta> split_delta(const Complex& complex, const Incidence& incide
   return delta;
 }
 
+std::optional<Delta> flip_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b) {
+  Delta delta;
+  delta.slots_before = static_cast<std::uint32_t>(complex.tets.size());
+  std::vector<TetId> around;
+  for (const TetId t : incidence.tets_of(a))
+    if (has(complex.tet(t), b)) around.push_back(t);
+  if (around.size() != 4) return std::nullopt;
+  std::sort(around.begin(), around.end());
+  // What is opposite in Z, with sides that differ to its both sides, and the apex of each side.
+  std::vector<VertexId> opposite;
+  std::array<VertexId, 2> apex; // of the negative side, of the positive one
+  for (const TetId t : around) {
+    const Tet& tet = complex.tet(t);
+    if (tet.dropped != 0) return std::nullopt;
+    delta.removed.push_back({t, tet.v, tet.side, tet.dropped});
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (tet.v[k] == a || tet.v[k] == b) continue;
+      const auto other = std::find_if(tet.v.begin(), tet.v.end(),
+                                      [&](VertexId v) { return v != a && v != b && v != tet.v[k]; });
+      if (!complex.on_zero_set(t, k)) continue;
+      opposite.push_back(*other);
+      apex[tet.side > 0 ? 1 : 0] = tet.v[k];
+    }
+  }
+  sort_unique(opposite);
+  if (opposite.size() != 2 || !apex[0].valid() || !apex[1].valid() || apex[0] == apex[1]) return std::nullopt;
+  auto [c, d] = std::array{opposite[0], opposite[1]};
+  if (incidence.adjacent(complex, c, d)) return std::nullopt;
+  const auto turns = [&](VertexId p, VertexId q, VertexId r, VertexId s) {
+    return orientation(complex.position(p), complex.position(q), complex.position(r), complex.position(s));
+  };
+  if (turns(a, b, c, apex[1]) < 0) std::swap(c, d);
+  const std::array<std::array<VertexId, 4>, 4> made{
+      {{d, c, a, apex[1]}, {c, d, b, apex[1]}, {c, d, a, apex[0]}, {d, c, b, apex[0]}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& v = made[i];
+    if (turns(v[0], v[1], v[2], v[3]) <= 0) return std::nullopt;
+    delta.added.push_back({around[i], canonical_order(v), static_cast<std::int8_t>(i < 2 ? 1 : -1), 0});
+  }
+  return delta;
+}
+
 } // namespace isoscope

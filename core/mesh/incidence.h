@@ -42,4 +42,10 @@ Delta collapse_delta(const Complex& complex, const Incidence& incidence, VertexI
 std::optional<Delta> split_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b,
                                  Vec3 point);
 
+/// What turning the edge ab of an embedded Z within its two facets changes, where four tetrahedra are around
+/// it, none of whose facets is dropped: others around the edge between what is opposite to it in Z take their
+/// place. Nothing where there are more, where that edge is one of T already, or where one would turn over, by
+/// exact orientations.
+std::optional<Delta> flip_delta(const Complex& complex, const Incidence& incidence, VertexId a, VertexId b);
+
 } // namespace isoscope

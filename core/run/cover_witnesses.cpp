@@ -4,6 +4,8 @@
 #include "base/halves.h"
 #include "base/parallel.h"
 #include "criteria/nearest_sample.h"
+#include "run/anchored_samples.h"
+#include "run/held_samples.h"
 #include "run/kept_points.h"
 #include "run/overlap_witnesses.h"
 #include "run/thin_skeleton.h"
@@ -29,43 +31,91 @@ constexpr double finest_bare_piece = 0.15;
 /// δ', where the input lies between them.
 constexpr double finest_step = 1.0 / 16, longest_step = 0.95;
 
-/// A piece of the input far from all samples of a side.
+/// A piece of the input that no samples of a side keep Z near to.
 struct BarePiece {
   Vec3 middle;
   TriangleId triangle;
 };
 
+std::vector<Vec3> middles_of(std::span<const BarePiece> pieces) {
+  std::vector<Vec3> middles;
+  for (const BarePiece& piece : pieces) middles.push_back(piece.middle);
+  return middles;
+}
+
+/// Those far from all samples of the side, and those whose nearest one nothing holds there.
+struct BarePieces {
+  std::vector<BarePiece> far, loose;
+};
+
+/// The samples of one side and what holds them.
+struct SideSamples {
+  const NearestSample& nearest;
+  const AnchoredSamples& anchored;
+  int label;
+};
+
 /// The bare pieces of one triangle.
-void find_bare(const NearestSample& samples, int label, TriangleId id, const Triangle3& whole, double limit,
-               double finest, std::vector<BarePiece>& bare) {
+void find_bare(const SideSamples& samples, TriangleId id, const Triangle3& whole, double limit, double finest,
+               BarePieces& bare) {
   std::vector<Triangle3> open{whole};
   while (!open.empty()) {
     const Triangle3 t = open.back();
     open.pop_back();
     const Vec3 c = centroid(t);
     const double radius = std::max({distance(c, t[0]), distance(c, t[1]), distance(c, t[2])});
-    if (limit > radius && samples.has_near(c, label, limit - radius)) continue;
+    const SampleId near =
+        limit > radius ? samples.nearest.nearest_of(c, samples.label, limit - radius) : SampleId();
+    if (near.valid() && samples.anchored.is_anchored(near)) continue;
     if (radius <= finest) {
-      bare.push_back({c, id});
+      (near.valid() ? bare.loose : bare.far).push_back({c, id});
       continue;
     }
     for (const Triangle3& half : halves(t)) open.push_back(half);
   }
 }
 
-std::vector<BarePiece> bare_pieces(const ToleranceVolume& volume, const NearestSample& samples, int label,
-                                   double limit, const RunControl& control) {
+BarePieces bare_pieces(const ToleranceVolume& volume, const SideSamples& samples, double limit,
+                       const RunControl& control) {
   const ClosestPointIndex& index = volume.index();
-  std::vector<std::vector<BarePiece>> found(index.size());
+  std::vector<BarePieces> found(index.size());
   parallel_until(index.size(), triangle_grain, control, [&](std::size_t i) {
     const Triangle3& t = index.triangle(TriangleId(i));
     if (area_vector(t) == Vec3{}) return;
-    find_bare(samples, label, TriangleId(i), t, limit, finest_bare_piece * volume.thresholds().delta,
-              found[i]);
+    find_bare(samples, TriangleId(i), t, limit, finest_bare_piece * volume.thresholds().delta, found[i]);
   });
-  std::vector<BarePiece> all;
-  for (const auto& pieces : found) all.insert(all.end(), pieces.begin(), pieces.end());
+  BarePieces all;
+  for (const BarePieces& pieces : found) {
+    all.far.insert(all.far.end(), pieces.far.begin(), pieces.far.end());
+    all.loose.insert(all.loose.end(), pieces.loose.begin(), pieces.loose.end());
+  }
   return all;
+}
+
+void leave_marked(std::vector<BarePiece>& pieces, std::span<const std::uint8_t> marks) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (marks[i] != 0) pieces[n++] = pieces[i];
+  pieces.resize(n);
+}
+
+/// Leaves the pieces that have no sample of the side within the limit that anything holds.
+void drop_anchored(std::vector<BarePiece>& loose, const BoundarySamples& samples,
+                   const AnchoredSamples& anchored, int label, double limit, const RunControl& control) {
+  if (loose.empty()) return;
+  SampleGrid grid(samples.positions.front(), limit);
+  for (const Vec3 p : samples.positions) grid.add(p);
+  std::vector<std::uint8_t> kept(loose.size());
+  parallel_until(loose.size(), wall_grain, control, [&](std::size_t i) {
+    const Vec3 c = loose[i].middle;
+    std::vector<std::uint32_t> near;
+    grid.gather(Box3{c, c}.grown(limit), near);
+    kept[i] = std::none_of(near.begin(), near.end(), [&](std::uint32_t s) {
+      return samples.labels[s] == label && distance(samples.positions[s], c) <= limit &&
+             anchored.is_anchored(SampleId(s));
+    });
+  });
+  leave_marked(loose, kept);
 }
 
 /// Leaves those that bound the side and need not be closed by Ω.
@@ -76,10 +126,7 @@ void keep_outer(std::vector<BarePiece>& bare, const ToleranceVolume& volume, con
     const Vec3 normal = normalized(area_vector(volume.index().triangle(bare[i].triangle)));
     kept[i] = walls.judge(bare[i].triangle, bare[i].middle, normal).bounds(label) ? 1 : 0;
   });
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < bare.size(); ++i)
-    if (kept[i] != 0) bare[n++] = bare[i];
-  bare.resize(n);
+  leave_marked(bare, kept);
 }
 
 /// Chooses what is held for the pieces, those farthest from a region first: of each that is still bare the
@@ -164,9 +211,7 @@ std::vector<Vec3> thin_ends(const ToleranceVolume& volume, int label) {
 void hold_side(const ToleranceVolume& volume, const InputWalls& walls, int label,
                std::span<const BarePiece> bare, std::span<const Vec3> ends, double limit, CoverWitnesses& out,
                const RunControl& control) {
-  std::vector<Vec3> from;
-  for (const BarePiece& piece : bare) from.push_back(piece.middle);
-  const ThinSkeleton skeleton(volume, walls, label, from, ends, control);
+  const ThinSkeleton skeleton(volume, walls, label, middles_of(bare), ends, control);
   if (control.cancelled()) return;
   std::vector<std::pair<double, std::size_t>> order; // minus the way, so that far ones come first
   std::vector<std::uint32_t> node(bare.size());
@@ -187,28 +232,33 @@ void hold_side(const ToleranceVolume& volume, const InputWalls& walls, int label
 
 } // namespace
 
-CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const NearestSample& nearest, double limit,
-                                    const RunControl& control) {
+CoverWitnesses find_cover_witnesses(const ToleranceVolume& volume, const SearchedSamples& searched,
+                                    double limit, const RunControl& control) {
   CoverWitnesses out;
   const double delta = volume.thresholds().delta;
   if (!volume.has_surface() || volume.has_rooms()) return out;
   if (!(limit >= least_limit * delta)) return out;
   const double reach = limit - slack * delta;
+  const BoundarySamples& samples = *searched.samples;
+  const NearestSample& nearest = *searched.nearest;
+  const AnchoredSamples anchored(volume, samples, control);
   std::optional<InputWalls> walls;
   for (const int label : {-1, +1}) {
     if (!nearest.has(label)) continue;
-    std::vector<BarePiece> bare = bare_pieces(volume, nearest, label, reach, control);
+    auto [bare, loose] = bare_pieces(volume, {nearest, anchored, label}, reach, control);
+    drop_anchored(loose, samples, anchored, label, reach, control);
     const std::vector<Vec3> ends = thin_ends(volume, label);
-    if ((bare.empty() && ends.empty()) || control.cancelled()) continue;
+    if ((bare.empty() && loose.empty() && ends.empty()) || control.cancelled()) continue;
     if (!walls) walls.emplace(volume);
     keep_outer(bare, volume, *walls, label, control);
+    keep_outer(loose, volume, *walls, label, control);
     if ((!bare.empty() || !ends.empty()) && !control.cancelled())
       hold_side(volume, *walls, label, bare, ends, reach, out, control);
+    hold_samples(volume, nearest, label, middles_of(loose), reach, out.held, control);
   }
   if (volume.has_inner_walls() && !control.cancelled()) {
     if (!walls) walls.emplace(volume);
-    const std::vector<Witness> kept = overlap_witnesses(volume, nearest, *walls, reach, out.held, control);
-    out.held.insert(out.held.end(), kept.begin(), kept.end());
+    hold_overlaps(volume, nearest, *walls, reach, out.held, control);
   }
   return out;
 }

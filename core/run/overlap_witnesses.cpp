@@ -3,7 +3,7 @@
 
 #include "base/halves.h"
 #include "base/parallel.h"
-#include "run/kept_points.h"
+#include "run/held_samples.h"
 
 #include <algorithm>
 
@@ -38,30 +38,16 @@ std::vector<Vec3> outer_places(const ToleranceVolume& volume, const InputWalls& 
 
 } // namespace
 
-std::vector<Witness> overlap_witnesses(const ToleranceVolume& volume, const NearestSample& samples,
-                                       const InputWalls& walls, double reach, std::span<const Witness> held,
-                                       const RunControl& control) {
-  std::vector<Witness> out;
-  if (!volume.has_inner_walls()) return out;
-  std::vector<std::vector<Vec3>> places(volume.index().size());
-  parallel_until(places.size(), 16, control,
-                 [&](std::size_t t) { places[t] = outer_places(volume, walls, TriangleId(t), reach); });
-  for (const int label : {-1, +1}) {
-    KeptPoints chosen(volume.index().bounds().lo, reach);
-    for (const Witness& w : held)
-      if (w.label == label) chosen.add(w.point);
-    for (const std::vector<Vec3>& of_one : places)
-      for (const Vec3 p : of_one) {
-        if (control.cancelled()) return out;
-        if (chosen.has_near(p)) continue;
-        const SampleId nearest = samples.nearest_of(p, label, reach);
-        if (!nearest.valid()) continue;
-        const Vec3 sample = samples.positions()[nearest.index()];
-        chosen.add(sample);
-        out.push_back({sample, label, volume.field().distance(sample), true});
-      }
-  }
-  return out;
+void hold_overlaps(const ToleranceVolume& volume, const NearestSample& samples, const InputWalls& walls,
+                   double reach, std::vector<Witness>& held, const RunControl& control) {
+  if (!volume.has_inner_walls()) return;
+  std::vector<std::vector<Vec3>> of_triangle(volume.index().size());
+  parallel_until(of_triangle.size(), 16, control,
+                 [&](std::size_t t) { of_triangle[t] = outer_places(volume, walls, TriangleId(t), reach); });
+  std::vector<Vec3> places;
+  for (const std::vector<Vec3>& of_one : of_triangle)
+    places.insert(places.end(), of_one.begin(), of_one.end());
+  for (const int label : {-1, +1}) hold_samples(volume, samples, label, places, reach, held, control);
 }
 
 } // namespace isoscope

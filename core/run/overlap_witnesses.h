@@ -6,17 +6,16 @@
 #include "run/input_walls.h"
 #include "tolerance/tolerance_volume.h"
 
-#include <span>
 #include <vector>
 
 namespace isoscope {
 
 /// Where parts overlap, Z could leave their outside for the walls within their union, which lie in Ω as well:
-/// on Z alone nothing but witnesses keeps it from that. These are samples of both sides, one of each within
-/// `reach` of every place of the outside that is no farther than that from another part, where there is one
-/// and none of `held` is as near. None where no parts overlap. Fewer once the control is cancelled.
-std::vector<Witness> overlap_witnesses(const ToleranceVolume& volume, const NearestSample& samples,
-                                       const InputWalls& walls, double reach, std::span<const Witness> held,
-                                       const RunControl& control);
+/// on Z alone nothing but witnesses keeps it from that. Adds samples of both sides to what is held, one of
+/// each within `reach` of every place of the outside that is no farther than that from another part, where
+/// there is one and nothing held is as near. None where no parts overlap. Fewer once the control is
+/// cancelled.
+void hold_overlaps(const ToleranceVolume& volume, const NearestSample& samples, const InputWalls& walls,
+                   double reach, std::vector<Witness>& held, const RunControl& control);
 
 } // namespace isoscope

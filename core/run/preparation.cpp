@@ -353,8 +353,8 @@ void Preparation::count_joined(Scene& made, const CriteriaParameters& criteria) 
 /// Z need not go into what is thinner than 2δ, but for the cover that is asked for.
 void Preparation::hold_thin_parts(const CriteriaParameters& criteria) {
   if (!criteria.certified || !parameters_.cover || parameters_.topology == TopologyMode::separate) return;
-  CoverWitnesses found = find_cover_witnesses(*volume_, *samples_->nearest,
-                                              *parameters_.cover * volume_->thresholds().delta, control_);
+  CoverWitnesses found =
+      find_cover_witnesses(*volume_, *samples_, *parameters_.cover * volume_->thresholds().delta, control_);
   volume_->hold(found.held, std::move(found.path));
 }
 

@@ -24,6 +24,11 @@ constexpr double least_hopeless = 200, hopeless_share = 0.04;
 constexpr int least_look_steps = 4;
 constexpr int most_look_steps = 100;
 constexpr int most_strip_rounds = 8;
+/// Facets at an edge that are turned so that it can be split, and how flat they are, relative to it.
+constexpr int most_unfoldings = 4;
+constexpr double flat = 1e-9;
+/// Shorter edges, in units of δ, are not worth that: what is as fine there only becomes finer.
+constexpr double least_unfolded = 0.1;
 
 } // namespace
 
@@ -125,26 +130,80 @@ std::vector<Vec3> RimCut::places_on_edge(const Edge& edge, Vec3 at) const {
 
 bool RimCut::split(const RimSplit& s, Vec3 at, Place place) {
   const auto [a, b] = s.edge;
+  for (int i = 0; i <= most_unfoldings; ++i) {
+    if (!live_.adjacent(a, b)) return i > 0; // turned in one of these
+    if (split_at(s, at, place)) return true;
+    if (!unfold(s)) break;
+  }
+  whole_.insert(s.edge);
+  return false;
+}
+
+bool RimCut::split_at(const RimSplit& s, Vec3 at, Place place) {
+  const auto [a, b] = s.edge;
   for (const Vec3 p : places_on_edge(s.edge, at)) {
     std::optional<Delta> delta = live_.split(a, b, p);
     if (!delta) continue;
     live_.apply(*delta);
     places_.resize(live_.complex().vertices.size(), Place::unknown);
     places_.back() = place;
-    Event e;
-    e.kind = EventKind::split;
-    e.reason = s.reason;
-    e.vertex = a;
-    e.other = b;
-    e.point = p;
-    e.witness = s.witness;
-    e.value = s.value;
-    e.limit = volume_.thresholds().delta;
-    log_.operation(e, std::move(*delta), live_.step_figures());
+    tell(s, p, std::move(*delta));
     return true;
   }
-  whole_.insert(s.edge);
   return false;
+}
+
+void RimCut::tell(const RimSplit& s, Vec3 at, Delta delta) {
+  Event e;
+  e.kind = EventKind::split;
+  e.reason = s.reason;
+  e.vertex = s.edge[0];
+  e.other = s.edge[1];
+  e.point = at;
+  e.witness = s.witness;
+  e.value = s.value;
+  e.limit = volume_.thresholds().delta;
+  log_.operation(e, std::move(delta), live_.step_figures());
+}
+
+/// Where the corners of a facet at an edge lie on a line, up to rounding, all tetrahedra around are flat, and
+/// no place on the edge splits them. Its longest edge then falls in two at the third corner, which lies on
+/// it: it is turned within its two facets, which leaves Z where it is. False where that is not possible.
+bool RimCut::unfold(const RimSplit& s) {
+  if (!unfolds_ || length(s.edge) < least_unfolded * volume_.thresholds().delta) return false;
+  const Complex& complex = live_.complex();
+  const double least = flat * length(s.edge);
+  for (const TetId t : live_.incidence().tets_of(s.edge[0])) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Facet f = sorted(complex.tet(t).facet(k));
+      const auto has = [&](VertexId v) { return std::find(f.begin(), f.end(), v) != f.end(); };
+      if (complex.tet(t).side < 0 || !complex.on_zero_set(t, k) || !has(s.edge[0]) || !has(s.edge[1]) ||
+          height(f) > least)
+        continue;
+      const auto edges = rim_edges(f);
+      const Edge longest = *std::max_element(
+          edges.begin(), edges.end(), [&](const Edge& x, const Edge& y) { return length(x) < length(y); });
+      const VertexId middle =
+          *std::find_if(f.begin(), f.end(), [&](VertexId v) { return v != longest[0] && v != longest[1]; });
+      std::optional<Delta> delta = live_.flip(longest[0], longest[1]);
+      if (!delta) continue;
+      live_.apply(*delta);
+      std::erase_if(whole_, [&](const Edge& e) { return has(e[0]) || has(e[1]); });
+      tell({longest, s.reason, s.witness, s.value}, complex.position(middle), std::move(*delta));
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Of a facet over its longest edge.
+double RimCut::height(const Facet& f) const {
+  const auto edges = rim_edges(f);
+  double longest = 0;
+  for (const Edge& e : edges) longest = std::max(longest, length(e));
+  const Vec3 p = live_.complex().position(f[0]);
+  const Vec3 area = cross(live_.complex().position(f[1]) - p, live_.complex().position(f[2]) - p);
+  return isoscope::length(area) / longest;
 }
 
 void RimCut::cut_edges(const std::vector<Edge>& edges) {
@@ -275,8 +334,12 @@ Status RimCut::run() {
       const std::vector<VertexId> stuck = proofs_.stuck();
       if (!stuck.empty())
         set_apart(stuck, Place::beyond, Reason::leaves_volume);
-      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !changed)
-        break;
+      else if (!close_gaps() && !wear_away(proofs_.stuck_border()) && !changed) {
+        // Only now, as what is unfolded is split on and on where the border lies well in the end.
+        if (unfolds_ || !proofs_.is_border_stuck()) break;
+        unfolds_ = true;
+        whole_.clear();
+      }
     }
     for (const RimSplit& s : splits) {
       if (log_.stopped()) return {};

@@ -60,6 +60,7 @@ class RimCut {
   std::vector<Place> places_;    ///< by vertex; of those of Z
   std::vector<Facet> facets_;    ///< of the whole Z, sorted corners, ascending
   std::set<Edge> whole_;         ///< edges that cannot be split
+  bool unfolds_ = false;         ///< what is flat beside them is turned
   std::set<Edge> at_end_;        ///< edges that cross the wall at their kept end
   std::set<Edge> looked_at_;     ///< edges that were looked at for strips
   std::set<VertexId> widened_;   ///< vertices in which parts met that were joined there
@@ -83,6 +84,10 @@ class RimCut {
   std::vector<Vec3> places_on_edge(const Edge& edge, Vec3 at) const;
   /// False where a tetrahedron would turn over at any place that was tried.
   bool split(const RimSplit& split, Vec3 at, Place place);
+  bool split_at(const RimSplit& split, Vec3 at, Place place);
+  bool unfold(const RimSplit& split);
+  double height(const Facet& f) const;
+  void tell(const RimSplit& split, Vec3 at, Delta delta);
   void cut_edges(const std::vector<Edge>& edges);
   std::optional<Vec3> strip_between(Vec3 a, Vec3 b) const;
   bool find_strips();

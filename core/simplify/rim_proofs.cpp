@@ -73,18 +73,35 @@ void RimProofs::want_inside(const RimSurface& z, std::vector<RimSplit>& splits) 
   }
 }
 
+/// The facets at each edge.
+class RimProofs::FacetsAt {
+ public:
+  explicit FacetsAt(std::span<const RimFacet> facets) {
+    uses_.reserve(3 * facets.size());
+    for (std::uint32_t i = 0; i < facets.size(); ++i)
+      for (const RimEdge& e : rim_edges(facets[i])) uses_.emplace_back(e, i);
+    std::sort(uses_.begin(), uses_.end());
+  }
+  /// Calls visit(facet) in ascending order.
+  template <class Visit> void visit(const RimEdge& edge, const Visit& visit) const {
+    for (auto use = std::lower_bound(uses_.begin(), uses_.end(), std::pair(edge, std::uint32_t{0}));
+         use != uses_.end() && use->first == edge; ++use)
+      visit(use->second);
+  }
+
+ private:
+  std::vector<std::pair<RimEdge, std::uint32_t>> uses_;
+};
+
 /// From an edge to the longest of the facets at it, as long as that is much longer, and on from there [Rivara
 /// 1997]. Halving edges of what is long and thin would come back to edges as long as before.
-RimEdge RimProofs::longest_beside(const RimSurface& z, RimEdge edge) const {
+RimEdge RimProofs::longest_beside(const RimSurface& z, const FacetsAt& facets, RimEdge edge) const {
   for (RimEdge longest = edge;; edge = longest) {
-    for (const RimFacet& f : z.facets) {
-      if (std::find(f.begin(), f.end(), edge[0]) == f.end() ||
-          std::find(f.begin(), f.end(), edge[1]) == f.end())
-        continue;
-      for (const RimEdge& e : rim_edges(f))
+    facets.visit(edge, [&](std::uint32_t f) {
+      for (const RimEdge& e : rim_edges(z.facets[f]))
         if (length(e) > std::max(much_longer * length(edge), length(longest)) && !z.whole.contains(e))
           longest = e;
-    }
+    });
     if (longest == edge) return edge;
   }
 }
@@ -99,11 +116,12 @@ void RimProofs::want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits
     const auto [a, b] = segment(z.border[i]);
     near[i] = certify_facet(curve, {a, b, b}, delta, delta, rim_piece_budget);
   });
+  const FacetsAt facets(z.facets);
   for (std::size_t i = 0; i < z.border.size(); ++i) {
     if (near_rim_.contains(z.border[i])) continue;
     if (near[i].kind == FacetVerdict::Kind::inside)
       near_rim_.insert(z.border[i]);
-    else if (!want(splits, z, longest_beside(z, z.border[i]), Reason::border_off_rim, near[i].witness,
+    else if (!want(splits, z, longest_beside(z, facets, z.border[i]), Reason::border_off_rim, near[i].witness,
                    near[i].closest.distance()))
       stuck_border_.push_back(z.border[i]);
   }

@@ -53,6 +53,8 @@ class RimProofs {
   /// Of the border edges that it found not to be within δ of the rim and not fit to be split: their ends that
   /// are farther than δ from it; ascending.
   std::vector<VertexId> stuck_border() const;
+  /// Whether there are such edges, with ends like that or not.
+  bool is_border_stuck() const { return !stuck_border_.empty(); }
   /// Of the places of the rim that the last call found farther than δ from the border, those where Z is kept
   /// all around the nearest place of it, or nowhere, and too fine to be split there; in the order of the rim.
   std::span<const RimGap> gaps() const { return gaps_; }
@@ -62,7 +64,8 @@ class RimProofs {
   void want_near_rim(const RimSurface& z, std::vector<RimSplit>& splits);
   void want_rim_reached(const RimSurface& z, std::vector<RimSplit>& splits,
                         const std::function<bool(VertexId)>& is_kept);
-  RimEdge longest_beside(const RimSurface& z, RimEdge edge) const;
+  class FacetsAt;
+  RimEdge longest_beside(const RimSurface& z, const FacetsAt& facets, RimEdge edge) const;
   /// False where the edge is too short.
   bool want(std::vector<RimSplit>& splits, const RimSurface& z, RimEdge edge, Reason reason, Vec3 witness,
             double value) const;

@@ -1,8 +1,13 @@
 // What the boundaries of Ω are: how many, of which Euler characteristic, whether Ω is a thickening.
 #include "tolerance/boundary_topology.h"
+#include "tolerance/open_changes.h"
+#include "tolerance/retraction.h"
+#include "tolerance/self_intersections.h"
 #include "tolerance/tolerance_volume.h"
+#include "tolerance/welded_mesh.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace isoscope {
 namespace {
@@ -14,6 +19,43 @@ bool may_be(long euler_characteristic) {
 
 /// How often the lattice is halved at most where regions are too thin for it.
 constexpr unsigned most_halvings = 1;
+/// Cells in which Ω' is looked at for what closes there: 3 µs each.
+constexpr std::size_t most_proof_cells = 3'000'000;
+
+/// χ of the triangles in each component of Ω'.
+std::vector<long> input_characteristics(const ToleranceVolume& volume, const WeldedMesh& mesh) {
+  std::vector<long> chi(volume.volume_component_count());
+  std::vector<std::uint32_t> of_point(mesh.points.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t c = volume.volume_component(TriangleId(t));
+    ++chi[c];
+    for (const std::uint32_t v : mesh.triangles[t]) of_point[v] = c;
+  }
+  for (const std::uint32_t c : of_point) ++chi[c];
+  const std::vector<EdgeUse> uses = sorted_edge_uses(mesh.triangles);
+  for (std::size_t i = 0; i < uses.size(); ++i)
+    if (i == 0 || uses[i].low != uses[i - 1].low || uses[i].high != uses[i - 1].high)
+      --chi[of_point[uses[i].low]];
+  return chi;
+}
+
+/// Of open input of which Ω keeps components and loops and, as far as a lattice tells, not χ, the χ of each
+/// component where Ω' is proven to shrink onto the input; nothing else.
+std::vector<long> proven_characteristics(const ToleranceVolume& volume, const RunControl& control) {
+  const InputTopology& input = volume.input();
+  if (volume.open_sides() == nullptr || !volume.has_surface() || !input.manifold) return {};
+  const OpenTopology told = open_topology(volume);
+  if (told.is_of_input || told.components != input.components || told.loops != input.boundary_loops)
+    return {};
+  const WeldedMesh mesh = weld(volume.index());
+  const auto stop = [&] { return control.cancelled(); };
+  const auto meeting = self_intersections(mesh.points, mesh.triangles, stop, 1);
+  if (!meeting || !meeting->empty()) return {};
+  control.report("topology", -1);
+  if (!shrinks_onto_triangles(volume.index(), volume.thresholds().boundary, most_proof_cells, control))
+    return {};
+  return input_characteristics(volume, mesh);
+}
 
 } // namespace
 
@@ -85,6 +127,14 @@ Status ToleranceVolume::count_boundary_topology(const RunControl& control) {
   const auto quick = count_boundaries(*this, {}, control);
   if (!quick) return quick.error();
   adopt(*quick);
+  if (const std::vector<long> proven = proven_characteristics(*this, control); !proven.empty()) {
+    std::vector<long> boundaries(proven.size());
+    for (const BoundaryComponent& c : boundary_components_) ++boundaries[c.volume_component];
+    // That of a sheet goes round its rim, a closed surface has two.
+    for (BoundaryComponent& c : boundary_components_)
+      c.euler_characteristic = 2 * proven[c.volume_component] / boundaries[c.volume_component];
+    return {};
+  }
   const bool possible = all(*quick, [](const BoundaryCount& c) { return may_be(c.euler_characteristic); });
   if (has_rooms() || (possible && (!has_paired_boundaries() || has_equal_characteristics()))) return {};
   for (unsigned halvings = 0; halvings <= most_halvings; ++halvings) {

@@ -2,6 +2,7 @@
 #include "tolerance/witnesses.h"
 
 #include "base/parallel.h"
+#include "tolerance/deep_cells.h"
 #include "tolerance/octree_estimate.h"
 #include "tolerance/piece_witnesses.h"
 #include "tolerance/region_labels.h"
@@ -12,8 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
-#include <numeric>
 #include <utility>
 
 namespace isoscope {
@@ -25,100 +24,7 @@ using CellIndex = Regions::CellIndex;
 constexpr double offset_margin = 1e-4;
 /// At most about so many triangles are looked at.
 constexpr std::size_t most_triangles = 200000;
-constexpr int climb_steps = 60;
-constexpr Box3 everywhere{{-Box3::inf, -Box3::inf, -Box3::inf}, {Box3::inf, Box3::inf, Box3::inf}};
 constexpr std::size_t triangles_per_task = 256;
-
-/// The OUT cells whose centres lie beyond δ and within a box, with a union-find across faces.
-class DeepCells {
- public:
-  /// Of no use once the control is cancelled.
-  DeepCells(const Regions& octree, double delta, const Box3& within, const RunControl& control)
-      : octree_(octree), delta_(delta), within_(within), parent_(octree.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-    const auto find_links = [this](CellIndex i, std::vector<CellLink>& links) {
-      if (!deep(i)) return;
-      const Regions::Cell c = octree_.cell(i);
-      for (int face = 0; face < 6; ++face) {
-        // Of two one tells: the smaller, or of the same size the one before.
-        const CellIndex n = octree_.neighbor(c, face);
-        if (n == Regions::none || (face % 2 == 0 && octree_.cell(n).level == c.level) || !deep(n)) continue;
-        links.push_back({i, n});
-      }
-    };
-    for_each_link(octree.size(), control, find_links, [this](const CellLink& l) { unite(l.a, l.b); });
-  }
-
-  bool deep(CellIndex i) const {
-    return octree_.kind(i) == Regions::Kind::out && static_cast<double>(octree_.distance(i)) > delta_ &&
-           holds(octree_.center(octree_.cell(i)));
-  }
-
-  /// Whether p lies in the box.
-  bool holds(Vec3 p) const { return within_.meets({p, p}); }
-
-  /// Whether p lies in the ball about the centre of its cell that holds nothing of Ω.
-  bool joined(Vec3 p) const {
-    const CellIndex i = octree_.locate(p);
-    if (i == Regions::none) return true;
-    if (!deep(i)) return false;
-    const Regions::Cell c = octree_.cell(i);
-    return distance(p, octree_.center(c)) < static_cast<double>(c.distance) - delta_;
-  }
-
-  /// The deepest cell of each group, by its smallest cell.
-  std::vector<CellIndex> deepest(const RunControl& control) const {
-    std::map<CellIndex, CellIndex> best;
-    SparsePoll poll(control);
-    for (CellIndex i = 0; i < octree_.size() && !poll.cancelled(); ++i) {
-      if (!deep(i)) continue;
-      const auto [at, fresh] = best.emplace(find(i), i);
-      if (!fresh && octree_.distance(i) > octree_.distance(at->second)) at->second = i;
-    }
-    std::vector<CellIndex> cells;
-    for (const auto& [root, cell] : best) cells.push_back(cell);
-    return cells;
-  }
-
- private:
-  const Regions& octree_;
-  double delta_;
-  Box3 within_;
-  std::vector<CellIndex> parent_;
-
-  CellIndex find(CellIndex i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
-  void unite(CellIndex a, CellIndex b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    // Halves the way for the next one.
-    while (parent_[parent_[std::max(a, b)]] != parent_[std::max(a, b)]) {
-      parent_[std::max(a, b)] = parent_[parent_[std::max(a, b)]];
-    }
-  }
-};
-
-/// Climbs from a point beyond δ, with the closest one to it, by balls outside of Ω; true when it comes to
-/// where a group of cells is, else `p` is the farthest point reached in their box.
-bool climb(const ToleranceField& field, const DeepCells& cells, double delta, ClosestPoint at, Vec3& p,
-           double& depth) {
-  depth = at.distance();
-  for (int step = 0; step < climb_steps; ++step) {
-    if (cells.joined(p)) return true;
-    const double radius = 0.99 * (at.distance() - delta);
-    const Vec3 q = p + radius * normalized(p - at.point);
-    if (!cells.holds(q)) break;
-    const ClosestPoint next = field.closest_near(q, at.triangle);
-    if (next.distance() <= at.distance() + 1e-3 * radius) break;
-    p = q;
-    at = next;
-    depth = at.distance();
-  }
-  return cells.joined(p);
-}
 
 /// A point beyond δ where no group of cells is.
 struct Climbed {
@@ -212,7 +118,7 @@ std::vector<Witness> find_witnesses(const ToleranceVolume& volume, const RunCont
     if (r.depth > delta * (1 + offset_margin) && !beside_sheet(r.deepest))
       witnesses.push_back({r.deepest, r.label, r.depth});
   }
-  const DeepCells cells(volume.octree(), delta, everywhere, control);
+  const DeepCells cells(volume.octree(), delta, DeepCells::everywhere, control);
   for (const CellIndex i : cells.deepest(control)) {
     if (control.cancelled()) return witnesses;
     const Regions::Cell c = volume.octree().cell(i);

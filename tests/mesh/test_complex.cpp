@@ -1,5 +1,6 @@
 // Deltas on hand-made stars: neighbours, undo as the identity, growth from nothing and back.
 #include "mesh/complex.h"
+#include "mesh/incidence.h"
 #include "mesh/validity.h"
 #include "mesh/zero_set.h"
 
@@ -207,4 +208,48 @@ TEST_CASE("a vertex with F = 0 has no sign") {
   CHECK_FALSE(c.heterogeneous(tet(0)));
   c.vertices[1].value = -1;
   CHECK(c.heterogeneous(tet(0)));
+}
+
+TEST_CASE("an edge of Z with four tetrahedra turns within its two facets, where others are positive there") {
+  // Two of its ends, what is opposite to it in Z, and an apex on each side.
+  const auto around_edge = [](Vec3 c, Vec3 d) {
+    Complex complex;
+    complex.form = ZeroForm::embedded;
+    Delta all;
+    all.added_vertices = {at(-1, 0, 0),      at(1, 0, 0), at(c.x, c.y, c.z),
+                          at(d.x, d.y, d.z), at(0, 0, 1), at(0, 0, -1)};
+    for (std::size_t v = 0; v < 4; ++v) all.added_vertices[v].value = 0;
+    all.added_vertices[5].value = -1;
+    all.added = {{tet(0), canonical_order({vertex(0), vertex(1), vertex(4), vertex(2)}), 1, 0},
+                 {tet(1), canonical_order({vertex(0), vertex(1), vertex(3), vertex(4)}), 1, 0},
+                 {tet(2), canonical_order({vertex(0), vertex(1), vertex(5), vertex(3)}), -1, 0},
+                 {tet(3), canonical_order({vertex(0), vertex(1), vertex(2), vertex(5)}), -1, 0}};
+    for (TetRecord& t : all.added) {
+      const auto p = [&](std::size_t k) { return all.added_vertices[t.v[k].index()].position; };
+      if (dot(cross(p(1) - p(0), p(2) - p(0)), p(3) - p(0)) < 0) std::swap(t.v[2], t.v[3]);
+    }
+    complex.apply(all);
+    return complex;
+  };
+  // The third corner of a facet is a hair beside the edge: no double lies between them.
+  Complex flat = around_edge({0.25, 1e-300, 0}, {0, -1, 0});
+  REQUIRE(check_complex(flat).empty());
+  const Complex before = flat;
+  const auto turned = flip_delta(flat, Incidence(flat), vertex(0), vertex(1));
+  REQUIRE(turned.has_value());
+  flat.apply(*turned);
+  CHECK(check_complex(flat).empty());
+  const Incidence after(flat);
+  CHECK(after.adjacent(flat, vertex(2), vertex(3)));
+  CHECK_FALSE(after.adjacent(flat, vertex(0), vertex(1)));
+  std::size_t zero_facets = 0;
+  for (std::size_t t = 0; t < flat.tets.size(); ++t)
+    for (std::size_t k = 0; k < 4; ++k) zero_facets += flat.on_zero_set(tet(static_cast<int>(t)), k);
+  CHECK(zero_facets == 4); // two, from both their sides
+  flat.undo(*turned);
+  CHECK(flat == before);
+  // Beyond an end of the edge nothing would be positive.
+  const Complex beside = around_edge({3, 1, 0}, {0, -1, 0});
+  REQUIRE(check_complex(beside).empty());
+  CHECK_FALSE(flip_delta(beside, Incidence(beside), vertex(0), vertex(1)).has_value());
 }

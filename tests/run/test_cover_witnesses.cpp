@@ -25,8 +25,7 @@ struct Bare : CompleteRun {
     REQUIRE(prepare());
   }
   CoverWitnesses found(double limit) const {
-    return find_cover_witnesses(*scene->volume, *SearchedSamples(scene->samples).nearest, limit,
-                                RunControl());
+    return find_cover_witnesses(*scene->volume, SearchedSamples(scene->samples), limit, RunControl());
   }
   /// The distance from p to the nearest sample or held point of a side.
   double bareness(Vec3 p, int label, const CoverWitnesses& cover) const {
@@ -182,4 +181,69 @@ TEST_CASE("Where a part lies in another, samples keep Z at the outside and not a
   add_box(apart, {0, 0, 0}, {1, 1, 1});
   add_box(apart, {1.3, 0, 0}, {2, 1, 1});
   CHECK(Bare(apart, delta).found(limit).held.empty());
+}
+
+TEST_CASE("In walls between 2 δ' and 2 δ thick samples are held, and Z goes on to their end") {
+  constexpr double delta = 0.06, limit = 3 * delta;
+  const auto bar = [](double thickness_in_delta) {
+    const double half = 0.5 * thickness_in_delta * delta;
+    return cube_with_bar(0.2, 0.8, 0.5 - half, 0.5 + half, 0.9);
+  };
+  const Bare plate(bar(1.97), delta);
+  const CoverWitnesses cover = plate.found(limit);
+  CHECK(held_on(+1, cover) == 0);
+  REQUIRE(held_on(-1, cover) > 0);
+  for (const Witness& w : cover.held) {
+    CHECK(w.point.x > 1);
+    CHECK(w.depth == doctest::Approx(0.95 * delta).epsilon(1e-6));
+  }
+  for (double x = 1 + limit; x <= 1.9; x += delta / 3)
+    for (const double y : {0.2, 0.5, 0.8}) {
+      const Vec3 p{x, y, 0.5 + 0.985 * delta};
+      CHECK(std::any_of(cover.held.begin(), cover.held.end(),
+                        [&](const Witness& w) { return distance(w.point, p) <= limit; }));
+    }
+  // Thicker ones have a witness beyond δ.
+  CHECK(Bare(bar(2.1), delta).found(limit).held.empty());
+
+  CompleteRun run(bar(1.97), delta);
+  REQUIRE(run.run());
+  CHECK(run.result->exit_status() == 0);
+  CHECK(run.result->certificate.input_distance.upper < 2 * delta);
+}
+
+TEST_CASE("On one side of an open surface samples are held in what is cut off from the rest beyond δ") {
+  constexpr double delta = 0.06;
+  // A hollow cube without its face x = 0; the hollow goes on into a plate that becomes thicker than 2 δ.
+  const auto hollow = [](double at_foot, double at_end) {
+    TriangleSoup soup =
+        cube_with_bar(0.2, 0.8, 0.5 - 0.5 * at_foot * delta, 0.5 + 0.5 * at_foot * delta, 0.9);
+    for (Vec3& p : soup.points)
+      if (p.x > 1.5) p.z = 0.5 + (p.z < 0.5 ? -0.5 : 0.5) * at_end * delta;
+    std::erase_if(soup.triangles, [&](const auto& t) {
+      return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return soup.points[v].x == 0; });
+    });
+    return soup;
+  };
+  const auto held = [](const CompleteRun& run) {
+    std::vector<Witness> held;
+    for (const Witness& w : run.scene->volume->witnesses())
+      if (w.cover) held.push_back(w);
+    return held;
+  };
+  for (const auto& [at_foot, at_end] : {std::pair{1.95, 2.15}, std::pair{1.97, 1.97}}) {
+    CAPTURE(at_end);
+    CompleteRun run(hollow(at_foot, at_end), delta);
+    REQUIRE(run.run());
+    CHECK(!held(run).empty());
+    for (const Witness& w : held(run)) {
+      CHECK(w.label == -1);
+      CHECK(w.point.x > 1);
+    }
+    CHECK(run.result->exit_status() == 0);
+    CHECK(run.result->certificate.input_distance.upper < 2 * delta);
+  }
+  CompleteRun thick(hollow(4, 4), delta);
+  REQUIRE(thick.prepare());
+  CHECK(held(thick).empty());
 }

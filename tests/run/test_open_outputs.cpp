@@ -40,13 +40,13 @@ TriangleSoup with_random_holes(TriangleSoup soup, std::uint64_t seed, std::size_
   return soup;
 }
 
-/// Whether the topology was promised too. At sharp corners of the rim the lattice on which χ of ∂Ω is counted
-/// may be too coarse: then nothing is promised, and what comes out is right all the same.
-bool check(RunParameters parameters, TriangleSoup soup, long chi, std::size_t loops) {
+/// The topology is promised: at sharp corners of the rim the lattice on which χ of ∂Ω is counted may be too
+/// coarse, but nothing closes there.
+void check(RunParameters parameters, TriangleSoup soup, long chi, std::size_t loops) {
   const auto run = finished_run(std::move(parameters), soup);
   const Certificate& c = run->result->certificate;
   CHECK(c.holds());
-  CHECK(c.topology != Certificate::Topology::wrong);
+  CHECK(c.topology == Certificate::Topology::as_expected);
   CHECK(c.euler_characteristic == chi);
   CHECK(c.boundary_loops == loops);
   const OpenOutput found = check_open_output(soup, run->result->mesh, run->scene->delta);
@@ -60,13 +60,12 @@ bool check(RunParameters parameters, TriangleSoup soup, long chi, std::size_t lo
   CHECK(found.to_rim <= 1 + 1e-9);
   // Ω closes notches of the rim that are narrower than 2δ, between two edges of it.
   CHECK(found.from_rim <= 1 + found.longest_rim_edge);
-  return c.topology == Certificate::Topology::as_expected;
 }
 
 enum class Family { sphere, torus, hills };
 
 /// One with so many random holes that are wider than 2δ.
-bool check_family(Family family, std::uint64_t seed, std::size_t holes, double percent) {
+void check_family(Family family, std::uint64_t seed, std::size_t holes, double percent) {
   CAPTURE(static_cast<int>(family));
   CAPTURE(seed);
   CAPTURE(percent);
@@ -91,13 +90,15 @@ bool check_family(Family family, std::uint64_t seed, std::size_t holes, double p
     CHECK(is.loops == holes);
     CHECK(is.euler_characteristic == (family == Family::sphere ? 2 : 0) - static_cast<long>(holes));
   }
-  return check(parameters, soup, is.euler_characteristic, is.loops);
+  check(parameters, soup, is.euler_characteristic, is.loops);
 }
 
 } // namespace
 
 TEST_CASE("Sheets with random holes are what they are by brute force too") {
-  CHECK(check_family(Family::sphere, 1, 2, 4));
+  check_family(Family::sphere, 1, 2, 4);
+  // Here the lattice counts a tunnel too many.
+  check_family(Family::sphere, 2, 4, 2);
 }
 
 TEST_CASE("Bundled open models are what they are by brute force too" * doctest::test_suite("soak")) {
@@ -110,17 +111,12 @@ TEST_CASE("Bundled open models are what they are by brute force too" * doctest::
     RunParameters parameters;
     parameters.tolerance = {entry.tolerance_percent, true};
     parameters.effort = 0;
-    CHECK(check(parameters, *soup, entry.euler_characteristic, entry.boundary_loops));
+    check(parameters, *soup, entry.euler_characteristic, entry.boundary_loops);
   }
 }
 
 TEST_CASE("Many sheets with random holes" * doctest::test_suite("soak")) {
-  int runs = 0, promised = 0;
   for (const Family family : {Family::sphere, Family::torus, Family::hills})
     for (const double percent : {2.0, 3.0, 4.0})
-      for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        ++runs;
-        promised += check_family(family, seed, 4, percent) ? 1 : 0;
-      }
-  CHECK(promised >= runs * 9 / 10);
+      for (std::uint64_t seed = 1; seed <= 4; ++seed) check_family(family, seed, 4, percent);
 }

@@ -2,12 +2,14 @@
 // least effort, as nothing else may mend there what the cut left.
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
+#include "run/cube_with_bar.h"
 #include "run/open_run_checks.h"
 #include "tolerance/border_gate.h"
 #include "tolerance/open_shapes.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -55,8 +57,21 @@ TEST_CASE("The border follows a tooth that is much narrower than Ω is thick") {
   }
 }
 
+TEST_CASE("Of a hollow plate of which little is left inside the lattice tells nothing, and it is kept") {
+  // The hollow cube that it stands on has no face x = 0.
+  TriangleSoup soup = cube_with_bar(0.2, 0.8, 0.422, 0.578, 0.9);
+  std::erase_if(soup.triangles, [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return soup.points[v].x == 0; });
+  });
+  RunParameters parameters;
+  parameters.tolerance = {0.06, false};
+  parameters.effort = 0;
+  check_certified(*finished_run(parameters, soup), 1, 1);
+}
+
 TEST_CASE("Right after the cut the border is at the tips of large teeth that Z passes over the rim") {
-  for (const auto& [teeth, taper, percent] : {std::tuple{20u, 0.0, 0.5}, {20u, 0.0, 1.0}, {8u, 0.5, 0.5}}) {
+  for (const auto& [teeth, taper, percent] :
+       {std::tuple{20u, 0.0, 0.5}, {20u, 0.0, 1.0}, {8u, 0.5, 0.5}, {12u, 0.5, 0.5}}) {
     CAPTURE(teeth);
     CAPTURE(percent);
     check_certified(*at_least_effort(crown(teeth, 0.6, taper), percent, Stage::rim), 0, 2);
