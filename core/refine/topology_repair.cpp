@@ -161,6 +161,11 @@ void TopologyCondition::advance() {
     return;
   }
   lower_level();
+  if (expected_.joined) {
+    phase_ = Phase::edges;
+    if (!levels_left()) enter(Phase::offset);
+    return;
+  }
   phase_ = summits_ ? Phase::summits : first_search();
   if (!levels_left()) try_summits();
 }
@@ -188,14 +193,14 @@ void TopologyCondition::try_summits() {
 }
 
 /// Contacts are looked at more and more finely; what is not joined then is found by the offset of the
-/// outside.
+/// outside. That would fill thin parts that are held with more points than their middles, which come before.
 void TopologyCondition::leave_contacts() {
   if (contact_spacing_ > finest_contact_spacing) {
     contact_spacing_ *= 0.5;
     contacts_.reset();
     return;
   }
-  enter(Phase::offset);
+  enter(context_.volume().held() > 0 ? Phase::edges : Phase::offset);
 }
 
 void TopologyCondition::collect_points() {
@@ -221,6 +226,9 @@ void TopologyCondition::collect_points() {
   } else {
     points_ = misclassified_on_facets(context_.live(), context_.volume(), context_.control());
   }
+  // Gaps between parts that are to be joined stay as they are.
+  if (expected_.joined && phase_ != Phase::contacts && phase_ != Phase::offset)
+    std::erase_if(points_, [](const MisclassifiedPoint& p) { return p.label > 0; });
   std::reverse(points_.begin(), points_.end());
 }
 

@@ -193,8 +193,7 @@ TEST_CASE("One model at tolerances from 2 to 8 percent is certified at each, wit
   }
 }
 
-TEST_CASE("A plate out of a box that is a hundred and sixty δ wide and thinner than δ is whole" *
-          doctest::test_suite("soak")) {
+TEST_CASE("A plate out of a box that is a hundred and sixty δ wide and thinner than δ is whole") {
   TriangleSoup soup;
   isoscope::testing::add_box(soup, {0, 0, 0}, {0.2, 1.3, 0.2});
   isoscope::testing::add_box(soup, {0.1, 0, 0.1}, {1.4, 1.3, 0.105});
