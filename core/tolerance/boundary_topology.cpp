@@ -1,18 +1,15 @@
 // Counts vertices, edges and faces of the marching-tetrahedra surface without making it.
 #include "tolerance/boundary_topology.h"
 
-#include "base/disjoint_sets.h"
-#include "base/growing_array.h"
 #include "base/parallel.h"
 #include "base/scramble.h"
-#include "base/sort_unique.h"
 #include "tolerance/kuhn_simplices.h"
 #include "tolerance/regions.h"
+#include "tolerance/surface_pieces.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <compare>
 #include <optional>
 #include <span>
 
@@ -39,6 +36,7 @@ struct Corner {
 struct LatticeCell {
   std::uint32_t x, y, z;
   TriangleId triangle;
+  SurfacePieces::Place place() const { return {x, y, z}; }
 };
 
 constexpr unsigned key_bits = 21;
@@ -46,118 +44,6 @@ constexpr std::uint64_t corner_key(const LatticeCell& c, unsigned k) {
   return (std::uint64_t{c.z} + (k >> 2)) << (2 * key_bits) |
          (std::uint64_t{c.y} + ((k >> 1) & 1u)) << key_bits | (std::uint64_t{c.x} + (k & 1u));
 }
-
-/// The pieces of the surface, from its vertices and what joins them.
-class Pieces {
- public:
-  /// The vertex of the surface on the lattice's edge between two corners of a cell, of which `outer` is the
-  /// one that is behind the boundary.
-  static std::uint64_t vertex(const LatticeCell& c, unsigned outer, unsigned inner) {
-    const unsigned low = outer & inner, direction = outer ^ inner;
-    const auto coordinate = [&](std::uint32_t base, unsigned axis) {
-      return std::uint64_t{base} + ((low >> axis) & 1u);
-    };
-    return (std::uint64_t{outer != low} << 3 | direction) << (3 * piece_key_bits) |
-           coordinate(c.z, 2) << (2 * piece_key_bits) | coordinate(c.y, 1) << piece_key_bits |
-           coordinate(c.x, 0);
-  }
-  static bool fits(unsigned level) { return level < piece_key_bits; }
-
-  void add(std::uint64_t vertex, std::uint16_t component) { recent_.push_back({vertex, component}); }
-  void join(std::uint64_t a, std::uint64_t b) { recent_links_.push_back({a, b}); }
-
-  /// Those of other cells, settled.
-  void add(const Pieces& others) {
-    for (std::size_t i = 0; i < others.settled_.size(); ++i) {
-      Settled v = others.settled_[i];
-      v.group += groups_;
-      settled_.push_back(v);
-    }
-    for (std::size_t i = 0; i < others.links_.size(); ++i) links_.push_back(others.links_[i]);
-    groups_ += others.groups_;
-  }
-
-  /// After some cells: what they have joined is a group from now on. Links are kept to vertices of other
-  /// cells alone, before or after these.
-  void settle() {
-    sort_unique(recent_);
-    DisjointSets sets(recent_.size());
-    for (std::size_t i = 1; i < recent_.size(); ++i)
-      if (recent_[i].key == recent_[i - 1].key)
-        sets.unite(static_cast<std::uint32_t>(i - 1), static_cast<std::uint32_t>(i));
-    for (const Link& link : recent_links_) {
-      const std::size_t i = place_of(link[0], recent_), j = place_of(link[1], recent_);
-      if (i == recent_.size() || j == recent_.size())
-        links_.push_back(link);
-      else
-        sets.unite(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-    }
-    std::vector<std::uint32_t> group(recent_.size());
-    for (std::uint32_t i = 0; i < recent_.size(); ++i) {
-      const std::uint32_t root = sets.find(i);
-      group[i] = root == i ? groups_++ : group[root];
-      settled_.push_back({recent_[i].key, group[i], recent_[i].component});
-    }
-    recent_.clear();
-    recent_links_.clear();
-  }
-
-  /// Of each boundary component; of no use once the control is cancelled.
-  std::vector<std::size_t> count(std::size_t components, const RunControl& control) {
-    const std::span<Settled> vertices =
-        settled_.size() > 0 ? std::span(&settled_[0], settled_.size()) : std::span<Settled>();
-    std::sort(vertices.begin(), vertices.end(),
-              [](const Settled& a, const Settled& b) { return a.key < b.key; });
-    DisjointSets sets(groups_);
-    for (std::size_t i = 1; i < vertices.size(); ++i)
-      if (vertices[i].key == vertices[i - 1].key) sets.unite(vertices[i].group, vertices[i - 1].group);
-    SparsePoll poll(control);
-    for (std::size_t k = 0; k < links_.size() && !poll.cancelled(); ++k) {
-      // One to what is no vertex joins nothing.
-      const std::size_t i = place_of(links_[k][0], vertices), j = place_of(links_[k][1], vertices);
-      if (i < vertices.size() && j < vertices.size()) sets.unite(vertices[i].group, vertices[j].group);
-    }
-    std::vector<std::pair<std::uint16_t, std::uint32_t>> pieces;
-    for (const Settled& v : vertices) {
-      const std::pair piece{v.component, sets.find(v.group)};
-      if (pieces.empty() || pieces.back() != piece) pieces.push_back(piece);
-    }
-    sort_unique(pieces);
-    std::vector<std::size_t> counts(components, 0);
-    for (const auto& [component, root] : pieces) ++counts[component];
-    return counts;
-  }
-
- private:
-  struct Vertex {
-    std::uint64_t key;
-    std::uint16_t component;
-    friend auto operator<=>(const Vertex&, const Vertex&) = default;
-  };
-  using Link = std::array<std::uint64_t, 2>;
-
-  /// A vertex of some cells, with what they have joined it to. There are millions.
-  struct Settled {
-    std::uint64_t key;
-    std::uint32_t group;
-    std::uint16_t component;
-  };
-
-  /// Where a key is first among sorted vertices; their number where it is not.
-  template <class Vertices> static std::size_t place_of(std::uint64_t key, const Vertices& vertices) {
-    const auto at = std::lower_bound(vertices.begin(), vertices.end(), key,
-                                     [](const auto& v, std::uint64_t k) { return v.key < k; });
-    const bool found = at != vertices.end() && at->key == key;
-    return found ? static_cast<std::size_t>(at - vertices.begin()) : vertices.size();
-  }
-
-  static constexpr unsigned piece_key_bits = 20;
-  std::vector<Vertex> recent_;
-  std::vector<Link> recent_links_;
-  GrowingArray<Settled> settled_;
-  GrowingArray<Link> links_;
-  std::uint32_t groups_ = 0;
-};
 
 /// The corners of some cells, each once, by number in the order in which they come first.
 class CornerNumbers {
@@ -218,7 +104,7 @@ class Counter {
     const Error too_large{ErrorCode::unsupported, "The boundaries of Ω are too large to count their pieces.",
                           ""};
     const Error stopped{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
-    if (careful_ && (!Pieces::fits(level_) || (offset_ == nullptr && lattice_cells() > most)))
+    if (careful_ && (!SurfacePieces::fits(level_) || (offset_ == nullptr && lattice_cells() > most)))
       return too_large;
     std::size_t counted = 0;
     std::vector<Regions::Cell> roots;
@@ -365,7 +251,7 @@ class Counter {
   /// What some cells add to the counts.
   struct Part {
     std::vector<long> euler_characteristics; ///< by boundary component
-    Pieces pieces;
+    SurfacePieces pieces;
   };
 
   /// The lattice's cells in cells of the octree through which the surface may pass.
@@ -493,7 +379,8 @@ class Counter {
     std::size_t count = 0;
     for (unsigned i = 0; i < s.size; ++i)
       for (unsigned j = 0; j < s.size; ++j)
-        if (is_outer(i) && !is_outer(j)) ends[count++] = Pieces::vertex(cell, s.corners[i], s.corners[j]);
+        if (is_outer(i) && !is_outer(j))
+          ends[count++] = SurfacePieces::vertex(cell.place(), s.corners[i], s.corners[j]);
     if (s.size == 3)
       part.pieces.join(ends[0], ends[1]);
     else if (component)
@@ -507,7 +394,7 @@ class Counter {
   std::vector<kuhn::Simplex> simplices_;
   std::array<std::int8_t, 256> euler_ = kuhn::euler_by_outer_corners(simplices_);
   std::vector<BoundaryCount> counts_;
-  Pieces pieces_;
+  SurfacePieces pieces_;
 };
 
 } // namespace
