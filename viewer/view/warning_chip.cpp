@@ -14,7 +14,13 @@ namespace {
 
 /// The gravest in a few words, and how many more there are.
 std::string chip_words(const WindowState& m, const std::vector<std::string>& texts) {
-  const std::string first = m.no_thickening() ? "Ω is no thickening: topology is not guaranteed" : texts[0];
+  std::string first = texts[0];
+  if (m.no_thickening()) {
+    const ExpectedTopology& expected = m.run.scene->expected;
+    const bool promised = expected.required && expected.euler_characteristic;
+    first = "Ω is no thickening: topology " +
+            (promised ? "from " + expected.source : std::string("is not guaranteed"));
+  }
   return texts.size() == 1 ? first : first + "  ·  " + grouped(texts.size() - 1) + " more";
 }
 
