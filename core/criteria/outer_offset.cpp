@@ -22,10 +22,6 @@ constexpr double doubted_by = 0.1;
 /// Of a distance to the input: nearer than this, nothing of it is between.
 constexpr double surely_clear = 1 - 1e-9;
 
-bool alike(const BoundaryCount& a, const BoundaryCount& b) {
-  return a.euler_characteristic == b.euler_characteristic && a.pieces == b.pieces;
-}
-
 /// Whether it is the count of closed surfaces.
 bool is_closed(const BoundaryCount& count) {
   return count.euler_characteristic % 2 == 0;
@@ -108,15 +104,16 @@ std::optional<ExpectedTopology> outer_offset_topology(const ToleranceVolume& vol
   const double larger = std::min(usual + doubted_by * boundary, most_reach * boundary);
   const auto counted = count(usual, 0), other = counted ? count(larger, 0) : std::nullopt;
   if (!other) return std::nullopt;
-  if (is_closed(*counted) && alike(*counted, *other)) return expectation(*counted, usual);
+  if (is_closed(*counted) && *counted == *other) return expectation(*counted, usual);
 
   std::vector<double> reaches{usual};
   for (const double share : other_reaches)
     if (share * boundary >= sigma) reaches.push_back(share * boundary);
   for (const double reach : reaches) {
-    const auto first = count(reach, 0), finer = first ? count(reach, 1) : std::nullopt;
+    const auto first = reach == usual ? counted : count(reach, 0);
+    const auto finer = first ? count(reach, 1) : std::nullopt;
     if (!finer) break; // no other is much smaller
-    if (is_closed(*first) && alike(*first, *finer)) return expectation(*first, reach);
+    if (is_closed(*first) && *first == *finer) return expectation(*first, reach);
   }
   if (control.cancelled() || !(is_closed(*counted) || is_closed(*other))) return std::nullopt;
   ExpectedTopology unsure = expectation(is_closed(*counted) ? *counted : *other, usual);

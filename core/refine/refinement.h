@@ -40,7 +40,7 @@ struct RefinementOutcome {
 /// the followed run had there: T to the last slot, what was given up, how far the mending of the topology is.
 class Refinement {
  public:
-  /// `volume` and `samples` must outlive the refinement. `samples` is set 0 of the journal.
+  /// `volume` must outlive the refinement. `samples` is set 0 of the journal.
   Refinement(ToleranceVolume& volume, SearchedSamples samples, const CriteriaParameters& criteria,
              const ExpectedTopology& expected, const RefinementLimits& limits, Recorder& recorder,
              const RunControl& control);

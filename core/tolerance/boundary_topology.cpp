@@ -5,11 +5,11 @@
 #include "base/scramble.h"
 #include "tolerance/kuhn_simplices.h"
 #include "tolerance/regions.h"
+#include "tolerance/rounding.h"
 #include "tolerance/surface_pieces.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <optional>
 #include <span>
 
@@ -152,9 +152,9 @@ class Counter {
     const Regions& octree = volume_.octree();
     if (offset_ == nullptr) return c.kind == Regions::Kind::ambiguous && c.level == octree.main_level();
     const bool is_leaf = c.child == Regions::none || c.child >= octree.main_size();
-    const double half_diagonal = 0.5 * std::sqrt(3.0) * octree.side(c.level);
     return is_leaf && c.kind != Regions::Kind::out &&
-           static_cast<double>(c.distance) >= volume_.thresholds().boundary - offset_->reach - half_diagonal;
+           static_cast<double>(c.distance) >=
+               volume_.thresholds().boundary - offset_->reach - half_diagonal * octree.side(c.level);
   }
 
   static std::array<std::uint32_t, 3> place(std::uint64_t key) {
@@ -273,7 +273,7 @@ class Counter {
     if (level == level_) return cells.push_back(c);
     const double side = volume_.octree().side(level);
     const Vec3 center = volume_.octree().origin() + side * Vec3{c.x + 0.5, c.y + 0.5, c.z + 0.5};
-    if (!offset_->near(center, 0.5 * std::sqrt(3.0) * side)) return;
+    if (!offset_->near(center, half_diagonal * side)) return;
     for (std::uint32_t k = 0; k < 8; ++k)
       descend({2 * c.x + (k & 1u), 2 * c.y + (k >> 1 & 1u), 2 * c.z + (k >> 2), c.triangle}, level + 1,
               cells);

@@ -15,6 +15,7 @@ namespace isoscope {
 struct BoundaryCount {
   long euler_characteristic = 0;
   std::size_t pieces = 0; ///< connected ones, where they were counted: a boundary component is one
+  friend bool operator==(const BoundaryCount&, const BoundaryCount&) = default;
 };
 
 /// How boundaries are counted.
