@@ -36,7 +36,6 @@ struct Corner {
 struct LatticeCell {
   std::uint32_t x, y, z;
   TriangleId triangle;
-  SurfacePieces::Place place() const { return {x, y, z}; }
 };
 
 constexpr unsigned key_bits = 21;
@@ -248,6 +247,12 @@ class Counter {
     return region;
   }
 
+  /// The corners of a cell, and their numbers in its block.
+  struct CellCorners {
+    std::array<const Corner*, 8> corners{};
+    std::span<const std::uint32_t, 8> numbers;
+  };
+
   /// What some cells add to the counts.
   struct Part {
     std::vector<long> euler_characteristics; ///< by boundary component
@@ -306,30 +311,32 @@ class Counter {
     });
     if (!complete) return;
 
+    PiecesOfBlock pieces(careful_ ? corners.size() : 0);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const LatticeCell& c = cells[i];
-      std::array<const Corner*, 8> at{};
-      for (unsigned k = 0; k < 8; ++k) at[k] = &corners[corner_of[8 * i + k]];
-      count_cell(c, at, part);
+      CellCorners at{{}, std::span(corner_of).subspan(8 * i).first<8>()};
+      for (unsigned k = 0; k < 8; ++k) at.corners[k] = &corners[at.numbers[k]];
+      count_cell(at, part, pieces);
     }
-    part.pieces.settle();
+    if (careful_)
+      part.pieces = pieces.settled([&](std::uint32_t corner) { return place(numbers.list()[corner].key); });
   }
 
   /// Regions that come close to each other are counted one at a time, each against all that is not in it: so
   /// every count is that of a closed surface.
-  void count_cell(const LatticeCell& cell, const std::array<const Corner*, 8>& at, Part& part) const {
-    if (careful_ ? is_uniform(at) : count_plain_cell(at, part)) return;
+  void count_cell(const CellCorners& at, Part& part, PiecesOfBlock& pieces) const {
+    if (careful_)
+      for (const std::uint32_t corner : at.numbers) pieces.see(corner);
+    if (careful_ ? is_uniform(at.corners) : count_plain_cell(at.corners, part)) return;
     for (unsigned k = 0; k < 8; ++k) {
-      if (!at[k]->outside) continue;
-      const RegionId region = at[k]->region;
+      if (!at.corners[k]->outside) continue;
+      const RegionId region = at.corners[k]->region;
       const auto is_in_region = [&](const Corner* c) { return c->outside && c->region == region; };
-      if (std::any_of(at.begin(), at.begin() + k, is_in_region)) continue;
+      if (std::any_of(at.corners.begin(), at.corners.begin() + k, is_in_region)) continue;
       unsigned outer = 0;
-      for (unsigned j = k; j < 8; ++j) outer |= (is_in_region(at[j]) ? 1u : 0u) << j;
+      for (unsigned j = k; j < 8; ++j) outer |= (is_in_region(at.corners[j]) ? 1u : 0u) << j;
       if (outer == 0xff) return;
-      for (const kuhn::Simplex& s : simplices_) {
-        if ((s.mask & outer) != 0 && (s.mask & ~outer) != 0) count_simplex(s, cell, at, region, part);
-      }
+      count_region(at.corners, region, outer, part);
+      if (careful_) add_pieces(at, region, outer, pieces);
     }
   }
 
@@ -362,29 +369,28 @@ class Counter {
     return volume_.boundary_component(outer, inner.volume_component);
   }
 
-  /// Of a simplex that has corners in the region and others.
-  void count_simplex(const kuhn::Simplex& s, const LatticeCell& cell, const std::array<const Corner*, 8>& at,
-                     RegionId region, Part& part) const {
-    const auto is_outer = [&](unsigned i) {
-      const Corner* c = at[s.corners[i]];
-      return c->outside && c->region == region;
+  /// What a cell adds to χ of the boundaries of a region that has some of its corners.
+  void count_region(const std::array<const Corner*, 8>& at, RegionId region, unsigned outer,
+                    Part& part) const {
+    const auto is_outer = [&](unsigned k) { return (outer >> k & 1u) != 0; };
+    for (const kuhn::Simplex& s : simplices_) {
+      if ((s.mask & outer) == 0 || (s.mask & ~outer) == 0) continue;
+      const auto inner = std::find_if_not(s.corners.begin(), s.corners.begin() + s.size, is_outer);
+      if (const auto component = component_between(region, *at[*inner]))
+        part.euler_characteristics[*component] += s.sign;
+    }
+  }
+
+  /// The vertices and links that it adds to their pieces.
+  void add_pieces(const CellCorners& at, RegionId region, unsigned outer, PiecesOfBlock& pieces) const {
+    const auto vertex = [&](const kuhn::CrossedEdge& e) {
+      return PiecesOfBlock::vertex(at.numbers[e.low], e.direction, e.low_is_outer);
     };
-    const Corner* inner = nullptr;
-    for (unsigned i = s.size; i-- > 0;)
-      if (!is_outer(i)) inner = at[s.corners[i]];
-    const auto component = component_between(region, *inner);
-    if (component) part.euler_characteristics[*component] += s.sign;
-    if (!careful_ || s.size > 3) return;
-    std::array<std::uint64_t, 2> ends{};
-    std::size_t count = 0;
-    for (unsigned i = 0; i < s.size; ++i)
-      for (unsigned j = 0; j < s.size; ++j)
-        if (is_outer(i) && !is_outer(j))
-          ends[count++] = SurfacePieces::vertex(cell.place(), s.corners[i], s.corners[j]);
-    if (s.size == 3)
-      part.pieces.join(ends[0], ends[1]);
-    else if (component)
-      part.pieces.add(ends[0], *component);
+    const kuhn::Crossings& crossings = crossings_[outer];
+    for (const kuhn::CrossedEdge& e : crossings.vertices)
+      if (const auto component = component_between(region, *at.corners[e.inner()]))
+        pieces.add(vertex(e), *component);
+    for (const auto& [a, b] : crossings.links) pieces.join(vertex(a), vertex(b));
   }
 
   const ToleranceVolume& volume_;
@@ -393,6 +399,7 @@ class Counter {
   unsigned level_;
   std::vector<kuhn::Simplex> simplices_;
   std::array<std::int8_t, 256> euler_ = kuhn::euler_by_outer_corners(simplices_);
+  std::vector<kuhn::Crossings> crossings_ = kuhn::crossings_by_outer_corners(simplices_);
   std::vector<BoundaryCount> counts_;
   SurfacePieces pieces_;
 };

@@ -43,4 +43,38 @@ inline std::array<std::int8_t, 256> euler_by_outer_corners(const std::vector<Sim
   return euler;
 }
 
+/// An edge of the subdivision that the surface crosses, by its low corner and where it leads (bits by axis).
+struct CrossedEdge {
+  unsigned low, direction;
+  bool low_is_outer;
+  unsigned inner() const { return low_is_outer ? low ^ direction : low; }
+};
+
+/// What a cube adds to the surface: its vertices on edges at corner 0, and what crossed triangles join.
+struct Crossings {
+  std::vector<CrossedEdge> vertices;
+  std::vector<std::array<CrossedEdge, 2>> links;
+};
+
+/// By which corners are outside, a bit each.
+inline std::vector<Crossings> crossings_by_outer_corners(const std::vector<Simplex>& simplices) {
+  std::vector<Crossings> crossings(256);
+  for (unsigned outer = 0; outer < crossings.size(); ++outer)
+    for (const Simplex& s : simplices) {
+      if (s.size > 3 || (s.mask & outer) == 0 || (s.mask & ~outer) == 0) continue;
+      std::vector<CrossedEdge> ends;
+      for (unsigned i = 0; i < s.size; ++i)
+        for (unsigned j = i + 1; j < s.size; ++j) {
+          const unsigned low = s.corners[i], high = s.corners[j];
+          const bool low_is_outer = (outer >> low & 1u) != 0;
+          if (low_is_outer != ((outer >> high & 1u) != 0)) ends.push_back({low, low ^ high, low_is_outer});
+        }
+      if (s.size == 2)
+        crossings[outer].vertices.push_back(ends.front());
+      else
+        crossings[outer].links.push_back({ends[0], ends[1]});
+    }
+  return crossings;
+}
+
 } // namespace isoscope::kuhn

@@ -6,77 +6,80 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 namespace isoscope {
-namespace {
-
-/// Where a key is first among sorted vertices; their number where it is not.
-template <class Vertices> std::size_t place_of_key(std::uint64_t key, const Vertices& vertices) {
-  const auto at = std::lower_bound(vertices.begin(), vertices.end(), key,
-                                   [](const auto& v, std::uint64_t k) { return v.key < k; });
-  const bool found = at != vertices.end() && at->key == key;
-  return found ? static_cast<std::size_t>(at - vertices.begin()) : vertices.size();
-}
-
-} // namespace
 
 void SurfacePieces::add(const SurfacePieces& others) {
-  for (std::size_t i = 0; i < others.settled_.size(); ++i) {
-    Settled v = others.settled_[i];
+  for (std::size_t i = 0; i < others.shared_.size(); ++i) {
+    Shared v = others.shared_[i];
     v.group += groups_;
-    settled_.push_back(v);
+    shared_.push_back(v);
   }
   for (std::size_t i = 0; i < others.links_.size(); ++i) links_.push_back(others.links_[i]);
+  for (const auto& [component, group] : others.groups_by_component_)
+    groups_by_component_.emplace_back(component, group + groups_);
   groups_ += others.groups_;
 }
 
-void SurfacePieces::settle() {
-  sort_unique(recent_);
-  DisjointSets sets(recent_.size());
-  for (std::size_t i = 1; i < recent_.size(); ++i)
-    if (recent_[i].key == recent_[i - 1].key)
-      sets.unite(static_cast<std::uint32_t>(i - 1), static_cast<std::uint32_t>(i));
-  for (const Link& link : recent_links_) {
-    const std::size_t i = place_of_key(link[0], recent_), j = place_of_key(link[1], recent_);
-    if (i == recent_.size() || j == recent_.size())
-      links_.push_back(link);
-    else
-      sets.unite(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-  }
-  std::vector<std::uint32_t> group(recent_.size());
-  for (std::uint32_t i = 0; i < recent_.size(); ++i) {
-    const std::uint32_t root = sets.find(i);
-    group[i] = root == i ? groups_++ : group[root];
-    settled_.push_back({recent_[i].key, group[i], recent_[i].component});
-  }
-  recent_.clear();
-  recent_links_.clear();
-}
-
 std::vector<std::size_t> SurfacePieces::count(std::size_t components, const RunControl& control) {
-  const std::span<Settled> vertices =
-      settled_.size() > 0 ? std::span(&settled_[0], settled_.size()) : std::span<Settled>();
-  std::sort(vertices.begin(), vertices.end(),
-            [](const Settled& a, const Settled& b) { return a.key < b.key; });
+  const std::span<Shared> vertices =
+      shared_.size() > 0 ? std::span(&shared_[0], shared_.size()) : std::span<Shared>();
+  const auto by_key = [](const Shared& a, const Shared& b) { return a.key < b.key; };
+  std::sort(vertices.begin(), vertices.end(), by_key);
   DisjointSets sets(groups_);
-  for (std::size_t i = 1; i < vertices.size(); ++i)
-    if (vertices[i].key == vertices[i - 1].key) sets.unite(vertices[i].group, vertices[i - 1].group);
   SparsePoll poll(control);
   for (std::size_t k = 0; k < links_.size() && !poll.cancelled(); ++k) {
     // One to what is no vertex joins nothing.
-    const std::size_t i = place_of_key(links_[k][0], vertices), j = place_of_key(links_[k][1], vertices);
-    if (i < vertices.size() && j < vertices.size()) sets.unite(vertices[i].group, vertices[j].group);
+    const auto a = std::lower_bound(vertices.begin(), vertices.end(), Shared{links_[k][0], 0}, by_key);
+    const auto b = std::lower_bound(vertices.begin(), vertices.end(), Shared{links_[k][1], 0}, by_key);
+    if (a != vertices.end() && b != vertices.end() && a->key == links_[k][0] && b->key == links_[k][1])
+      sets.unite(a->group, b->group);
   }
-  std::vector<std::pair<std::uint16_t, std::uint32_t>> pieces;
-  for (const Settled& v : vertices) {
-    const std::pair piece{v.component, sets.find(v.group)};
-    if (pieces.empty() || pieces.back() != piece) pieces.push_back(piece);
-  }
+  std::vector<std::pair<std::uint16_t, std::uint32_t>> pieces = groups_by_component_;
+  for (auto& [component, group] : pieces) group = sets.find(group);
   sort_unique(pieces);
   std::vector<std::size_t> counts(components, 0);
   for (const auto& [component, root] : pieces) ++counts[component];
   return counts;
+}
+
+void PiecesOfBlock::add(Vertex v, std::uint16_t component) {
+  node_[v] = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back({v, component});
+}
+
+SurfacePieces
+PiecesOfBlock::settled(const std::function<SurfacePieces::Place(std::uint32_t corner)>& place_of) const {
+  const auto key_of = [&](Vertex v) {
+    const auto [x, y, z] = place_of(v / slots_at_corner);
+    constexpr unsigned bits = SurfacePieces::place_bits;
+    return std::uint64_t{v % slots_at_corner} << (3 * bits) | std::uint64_t{z} << (2 * bits) |
+           std::uint64_t{y} << bits | std::uint64_t{x};
+  };
+  SurfacePieces pieces;
+  DisjointSets sets(nodes_.size());
+  std::vector<std::uint8_t> is_shared(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    is_shared[i] = cells_[nodes_[i].vertex / slots_at_corner] < cells_at_corner ? 1 : 0;
+  for (const auto& [a, b] : links_) {
+    const std::uint32_t i = node_[a], j = node_[b];
+    if (i != none && j != none) {
+      sets.unite(i, j);
+      continue;
+    }
+    for (const std::uint32_t k : {i, j})
+      if (k != none) is_shared[k] = 1;
+    pieces.links_.push_back({key_of(a), key_of(b)});
+  }
+  std::vector<std::uint32_t> group(nodes_.size());
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const std::uint32_t root = sets.find(i); // the smallest, so that it has a group
+    group[i] = root == i ? pieces.groups_++ : group[root];
+    if (root == i || nodes_[i].component != nodes_[root].component)
+      pieces.groups_by_component_.emplace_back(nodes_[i].component, group[i]);
+    if (is_shared[i] != 0) pieces.shared_.push_back({key_of(nodes_[i].vertex), group[i]});
+  }
+  return pieces;
 }
 
 } // namespace isoscope
