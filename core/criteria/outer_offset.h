@@ -4,7 +4,6 @@
 #include "base/run_control.h"
 #include "criteria/nearest_sample.h"
 #include "criteria/topology.h"
-#include "tolerance/boundary_topology.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <optional>
@@ -26,18 +25,8 @@ class OuterOffset {
 
   /// How deep p is inside; negative outside.
   double depth(Vec3 p) const;
-  /// Its boundary's, by a lattice whose cells are the octree's main ones, halved so often: nothing where
-  /// it is too large to be counted, or once cancelled. `volume` has its octree still.
-  std::optional<BoundaryCount> count(unsigned halvings, const RunControl& control) const;
 
  private:
-  /// Whether a point of this d, beyond Ω', is outside. A ball without input is on one side, and mostly holds
-  /// a sample of it.
-  bool is_outside(Vec3 p, double d) const;
-  bool is_in(Vec3 p, TriangleId guess) const;
-  /// Whether its boundary may be within `radius` of p.
-  bool is_near(Vec3 p, double radius) const;
-
   const ToleranceVolume& volume_;
   const NearestSample& samples_;
   double reach_;

@@ -29,7 +29,7 @@ constexpr std::size_t most_offset_cells = 20'000'000;
 /// A lattice point: on which side it lies, and of what.
 struct Corner {
   bool outside = false;
-  RegionId region;                    ///< when outside
+  RegionId region;                    ///< when outside; of nested sets the first one that it belongs to
   std::uint32_t volume_component = 0; ///< of the site that gives φ, or below it
 };
 
@@ -89,11 +89,11 @@ class Counter {
  public:
   Counter(const ToleranceVolume& volume, const BoundaryCounting& counting)
       : volume_(volume), careful_(counting.careful), level_(volume.octree().main_level() + counting.halvings),
-        simplices_(kuhn::simplices_at_corner()), counts_(volume.boundary_components().size()) {}
+        simplices_(kuhn::simplices_at_corner()), counts_(volume.boundary_components().size()), pieces_(1) {}
   Counter(const ToleranceVolume& volume, const OffsetCounting& counting)
       : volume_(volume), careful_(true), offset_(&counting),
         level_(volume.octree().main_level() + counting.halvings), simplices_(kuhn::simplices_at_corner()),
-        counts_(1) {}
+        counts_(counting.sets), pieces_(counting.sets) {}
 
   Status run(const RunControl& control) {
     const Regions& octree = volume_.octree();
@@ -128,8 +128,11 @@ class Counter {
     return {};
   }
   std::vector<BoundaryCount> take(const RunControl& control) {
-    if (careful_) {
-      const std::vector<std::size_t> pieces = pieces_.count(counts_.size(), control);
+    if (offset_ != nullptr) {
+      for (std::size_t j = 0; j < counts_.size(); ++j)
+        counts_[j].pieces = pieces_[j].count(1, control).front();
+    } else if (careful_) {
+      const std::vector<std::size_t> pieces = pieces_.front().count(counts_.size(), control);
       for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i].pieces = pieces[i];
     }
     return std::move(counts_);
@@ -211,10 +214,10 @@ class Counter {
     return result;
   }
 
-  /// Whether a corner is in the set whose boundary is counted.
+  /// Which of the sets a corner is in whose boundaries are counted.
   Corner examine_offset(Vec3 p, TriangleId guess) const {
-    if (!offset_->outside(p, guess)) return {};
-    return {true, RegionId(0), 0};
+    const std::optional<unsigned> set = offset_->first_set(p, guess);
+    return set ? Corner{true, RegionId(*set), 0} : Corner{};
   }
 
   Corner examine(std::uint64_t key, TriangleId guess) const {
@@ -255,8 +258,8 @@ class Counter {
 
   /// What some cells add to the counts.
   struct Part {
-    std::vector<long> euler_characteristics; ///< by boundary component
-    SurfacePieces pieces;
+    std::vector<long> euler_characteristics; ///< by boundary component, or by set
+    std::vector<SurfacePieces> pieces;       ///< of all components; by set
   };
 
   /// The lattice's cells in cells of the octree through which the surface may pass.
@@ -295,7 +298,7 @@ class Counter {
     for (const Part& part : parts) {
       for (std::size_t i = 0; i < counts_.size(); ++i)
         counts_[i].euler_characteristic += part.euler_characteristics[i];
-      pieces_.add(part.pieces);
+      for (std::size_t j = 0; j < part.pieces.size(); ++j) pieces_[j].add(part.pieces[j]);
     }
   }
 
@@ -311,21 +314,38 @@ class Counter {
     });
     if (!complete) return;
 
-    PiecesOfBlock pieces(careful_ ? corners.size() : 0);
+    std::vector<PiecesOfBlock> pieces;
+    for (std::size_t j = 0; careful_ && j < pieces_.size(); ++j) pieces.emplace_back(corners.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
       CellCorners at{{}, std::span(corner_of).subspan(8 * i).first<8>()};
       for (unsigned k = 0; k < 8; ++k) at.corners[k] = &corners[at.numbers[k]];
-      count_cell(at, part, pieces);
+      for (PiecesOfBlock& p : pieces)
+        for (const std::uint32_t corner : at.numbers) p.see(corner);
+      if (offset_ != nullptr)
+        count_sets(at, part, pieces);
+      else
+        count_cell(at, part, pieces);
     }
-    if (careful_)
-      part.pieces = pieces.settled([&](std::uint32_t corner) { return place(numbers.list()[corner].key); });
+    for (const PiecesOfBlock& p : pieces)
+      part.pieces.push_back(
+          p.settled([&](std::uint32_t corner) { return place(numbers.list()[corner].key); }));
+  }
+
+  /// A cell whose corners are in nested sets.
+  void count_sets(const CellCorners& at, Part& part, std::vector<PiecesOfBlock>& pieces) const {
+    for (std::size_t set = 0; set < pieces.size(); ++set) {
+      unsigned outer = 0;
+      for (unsigned k = 0; k < 8; ++k)
+        outer |= (at.corners[k]->outside && at.corners[k]->region.index() <= set ? 1u : 0u) << k;
+      part.euler_characteristics[set] += euler_[outer];
+      add_pieces(
+          at, outer, [](const Corner&) { return std::optional(std::uint16_t{0}); }, pieces[set]);
+    }
   }
 
   /// Regions that come close to each other are counted one at a time, each against all that is not in it: so
   /// every count is that of a closed surface.
-  void count_cell(const CellCorners& at, Part& part, PiecesOfBlock& pieces) const {
-    if (careful_)
-      for (const std::uint32_t corner : at.numbers) pieces.see(corner);
+  void count_cell(const CellCorners& at, Part& part, std::vector<PiecesOfBlock>& pieces) const {
     if (careful_ ? is_uniform(at.corners) : count_plain_cell(at.corners, part)) return;
     for (unsigned k = 0; k < 8; ++k) {
       if (!at.corners[k]->outside) continue;
@@ -336,7 +356,8 @@ class Counter {
       for (unsigned j = k; j < 8; ++j) outer |= (is_in_region(at.corners[j]) ? 1u : 0u) << j;
       if (outer == 0xff) return;
       count_region(at.corners, region, outer, part);
-      if (careful_) add_pieces(at, region, outer, pieces);
+      const auto component = [&](const Corner& inner) { return component_between(region, inner); };
+      for (PiecesOfBlock& p : pieces) add_pieces(at, outer, component, p);
     }
   }
 
@@ -365,7 +386,6 @@ class Counter {
   }
 
   std::optional<std::uint16_t> component_between(RegionId outer, const Corner& inner) const {
-    if (offset_ != nullptr) return std::uint16_t{0};
     return volume_.boundary_component(outer, inner.volume_component);
   }
 
@@ -381,15 +401,17 @@ class Counter {
     }
   }
 
-  /// The vertices and links that it adds to their pieces.
-  void add_pieces(const CellCorners& at, RegionId region, unsigned outer, PiecesOfBlock& pieces) const {
+  /// The vertices and links of a surface that has some of a cell's corners behind it; a vertex is of the
+  /// boundary component that `component` tells by the other corner of its edge, if of any.
+  template <class Component>
+  void add_pieces(const CellCorners& at, unsigned outer, const Component& component,
+                  PiecesOfBlock& pieces) const {
     const auto vertex = [&](const kuhn::CrossedEdge& e) {
       return PiecesOfBlock::vertex(at.numbers[e.low], e.direction, e.low_is_outer);
     };
     const kuhn::Crossings& crossings = crossings_[outer];
     for (const kuhn::CrossedEdge& e : crossings.vertices)
-      if (const auto component = component_between(region, *at.corners[e.inner()]))
-        pieces.add(vertex(e), *component);
+      if (const std::optional<std::uint16_t> c = component(*at.corners[e.inner()])) pieces.add(vertex(e), *c);
     for (const auto& [a, b] : crossings.links) pieces.join(vertex(a), vertex(b));
   }
 
@@ -401,7 +423,7 @@ class Counter {
   std::array<std::int8_t, 256> euler_ = kuhn::euler_by_outer_corners(simplices_);
   std::vector<kuhn::Crossings> crossings_ = kuhn::crossings_by_outer_corners(simplices_);
   std::vector<BoundaryCount> counts_;
-  SurfacePieces pieces_;
+  std::vector<SurfacePieces> pieces_; ///< of all components; by set
 };
 
 } // namespace
@@ -413,11 +435,11 @@ count_boundaries(const ToleranceVolume& volume, const BoundaryCounting& counting
   return counter.take(control);
 }
 
-Result<BoundaryCount> count_offset(const ToleranceVolume& volume, const OffsetCounting& counting,
-                                   const RunControl& control) {
+Result<std::vector<BoundaryCount>> count_offsets(const ToleranceVolume& volume,
+                                                 const OffsetCounting& counting, const RunControl& control) {
   Counter counter(volume, counting);
   if (Status status = counter.run(control); !status.ok()) return status.error();
-  return counter.take(control).front();
+  return counter.take(control);
 }
 
 } // namespace isoscope

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace isoscope {
@@ -31,17 +32,18 @@ struct BoundaryCounting {
 Result<std::vector<BoundaryCount>>
 count_boundaries(const ToleranceVolume& volume, const BoundaryCounting& counting, const RunControl& control);
 
-/// The same for one surface in Ω', the boundary of a set around all that is outside of Ω', which has no point
-/// nearer to the input than δ' - reach. Pieces are counted too.
+/// The same for surfaces in Ω', the boundaries of sets around all that is outside of Ω', each in the next
+/// one, the last of which has no point nearer to the input than δ' - reach. Pieces are counted too.
 struct OffsetCounting {
   unsigned halvings = 0; ///< how often the lattice is finer than the octree's main cells
   double reach = 0;      ///< below δ'
-  /// Whether a point belongs to the set; with a guess at what of the input is nearest.
-  std::function<bool(Vec3, TriangleId)> outside;
-  /// Whether the set's boundary may be so near to a point.
+  unsigned sets = 1;
+  /// The first set that a point belongs to, if it does to any; with a guess at what of the input is nearest.
+  std::function<std::optional<unsigned>(Vec3, TriangleId)> first_set;
+  /// Whether the boundary of a set may be so near to a point.
   std::function<bool(Vec3, double)> near;
 };
-Result<BoundaryCount> count_offset(const ToleranceVolume& volume, const OffsetCounting& counting,
-                                   const RunControl& control);
+Result<std::vector<BoundaryCount>> count_offsets(const ToleranceVolume& volume,
+                                                 const OffsetCounting& counting, const RunControl& control);
 
 } // namespace isoscope
