@@ -67,6 +67,15 @@ ExpectedTopology expected_of_open(const ToleranceVolume& volume) {
                  : "no surface with that χ has the " + counted(loops, "loop") + " of the rim: Ω closes some";
   expected.source = keeps_input ? "the input" : "the boundary of Ω";
   if (sum % 2 == 0) expected.euler_characteristic = sum / 2;
+  const InputTopology& input = volume.input();
+  if (!keeps_input && volume.has_surface() && input.manifold && components == input.components &&
+      loops == input.boundary_loops) {
+    // Walls and gaps that Ω closes have made its χ another one; Z goes through them.
+    expected.euler_characteristic = input.euler_characteristic;
+    expected.boundary_loops = loops;
+    expected.loops_untold.clear();
+    expected.source = "the input";
+  }
   return expected;
 }
 

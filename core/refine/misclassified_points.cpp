@@ -29,8 +29,12 @@ constexpr double basin_reach = 4;
 /// Facets pierced more often are judged by this many of their piercings.
 constexpr std::size_t piercings_considered = 12;
 
+/// 0 over the rim of an open surface, where there is none, and near to closed ones beside it.
 int true_label(const ToleranceVolume& volume, Vec3 p) {
-  return volume.sides().label(p);
+  const OpenSides* open = volume.open_sides();
+  if (open == nullptr) return volume.sides().label(p);
+  const ClosestPoint closest = volume.index().closest(p);
+  return open->is_open(closest.triangle) ? open->side(p, closest) : 0;
 }
 
 void keep_deeper(std::optional<MisclassifiedPoint>& best, const MisclassifiedPoint& candidate) {
@@ -131,7 +135,7 @@ std::optional<MisclassifiedPoint> judge_facet(const LiveTriangulation& live, con
       candidate.label = -label;
       candidate.depth = volume.index().distance(candidate.point);
       if (best && candidate.depth <= best->depth) continue;
-      if (true_label(volume, candidate.point) != label) keep_deeper(best, candidate);
+      if (true_label(volume, candidate.point) == -label) keep_deeper(best, candidate);
     }
   }
   return best;
@@ -188,7 +192,7 @@ std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume, cons
       climb(point, volume);
       if (!(point.height >= start) || point.height > thin * volume.thresholds().boundary) continue;
       point.label = true_label(volume, point.summit);
-      found[i][k] = point;
+      if (point.label != 0) found[i][k] = point;
     }
   });
   std::vector<MisclassifiedPoint> summits;

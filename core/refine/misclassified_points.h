@@ -10,7 +10,8 @@
 
 namespace isoscope {
 
-/// A candidate to mend the topology. Only meaningful where the sides of the input are known.
+/// A candidate to mend the topology. Only meaningful where the sides of the input are known, or those of open
+/// sheets.
 struct MisclassifiedPoint {
   Vec3 point;
   int label = +1;   ///< its true side

@@ -6,15 +6,17 @@
 #include "refine/topology_repair.h"
 #include "refine/witnesses.h"
 
+#include <utility>
+
 namespace isoscope {
 
 struct Refinement::Impl {
   Impl(ToleranceVolume& volume, SearchedSamples samples, const CriteriaParameters& criteria,
        const ExpectedTopology& expected, const RefinementLimits& limits, Recorder& recorder,
-       const RunControl& control)
+       const RunControl& control, TrialCut trial)
       : context(volume, std::move(samples), criteria, recorder, control), classification(context),
         height(context), containment(context), witnesses(context), orientation(context),
-        topology(context, expected, limits.topology_insertions), limit(limits.insertions) {}
+        topology(context, expected, limits.topology_insertions, std::move(trial)), limit(limits.insertions) {}
 
   RefinementContext context;
   ClassificationCondition classification;
@@ -179,13 +181,14 @@ void Refinement::Impl::report_unmet(const RefinementOutcome& result) {
 
 Refinement::Refinement(ToleranceVolume& volume, SearchedSamples samples, const CriteriaParameters& criteria,
                        const ExpectedTopology& expected, const RefinementLimits& limits, Recorder& recorder,
-                       const RunControl& control) {
+                       const RunControl& control, TrialCut trial) {
   Journal& journal = recorder.journal();
   if (journal.sample_sets().empty()) journal.add_sample_set(samples.samples);
   if (journal.parameters().empty() || journal.parameters().back().criteria != criteria) {
     journal.add_parameters(criteria);
   }
-  impl_ = std::make_unique<Impl>(volume, std::move(samples), criteria, expected, limits, recorder, control);
+  impl_ = std::make_unique<Impl>(volume, std::move(samples), criteria, expected, limits, recorder, control,
+                                 std::move(trial));
 }
 
 Refinement::~Refinement() = default;

@@ -9,6 +9,7 @@
 #include "journal/recorder.h"
 #include "tolerance/tolerance_volume.h"
 
+#include <functional>
 #include <memory>
 
 namespace isoscope {
@@ -34,16 +35,20 @@ struct RefinementOutcome {
   std::size_t sample_moves = 0;      ///< how often a sample changed its tetrahedron
 };
 
+/// What Z in T would have, were it cut along the rim of an open surface.
+using TrialCut = std::function<TopologyVerdict(const Complex&)>;
+
 /// One refinement of one Ω. Owns T; everything it does goes to the recorder. run() may be called again after
 /// it ended, with changed parameters (the gate's): it goes on from the present T. During the recorder's
 /// rehearsal run() first does what the journal says, without judging anything, and so comes to the state that
 /// the followed run had there: T to the last slot, what was given up, how far the mending of the topology is.
 class Refinement {
  public:
-  /// `volume` must outlive the refinement. `samples` is set 0 of the journal.
+  /// `volume` must outlive the refinement. `samples` is set 0 of the journal. `trial`: by which an open
+  /// surface is held against what is expected.
   Refinement(ToleranceVolume& volume, SearchedSamples samples, const CriteriaParameters& criteria,
              const ExpectedTopology& expected, const RefinementLimits& limits, Recorder& recorder,
-             const RunControl& control);
+             const RunControl& control, TrialCut trial = {});
   ~Refinement();
 
   /// Runs until the conditions hold, nothing more can be done, the gate stops it, or the control is

@@ -14,6 +14,8 @@ namespace {
 /// units of δ. Where the topology is only aimed at, parts of the input may cross, and what lies lower is as
 /// likely to be such a crossing as a handle.
 constexpr double level_step = 0.7, lowest_level = 0.01, lowest_level_aimed_at = 0.3;
+/// The same of open surfaces, where more points have brought no more.
+constexpr double lowest_level_of_sheets = 0.01;
 /// The same for places between regions and pockets where sides are told by depth, in units of δ'.
 constexpr double highest_basin = 0.98, basin_step = 0.93, lowest_basin = 0.3;
 /// Points beyond the offset of the outside go in down to so much beyond; parts of edges and facets this small
@@ -29,7 +31,8 @@ constexpr int climb_stations = 4;
 const TopologyVerdict& TopologyCondition::verdict() {
   const Step now = context_.recorder().journal().steps();
   if (!verdict_ || judged_at_ != now) {
-    verdict_ = check_topology(extract_zero_set(context_.live().complex()), expected_);
+    const Complex& complex = context_.live().complex();
+    verdict_ = trial_ ? trial_(complex) : check_topology(extract_zero_set(complex), expected_);
     judged_at_ = now;
   }
   return *verdict_;
@@ -89,16 +92,23 @@ Event TopologyCondition::event(Reason reason) const {
   return event;
 }
 
+bool TopologyCondition::is_right() {
+  if (trial_) return (!mending_ || points_.empty()) && verdict().as_expected;
+  const long found = context_.live().euler_characteristic();
+  return expected_.euler_characteristic.value_or(found) == found && verdict().as_expected;
+}
+
 Turn TopologyCondition::turn() {
   if (phase_ == Phase::given_up) return Turn::satisfied;
-  const long found = context_.live().euler_characteristic();
-  if (expected_.euler_characteristic.value_or(found) == found && verdict().as_expected) {
-    note_check();
-    // Condition 3 waited: it has its turn, and then the topology again.
-    return std::exchange(mending_, false) ? Turn::acted : Turn::satisfied;
-  }
+  if (is_right()) return settle();
   if (!mending_ && candidates_.empty()) note_check();
   return mend();
+}
+
+Turn TopologyCondition::settle() {
+  note_check();
+  // Condition 3 waited: it has its turn, and then the topology again.
+  return std::exchange(mending_, false) ? Turn::acted : Turn::satisfied;
 }
 
 Turn TopologyCondition::mend() {
@@ -115,6 +125,7 @@ Turn TopologyCondition::mend() {
       return Turn::acted;
     }
     if (context_.cancelled()) return Turn::acted; // before all points were collected
+    if (trial_ && mending_ && verdict().as_expected) return settle();
     advance();
   }
   enter(Phase::given_up);
@@ -178,6 +189,7 @@ void TopologyCondition::lower_level() {
 }
 
 bool TopologyCondition::levels_left() const {
+  if (trial_) return level_ >= lowest_level_of_sheets * context_.volume().thresholds().delta;
   if (!expected_.required) return level_ >= lowest_level_aimed_at * context_.volume().thresholds().delta;
   const ToleranceVolume& volume = context_.volume();
   const double lowest = volume.held() > 0 ? lowest_level * lowest_level : lowest_level;
@@ -185,7 +197,7 @@ bool TopologyCondition::levels_left() const {
 }
 
 void TopologyCondition::try_summits() {
-  if (summits_ || !expected_.required) return enter(Phase::given_up);
+  if (summits_ || !expected_.required || trial_) return enter(Phase::given_up);
   std::vector<MisclassifiedPoint> summits = thin_summits(context_.volume(), context_.control());
   if (context_.cancelled()) return;
   summits_ = std::move(summits);
@@ -249,7 +261,7 @@ bool TopologyCondition::insert_point(const MisclassifiedPoint& candidate) {
     t = at;
     if (!misclassified(vertex.position, candidate.label, t)) continue;
     if (context_.spacing(vertex.position, t) < context_.smallest_spacing()) continue;
-    Event why = event(sides_known() ? Reason::crossing_simplex : Reason::cut_off);
+    Event why = event(phase_ == Phase::basins ? Reason::cut_off : Reason::crossing_simplex);
     why.tet = t;
     why.witness = candidate.point;
     if (context_.insert(vertex, t, why)) return true;

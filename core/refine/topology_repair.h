@@ -6,20 +6,24 @@
 #include "refine/context.h"
 #include "refine/misclassified_points.h"
 #include "refine/offset_search.h"
+#include "refine/refinement.h"
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isoscope {
 
 /// Mends Z while its topology is wrong. Where the input tells the side of any point (closed, free of
 /// self-intersections), points that f has on the wrong side go in, deepest first. In sampled mode the paper's
-/// rule comes before: refine the tetrahedron that carries Z with the largest circumradius.
+/// rule comes before: refine the tetrahedron that carries Z with the largest circumradius. Z of an open
+/// surface is cut on trial, and points go in by sides near to it.
 class TopologyCondition {
  public:
-  TopologyCondition(RefinementContext& context, const ExpectedTopology& expected, std::size_t insertion_limit)
-      : context_(context), expected_(expected), insertion_limit_(insertion_limit) {
+  TopologyCondition(RefinementContext& context, const ExpectedTopology& expected, std::size_t insertion_limit,
+                    TrialCut trial)
+      : context_(context), expected_(expected), insertion_limit_(insertion_limit), trial_(std::move(trial)) {
     reconsider();
   }
   Turn turn();
@@ -30,7 +34,7 @@ class TopologyCondition {
   std::string expectation() const;
   /// Tries anew what it had given up.
   void reconsider();
-  /// Z as it is now; cached until T changes.
+  /// Z as it is now, or as a cut would leave it; cached until T changes.
   const TopologyVerdict& verdict();
 
  private:
@@ -44,6 +48,7 @@ class TopologyCondition {
   RefinementContext& context_;
   ExpectedTopology expected_;
   std::size_t insertion_limit_;
+  TrialCut trial_; ///< of an open surface
   std::optional<TopologyVerdict> verdict_;
   Step judged_at_ = 0;
   std::optional<Step> noted_at_;
@@ -61,16 +66,21 @@ class TopologyCondition {
   bool fruitful_ = false;      ///< a point went in since the present phase last looked for points
 
   void note_check();
+  /// Whether Z has what is expected; not asked between points that go in together where that takes a cut.
+  bool is_right();
   bool sides_known() const { return context_.volume().input().sides_known(); }
   /// Whether there are places whose side is told.
-  bool searchable() const { return sides_known() || !context_.volume().basins().empty(); }
+  bool searchable() const { return sides_known() || trial_ || !context_.volume().basins().empty(); }
   /// Insertions that the paper's rule may ask for.
   std::size_t circumradius_limit() const;
   void enter(Phase phase);
   /// The first phase that looks for points.
   Phase first_search() const {
-    return !sides_known() ? Phase::basins : expected_.joined ? Phase::contacts : Phase::edges;
+    if (!sides_known() && !trial_) return Phase::basins;
+    return expected_.joined ? Phase::contacts : Phase::edges;
   }
+  /// Where Z is right.
+  Turn settle();
   Turn mend();
   void advance();
   void lower_level();

@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 #include "journal/playback.h"
 #include "mesh/zero_set.h"
+#include "run/trial_cut.h"
 #include "simplify/first_surface.h"
 #include "tolerance/region_labels.h"
 
@@ -87,6 +88,20 @@ struct Pipeline::Impl {
     return last;
   }
 
+  void begin_refinement(SearchedSamples samples, const CriteriaParameters& criteria) {
+    ToleranceVolume& volume = preparation.volume();
+    const ExpectedTopology& expected = scene->expected;
+    const bool tried = is_tried(volume, expected);
+    TrialCut trial;
+    if (tried)
+      trial = [&volume, expected, this](const Complex& refined) {
+        return try_cut(refined, volume, expected, *control);
+      };
+    refinement = std::make_unique<Refinement>(volume, std::move(samples), criteria,
+                                              tried ? expected : expected_before_the_cut(volume, expected),
+                                              RefinementLimits{}, *recorder, *control, std::move(trial));
+  }
+
   /// Where the beginning of a branch is made once more, the decisions taken from its journal: scratch holds
   /// what is made meanwhile.
   Status go_on_from(const BranchPoint& branch, std::shared_ptr<Journal> prefix) {
@@ -103,10 +118,7 @@ struct Pipeline::Impl {
     branched = describe(branch);
     const CriteriaParameters criteria = criteria_before(*journal, start.event);
     if (start.stage == Stage::refinement) {
-      refinement =
-          std::make_unique<Refinement>(preparation.volume(), journal->sample_sets()[0], criteria,
-                                       expected_before_the_cut(preparation.volume(), scene->expected),
-                                       RefinementLimits{}, *recorder, *control);
+      begin_refinement(journal->sample_sets()[0], criteria);
       return {};
     }
     // Which regions of the complement are known depends on the places that the refinement asked for.
@@ -229,10 +241,7 @@ Result<std::shared_ptr<const Scene>> Pipeline::prepare(std::shared_ptr<const Tri
   m.resampling.emplace(*m.gate, criteria.sigma);
   m.recorder.emplace(*m.journal, *m.resampling);
   if (parameters_.start == FirstZ::delaunay)
-    m.refinement =
-        std::make_unique<Refinement>(m.preparation.volume(), m.preparation.take_samples(), criteria,
-                                     expected_before_the_cut(m.preparation.volume(), m.scene->expected),
-                                     RefinementLimits{}, *m.recorder, *m.control);
+    m.begin_refinement(m.preparation.take_samples(), criteria);
   else if (Status begun = m.begin_outside_of_t(criteria); !begun)
     return begun.error();
   m.seconds = watch.seconds();

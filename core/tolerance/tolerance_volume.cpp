@@ -145,8 +145,9 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
   v.octree_ = std::make_unique<Regions>(std::move(octree).value());
   const Error stopped{ErrorCode::cancelled, "Stopped while building the tolerance volume.", ""};
   v.join_pockets(control);
-  // Depths alone tell the sides of points: what is joined has to be known before they are told.
-  if (v.sides_.rule() == SideRule::depth && !control.cancelled())
+  // Where depths or regions tell the sides, what is joined has to be known before.
+  const bool regions_tell = v.sides_.rule() == SideRule::depth || (v.has_surface() && !v.sides_.known());
+  if (regions_tell && !control.cancelled())
     join_narrow_passages(v.octree(), *v.field_, boundary, v.thresholds_.reject, control);
   if (control.cancelled()) return stopped;
 

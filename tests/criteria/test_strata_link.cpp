@@ -70,17 +70,27 @@ Arrangement arrangement(const Complex& c) {
   return found;
 }
 
+bool is_dropped(const Tet& t, std::size_t k) {
+  return (t.dropped >> k & 1u) != 0;
+}
+
+/// Where a tetrahedron has another one beside it.
+std::size_t place_of(const Tet& t, TetId neighbor) {
+  std::size_t k = 0;
+  while (k < 3 && t.neighbor[k] != neighbor) ++k;
+  return k;
+}
+
 /// Both tetrahedra of a facet say the same of it, and nothing is dropped between equal sides.
 bool bits_agree(const Complex& c) {
-  for (std::size_t t = 0; t < c.tets.size(); ++t) {
-    for (std::size_t k = 0; c.tets[t].alive() && k < 4; ++k) {
-      const TetId n = c.tets[t].neighbor[k];
-      if (!n.valid()) continue;
-      const auto& around = c.tet(n).neighbor;
-      const auto j =
-          static_cast<std::size_t>(std::find(around.begin(), around.end(), TetId(t)) - around.begin());
-      const bool here = (c.tets[t].dropped >> k & 1u) != 0, there = (c.tet(n).dropped >> j & 1u) != 0;
-      if (here != there || (here && c.tets[t].side == c.tet(n).side)) return false;
+  for (std::size_t i = 0; i < c.tets.size(); ++i) {
+    const Tet& t = c.tets[i];
+    if (!t.alive()) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!t.neighbor[k].valid()) continue;
+      const Tet& other = c.tet(t.neighbor[k]);
+      if (is_dropped(t, k) != is_dropped(other, place_of(other, TetId(i)))) return false;
+      if (is_dropped(t, k) && t.side == other.side) return false;
     }
   }
   return true;

@@ -248,6 +248,62 @@ inline TriangleSoup ball_with_holes() {
   return ball;
 }
 
+/// The unit sphere with a round hole of that radius.
+inline TriangleSoup ball_with_hole(double radius) {
+  constexpr std::uint32_t around = 60, rings = 40;
+  TriangleSoup ball;
+  ball.name = "ball with a hole";
+  const double first = std::asin(radius);
+  for (std::uint32_t i = 0; i < rings; ++i)
+    for (std::uint32_t k = 0; k < around; ++k) {
+      const double down = first + (std::numbers::pi - first) * i / rings;
+      const double turn = 2 * std::numbers::pi * k / around;
+      ball.points.push_back(
+          {std::sin(down) * std::cos(turn), std::sin(down) * std::sin(turn), std::cos(down)});
+    }
+  const auto pole = static_cast<std::uint32_t>(ball.points.size());
+  ball.points.push_back({0, 0, -1});
+  for (std::uint32_t i = 0; i < rings; ++i)
+    for (std::uint32_t k = 0; k < around; ++k) {
+      const std::uint32_t a = i * around + k, b = i * around + (k + 1) % around;
+      if (i + 1 == rings) {
+        ball.triangles.push_back({a, pole, b});
+        continue;
+      }
+      ball.triangles.push_back({a, a + around, b + around});
+      ball.triangles.push_back({a, b + around, b});
+    }
+  return ball;
+}
+
+/// A comb of prongs of height 1 with gaps between them, 0.6 deep, of which the back is open.
+inline TriangleSoup open_comb(int gaps, double prong, double gap) {
+  TriangleSoup comb;
+  comb.name = "open comb";
+  const int columns = 2 * gaps + 1, width = columns + 1;
+  const std::array<double, 3> heights{0, 0.2, 1};
+  for (const double y : {0.0, 0.6})
+    for (const double z : heights)
+      for (int i = 0; i < width; ++i) comb.points.push_back({((i + 1) / 2) * prong + (i / 2) * gap, y, z});
+  const auto at = [&](int i, int level) { return static_cast<std::uint32_t>(level * width + i); };
+  const auto behind = static_cast<std::uint32_t>(heights.size()) * static_cast<std::uint32_t>(width);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges; // of the front, as its squares run
+  for (int i = 0; i < columns; ++i)
+    for (int level = 0; level < (i % 2 == 0 ? 2 : 1); ++level) {
+      const std::array<std::uint32_t, 4> square{at(i, level), at(i + 1, level), at(i + 1, level + 1),
+                                                at(i, level + 1)};
+      comb.triangles.push_back({square[0], square[1], square[2]});
+      comb.triangles.push_back({square[0], square[2], square[3]});
+      for (std::size_t k = 0; k < 4; ++k) edges.emplace_back(square[k], square[(k + 1) % 4]);
+    }
+  for (const auto& [a, b] : edges) {
+    if (std::find(edges.begin(), edges.end(), std::pair{b, a}) != edges.end()) continue;
+    comb.triangles.push_back({a, a + behind, b + behind});
+    comb.triangles.push_back({a, b + behind, b});
+  }
+  return comb;
+}
+
 inline std::shared_ptr<const TriangleSoup> shared(TriangleSoup soup) {
   return std::make_shared<const TriangleSoup>(std::move(soup));
 }
