@@ -21,9 +21,10 @@ constexpr double step = 1.25, precision = 1.03;
 constexpr double largest_share = 0.5;
 /// Cells of an octree for each δ'² of the input's area, about, and how many all trials may take together.
 constexpr double cells_by_area = 40, most_cells = 3e6;
-/// How often a larger one is tried where samples or the refinement find an opening that cells do not show.
+/// How often a larger one is tried where samples or the refinement find an opening that cells do not show: by
+/// steps that grow by this factor each.
 constexpr int most_attempts = 8;
-constexpr double attempt_step = 1.08;
+constexpr double attempt_step = 1.03;
 /// Vertices after which a refinement has shown that it runs.
 constexpr std::size_t trial_insertions = 3000;
 
@@ -132,7 +133,8 @@ Found search(Trials& trials, double from, bool open, const RunControl& control) 
   int attempts = 0;
   for (int attempt = 0; serving > 0 && !found.percent && attempt < most_attempts && !control.cancelled();
        ++attempt) {
-    const double candidate = rounded_up(100 * serving / edge * std::pow(attempt_step, attempt));
+    const double larger = std::pow(attempt_step, attempt * (attempt + 1) / 2);
+    const double candidate = rounded_up(100 * serving / edge * larger);
     ++attempts;
     if (trials.begins(candidate / 100 * edge)) found.percent = candidate;
   }
