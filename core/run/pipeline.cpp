@@ -91,7 +91,7 @@ struct Pipeline::Impl {
   void begin_refinement(SearchedSamples samples, const CriteriaParameters& criteria) {
     ToleranceVolume& volume = preparation.volume();
     const ExpectedTopology& expected = scene->expected;
-    const bool tried = is_tried(volume, expected);
+    const bool tried = criteria.certified && is_tried(volume, expected);
     TrialCut trial;
     if (tried)
       trial = [&volume, expected, this](const Complex& refined) {
