@@ -58,24 +58,23 @@ ExpectedTopology expected_of_open(const ToleranceVolume& volume) {
   const bool possible = sum % 2 == 0 && twice_genus >= 0 && twice_genus % 2 == 0;
   const bool told_by_volume = volume.open_sides()->by_samples() && volume.thickening() && possible;
   expected.required = keeps_input || told_by_volume;
-  if (expected.required || (possible && rim.meetings() == 0))
+  // Where Ω keeps components and loops alone, walls and gaps that it closes have made its χ another one; Z
+  // goes through them.
+  const InputTopology& input = volume.input();
+  const bool of_input = volume.has_surface() && input.manifold && components == input.components &&
+                        loops == input.boundary_loops;
+  if (of_input || expected.required || (possible && rim.meetings() == 0))
     expected.boundary_loops = loops;
   else
     expected.loops_untold =
         possible ? "the " + counted(loops, "loop") + " of the rim meet each other or themselves in " +
                        counted(rim.meetings(), "point") + ", where Ω parts or joins them"
                  : "no surface with that χ has the " + counted(loops, "loop") + " of the rim: Ω closes some";
-  expected.source = keeps_input ? "the input" : "the boundary of Ω";
-  if (sum % 2 == 0) expected.euler_characteristic = sum / 2;
-  const InputTopology& input = volume.input();
-  if (!keeps_input && volume.has_surface() && input.manifold && components == input.components &&
-      loops == input.boundary_loops) {
-    // Walls and gaps that Ω closes have made its χ another one; Z goes through them.
+  expected.source = of_input ? "the input" : "the boundary of Ω";
+  if (of_input)
     expected.euler_characteristic = input.euler_characteristic;
-    expected.boundary_loops = loops;
-    expected.loops_untold.clear();
-    expected.source = "the input";
-  }
+  else if (sum % 2 == 0)
+    expected.euler_characteristic = sum / 2;
   return expected;
 }
 
