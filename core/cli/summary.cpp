@@ -146,7 +146,7 @@ std::string start_note(const RunParameters& parameters, const Scene& scene) {
   // Samples cost the refinement what facets cost the improver, about eight of them as much as one.
   constexpr double few = 1.0 / 8, many = 1.0 / 2;
   const double ratio = static_cast<double>(scene.input->triangles.size()) /
-                       static_cast<double>(std::max<std::size_t>(scene.samples->size(), 1));
+                       std::max(scene.sample_estimate.samples(0.5 * scene.delta), 1.0);
   if (parameters.start == FirstZ::input && ratio > many)
     return "The input has many triangles for this tolerance: --start delaunay would be faster.";
   RunParameters other = parameters;

@@ -11,6 +11,7 @@
 #include "run/make_field.h"
 #include "run/run_input.h"
 #include "run/scattered_points.h"
+#include "simplify/first_surface.h"
 #include "tolerance/facet_copies.h"
 #include "tolerance/open_changes.h"
 #include "tolerance/region_labels.h"
@@ -60,7 +61,7 @@ std::string tolerance_text(const RunParameters& parameters, const Scene& scene) 
 
 Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes) {
   if (estimate.bytes(sigma) <= most_bytes) return {};
-  constexpr double gigabyte = 1e9, sparsest = 0.95, margin = 1.01;
+  constexpr double gigabyte = 1e9, sparsest = sparsest_sigma_ratio, margin = 1.01;
   char message[240], remedy[200];
   std::snprintf(
       message, sizeof message,
@@ -323,12 +324,23 @@ void Preparation::examine(const Scene& made) {
   examined_ = std::move(kept);
 }
 
+/// Whether no T is refined for the samples, and nothing of the input is so thin that they must be near it.
+bool Preparation::few_samples_do() const {
+  return parameters_.start != FirstZ::delaunay && parameters_.containment == Containment::certified &&
+         volume_->thickening();
+}
+
+double Preparation::default_sigma(double delta) const {
+  return few_samples_do() ? sparsest_sigma_ratio : default_sigma_ratio(kept_area_, delta);
+}
+
 /// Where nothing is asked for, facet certificates stand for samples in planes, once there are many.
 double Preparation::flat_sigma(double sigma) const {
   const double delta = volume_->thresholds().delta;
   const bool may = parameters_.sigma == 0 && parameters_.containment == Containment::certified &&
                    parameters_.cover.value_or(least_flat_cover) >= least_flat_cover && volume_->thickening();
-  return may && estimate_samples(*volume_).samples(sigma) > many_samples ? flat_sigma_ratio * delta : 0;
+  const bool helps = few_samples_do() || estimate_samples(*volume_).samples(sigma) > many_samples;
+  return may && helps ? flat_sigma_ratio * delta : 0;
 }
 
 Result<std::shared_ptr<const BoundarySamples>> Preparation::sample(SampleDensity density) {
@@ -363,7 +375,8 @@ void Preparation::warn(Scene& made, const CriteriaParameters& criteria) const {
   for (ParameterWarning& warning : check_parameters(criteria.sigma, criteria.alpha, criteria.delta,
                                                     criteria.condition_2 && !criteria.certified))
     made.warnings.push_back(std::move(warning));
-  if (criteria.certified && parameters_.sigma == 0 && criteria.sigma > 0.5 * made.delta) {
+  if (criteria.certified && parameters_.sigma == 0 && criteria.sigma > 0.5 * made.delta &&
+      !few_samples_do()) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "The tolerance is small for the area of the input: the samples are %.2f δ dense instead of "
@@ -429,6 +442,8 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   if (auto note = coordinate_note(*soup, scene->delta)) scene->warnings.push_back({std::move(*note), 0});
   if (!scene->field)
     if (Status read = make_field(*scene, soup, scene->delta); !read) return read.error();
+  if (parameters_.start == FirstZ::input && !parameters_.drop_thin)
+    if (Status can = can_start_from_input(*scene->field, scene->input_topology); !can) return can.error();
   scene->input_seconds = watch.seconds();
 
   const bool of_points = points_.points != nullptr;
@@ -440,7 +455,7 @@ Result<std::shared_ptr<const Scene>> Preparation::make(std::shared_ptr<const Tri
   }
   scene->volume_seconds = watch.seconds() - scene->input_seconds;
 
-  scene->default_sigma = default_sigma_ratio(kept_area_, scene->delta);
+  scene->default_sigma = default_sigma(scene->delta);
   const CriteriaParameters criteria = parameters_.criteria(scene->delta, scene->default_sigma);
   auto samples = sample({criteria.sigma, flat_sigma(criteria.sigma)});
   if (control_.cancelled()) return cancelled_error(control_);

@@ -93,6 +93,8 @@ class Preparation {
   Error refused(Error error, const Scene& at) const;
 
  private:
+  bool few_samples_do() const;
+  double default_sigma(double delta) const;
   double flat_sigma(double sigma) const;
   ToleranceVolume::Options volume_options(double delta) const;
   Status make_field(Scene& made, const std::shared_ptr<const TriangleSoup>& kept,

@@ -20,8 +20,8 @@ Error no_start(const std::string& why) {
 }
 
 /// Why a closed manifold is not known to be free of intersections.
-Error crossing_error(const ToleranceVolume& volume) {
-  WeldedMesh mesh = weld(volume.index());
+Error crossing_error(const ClosestPointIndex& index) {
+  WeldedMesh mesh = weld(index);
   if (!orient(mesh.triangles, sorted_edge_uses(mesh.triangles)))
     return no_start("it cannot be oriented, so that it meets itself");
   const auto met = self_intersections(
@@ -33,8 +33,8 @@ Error crossing_error(const ToleranceVolume& volume) {
                          : "it meets itself, in a triangle at " + place(p, place_digits));
 }
 
-Error manifold_error(const ToleranceVolume& volume) {
-  const WeldedMesh mesh = weld(volume.index());
+Error manifold_error(const ClosestPointIndex& index) {
+  const WeldedMesh mesh = weld(index);
   const auto collapsed = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), is_collapsed);
   if (collapsed != mesh.triangles.end())
     return no_start("a triangle at " + place(mesh.points[(*collapsed)[0]], place_digits) +
@@ -79,12 +79,18 @@ constexpr int finest_share = 4; ///< of the coarsest lattice's edge
 
 } // namespace
 
+Status can_start_from_input(const ToleranceField& field, const InputTopology& topology) {
+  const ClosestPointIndex* index = field.surface();
+  if (index == nullptr)
+    return no_start(field.kind() == FieldKind::points ? "it is points, no surface"
+                                                      : "it gives a volume, no surface inside it");
+  if (!topology.closed_manifold) return manifold_error(*index);
+  if (!topology.self_intersection_free) return crossing_error(*index);
+  return {};
+}
+
 Status can_start_from_input(const ToleranceVolume& volume) {
-  if (!volume.has_surface())
-    return no_start(volume.field().kind() == FieldKind::points ? "it is points, no surface"
-                                                               : "it gives a volume, no surface inside it");
-  if (!volume.input().closed_manifold) return manifold_error(volume);
-  if (!volume.input().self_intersection_free) return crossing_error(volume);
+  if (Status can = can_start_from_input(volume.field(), volume.input()); !can) return can;
   if (volume.has_rooms()) return no_start("it bounds several insides, which the improver does not know");
   if (volume.has_inner_walls()) return no_start("some of its walls have inside on both sides");
   return {};

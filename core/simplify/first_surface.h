@@ -41,6 +41,8 @@ using FirstSurfaceMaker = std::function<Result<FirstSurface>(const RunControl&)>
 /// Whether the input itself can be the first Z: a closed manifold that is free of intersections by exact
 /// predicates, and whose every wall lies between inside and outside. Fails with usage, naming the place.
 Status can_start_from_input(const ToleranceVolume& volume);
+/// What of it can be told before there is Ω.
+Status can_start_from_input(const ToleranceField& field, const InputTopology& topology);
 /// The input as Z: points of equal coordinates merged, in ascending order, turned to the outside. For a
 /// volume that passed can_start_from_input().
 FirstSurface first_from_input(const ToleranceVolume& volume);

@@ -116,7 +116,7 @@ class Sampler {
 
   Status run(const RunControl& control) {
     const Regions& octree = volume_.octree();
-    const bool flats = options_.one_region_a_cell && volume_.open_sides() == nullptr;
+    const bool flats = options_.one_region_a_cell && volume_.has_surface() && volume_.open_sides() == nullptr;
     const SampleUnitFinder finder(volume_, samples_.sigma, flats ? flat_sigma_ : 0, options_);
     const auto part_side = finder.part_side();
     const std::size_t block_size = part_side ? 1 : block_cells;

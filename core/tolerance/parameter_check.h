@@ -22,5 +22,7 @@ std::vector<ParameterWarning> check_parameters(double sigma, double alpha, doubl
 /// samples so much more that it is not, up to 0.95. Containment is proven facet by facet there, so samples
 /// need not be dense. `area` of the input and `delta` absolute.
 double default_sigma_ratio(double area, double delta);
+/// The largest of those.
+constexpr double sparsest_sigma_ratio = 0.95;
 
 } // namespace isoscope

@@ -199,6 +199,33 @@ TEST_CASE("Input that is no surface to begin with is refused, with the place") {
   CHECK(refusal(doubled).message.find("has 3 triangles") != std::string::npos);
 }
 
+TEST_CASE("What cannot be the first Z is refused before there is Ω") {
+  const TriangleSoup sphere = model("sphere");
+  CompleteRun run(from_input("sphere"));
+  run.soup = std::make_shared<const TriangleSoup>(
+      together(sphere, sphere, {0.5 * sphere.bounds().longest_edge(), 0, 0}));
+  std::set<std::string, std::less<>> parts;
+  run.control.on_progress([&](std::string_view part, double) { parts.emplace(part); });
+  REQUIRE(!run.run());
+  CHECK(parts.contains("input"));
+  CHECK(!parts.contains("sampling"));
+}
+
+TEST_CASE("Without T few samples are drawn where nothing is thinner than twice the tolerance") {
+  CompleteRun few(from_input("sphere")), many(complete_parameters("sphere"));
+  REQUIRE(few.prepare());
+  REQUIRE(many.prepare());
+  CHECK(few.scene->default_sigma == sparsest_sigma_ratio);
+  CHECK(3 * few.scene->samples->size() < many.scene->samples->size());
+  CHECK(few.scene->warnings.empty());
+
+  RunParameters asked = from_input("sphere");
+  asked.sigma = 0.5;
+  CompleteRun as_many(asked);
+  REQUIRE(as_many.prepare());
+  CHECK(as_many.scene->samples->size() == many.scene->samples->size());
+}
+
 TEST_CASE("Without T there is nothing to ask for but the improver on Z alone") {
   const auto wrong = [](const auto& edit) {
     RunParameters parameters = from_input("sphere");

@@ -1,6 +1,7 @@
 // The field between two surfaces: signs, separation, nesting, exact tests, and what is refused.
 #include "input/gallery_shapes.h"
 #include "shapes.h"
+#include "tolerance/boundary_sampler.h"
 #include "tolerance/exact_position.h"
 #include "tolerance/separation.h"
 #include "tolerance/surface_pair_field.h"
@@ -139,6 +140,18 @@ TEST_CASE("shells, cavities and parts of a volume") {
   std::swap(turned.triangles[5][0], turned.triangles[5][1]);
   CHECK(field_of(turned, scaled(sphere, 0.7))->distance({0, 0, 0}) ==
         doctest::Approx(0.15 + 0.7).epsilon(0.1));
+}
+
+TEST_CASE("where there is no surface of the input, planes are sampled like all else") {
+  const auto field = field_of(cube(1), cube(0.75));
+  ToleranceVolume alike = volume_of(field), flat = volume_of(field);
+  const double sigma = 0.5 * field->delta();
+  const auto of_sigma = sample_boundary(alike, sigma, RunControl());
+  const auto sparse_in_planes = sample_boundary(flat, {sigma, 4 * sigma}, RunControl());
+  REQUIRE(of_sigma.ok());
+  REQUIRE(sparse_in_planes.ok());
+  CHECK(of_sigma->size() > 100);
+  CHECK(sparse_in_planes->positions == of_sigma->positions);
 }
 
 TEST_CASE("exact tests: touching is meeting") {
