@@ -6,6 +6,7 @@
 #include "bench/table.h"
 #include "bench/targets.h"
 #include "run/complete_run.h"
+#include "run/statistics.h"
 
 #include <CLI/CLI.hpp>
 
@@ -23,14 +24,14 @@ using namespace isoscope::bench;
 struct Options {
   std::string model;
   std::vector<std::string> tolerances;
-  bool quick = false, complete = false, all = false, open = false, targets = false;
+  bool quick = false, complete = false, all = false, open = false, targets = false, cores = false;
   bool markdown = false, envelope = false, no_normals = false;
   unsigned threads = 0, seeds = 1;
   double time_limit = 0, kill_after = 3600;
 };
 
-Outcome run_ours(const Case& asked, std::uint32_t seed, const Options& options) {
-  const ThreadLimit threads(options.threads);
+Outcome run_ours(const Case& asked, std::uint32_t seed, const Options& options, unsigned threads_at_most) {
+  const ThreadLimit threads(threads_at_most);
   RunParameters parameters;
   parameters.input = asked.model;
   parameters.tolerance = asked.tolerance;
@@ -39,6 +40,7 @@ Outcome run_ours(const Case& asked, std::uint32_t seed, const Options& options) 
   auto soup = asked.load();
   if (!soup) return {false, 0, soup.error().message};
   const double delta = asked.tolerance.absolute(soup->bounds().longest_edge());
+  const std::size_t given = soup->points.size();
   test::CompleteRun run(parameters);
   run.soup = std::make_shared<const TriangleSoup>(nudged(std::move(*soup), delta, seed));
   run.gate.decide = [&](const Journal&, const Event&) {
@@ -48,7 +50,10 @@ Outcome run_ours(const Case& asked, std::uint32_t seed, const Options& options) 
   const Certificate& c = run.result->certificate;
   std::string status = c.holds() ? "certified" : "NOT certified: " + c.failures.front();
   if (run.result->end != RunResult::End::finished) status += ", at the time limit";
-  return {c.holds(), run.result->mesh.points.size(), status};
+  double improving = 0;
+  for (const StageStatistics& stage : gather_statistics(*run.journal))
+    if (stage.stage == Stage::improve) improving += stage.seconds;
+  return {c.holds(), run.result->mesh.points.size(), status, given, improving};
 }
 
 Outcome run_theirs(const Case& asked, CollapseFilter filter) {
@@ -57,12 +62,17 @@ Outcome run_theirs(const Case& asked, CollapseFilter filter) {
   const double delta = asked.tolerance.absolute(soup->bounds().longest_edge());
   const auto simplified = lindstrom_turk(*soup, delta, filter);
   if (!simplified) return {false, 0, simplified.error().message};
-  return {true, simplified->mesh.points.size(), simplified->intersects_itself ? "intersects itself" : ""};
+  return {true, simplified->mesh.points.size(), simplified->intersects_itself ? "intersects itself" : "",
+          soup->points.size()};
 }
 
 Row run_case(const Case& asked, const Measured& lindstrom_turk, std::uint32_t seed, const Options& options) {
   Row row{asked, {}, lindstrom_turk, {}, seed};
-  row.ours = measure([&] { return run_ours(asked, seed, options); }, options.kill_after);
+  const auto ours = [&](unsigned threads) {
+    return measure([&] { return run_ours(asked, seed, options, threads); }, options.kill_after);
+  };
+  row.ours = ours(options.cores ? 1 : options.threads);
+  if (options.cores) row.on_two = ours(2);
   if (options.envelope && seed == 0)
     row.envelope = measure([&] { return run_theirs(asked, CollapseFilter::envelope); }, options.kill_after);
   return row;
@@ -80,7 +90,7 @@ Result<std::vector<Case>> cases_for(const Options& options) {
   if (options.open) return open_demo_cases(tolerances);
   if (options.all) return demo_cases(tolerances);
   if (!options.model.empty()) return model_cases(options.model, tolerances);
-  if (options.targets) return cases_of_targets();
+  if (options.targets) return cases_of_targets(options.complete);
   return target_cases(options.quick      ? Selection::quick
                       : options.complete ? Selection::complete
                                          : Selection::standard);
@@ -98,7 +108,8 @@ int run(const Options& options) {
   for (const Case& asked : *cases) {
     const Measured theirs =
         measure([&] { return run_theirs(asked, CollapseFilter::certificate); }, options.kill_after);
-    if ((options.all || options.open) && !theirs.outcome.good) continue; // no oriented manifold
+    const bool any = options.all || options.open || asked.of_all;
+    if (any && !theirs.outcome.good) continue; // no oriented manifold
     for (std::uint32_t seed = 0; seed < options.seeds; ++seed) {
       rows.push_back(run_case(asked, theirs, seed, options));
       std::fputs(table.line(rows.back()).c_str(), stdout);
@@ -129,7 +140,10 @@ int main(int argc, char** argv) {
                  "ours so many times, from the second on of an input that is nudged")
       ->check(CLI::Range(1, 100));
   app.add_flag("--quick", options.quick, "only a few models, for seconds");
-  app.add_flag("--long", options.complete, "the longest model too");
+  app.add_flag("--long", options.complete,
+               "the longest model too; with --targets all models that these are of, an hour's work");
+  app.add_flag("--cores", options.cores,
+               "ours on one thread and once more on two: how much faster the improver is");
   app.add_flag("--envelope", options.envelope,
                "also Lindstrom–Turk within CGAL's polyhedral envelope (slow)");
   app.add_flag("--no-normals", options.no_normals, "ours without condition 3");

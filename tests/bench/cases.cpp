@@ -53,6 +53,21 @@ Case file_case(const std::string& name, const std::string& file, const Tolerance
   return {name, tolerance, [parameters] { return load_input(parameters); }, {}, {}, {}};
 }
 
+/// The mesh files that are open, or those that are not, the smallest first.
+std::vector<Case> demo_cases_with_border(bool open, const std::vector<Tolerance>& tolerances) {
+  std::vector<std::filesystem::path> files = demo_models();
+  std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
+    return std::filesystem::file_size(a) < std::filesystem::file_size(b);
+  });
+  std::vector<Case> cases;
+  for (const std::filesystem::path& file : files) {
+    const auto soup = read_mesh(file.string());
+    if (!soup || soup->triangles.empty() || border_uses(weld(*soup).triangles).empty() == open) continue;
+    for (Case& c : model_cases(file.string(), tolerances)) cases.push_back(std::move(c));
+  }
+  return cases;
+}
+
 } // namespace
 
 TriangleSoup icosphere(unsigned levels) {
@@ -154,17 +169,11 @@ std::vector<Case> demo_cases(const std::vector<Tolerance>& tolerances) {
 }
 
 std::vector<Case> open_demo_cases(const std::vector<Tolerance>& tolerances) {
-  std::vector<std::filesystem::path> files = demo_models();
-  std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
-    return std::filesystem::file_size(a) < std::filesystem::file_size(b);
-  });
-  std::vector<Case> cases;
-  for (const std::filesystem::path& file : files) {
-    const auto soup = read_mesh(file.string());
-    if (!soup || border_uses(weld(*soup).triangles).empty()) continue;
-    for (Case& c : model_cases(file.string(), tolerances)) cases.push_back(std::move(c));
-  }
-  return cases;
+  return demo_cases_with_border(true, tolerances);
+}
+
+std::vector<Case> closed_demo_cases(const std::vector<Tolerance>& tolerances) {
+  return demo_cases_with_border(false, tolerances);
 }
 
 } // namespace isoscope::bench

@@ -21,6 +21,7 @@ struct Case {
   std::optional<std::size_t> at_most; ///< vertices that must be reached
   std::optional<std::size_t> goal;    ///< vertices aimed at
   std::optional<double> optimum;      ///< of the smooth surface, asymptotically
+  bool of_all = false;                ///< one of all that can be compared; left out where it cannot
 };
 
 enum class Selection {
@@ -40,6 +41,8 @@ std::vector<Case> sphere_cases();
 std::vector<Case> demo_cases(const std::vector<Tolerance>& tolerances);
 /// Those with an edge of one triangle alone once equal points are merged, the smallest files first.
 std::vector<Case> open_demo_cases(const std::vector<Tolerance>& tolerances);
+/// Those without, in the same order.
+std::vector<Case> closed_demo_cases(const std::vector<Tolerance>& tolerances);
 
 /// A subdivided icosahedron on the unit sphere: 10 · 4^levels + 2 vertices.
 TriangleSoup icosphere(unsigned levels);

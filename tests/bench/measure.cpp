@@ -21,13 +21,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 std::string text_of(const Outcome& outcome) {
-  return std::to_string(outcome.good ? 1 : 0) + " " + std::to_string(outcome.vertices) + " " + outcome.status;
+  return std::to_string(outcome.good ? 1 : 0) + " " + std::to_string(outcome.vertices) + " " +
+         std::to_string(outcome.given) + " " + std::to_string(outcome.improving) + " " + outcome.status;
 }
 
 Outcome outcome_of(const std::string& text) {
   std::istringstream in(text);
   Outcome outcome;
-  in >> outcome.good >> outcome.vertices;
+  in >> outcome.good >> outcome.vertices >> outcome.given >> outcome.improving;
   in.get();
   std::getline(in, outcome.status);
   return outcome;

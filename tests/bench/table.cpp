@@ -70,6 +70,16 @@ std::optional<double> Row::cpu_ratio() const {
   return ours.cpu_seconds / lindstrom_turk.cpu_seconds;
 }
 
+std::optional<double> Row::envelope_cpu_ratio() const {
+  if (!ours.outcome.good || !envelope || !envelope->outcome.good || !(envelope->cpu_seconds > 0)) return {};
+  return ours.cpu_seconds / envelope->cpu_seconds;
+}
+
+std::optional<double> Row::speed_up() const {
+  if (!ours.outcome.good || !on_two || !on_two->outcome.good || !(on_two->outcome.improving > 0)) return {};
+  return ours.outcome.improving / on_two->outcome.improving;
+}
+
 std::string Table::cells(const std::vector<std::string>& texts) const {
   std::string line = markdown_ ? "|" : "";
   for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -15,12 +15,17 @@ namespace isoscope::bench {
 struct Row {
   Case asked;
   Measured ours, lindstrom_turk;
-  std::optional<Measured> envelope; ///< Lindstrom–Turk under the envelope filter
-  std::uint32_t seed = 0;           ///< of what ours was given
+  std::optional<Measured> envelope;    ///< Lindstrom–Turk under the envelope filter
+  std::uint32_t seed = 0;              ///< of what ours was given
+  std::optional<Measured> on_two = {}; ///< ours on two threads
   /// Our vertices over those of Lindstrom–Turk, where both results count.
   std::optional<double> ratio() const;
   /// Our CPU time over its, under the same conditions.
   std::optional<double> cpu_ratio() const;
+  /// Our CPU time over that within the envelope, where both results count.
+  std::optional<double> envelope_cpu_ratio() const;
+  /// How many times faster the improver ends on two threads.
+  std::optional<double> speed_up() const;
 };
 
 /// The middle value, or the mean of the two; of at least one.

@@ -292,13 +292,57 @@ TEST_CASE("Targets are told as mean, least and largest over the seeds") {
   CHECK(target_table(rows, true) ==
         "| target | now | certified | floor | goal |\n| --- | --: | --: | --: | --: |\n"
         "| vertices / LT, all of free-form models at 1 % | 0.650 (0.650 to 0.650) | 4 of 4 | 0.54 | 0.5 |\n"
-        "| vertices / optimum, spheres at .01, .02, .04 r | - | 0 of 0 | 1.15 | 1.1 |\n"
-        "| CPU / LT, median of eight models at 1 % | 15.0 (14.0 to 16.0) | 4 of 4 | 15 | 8 |\n");
+        "| CPU / LT, median of eight models at 1 % | 15.0 (14.0 to 16.0) | 4 of 4 | 15 | 8 |\n"
+        "| CPU / CPU at less δ, worst of free-form | - | 4 of 4 | 1 | 0.8 |\n");
   rows[1].ours.outcome.good = false;
   CHECK(target_table(rows, true).find("models at 1 % | 0.655 (0.650 to 0.660) | 3 of 4 |") !=
         std::string::npos);
-  for (const Case& c : cases_of_targets()) {
+  for (const Case& c : cases_of_targets(false)) {
     CAPTURE(c.model);
     CHECK(c.load().ok());
   }
+  CHECK(cases_of_targets(true).size() >= cases_of_targets(false).size());
+}
+
+TEST_CASE("Targets of small tolerances, of two threads and of all models are of their rows alone") {
+  const auto measured = [](const char* model, double percent, double cpu) {
+    Row r = row(60, 100, true);
+    r.asked.model = model;
+    r.asked.tolerance = {percent, true};
+    r.ours.cpu_seconds = cpu;
+    r.ours.outcome.improving = 3;
+    r.lindstrom_turk.cpu_seconds = 2;
+    return r;
+  };
+  std::vector<Row> rows{measured("elephant", 0.4, 30), measured("elephant", 0.8, 24),
+                        measured("elephant", 1, 36), measured("armadillo", 0.1, 250)};
+  rows[0].envelope = rows[0].ours;
+  rows[0].envelope->cpu_seconds = 20;
+  rows[1].on_two = rows[1].ours;
+  rows[1].on_two->outcome.improving = 2;
+  CHECK(rows[1].speed_up() == 1.5);
+  CHECK(!rows[0].speed_up());
+  CHECK(rows[0].envelope_cpu_ratio() == 1.5);
+  // One that cannot shrink does not count among all.
+  for (const std::size_t i : {2u, 3u}) rows[i].asked.of_all = true;
+  rows[2].lindstrom_turk.outcome.given = 500;
+  rows.push_back(measured("cube", 1, 1));
+  rows.back().asked.of_all = true;
+  rows.back().lindstrom_turk.outcome.given = 100;
+  const std::string table = target_table(rows, true);
+  const auto says = [&](const char* words) { return table.find(words) != std::string::npos; };
+  CAPTURE(table);
+  CHECK(says("all of closed models at 1 % | 0.600 | 1 of 1 | 0.62 | 0.58 |"));
+  CHECK(says("CPU / LT, median of free-form at .4, .8 % | 13.5 | 2 of 2 | 10 | 5 |"));
+  CHECK(says("CPU / envelope, median of free-form to 1 % | 1.5 | 1 of 1 | 1 | 0.5 |"));
+  CHECK(says("improver, times faster on 2 threads | 1.50 | 1 of 1 | 1.7 | 1.9 |"));
+  CHECK(says("CPU / CPU at less δ, worst of free-form | 1.50 | 3 of 3 | 1 | 0.8 |"));
+  CHECK(says("CPU seconds, armadillo at .1 % | 250.0 | 1 of 1 | 200 | 100 |"));
+}
+
+TEST_CASE("What work says comes back whole") {
+  const Measured all = measure([] { return Outcome{true, 5, "fine", 42, 1.5}; }, 0);
+  CHECK(all.outcome.given == 42);
+  CHECK(all.outcome.improving == 1.5);
+  CHECK(all.outcome.status == "fine");
 }
