@@ -120,9 +120,7 @@ Error nothing_inside(const DeltaStudy& study, double delta, bool opened) {
       : delta > study.most
           ? ": the inside is closed up, as around " + place(study.closing(), place_digits) + "."
           : ": it has holes.";
-  return {ErrorCode::open_surface, what + why,
-          "Ω encloses something for δ from " + general(study.least, 3) + " to " + general(study.most, 3) +
-              ": choose --tolerance auto, or a length between them; of an open surface --gamma 2."};
+  return {ErrorCode::open_surface, what + why, enclosing_remedy(study)};
 }
 
 /// Whether Ω' is open where the study saw an inside open: balls outside of Ω' around the nodes of a lattice
@@ -320,6 +318,18 @@ MadePointField with_all_sites(const MadePointField& from, const RunControl& cont
   made.points->dropped.clear();
   made.index = std::make_shared<const WeightedPointIndex>(sites, left_out.area, control);
   return made;
+}
+
+std::string enclosing_remedy(const DeltaStudy& study) {
+  return "Ω encloses something for δ from " + general(study.least, 3) + " to " + general(study.most, 3) +
+         ": choose --tolerance auto, or a length between them; of an open surface --gamma 2.";
+}
+
+Error nothing_inside_between(double least, double most) {
+  return {ErrorCode::open_surface,
+          "The volume around the points encloses nothing at any tolerance that was tried, from " +
+              general(least, 3) + " to " + general(most, 3) + ": it has holes.",
+          "Give more points where they are sparse; those of an open surface are taken with --gamma 2."};
 }
 
 std::vector<std::uint8_t> sheets_among(const ToleranceVolume& volume) {

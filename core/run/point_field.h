@@ -88,6 +88,11 @@ MadePointField with_all_sites(const MadePointField& from, const RunControl& cont
 Result<MadePointField> without_blobs(const MadePointField& from, const ToleranceVolume& volume,
                                      bool may_be_sheets, const RunControl& control);
 
+/// Where the study saw Ω enclose something: what is advised where it does not.
+std::string enclosing_remedy(const DeltaStudy& study);
+/// What is said where it does at none of the δ that were tried.
+Error nothing_inside_between(double least, double most);
+
 /// A 1 by component of Ω' for those that have regions of one side only.
 std::vector<std::uint8_t> sheets_among(const ToleranceVolume& volume);
 

@@ -275,10 +275,13 @@ Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<co
   std::optional<Found> found;
   Status first;
   DeltaStudy study = points_.points->study;
+  const std::string advice = enclosing_remedy(study);
+  double last = given;
   const bool too_small = given < study.least;
   int without_thickening = 0;
   for (int tried = 0; tried < most_tolerances && (tried == 0 || made.delta < study.most); ++tried) {
     points_ = with_all_sites(points_, control_);
+    last = made.delta;
     Status built = settle_points(made);
     if (built) built = build_volume(made, soup, ThinParts::accept);
     if (control_.cancelled()) return cancelled_error(control_);
@@ -305,6 +308,8 @@ Status Preparation::build_volume_of_points(Scene& made, const std::shared_ptr<co
   }
   use_points(made);
   made.study = {points_.points, &points_.points->study};
+  if (!found && !first && parameters_.tolerance.automatic && first.error().remedy == advice)
+    return nothing_inside_between(given, last);
   if (!found) return first;
   if (!parameters_.tolerance.automatic)
     return Error{first.error().code, first.error().message,

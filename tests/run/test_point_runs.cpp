@@ -309,6 +309,26 @@ TEST_CASE("around the proposed tolerance every run ends, certified or refused wi
   }
 }
 
+TEST_CASE("a tolerance that is to be found is never refused with the advice to have it found") {
+  std::size_t refused = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<Vec3> bowl;
+    const double rim = random.between(-0.98, -0.4);
+    while (bowl.size() < 300)
+      if (const Vec3 p = random.direction(); p.z > rim) bowl.push_back(p);
+    const auto run = run_of(bowl);
+    if (run->prepare()) continue;
+    ++refused;
+    CAPTURE(run->error->line());
+    CHECK(run->error->code == ErrorCode::open_surface);
+    CHECK(run->error->remedy.find("--tolerance auto") == std::string::npos);
+  }
+  CHECK(refused > 0);
+  CHECK(refused < 16);
+}
+
 TEST_CASE("a pocket in the tip of a trunk is no part of its own") {
   const auto file = demo_model("elephant.off");
   if (!file) return;
