@@ -14,6 +14,7 @@
 #include "run/topology_places.h"
 #include "tolerance/facet_certificate.h"
 #include "tolerance/self_intersections.h"
+#include "tolerance/wall_neighbours.h"
 
 #include <cmath>
 #include <functional>
@@ -28,6 +29,7 @@ using Stop = std::function<bool()>;
 
 constexpr double input_distance_precision = 0.01; ///< in units of δ
 constexpr double finest_piece = 0.05;             ///< of the input along crossings, in units of δ
+constexpr double fin_step = 0.1;                  ///< from a rim onto its sheet, in units of δ
 
 Triangle3 corners(const TriangleMesh& mesh, std::size_t f) {
   const auto& t = mesh.triangles[f];
@@ -88,6 +90,21 @@ bool check_containment(const TriangleMesh& mesh, const ToleranceVolume& volume, 
   return true;
 }
 
+/// The place that is left behind where a wall of the input has one region on both sides, though Z is closed.
+std::optional<Vec3> uncovered_fin(const ToleranceVolume& volume, const std::vector<UncoveredPlace>& places) {
+  if (volume.open_sides() != nullptr) return std::nullopt;
+  const ClosestPointIndex& index = volume.index();
+  for (const UncoveredPlace& p : places) {
+    const TriangleId t = index.closest(p.point).triangle;
+    // On the rim itself no segment would cross the wall.
+    const Vec3 inwards = centroid(index.triangle(t)) - p.point;
+    const double step = std::min(fin_step * volume.thresholds().delta, 0.5 * length(inwards));
+    if (neighbours_of_wall(volume, {t, p.point + step * normalized(inwards)}).ends_in_the_open())
+      return p.point;
+  }
+  return std::nullopt;
+}
+
 bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, const CoverTest& test,
                     Certificate& c, const RunControl& control) {
   if (!volume.has_surface()) { // there are no walls to cover
@@ -111,6 +128,8 @@ bool check_coverage(const TriangleMesh& mesh, const ToleranceVolume& volume, con
       judge_coverage(*input.walls, index, c.input_distance, *test.limit * delta, delta, control);
   if (coverage.verdict == Coverage::Verdict::undecided && control.out_of_grace()) return false;
   tell_coverage(coverage, test, delta, c);
+  if (!c.covers)
+    if (const auto fin = uncovered_fin(volume, c.uncovered)) tell_fin(*fin, c);
   return true;
 }
 

@@ -109,6 +109,12 @@ void tell_coverage(const Coverage& coverage, const CoverTest& test, double delta
   }
 }
 
+void tell_fin(Vec3 p, Certificate& c) {
+  c.failures.push_back("A sheet has one region on both sides at " + place(p, proof_digits) +
+                       ": a mesh that parts regions has none there. Remove what stands out, or ask for no "
+                       "cover (--cover off).");
+}
+
 void tell_topology(const ExpectedTopology& expected, Certificate& c) {
   using Topology = Certificate::Topology;
   const bool asked = expected.euler_characteristic || expected.components;

@@ -25,6 +25,8 @@ void tell_separation(std::span<const Witness> witnesses, std::span<const double>
 
 /// Of what was judged by `test`, which has a limit.
 void tell_coverage(const Coverage& coverage, const CoverTest& test, double delta, Certificate& c);
+/// Why p is left behind: a sheet parts no regions there, and a closed mesh has none.
+void tell_fin(Vec3 p, Certificate& c);
 
 /// Components, χ and loops of the certificate against what is expected.
 void tell_topology(const ExpectedTopology& expected, Certificate& c);

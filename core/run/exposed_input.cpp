@@ -4,6 +4,7 @@
 #include "base/halves.h"
 #include "base/parallel.h"
 #include "run/input_walls.h"
+#include "tolerance/wall_neighbours.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -45,7 +46,8 @@ class WallPieces {
  public:
   WallPieces(const ToleranceVolume& volume, double finest)
       : volume_(volume), walls_(volume), finest_(finest),
-        may_cross_(volume.has_inner_walls() || !volume.input().embedded()) {}
+        may_cross_(volume.has_inner_walls() || !volume.input().embedded()),
+        may_end_(volume.input().border.has_value()) {}
 
   struct Pieces {
     std::vector<Triangle3> kept;
@@ -68,7 +70,8 @@ class WallPieces {
       if (!cut || cuts >= most_cuts) {
         const bool sure = cut || (!near && !may_cross_);
         const Wall wall = sure ? Wall::outer : walls_.judge(t, centroid(piece), normal).kind;
-        if (wall == Wall::outer) pieces.kept.push_back(piece);
+        if (wall == Wall::outer || (wall == Wall::inner && is_fin(t, centroid(piece))))
+          pieces.kept.push_back(piece);
         if (wall == Wall::of_closed_gap) pieces.closed_gap = centroid(piece);
         continue;
       }
@@ -78,10 +81,19 @@ class WallPieces {
   }
 
  private:
+  /// A fin has one side on both sides, as an inner wall does, but parts no regions. One that is in the input
+  /// twice, once each way, counts where it stands in the outside: within a body such walls are those of parts
+  /// that touch.
+  bool is_fin(TriangleId t, Vec3 p) const {
+    const WallNeighbours around = neighbours_of_wall(volume_, {t, p});
+    if (!around.told() || around.regions[0] != around.regions[1]) return false;
+    return around.parted ? may_end_ : volume_.regions()[around.regions[0].index()].label > 0;
+  }
+
   const ToleranceVolume& volume_;
   InputWalls walls_;
   double finest_;
-  bool may_cross_;
+  bool may_cross_, may_end_;
 };
 
 /// Whether parts of the input may lie inside of others or in front of them.

@@ -132,6 +132,40 @@ TEST_CASE("The certificate judges coverage by the limit, tells it where thin par
   CHECK(may_go.cover_note.find("Only the sides had to be separated") == 0);
 }
 
+TEST_CASE("A sheet that stands out of a closed body and is left behind is told as what it is") {
+  TriangleSoup input;
+  add_sphere(input, {0, 0.5, 0.5}, 1, 24);
+  const TriangleMesh mesh{input.points, input.triangles};
+  const auto first = static_cast<std::uint32_t>(input.points.size());
+  const auto certified = [&](double from, double to, bool twice = false) {
+    TriangleSoup with = input;
+    for (const Vec3 p : {Vec3{from, 0.3, 0.5}, {to, 0.3, 0.5}, {to, 0.7, 0.5}, {from, 0.7, 0.5}})
+      with.points.push_back(p);
+    with.triangles.push_back({first, first + 1, first + 2});
+    with.triangles.push_back({first, first + 2, first + 3});
+    if (twice) {
+      with.triangles.push_back({first + 2, first + 1, first});
+      with.triangles.push_back({first + 3, first + 2, first});
+    }
+    const auto volume = ToleranceVolume::build(std::make_shared<const ClosestPointIndex>(with),
+                                               analyse_input(with), {0.05, 0.95}, RunControl());
+    REQUIRE(volume.ok());
+    return certify(mesh, *volume, {}, RunControl());
+  };
+  for (const double end : {1.6, 0.3}) { // outside and inside
+    const Certificate c = certified(0.9, end);
+    CAPTURE(end);
+    CHECK(!c.covers);
+    const auto told = std::find_if(c.failures.begin(), c.failures.end(), [](const std::string& words) {
+      return words.find("A sheet has one region on both sides at ") == 0;
+    });
+    REQUIRE(told != c.failures.end());
+    CHECK(told->find("Remove what stands out, or ask for no cover") != std::string::npos);
+  }
+  CHECK(certified(0.9, 1.05).covers); // not far out
+  CHECK(!certified(0.9, 1.6, true).covers);
+}
+
 TEST_CASE("Walls inside of where parts overlap or touch need not be covered") {
   TriangleSoup crossing;
   add_box(crossing, {0, 0, 0}, {1, 1, 1});
