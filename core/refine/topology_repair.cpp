@@ -54,6 +54,8 @@ void TopologyCondition::note_check() {
 void TopologyCondition::reconsider() {
   summits_.reset();
   contacts_.reset();
+  edge_search_.forget();
+  facet_search_.forget();
   contact_spacing_ = first_contact_spacing;
   // A cut on trial after each of the many points of the paper's rule would take too long.
   enter(context_.criteria().certified || trial_ ? first_search() : Phase::circumradii);
@@ -96,7 +98,10 @@ Event TopologyCondition::event(Reason reason) const {
 bool TopologyCondition::is_right() {
   if (trial_) return (!mending_ || points_.empty()) && verdict().as_expected;
   const long found = context_.live().euler_characteristic();
-  return expected_.euler_characteristic.value_or(found) == found && verdict().as_expected;
+  if (expected_.euler_characteristic.value_or(found) != found) return false;
+  // All of Z is looked at once only that is right which is counted as T changes.
+  if (expected_.components && context_.live().zero_components() != *expected_.components) return false;
+  return verdict().as_expected;
 }
 
 Turn TopologyCondition::turn() {
@@ -235,9 +240,9 @@ void TopologyCondition::collect_points() {
   } else if (phase_ == Phase::basins) {
     points_ = misclassified_basins(context_.live(), context_.volume(), level_, context_.control());
   } else if (phase_ == Phase::edges) {
-    points_ = misclassified_on_edges(context_.live(), context_.volume(), context_.control());
+    points_ = edge_search_.find(context_.live(), context_.volume(), context_.control());
   } else {
-    points_ = misclassified_on_facets(context_.live(), context_.volume(), context_.control());
+    points_ = facet_search_.find(context_.live(), context_.volume(), context_.control());
   }
   // Gaps between parts that are to be joined stay as they are.
   if (expected_.joined && phase_ != Phase::contacts && phase_ != Phase::offset)

@@ -61,6 +61,8 @@ class TopologyCondition {
   double level_ = 0; ///< summits lower than this wait
   /// Where parts are to be joined; found when they are needed.
   std::optional<std::vector<MisclassifiedPoint>> contacts_;
+  MisclassifiedSearch<2> edge_search_;
+  MisclassifiedSearch<3> facet_search_;
   OffsetSearch offset_search_;
   double contact_spacing_ = 0; ///< of these, in units of δ'
   bool fruitful_ = false;      ///< a point went in since the present phase last looked for points
