@@ -2,6 +2,7 @@
 #include "refine/topology_repair.h"
 
 #include "mesh/label_functions.h"
+#include "refine/pockets.h"
 #include "refine/sample_conditions.h"
 
 #include <algorithm>
@@ -126,6 +127,7 @@ Turn TopologyCondition::mend() {
       enter(first_search());
     }
     if (!searchable()) break;
+    if (points_.empty() && turn_pockets()) return Turn::acted;
     if (insert_next_point()) {
       mending_ = true;
       return Turn::acted;
@@ -138,6 +140,35 @@ Turn TopologyCondition::mend() {
   mending_ = false;
   note_check();
   return Turn::acted;
+}
+
+bool TopologyCondition::turn_pockets() {
+  LiveTriangulation& live = context_.live();
+  if (trial_ || !sides_known() || context_.volume().has_rooms()) return false;
+  if (!expected_.euler_characteristic || !expected_.components) return false;
+  const long surplus = live.euler_characteristic() - *expected_.euler_characteristic;
+  if (surplus <= 0 || surplus % 2 != 0) return false;
+  const std::size_t spheres = static_cast<std::size_t>(surplus / 2);
+  if (live.zero_components() != *expected_.components + spheres) return false;
+  std::vector<VertexId> vertices;
+  std::size_t found = 0;
+  for (const std::vector<VertexId>& pocket : find_pockets(live.complex())) {
+    const bool again = std::any_of(pocket.begin(), pocket.end(), [&](VertexId v) {
+      return std::binary_search(turned_.begin(), turned_.end(), v);
+    });
+    if (again || found == spheres) continue;
+    ++found;
+    vertices.insert(vertices.end(), pocket.begin(), pocket.end());
+  }
+  if (vertices.empty()) return false;
+  turned_.insert(turned_.end(), vertices.begin(), vertices.end());
+  std::sort(turned_.begin(), turned_.end());
+  Event why = event(Reason::pocket);
+  why.vertex = vertices.front();
+  why.point = live.complex().position(vertices.front());
+  why.count = static_cast<std::uint32_t>(vertices.size());
+  context_.relabel(vertices, why);
+  return true;
 }
 
 bool TopologyCondition::insert_next_point() {
