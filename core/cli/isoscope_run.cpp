@@ -149,7 +149,8 @@ int run(int argc, char** argv) {
   app.version(std::string("isoscope-run ") + std::string(version()));
   for (const Verb& verb : verbs) app.verb(verb.told);
   app.exit_status(
-      "0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 stopped by a limit "
+      "0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input, or one that is "
+      "not worked on at this tolerance; 4 stopped by a limit "
       "or by the user, but in the improver with --effort 3, which ends only so and as if it had finished; "
       "5 stopped at a breakpoint.");
   app.see_also("isoscope");
@@ -223,7 +224,10 @@ int run(int argc, char** argv) {
   if (Status recorded = recording.finish(*parameters, **scene, *result, *journal); !recorded) {
     status = recording.told() ? 1 : fail(recorded.error(), 1);
   }
-  if (!outputs.mesh.empty() && result->mesh.triangles.empty()) {
+  const bool refused = result->refused();
+  if (refused && !outputs.mesh.empty()) {
+    note("What Z is at this tolerance is no result: " + outputs.mesh + " is not written.");
+  } else if (!outputs.mesh.empty() && result->mesh.triangles.empty()) {
     note("There is no Z yet: " + outputs.mesh + " is not written.");
     if (status == 0) status = 1;
   } else if (!outputs.mesh.empty()) {
@@ -235,6 +239,7 @@ int run(int argc, char** argv) {
     Status written = report_to_stdout ? print(text) : write_text_file(outputs.report, text);
     if (!written) status = fail(written.error(), 1);
   }
+  if (refused) return status;
   if (quiet || report_to_stdout) {
     for (const std::string& warning : warnings(*parameters, **scene, *result, gate.hit().has_value()))
       note(warning);
