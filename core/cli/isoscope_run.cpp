@@ -216,6 +216,9 @@ int run(int argc, char** argv) {
 
   constexpr int stopped_at_breakpoint = 5;
   int status = gate.hit() ? stopped_at_breakpoint : result->exit_status();
+  const bool refused = result->refused();
+  if (refused && !outputs.mesh.empty())
+    note("What Z is at this tolerance is no result: " + outputs.mesh + " is not written.");
   if (result->failure) fail(*result->failure, status);
   if (gate.hit()) {
     std::fprintf(stderr, "isoscope-run: %s: %s\n", gate.hit()->note().c_str(),
@@ -224,13 +227,10 @@ int run(int argc, char** argv) {
   if (Status recorded = recording.finish(*parameters, **scene, *result, *journal); !recorded) {
     status = recording.told() ? 1 : fail(recorded.error(), 1);
   }
-  const bool refused = result->refused();
-  if (refused && !outputs.mesh.empty()) {
-    note("What Z is at this tolerance is no result: " + outputs.mesh + " is not written.");
-  } else if (!outputs.mesh.empty() && result->mesh.triangles.empty()) {
+  if (!outputs.mesh.empty() && !refused && result->mesh.triangles.empty()) {
     note("There is no Z yet: " + outputs.mesh + " is not written.");
     if (status == 0) status = 1;
-  } else if (!outputs.mesh.empty()) {
+  } else if (!outputs.mesh.empty() && !refused) {
     if (Status written = write_mesh(outputs.mesh, result->mesh); !written) status = fail(written.error(), 1);
   }
   const std::vector<StageStatistics> stages = gather_statistics(*journal);
