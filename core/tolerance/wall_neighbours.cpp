@@ -56,6 +56,9 @@ struct Survey {
     parallel_until(probes.size(), wall_probes_per_task, control,
                    [&](std::size_t i) { found[i] = neighbours_of_wall(volume, probes[i]); });
   }
+  bool has_fins() const {
+    return std::any_of(found.begin(), found.end(), [](const auto& n) { return n.ends_in_the_open(); });
+  }
   WallVotes votes() const {
     WallVotes votes;
     for (const WallNeighbours& n : found) {
@@ -171,6 +174,8 @@ std::shared_ptr<const SolidAngles> find_clear_windings(const ToleranceVolume& vo
         ways.push_back(std::make_shared<const SolidAngles>(volume.index(), turns));
       }
       if (control.cancelled()) return nullptr;
+      // What stands out is no hole.
+      if (clear > clear_windings.front() && survey.has_fins()) return nullptr;
       if (winds_clearly(volume, *ways[k], clear, survey, control)) return ways[k];
     }
   return nullptr;
