@@ -149,7 +149,8 @@ int run(int argc, char** argv) {
   app.version(std::string("isoscope-run ") + std::string(version()));
   for (const Verb& verb : verbs) app.verb(verb.told);
   app.exit_status(
-      "0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input; 4 stopped by a limit "
+      "0 finished and certified; 1 finished, not certified; 2 usage; 3 bad input, or one that is "
+      "not worked on at this tolerance; 4 stopped by a limit "
       "or by the user, but in the improver with --effort 3, which ends only so and as if it had finished; "
       "5 stopped at a breakpoint.");
   app.see_also("isoscope");
@@ -215,6 +216,9 @@ int run(int argc, char** argv) {
 
   constexpr int stopped_at_breakpoint = 5;
   int status = gate.hit() ? stopped_at_breakpoint : result->exit_status();
+  const bool refused = result->refused();
+  if (refused && !outputs.mesh.empty())
+    note("What Z is at this tolerance is no result: " + outputs.mesh + " is not written.");
   if (result->failure) fail(*result->failure, status);
   if (gate.hit()) {
     std::fprintf(stderr, "isoscope-run: %s: %s\n", gate.hit()->note().c_str(),
@@ -223,10 +227,10 @@ int run(int argc, char** argv) {
   if (Status recorded = recording.finish(*parameters, **scene, *result, *journal); !recorded) {
     status = recording.told() ? 1 : fail(recorded.error(), 1);
   }
-  if (!outputs.mesh.empty() && result->mesh.triangles.empty()) {
+  if (!outputs.mesh.empty() && !refused && result->mesh.triangles.empty()) {
     note("There is no Z yet: " + outputs.mesh + " is not written.");
     if (status == 0) status = 1;
-  } else if (!outputs.mesh.empty()) {
+  } else if (!outputs.mesh.empty() && !refused) {
     if (Status written = write_mesh(outputs.mesh, result->mesh); !written) status = fail(written.error(), 1);
   }
   const std::vector<StageStatistics> stages = gather_statistics(*journal);
@@ -235,6 +239,7 @@ int run(int argc, char** argv) {
     Status written = report_to_stdout ? print(text) : write_text_file(outputs.report, text);
     if (!written) status = fail(written.error(), 1);
   }
+  if (refused) return status;
   if (quiet || report_to_stdout) {
     for (const std::string& warning : warnings(*parameters, **scene, *result, gate.hit().has_value()))
       note(warning);

@@ -59,10 +59,11 @@ enum class Reason : std::uint8_t {
   rim_off_border, ///< a place of the rim is farther than δ from the border of Z
   pinched_border, ///< two parts of Z would meet in its end alone
   // Later ones.
-  cut_off,  ///< topology: a place on the way over the largest φ that Z cuts, where sides are told by depth
-  thin_part ///< a point in a wall or a gap thinner than 2δ′, that keeps Z near to the input there
+  cut_off,   ///< topology: a place on the way over the largest φ that Z cuts, where sides are told by depth
+  thin_part, ///< a point in a wall or a gap thinner than 2δ′, that keeps Z near to the input there
+  pocket     ///< topology: vertices that a sphere of Z too many encloses, and that nothing asks for
 };
-constexpr int reason_count = static_cast<int>(Reason::thin_part) + 1;
+constexpr int reason_count = static_cast<int>(Reason::pocket) + 1;
 
 /// What a reason explains.
 enum class ReasonRole : std::uint8_t { none, place, exhaustion, target, rejection };
@@ -235,6 +236,11 @@ inline constexpr std::array reason_table{
                 .title = "thin part",
                 .role = ReasonRole::place,
                 .sentence = "a point in a wall or gap thinner than 2δ′ goes in, so that Z stays near there"},
+    ReasonWords{.value = Reason::pocket,
+                .name = "pocket",
+                .title = "sphere too many",
+                .role = ReasonRole::place,
+                .sentence = "a sphere of Z that nothing asks for goes: its inside changes sides"},
 };
 static_assert(is_complete(reason_table, reason_count));
 

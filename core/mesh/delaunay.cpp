@@ -214,4 +214,16 @@ VertexId Delaunay::nearest_vertex(Vec3 p, TetId hint) const {
   return best;
 }
 
+std::array<TetId, 4> Delaunay::neighbours(TetId t) const {
+  const Cell c = impl_->cell(t);
+  assert(c != Cell());
+  const std::array<VertexId, 4> order = canonical_vertices(c);
+  std::array<TetId, 4> result;
+  for (int i = 0; i < 4; ++i) {
+    const auto at = std::find(order.begin(), order.end(), c->vertex(i)->info()) - order.begin();
+    if (impl_->finite(c->neighbor(i))) result[static_cast<std::size_t>(at)] = c->neighbor(i)->info();
+  }
+  return result;
+}
+
 } // namespace isoscope

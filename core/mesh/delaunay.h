@@ -38,6 +38,8 @@ class Delaunay {
   TetId locate(Vec3 p, TetId hint) const;
   /// The vertex nearest to p, the one of smallest id where several are (exact), searched from the hint.
   VertexId nearest_vertex(Vec3 p, TetId hint) const;
+  /// Across from each vertex of a living tetrahedron, in the order of Tet; invalid at the hull.
+  std::array<TetId, 4> neighbours(TetId t) const;
 
  private:
   struct Impl;

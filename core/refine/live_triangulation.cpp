@@ -38,6 +38,7 @@ Delta LiveTriangulation::start(std::span<const Vertex> corners) {
   Delta delta = delaunay_.start(corners);
   complex_.apply(delta);
   add(count_zero_cells(delta.added), +1);
+  zero_components_.forget();
   reassign_all();
   return delta;
 }
@@ -64,6 +65,7 @@ std::optional<Delta> LiveTriangulation::insert(const Vertex& vertex, TetId hint)
   add(count_zero_cells(delta->removed), -1);
   complex_.apply(*delta);
   add(count_zero_cells(delta->added), +1);
+  zero_components_.replace(complex_, delta->removed, delta->added);
   gone_.clear();
   changed_.clear();
   for (const TetRecord& t : delta->removed) {
@@ -97,6 +99,7 @@ Delta LiveTriangulation::relabel(std::span<const VertexId> vertices) {
   add(count_zero_cells(star), -1);
   complex_.apply(delta);
   add(count_zero_cells(star), +1);
+  zero_components_.forget();
   gone_.clear();
   changed_.clear();
   for (const TetRecord& t : star) {

@@ -6,6 +6,7 @@
 #include "mesh/delaunay.h"
 #include "mesh/sample_sets.h"
 #include "refine/steiner_queue.h"
+#include "refine/zero_components.h"
 
 #include <memory>
 #include <span>
@@ -63,6 +64,7 @@ class LiveTriangulation {
   std::size_t zero_set_vertices() const { return static_cast<std::size_t>(zero_.vertices); }
   /// χ of Z.
   long euler_characteristic() const { return zero_.vertices - zero_.edges + zero_.polygons; }
+  std::size_t zero_components() { return zero_components_.count(complex_, delaunay_); }
   std::size_t sample_moves() const { return moves_; }
   /// The figures of a step, but for its time.
   StepFigures step_figures() const;
@@ -93,6 +95,7 @@ class LiveTriangulation {
   std::vector<TetId> gone_, changed_;
   std::size_t bad_ = 0, alive_ = 0, moves_ = 0;
   ZeroCells zero_;
+  ZeroComponents zero_components_;
   double delta_ = 1;
   std::vector<std::uint64_t> edge_scratch_;
   std::vector<std::array<std::uint32_t, 3>> facet_scratch_, junction_scratch_;

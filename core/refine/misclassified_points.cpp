@@ -141,39 +141,71 @@ std::optional<MisclassifiedPoint> judge_facet(const LiveTriangulation& live, con
   return best;
 }
 
-template <std::size_t N, class Judge>
-std::vector<MisclassifiedPoint> judge_all(const std::vector<Simplex<N>>& simplices,
-                                          const ToleranceVolume& volume, const RunControl& control,
-                                          const Judge& judge) {
-  std::vector<std::optional<MisclassifiedPoint>> found(simplices.size());
-  parallel_until(simplices.size(), simplex_grain, control, [&](std::size_t i) {
-    found[i] = judge(simplices[i]);
-    if (found[i]) climb(*found[i], volume);
-  });
-  std::vector<MisclassifiedPoint> result;
-  for (const auto& point : found) {
-    if (point) result.push_back(*point);
-  }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const auto& a, const auto& b) { return a.height > b.height; });
-  return result;
+void append(const Complex& complex, TetId t, std::vector<Simplex<2>>& edges) {
+  append_edges(complex, t, edges);
+}
+void append(const Complex& complex, TetId t, std::vector<Simplex<3>>& facets) {
+  append_facets_of_one_label(complex, t, facets);
+}
+
+std::optional<MisclassifiedPoint> judge(const LiveTriangulation& live, const ToleranceVolume& volume,
+                                        const Simplex<2>& edge) {
+  return judge_edge(live, volume, edge);
+}
+std::optional<MisclassifiedPoint> judge(const LiveTriangulation& live, const ToleranceVolume& volume,
+                                        const Simplex<3>& facet) {
+  return judge_facet(live, volume, facet);
 }
 
 } // namespace
 
-std::vector<MisclassifiedPoint> misclassified_on_edges(const LiveTriangulation& live,
-                                                       const ToleranceVolume& volume,
-                                                       const RunControl& control) {
-  return judge_all(all_edges(live.complex()), volume, control,
-                   [&](const Simplex<2>& edge) { return judge_edge(live, volume, edge); });
+template <std::size_t N> void MisclassifiedSearch<N>::forget() {
+  found_.clear();
+  looked_at_.clear();
 }
 
-std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation& live,
-                                                        const ToleranceVolume& volume,
-                                                        const RunControl& control) {
-  return judge_all(facets_of_one_label(live.complex()), volume, control,
-                   [&](const Simplex<3>& facet) { return judge_facet(live, volume, facet); });
+template <std::size_t N>
+std::vector<MisclassifiedPoint> MisclassifiedSearch<N>::find(const LiveTriangulation& live,
+                                                             const ToleranceVolume& volume,
+                                                             const RunControl& control) {
+  const Complex& complex = live.complex();
+  looked_at_.resize(complex.tets.size(), 0);
+  const auto known = [&](TetId t) { return live.alive(t) && live.generation(t) == looked_at_[t.index()]; };
+  std::vector<Simplex<N>> fresh;
+  for (std::uint32_t t = 0; t < complex.tets.size(); ++t)
+    if (complex.tets[t].alive() && !known(TetId(t))) append(complex, TetId(t), fresh);
+  sort_unique(fresh);
+  std::vector<std::optional<MisclassifiedPoint>> told(fresh.size());
+  parallel_until(fresh.size(), simplex_grain, control, [&](std::size_t i) {
+    told[i] = judge(live, volume, fresh[i]);
+    if (told[i]) climb(*told[i], volume);
+  });
+  // What stays of T where a tetrahedron has gone is part of a new one.
+  std::vector<Found> all;
+  std::size_t next = 0;
+  const auto take_told_before = [&](const Found* old) {
+    for (; next < fresh.size() && (old == nullptr || fresh[next].v <= old->simplex); ++next)
+      if (told[next]) all.push_back({fresh[next].v, *told[next]});
+  };
+  for (const Found& old : found_) {
+    take_told_before(&old);
+    const bool looked_at_again = next > 0 && fresh[next - 1].v == old.simplex;
+    if (!looked_at_again && known(old.point.tet)) all.push_back(old);
+  }
+  take_told_before(nullptr);
+  found_ = std::move(all);
+  for (std::uint32_t t = 0; t < complex.tets.size(); ++t) looked_at_[t] = live.generation(TetId(t));
+
+  std::vector<MisclassifiedPoint> result;
+  for (const Found& found : found_) result.push_back(found.point);
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.height > b.height; });
+  if (control.cancelled()) forget();
+  return result;
 }
+
+template class MisclassifiedSearch<2>;
+template class MisclassifiedSearch<3>;
 
 std::vector<MisclassifiedPoint> thin_summits(const ToleranceVolume& volume, const RunControl& control) {
   const ClosestPointIndex& index = volume.index();

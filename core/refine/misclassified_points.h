@@ -6,6 +6,8 @@
 #include "refine/live_triangulation.h"
 #include "tolerance/tolerance_volume.h"
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace isoscope {
@@ -21,19 +23,30 @@ struct MisclassifiedPoint {
   TetId tet;         ///< a tetrahedron that holds the point
 };
 
-/// On every edge of T that crosses the input more than once: the deepest point of each stretch between two
-/// crossings that f has on the wrong side. If no simplex with vertices of one label met the input, the
-/// input's genus would bound that of Z. Highest summit first. Some only once the control is cancelled, as
-/// with those below.
-std::vector<MisclassifiedPoint> misclassified_on_edges(const LiveTriangulation& live,
-                                                       const ToleranceVolume& volume,
-                                                       const RunControl& control);
+/// What edges (N = 2) or facets (N = 3) of T tell. Remembers it: from one call to the next only those of
+/// tetrahedra that are new since then are looked at.
+template <std::size_t N> class MisclassifiedSearch {
+ public:
+  /// On every edge of T that crosses the input more than once: the deepest point of each stretch between two
+  /// crossings that f has on the wrong side. If no simplex with vertices of one label met the input, the
+  /// input's genus would bound that of Z. On every facet of T with vertices of one label that edges of the
+  /// input pierce: the deepest point found between two piercings that is on the other side. Highest summit
+  /// first. Some only once the control is cancelled, as with the functions below.
+  std::vector<MisclassifiedPoint> find(const LiveTriangulation& live, const ToleranceVolume& volume,
+                                       const RunControl& control);
+  /// Ω is another one.
+  void forget();
 
-/// On every facet of T with vertices of one label that edges of the input pierce: the deepest point found
-/// between two piercings that is on the other side. Highest summit first.
-std::vector<MisclassifiedPoint> misclassified_on_facets(const LiveTriangulation& live,
-                                                        const ToleranceVolume& volume,
-                                                        const RunControl& control);
+ private:
+  struct Found {
+    std::array<VertexId, N> simplex;
+    MisclassifiedPoint point;
+  };
+  std::vector<Found> found_;             ///< by their vertices, ascending
+  std::vector<std::uint32_t> looked_at_; ///< the generation of each slot of T then
+};
+extern template class MisclassifiedSearch<2>;
+extern template class MisclassifiedSearch<3>;
 
 /// The summits above the middles of the input's triangles and of their edges, on both sides, where walls or
 /// gaps are thinner than 2δ': whatever T is, f should have their sides. Highest first; `tet` stays invalid.

@@ -114,6 +114,7 @@ void Refinement::Impl::follow(const Event& e, const Rehearsal& ahead) {
     if (!delta.added_vertices.empty()) context.insert(delta.added_vertices.front(), e.tet, e);
     return;
   }
+  case EventKind::relabel:
   case EventKind::topology_check:
     topology.turn();
     return;

@@ -26,6 +26,9 @@ template <std::size_t N> void sort_unique(std::vector<Simplex<N>>& simplices) {
 }
 
 std::array<Simplex<2>, 6> edges_of(const Tet& tet, TetId t);
+/// Adds those of one tetrahedron.
+void append_edges(const Complex& complex, TetId t, std::vector<Simplex<2>>& edges);
+void append_facets_of_one_label(const Complex& complex, TetId t, std::vector<Simplex<3>>& facets);
 std::vector<Simplex<2>> all_edges(const Complex& complex);
 std::vector<Simplex<3>> facets_of_one_label(const Complex& complex);
 

@@ -2,6 +2,7 @@
 #include "refine/topology_repair.h"
 
 #include "mesh/label_functions.h"
+#include "refine/pockets.h"
 #include "refine/sample_conditions.h"
 
 #include <algorithm>
@@ -54,6 +55,8 @@ void TopologyCondition::note_check() {
 void TopologyCondition::reconsider() {
   summits_.reset();
   contacts_.reset();
+  edge_search_.forget();
+  facet_search_.forget();
   contact_spacing_ = first_contact_spacing;
   // A cut on trial after each of the many points of the paper's rule would take too long.
   enter(context_.criteria().certified || trial_ ? first_search() : Phase::circumradii);
@@ -96,7 +99,10 @@ Event TopologyCondition::event(Reason reason) const {
 bool TopologyCondition::is_right() {
   if (trial_) return (!mending_ || points_.empty()) && verdict().as_expected;
   const long found = context_.live().euler_characteristic();
-  return expected_.euler_characteristic.value_or(found) == found && verdict().as_expected;
+  if (expected_.euler_characteristic.value_or(found) != found) return false;
+  // All of Z is looked at once only that is right which is counted as T changes.
+  if (expected_.components && context_.live().zero_components() != *expected_.components) return false;
+  return verdict().as_expected;
 }
 
 Turn TopologyCondition::turn() {
@@ -121,6 +127,7 @@ Turn TopologyCondition::mend() {
       enter(first_search());
     }
     if (!searchable()) break;
+    if (points_.empty() && turn_pockets()) return Turn::acted;
     if (insert_next_point()) {
       mending_ = true;
       return Turn::acted;
@@ -133,6 +140,35 @@ Turn TopologyCondition::mend() {
   mending_ = false;
   note_check();
   return Turn::acted;
+}
+
+bool TopologyCondition::turn_pockets() {
+  LiveTriangulation& live = context_.live();
+  if (trial_ || !sides_known() || context_.volume().has_rooms()) return false;
+  if (!expected_.euler_characteristic || !expected_.components) return false;
+  const long surplus = live.euler_characteristic() - *expected_.euler_characteristic;
+  if (surplus <= 0 || surplus % 2 != 0) return false;
+  const std::size_t spheres = static_cast<std::size_t>(surplus / 2);
+  if (live.zero_components() != *expected_.components + spheres) return false;
+  std::vector<VertexId> vertices;
+  std::size_t found = 0;
+  for (const std::vector<VertexId>& pocket : find_pockets(live.complex())) {
+    const bool again = std::any_of(pocket.begin(), pocket.end(), [&](VertexId v) {
+      return std::binary_search(turned_.begin(), turned_.end(), v);
+    });
+    if (again || found == spheres) continue;
+    ++found;
+    vertices.insert(vertices.end(), pocket.begin(), pocket.end());
+  }
+  if (vertices.empty()) return false;
+  turned_.insert(turned_.end(), vertices.begin(), vertices.end());
+  std::sort(turned_.begin(), turned_.end());
+  Event why = event(Reason::pocket);
+  why.vertex = vertices.front();
+  why.point = live.complex().position(vertices.front());
+  why.count = static_cast<std::uint32_t>(vertices.size());
+  context_.relabel(vertices, why);
+  return true;
 }
 
 bool TopologyCondition::insert_next_point() {
@@ -235,9 +271,9 @@ void TopologyCondition::collect_points() {
   } else if (phase_ == Phase::basins) {
     points_ = misclassified_basins(context_.live(), context_.volume(), level_, context_.control());
   } else if (phase_ == Phase::edges) {
-    points_ = misclassified_on_edges(context_.live(), context_.volume(), context_.control());
+    points_ = edge_search_.find(context_.live(), context_.volume(), context_.control());
   } else {
-    points_ = misclassified_on_facets(context_.live(), context_.volume(), context_.control());
+    points_ = facet_search_.find(context_.live(), context_.volume(), context_.control());
   }
   // Gaps between parts that are to be joined stay as they are.
   if (expected_.joined && phase_ != Phase::contacts && phase_ != Phase::offset)

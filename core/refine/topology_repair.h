@@ -61,9 +61,12 @@ class TopologyCondition {
   double level_ = 0; ///< summits lower than this wait
   /// Where parts are to be joined; found when they are needed.
   std::optional<std::vector<MisclassifiedPoint>> contacts_;
+  MisclassifiedSearch<2> edge_search_;
+  MisclassifiedSearch<3> facet_search_;
   OffsetSearch offset_search_;
-  double contact_spacing_ = 0; ///< of these, in units of δ'
-  bool fruitful_ = false;      ///< a point went in since the present phase last looked for points
+  std::vector<VertexId> turned_; ///< ascending
+  double contact_spacing_ = 0;   ///< of these, in units of δ'
+  bool fruitful_ = false;        ///< a point went in since the present phase last looked for points
 
   void note_check();
   /// Whether Z has what is expected; not asked between points that go in together where that takes a cut.
@@ -82,6 +85,8 @@ class TopologyCondition {
   /// Where Z is right.
   Turn settle();
   Turn mend();
+  /// Where Z is right but for spheres too many: those around vertices that nothing asks for go.
+  bool turn_pockets();
   void advance();
   void lower_level();
   void leave_contacts();

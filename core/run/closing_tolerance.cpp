@@ -27,6 +27,8 @@ constexpr int most_attempts = 8;
 constexpr double attempt_step = 1.03;
 /// Vertices after which a refinement has shown that it runs.
 constexpr std::size_t trial_insertions = 3000;
+/// Of a tolerance, to see whether the input is taken at less.
+constexpr int most_halvings = 3;
 
 class Trials {
  public:
@@ -41,11 +43,15 @@ class Trials {
     return cells_ <= most_cells && !control_->cancelled();
   }
   /// Whether there is Ω at this tolerance with its sides, which samples alone tell of sheets.
-  bool serves(double delta) const {
+  Status served(double delta) const {
     auto volume = build(delta);
-    if (!volume || !open_) return volume.ok();
-    return sample_boundary(*volume, default_sigma_ratio(input_->area, delta) * delta, *control_).ok();
+    if (!volume) return volume.error();
+    if (!open_) return {};
+    const auto samples =
+        sample_boundary(*volume, default_sigma_ratio(input_->area, delta) * delta, *control_);
+    return samples ? Status() : Status(samples.error());
   }
+  bool serves(double delta) const { return served(delta).ok(); }
   /// Whether a run at this tolerance comes to its refinement and stays in it.
   bool begins(double delta) const {
     auto volume = build(delta);
@@ -181,6 +187,22 @@ Error with_separating_tolerance(Error refused, const RefusedInput& input, const 
                       share_text(*found.percent, trials.longest_edge()) + ".";
   else
     refused.remedy += none_text(found) + "takes it in.";
+  return refused;
+}
+
+Error with_smaller_tolerance(Error refused, const RefusedInput& input, const RunParameters& parameters,
+                             const RunControl& control) {
+  Trials trials(input, true, parameters, control);
+  double delta = input.options.delta;
+  for (int i = 0; i < most_halvings && trials.affords(delta / 2); ++i) {
+    delta /= 2;
+    const Status served = trials.served(delta);
+    if (served || control.cancelled()) continue;
+    refused.remedy = "Mend the input: a smaller tolerance does not help, as at " +
+                     share_text(100 * delta / trials.longest_edge(), trials.longest_edge()) +
+                     " this is found: " + served.error().line();
+    break;
+  }
   return refused;
 }
 

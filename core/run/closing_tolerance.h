@@ -30,4 +30,10 @@ Error with_closing_tolerance(Error open, const RefusedInput& input, const RunPar
 Error with_separating_tolerance(Error refused, const RefusedInput& input, const RunParameters& parameters,
                                 const RunControl& control);
 
+/// The refusal of a run that found parts with a border too near to each other: a smaller tolerance helps,
+/// unless the input is refused there. Of three halvings, within the same limits, the first with a refusal is
+/// named with it.
+Error with_smaller_tolerance(Error refused, const RefusedInput& input, const RunParameters& parameters,
+                             const RunControl& control);
+
 } // namespace isoscope

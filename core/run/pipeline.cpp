@@ -44,6 +44,7 @@ class ResamplingGate : public Gate {
 
 int RunResult::exit_status() const {
   if (end != End::finished && !without_end) return 4;
+  if (refused()) return 3;
   return certificate.holds() && !failure ? 0 : 1;
 }
 
@@ -304,6 +305,7 @@ Result<RunResult> Pipeline::run() {
     const Result<bool> finished = m.simplify();
     if (!finished && m.recorder->rehearsal() != nullptr) return finished.error();
     if (!finished) result.failure = finished.error();
+    if (result.refused()) result.failure = m.preparation.refused_after_refinement(*result.failure, *m.scene);
     stopped = finished && !*finished;
   }
   if (m.control->cancelled() || stopped) {

@@ -40,7 +40,10 @@ struct RunResult {
   bool can_go_on = false;   ///< Pipeline::go_on() is possible
   std::string branch;       ///< where it left another run and how; empty: it began at the beginning
   MeshSize size() const { return streamed.value_or(MeshSize{mesh.points.size(), mesh.triangles.size()}); }
-  /// 0 finished, or stopped where it never ends, and certified; 1 not certified or not finished; 4 stopped.
+  /// Whether the stages found out that this input is not worked on at this tolerance: the mesh is no result.
+  bool refused() const { return failure && refuses_input(failure->code); }
+  /// 0 finished, or stopped where it never ends, and certified; 1 not certified or not finished; 3 refused;
+  /// 4 stopped.
   int exit_status() const;
 };
 

@@ -112,6 +112,14 @@ Error Preparation::refused(Error error, const Scene& at) const {
   return error;
 }
 
+Error Preparation::refused_after_refinement(Error error, const Scene& at) const {
+  if (volume_->open_sides() == nullptr || at.field->surface() == nullptr) return error;
+  control_.report("smaller tolerances", -1);
+  return with_smaller_tolerance(std::move(error),
+                                {at.field, at.input_topology, kept_area_, volume_options(at.delta)},
+                                parameters_, control_);
+}
+
 /// The field of what is kept of the input, and what is known of its surface.
 Status Preparation::make_field(Scene& made, const std::shared_ptr<const TriangleSoup>& kept,
                                std::optional<double> delta) {

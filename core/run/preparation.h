@@ -91,6 +91,8 @@ class Preparation {
   Result<std::shared_ptr<const BoundarySamples>> sample(SampleDensity density);
   /// What is wrong with the input; when it is open, with the tolerance that would close it.
   Error refused(Error error, const Scene& at) const;
+  /// What a run found after its refinement, with what a smaller tolerance would come to.
+  Error refused_after_refinement(Error error, const Scene& at) const;
 
  private:
   bool few_samples_do() const;

@@ -42,11 +42,9 @@ std::vector<WallProbe> thinned(std::vector<WallProbe> probes) {
   return probes;
 }
 
-/// Where it is one up to what gaps of soups may take away.
-std::optional<long> clear_number(double winding) {
-  constexpr double clear = 0.12; // holes as wide as Ω closes them change more
-  return whole_winding(winding, clear);
-}
+/// How far from a whole number a winding may be: what gaps of soups may take away, and else what holes do
+/// that are as wide as Ω closes them.
+constexpr std::array<double, 2> clear_windings{0.12, 0.3};
 
 /// What lies on both sides of the walls, at places spread over them.
 struct Survey {
@@ -57,6 +55,9 @@ struct Survey {
       : probes(thinned(probes_on_walls(volume))), found(probes.size()) {
     parallel_until(probes.size(), wall_probes_per_task, control,
                    [&](std::size_t i) { found[i] = neighbours_of_wall(volume, probes[i]); });
+  }
+  bool has_fins() const {
+    return std::any_of(found.begin(), found.end(), [](const auto& n) { return n.ends_in_the_open(); });
   }
   WallVotes votes() const {
     WallVotes votes;
@@ -82,12 +83,12 @@ std::vector<std::int8_t> turns_by_rays(const ToleranceVolume& volume, const RunC
   return turns;
 }
 
-/// Whether the soup winds clearly, with its triangles turned as these angles have them.
-bool winds_clearly(const ToleranceVolume& volume, const SolidAngles& angles, const Survey& survey,
-                   const RunControl& control) {
+/// Whether the soup winds clearly, up to so much, with its triangles turned as these angles have them.
+bool winds_clearly(const ToleranceVolume& volume, const SolidAngles& angles, double clear,
+                   const Survey& survey, const RunControl& control) {
   std::vector<long> of_region;
   for (const Region& r : volume.regions()) {
-    const auto winding = r.unbounded ? 0 : clear_number(angles.winding(r.deepest));
+    const auto winding = r.unbounded ? 0 : whole_winding(angles.winding(r.deepest), clear);
     if (!winding) return false;
     of_region.push_back(*winding);
   }
@@ -102,7 +103,7 @@ bool winds_clearly(const ToleranceVolume& volume, const SolidAngles& angles, con
     const WallNeighbours& n = survey.found[i];
     mistaken[i] = n.ends_in_the_open();
     for (std::size_t k = 0; k < 2 && n.told() && mistaken[i] == 0; ++k)
-      mistaken[i] = clear_number(angles.winding(n.places[k])) != of_region[n.regions[k].index()];
+      mistaken[i] = whole_winding(angles.winding(n.places[k]), clear) != of_region[n.regions[k].index()];
   });
   std::vector<std::size_t> all(volume.volume_component_count()), wrong(all.size());
   for (std::size_t i = 0; i < mistaken.size(); ++i) {
@@ -161,13 +162,23 @@ std::shared_ptr<const SolidAngles> find_clear_windings(const ToleranceVolume& vo
   const InputTopology& input = volume.input();
   if (!input.may_wind_open) return nullptr;
   const Survey survey(volume, control);
-  const auto clear = [&](std::span<const std::int8_t> turns) {
-    auto angles = std::make_shared<const SolidAngles>(volume.index(), turns);
-    return winds_clearly(volume, *angles, survey, control) ? angles : nullptr;
-  };
-  if (input.turns) return clear(*input.turns);
-  if (auto as_given = clear({})) return as_given;
-  return control.cancelled() ? nullptr : clear(turns_by_rays(volume, control));
+  // As the triangles are turned, or as they are given and then as rays turn them.
+  std::vector<std::shared_ptr<const SolidAngles>> ways;
+  const std::size_t most_ways = input.turns ? 1 : 2;
+  for (const double clear : clear_windings)
+    for (std::size_t k = 0; k < most_ways; ++k) {
+      if (ways.size() == k) {
+        const std::vector<std::int8_t> turns = k > 0         ? turns_by_rays(volume, control)
+                                               : input.turns ? *input.turns
+                                                             : std::vector<std::int8_t>();
+        ways.push_back(std::make_shared<const SolidAngles>(volume.index(), turns));
+      }
+      if (control.cancelled()) return nullptr;
+      // What stands out is no hole.
+      if (clear > clear_windings.front() && survey.has_fins()) return nullptr;
+      if (winds_clearly(volume, *ways[k], clear, survey, control)) return ways[k];
+    }
+  return nullptr;
 }
 
 std::optional<std::vector<int>> label_by_walls(const ToleranceVolume& volume, const RunControl& control) {

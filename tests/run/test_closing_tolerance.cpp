@@ -1,4 +1,5 @@
 // Refusals of open soups name the smallest tolerance that closes it: a run begins there, and does not below.
+#include "run/closing_tolerance.h"
 #include "run/complete_run.h"
 #include "tolerance/open_shapes.h"
 #include "tolerance/shapes.h"
@@ -47,6 +48,21 @@ TriangleSoup sheet() {
       soup.triangles.push_back({a, a + 1, a + n + 2});
       soup.triangles.push_back({a, a + n + 2, a + n + 1});
     }
+  return soup;
+}
+
+/// A cone whose tip goes through a square by a tenth of its side.
+TriangleSoup cone_through_square() {
+  TriangleSoup soup = grid_sheet(24, [](double, double) { return true; });
+  constexpr std::uint32_t around = 24;
+  const auto tip = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.push_back({0.5, 0.5, -0.1});
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around;
+    soup.points.push_back({0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle), 0.3});
+  }
+  for (std::uint32_t i = 0; i < around; ++i)
+    soup.triangles.push_back({tip, tip + 1 + (i + 1) % around, tip + 1 + i});
   return soup;
 }
 
@@ -99,17 +115,7 @@ TEST_CASE("A sheet is said to be closed by nothing") {
 
 TEST_CASE(
     "Of sheets that cross the smallest tolerance is named at which a run begins, or that there is none") {
-  // A cone whose tip goes through a square by a tenth of its side.
-  TriangleSoup soup = grid_sheet(24, [](double, double) { return true; });
-  constexpr std::uint32_t around = 24;
-  const auto tip = static_cast<std::uint32_t>(soup.points.size());
-  soup.points.push_back({0.5, 0.5, -0.1});
-  for (std::uint32_t i = 0; i < around; ++i) {
-    const double angle = 2 * std::numbers::pi * i / around;
-    soup.points.push_back({0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle), 0.3});
-  }
-  for (std::uint32_t i = 0; i < around; ++i)
-    soup.triangles.push_back({tip, tip + 1 + (i + 1) % around, tip + 1 + i});
+  const TriangleSoup soup = cone_through_square();
   const auto crossing = refined(soup, 1.5);
   REQUIRE_FALSE(crossing->run());
   REQUIRE(crossing->error.has_value());
@@ -124,6 +130,39 @@ TEST_CASE(
   } else {
     CHECK(remedy.ends_with("of the longest edge takes it in."));
   }
+}
+
+TEST_CASE("A refusal that advises a smaller tolerance says so where the input is refused there") {
+  const auto at = [](const TriangleSoup& soup, double percent) {
+    const auto run = refined(soup, percent);
+    REQUIRE(run->prepare());
+    const Scene& scene = *run->scene;
+    ToleranceVolume::Options options;
+    options.delta = scene.delta;
+    const Error told{ErrorCode::unsupported, "Parts lie too near to each other.", "Use a smaller tolerance."};
+    return with_smaller_tolerance(told, {scene.field, scene.input_topology, 2, options}, run->parameters,
+                                  run->control);
+  };
+  CHECK(at(grid_sheet(8, [](double, double) { return true; }), 6).remedy == "Use a smaller tolerance.");
+  // Where Ω takes the tip in it is taken; where not, it crosses.
+  const Error crossing = at(cone_through_square(), 11);
+  CHECK(crossing.code == ErrorCode::unsupported);
+  CHECK(crossing.message == "Parts lie too near to each other.");
+  CHECK(crossing.remedy.starts_with("Mend the input: a smaller tolerance does not help, as at "));
+  CHECK(crossing.remedy.find("sheets cross or branch near (") != std::string::npos);
+}
+
+TEST_CASE("A run that is refused after its refinement has status 3, one that failed otherwise 1") {
+  RunResult result;
+  CHECK(result.exit_status() == 1); // not certified
+  result.failure = Error{ErrorCode::unsupported, "Z leaves Ω.", ""};
+  CHECK(result.refused());
+  CHECK(result.exit_status() == 3);
+  result.failure = Error{ErrorCode::internal, "An invariant does not hold.", ""};
+  CHECK_FALSE(result.refused());
+  CHECK(result.exit_status() == 1);
+  result.end = RunResult::End::stopped;
+  CHECK(result.exit_status() == 4);
 }
 
 TEST_CASE("The search ends when it is told to") {

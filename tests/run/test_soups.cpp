@@ -3,6 +3,7 @@
 #include "run/complete_run.h"
 #include "run/cube_with_bar.h"
 #include "run/input_walls.h"
+#include "run/voxel_soup.h"
 #include "tolerance/shapes.h"
 
 #include <doctest/doctest.h>
@@ -90,6 +91,25 @@ TEST_CASE(
     check_certified(open, 2);
     CHECK(open.scene->volume->sides().by_solid_angles());
   }
+}
+
+TEST_CASE("A rod is kept also on a body with holes as wide as Ω closes them") {
+  // One face in five of a cube of 12³ cubes is missing, whose winding is then 0.8 inside.
+  constexpr double side = 0.07;
+  TriangleSoup soup =
+      voxel_surface({20, 12, 12}, [](int x, int y, int z) { return x < 12 || (y == 6 && z == 6); });
+  std::vector<std::array<std::uint32_t, 3>> kept;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const auto& v = soup.triangles[t];
+    const bool of_body = std::all_of(v.begin(), v.end(), [&](auto i) { return soup.points[i].x <= 12; });
+    if (!of_body || t / 2 % 5 != 0) kept.push_back(v);
+  }
+  soup.triangles = kept;
+  for (Vec3& p : soup.points) p = side * p;
+  CompleteRun run(soup, delta);
+  check_certified(run, 2);
+  CHECK(run.scene->volume->sides().by_solid_angles());
+  CHECK(run.scene->volume->held() > 0);
 }
 
 TEST_CASE("What is thinner than Ω between two regions of a soup parts no rooms") {
