@@ -220,9 +220,10 @@ void check_expectation(const TriangleMesh& mesh, const ExpectedTopology& expecte
                        const RunControl& control) {
   tell_topology(expected, c);
   if (c.topology != Certificate::Topology::wrong) return;
-  if (!c.closed_manifold || !c.oriented || !c.regions.empty()) return;
-  if (const std::string places = topology_places(mesh, control); !places.empty())
-    c.failures.back() += " " + places;
+  if (!c.closed_manifold || !c.oriented) return;
+  const std::string places =
+      c.regions.empty() ? topology_places(mesh, control) : topology_places(mesh, c.regions, control);
+  if (!places.empty()) c.failures.back() += " " + places;
 }
 
 } // namespace

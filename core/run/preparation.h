@@ -125,8 +125,4 @@ class Preparation {
   double kept_area_ = 0;  ///< of the input without what is left out
 };
 
-/// Fails with unsupported where so many samples take more than so many bytes, naming the σ that fits.
-/// `sigma` and `delta` are absolute.
-Status check_memory(const SampleEstimate& estimate, double sigma, double delta, double most_bytes);
-
 } // namespace isoscope

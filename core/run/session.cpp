@@ -5,6 +5,7 @@
 #include "recording/recording_writer.h"
 #include "run/follow_copy.h"
 #include "run/recorded_run.h"
+#include "run/sample_memory.h"
 #include "run/show_recording.h"
 
 #include <algorithm>

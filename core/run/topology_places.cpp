@@ -5,6 +5,7 @@
 #include "base/geometry.h"
 #include "base/place.h"
 #include "mesh/shortest_loop.h"
+#include "run/mesh_connectivity.h"
 
 #include <algorithm>
 #include <limits>
@@ -46,6 +47,15 @@ struct Handle {
   Vec3 place;
 };
 
+/// The facets of a region's boundary.
+TriangleMesh facets_around(const TriangleMesh& mesh, int label) {
+  TriangleMesh boundary{mesh.points, {}};
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (mesh.labels[t].front == label || mesh.labels[t].back == label)
+      boundary.triangles.push_back(mesh.triangles[t]);
+  return boundary;
+}
+
 std::vector<Handle> narrowest_handles(const ZeroSet& z, const RunControl& control) {
   std::vector<Handle> handles;
   for (std::uint32_t c = 0; c < z.components.size() && !control.out_of_grace(); ++c) {
@@ -70,6 +80,28 @@ Vec3 smallest_component(const ZeroSet& z) {
 }
 
 } // namespace
+
+std::string topology_places(const TriangleMesh& mesh, std::span<const RegionCertificate> regions,
+                            const RunControl& control) {
+  struct Place {
+    Handle handle;
+    int label;
+  };
+  std::vector<Place> places;
+  for (const RegionCertificate& r : regions) {
+    const bool handles = r.euler_characteristic < 2 * static_cast<long>(r.components);
+    if (!r.closed_manifold || !handles) continue;
+    for (const Handle& h : narrowest_handles(as_zero_set(facets_around(mesh, r.label)), control))
+      places.push_back({h, r.label});
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.handle.length < b.handle.length; });
+  std::string words;
+  for (std::size_t i = 0; i < std::min(most_named, places.size()); ++i)
+    words += (i == 0 ? "The boundary of " : ", of ") + name_of_region(places[i].label) +
+             " has a handle near " + place(places[i].handle.place, place_digits);
+  return words.empty() ? words : words + '.';
+}
 
 std::string topology_places(const TriangleMesh& mesh, const RunControl& control) {
   const ZeroSet z = as_zero_set(mesh);

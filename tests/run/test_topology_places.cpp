@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -57,4 +58,19 @@ TEST_CASE("The narrowest handles are named, the narrower first, and the smallest
   const auto smallest = words.find("The smallest component is near (");
   REQUIRE(smallest != std::string::npos);
   CHECK(distance(first_place(words.substr(smallest)), {3 * size, 0, 0}) < 0.01 * size);
+}
+
+TEST_CASE("Of rooms the handles of each boundary are named, with the room") {
+  TriangleMesh mesh = gallery_mesh("sphere");
+  const double size = TriangleSoup{mesh.points, mesh.triangles, {}}.bounds().longest_edge();
+  mesh.labels.assign(mesh.triangles.size(), {+1, -1});
+  CHECK(topology_places(mesh, certify_regions(mesh), RunControl()).empty());
+  append(mesh, gallery_mesh("torus"), 1, {3 * size, 0, 0});
+  mesh.labels.resize(mesh.triangles.size(), {+1, -2});
+  const std::string words = topology_places(mesh, certify_regions(mesh), RunControl());
+  CAPTURE(words);
+  CHECK(words.find("The boundary of the outside has a handle near (") == 0);
+  CHECK(words.find(", of room 2 has a handle near (") != std::string::npos);
+  CHECK(words.find("room 1") == std::string::npos);
+  CHECK(std::abs(first_place(words).x - 3 * size) < size);
 }

@@ -3,6 +3,7 @@
 
 #include "model/chosen_input.h"
 #include "recording/copy_reader.h"
+#include "run/sample_memory.h"
 
 #include <utility>
 
