@@ -440,9 +440,8 @@ Status Session::apply(const RunParameters& parameters) {
     if (impl_->shown.recording && impl_->shown.recording->opened) return {};
     if (const auto& scene = impl_->shown.scene) {
       const CriteriaParameters wanted = parameters.criteria(scene->delta, scene->default_sigma);
-      if (Status fits =
-              check_memory(scene->sample_estimate, wanted.sigma, scene->delta, parameters.most_bytes());
-          !fits)
+      const double most = parameters.most_bytes();
+      if (Status fits = check_memory(scene->sample_estimate, wanted.sigma, scene->delta, most); !fits)
         return fits;
       impl_->wanted = wanted;
     }
