@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "criteria/height.h"
 #include "mesh/label_functions.h"
+#include "refine/simplices.h"
 
 #include <algorithm>
 
@@ -17,11 +18,6 @@ constexpr std::size_t parallel_samples = 4096;
 /// ε where f could not be computed (a tetrahedron of no volume in floating point): bad, so that the sample
 /// goes in.
 constexpr double unknown_error = 2;
-
-std::uint64_t pack(VertexId a, VertexId b) {
-  const auto [low, high] = std::minmax(a.value, b.value);
-  return (std::uint64_t{low} << 32) | high;
-}
 
 template <class T> long count_distinct(std::vector<T>& items) {
   std::sort(items.begin(), items.end());
@@ -136,7 +132,7 @@ LiveTriangulation::ZeroCells LiveTriangulation::count_zero_cells(std::span<const
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
         if (label[i] == label[j]) continue;
-        edge_scratch_.push_back(pack(t.v[i], t.v[j]));
+        edge_scratch_.push_back(packed(t.v[i], t.v[j]));
         ++corners;
       }
       TetLabels rest = label;

@@ -25,6 +25,12 @@ template <std::size_t N> void sort_unique(std::vector<Simplex<N>>& simplices) {
   simplices.erase(std::unique(simplices.begin(), simplices.end(), same), simplices.end());
 }
 
+/// Both ends of an edge in any order as one number.
+inline std::uint64_t packed(VertexId a, VertexId b) {
+  const auto [low, high] = std::minmax(a.value, b.value);
+  return (std::uint64_t{low} << 32) | high;
+}
+
 std::array<Simplex<2>, 6> edges_of(const Tet& tet, TetId t);
 /// Adds those of one tetrahedron.
 void append_edges(const Complex& complex, TetId t, std::vector<Simplex<2>>& edges);

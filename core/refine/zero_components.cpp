@@ -3,17 +3,13 @@
 
 #include "base/disjoint_sets.h"
 #include "base/sort_unique.h"
+#include "refine/simplices.h"
 
 #include <algorithm>
 #include <array>
 
 namespace isoscope {
 namespace {
-
-std::uint64_t pack(VertexId a, VertexId b) {
-  const auto [low, high] = std::minmax(a.value, b.value);
-  return (std::uint64_t{low} << 32) | high;
-}
 
 bool carries_zero(const TetLabels& labels) {
   return label_count(labels) > 1;
@@ -61,7 +57,7 @@ ZeroComponents::Pieces ZeroComponents::pieces(const Complex& complex, std::span<
     const auto& v = tets[t].v;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j)
-        if (complex.label(v[i]) != complex.label(v[j])) by_tet.emplace_back(pack(v[i], v[j]), t);
+        if (complex.label(v[i]) != complex.label(v[j])) by_tet.emplace_back(packed(v[i], v[j]), t);
   }
   std::sort(by_tet.begin(), by_tet.end());
   DisjointSets sets(tets.size());
