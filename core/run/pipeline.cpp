@@ -305,7 +305,6 @@ Result<RunResult> Pipeline::run() {
     const Result<bool> finished = m.simplify();
     if (!finished && m.recorder->rehearsal() != nullptr) return finished.error();
     if (!finished) result.failure = finished.error();
-    if (result.refused()) result.failure = m.preparation.refused_after_refinement(*result.failure, *m.scene);
     stopped = finished && !*finished;
   }
   if (m.control->cancelled() || stopped) {
@@ -323,6 +322,7 @@ Result<RunResult> Pipeline::run() {
   result.refinement = m.refined;
   result.branch = m.branched;
   result.last_stage = m.last_stage();
+  if (result.refused()) result.failure = m.preparation.refused_after_refinement(*result.failure, *m.scene);
   result.form = m.complex().form;
   const ZeroSet zero_set = extract_zero_set(m.complex());
   result.mesh = triangulate(zero_set);

@@ -40,8 +40,9 @@ struct RunResult {
   bool can_go_on = false;   ///< Pipeline::go_on() is possible
   std::string branch;       ///< where it left another run and how; empty: it began at the beginning
   MeshSize size() const { return streamed.value_or(MeshSize{mesh.points.size(), mesh.triangles.size()}); }
-  /// Whether the stages found out that this input is not worked on at this tolerance: the mesh is no result.
-  bool refused() const { return failure && refuses_input(failure->code); }
+  /// Whether the cut at the rim found out that this input is not worked on at this tolerance: the mesh is no
+  /// result. What another stage fails at leaves what there is of Z.
+  bool refused() const { return failure && last_stage == Stage::rim && refuses_input(failure->code); }
   /// 0 finished, or stopped where it never ends, and certified; 1 not certified or not finished; 3 refused;
   /// 4 stopped.
   int exit_status() const;

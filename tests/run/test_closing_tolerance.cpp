@@ -156,8 +156,12 @@ TEST_CASE("A run that is refused after its refinement has status 3, one that fai
   RunResult result;
   CHECK(result.exit_status() == 1); // not certified
   result.failure = Error{ErrorCode::unsupported, "Z leaves Ω.", ""};
+  result.last_stage = Stage::rim;
   CHECK(result.refused());
   CHECK(result.exit_status() == 3);
+  result.last_stage = Stage::tessellation;
+  CHECK_FALSE(result.refused());
+  CHECK(result.exit_status() == 1);
   result.failure = Error{ErrorCode::internal, "An invariant does not hold.", ""};
   CHECK_FALSE(result.refused());
   CHECK(result.exit_status() == 1);
