@@ -12,8 +12,9 @@
 namespace isoscope {
 namespace {
 
-/// Samples of both sides of a sheet are 2 δ' apart; σ may be at most this share of δ'.
-constexpr double largest_sigma = 0.75;
+/// What joins samples of both sides of a sheet crosses it, and each is δ' from there: neighbours, up to 2σ
+/// apart, are on one side as long as σ is at most this share of δ'.
+constexpr double largest_sigma = 0.98;
 /// What is joined is on both sides where its smaller part is more than this share, unless it is a pocket:
 /// less than that share of all samples.
 constexpr double largest_minority = 0.2, largest_pocket = 0.05;

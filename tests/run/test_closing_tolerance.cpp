@@ -66,10 +66,12 @@ TriangleSoup cone_through_square() {
   return soup;
 }
 
-std::unique_ptr<CompleteRun> refined(const TriangleSoup& soup, double percent) {
+/// `sigma`: in δ; 0: by default.
+std::unique_ptr<CompleteRun> refined(const TriangleSoup& soup, double percent, double sigma = 0) {
   RunParameters parameters;
   parameters.input = "soup";
   parameters.tolerance = {percent, true};
+  parameters.sigma = sigma;
   parameters.until = Stage::refinement;
   auto run = std::make_unique<CompleteRun>(parameters);
   run->soup = std::make_shared<const TriangleSoup>(soup);
@@ -130,6 +132,13 @@ TEST_CASE(
   } else {
     CHECK(remedy.ends_with("of the longest edge takes it in."));
   }
+}
+
+TEST_CASE("Sheets that cross are refused however few the samples are") {
+  const auto crossing = refined(cone_through_square(), 1.5, 0.9);
+  REQUIRE_FALSE(crossing->run());
+  REQUIRE(crossing->error.has_value());
+  CHECK(crossing->error->code == ErrorCode::joined_sheets);
 }
 
 TEST_CASE("A refusal that advises a smaller tolerance says so where the input is refused there") {
