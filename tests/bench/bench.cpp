@@ -1,4 +1,5 @@
 // The bench: our pipeline and Lindstrom–Turk side by side, each line in processes of its own.
+#include "base/field_options.h"
 #include "base/parallel.h"
 #include "bench/cases.h"
 #include "bench/lindstrom_turk.h"
@@ -26,13 +27,15 @@ struct Options {
   std::vector<std::string> tolerances;
   bool quick = false, complete = false, all = false, open = false, targets = false, cores = false;
   bool markdown = false, envelope = false, no_normals = false;
+  std::string effort, start, cover; ///< of ours; empty: by default
+  RunParameters ours;               ///< what they come to
   unsigned threads = 0, seeds = 1;
   double time_limit = 0, kill_after = 3600;
 };
 
 Outcome run_ours(const Case& asked, std::uint32_t seed, const Options& options, unsigned threads_at_most) {
   const ThreadLimit threads(threads_at_most);
-  RunParameters parameters;
+  RunParameters parameters = options.ours;
   parameters.input = asked.model;
   parameters.tolerance = asked.tolerance;
   parameters.conditions[2] = !options.no_normals;
@@ -96,12 +99,24 @@ Result<std::vector<Case>> cases_for(const Options& options) {
                                          : Selection::standard);
 }
 
-int run(const Options& options) {
+Status read_ours(Options& options) {
+  const auto take = [&](const auto& field, const std::string& text) -> Status {
+    return text.empty() ? Status() : take_text(field, options.ours, text);
+  };
+  if (Status s = take(field_of(&RunParameters::effort), options.effort); !s) return s;
+  if (Status s = take(field_of(&RunParameters::start), options.start); !s) return s;
+  return take(field_of(&RunParameters::cover), options.cover);
+}
+
+int refuse(const Error& error) {
+  std::fprintf(stderr, "isoscope-bench: %s\n", error.line().c_str());
+  return 2;
+}
+
+int run(Options options) {
+  if (Status s = read_ours(options); !s) return refuse(s.error());
   const auto cases = cases_for(options);
-  if (!cases) {
-    std::fprintf(stderr, "isoscope-bench: %s\n", cases.error().line().c_str());
-    return 2;
-  }
+  if (!cases) return refuse(cases.error());
   const Table table(options.markdown);
   std::fputs(table.head().c_str(), stdout);
   std::vector<Row> rows;
@@ -147,6 +162,12 @@ int main(int argc, char** argv) {
   app.add_flag("--envelope", options.envelope,
                "also Lindstrom–Turk within CGAL's polyhedral envelope (slow)");
   app.add_flag("--no-normals", options.no_normals, "ours without condition 3");
+  app.add_option("--effort", options.effort, "of ours, as of a run");
+  app.add_option("--start", options.start, "of ours, as of a run");
+  app.add_option(
+      "--cover", options.cover,
+      "of ours, as of a run; off: how far the input may be from the result is bounded as little as it "
+      "is of Lindstrom–Turk's");
   app.add_option("--threads", options.threads, "of ours; 0: all cores");
   app.add_option("--time-limit", options.time_limit,
                  "seconds after which ours stops with what it has; 0: none");
