@@ -1,4 +1,4 @@
-// Numbers kept in order, so that their distribution can be told.
+// How numbers are distributed: the middle of some, and any share of those that are kept in order.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,13 @@
 #include <vector>
 
 namespace isoscope {
+
+/// The upper of the two in the middle where their number is even. Of some.
+inline double upper_median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 class Quantiles {
  public:

@@ -11,10 +11,6 @@
 namespace isoscope {
 namespace {
 
-bool carries_zero(const TetLabels& labels) {
-  return label_count(labels) > 1;
-}
-
 /// Whether t and its neighbour across from vertex i have a part of Z in common.
 bool joined_across(const TetLabels& labels, std::size_t i) {
   const std::int8_t a = labels[(i + 1) % 4];
@@ -29,7 +25,7 @@ std::size_t ZeroComponents::count(const Complex& complex, const Delaunay& delaun
   std::vector<bool> seen(complex.tets.size(), false);
   std::vector<TetId> front;
   for (std::uint32_t i = 0; i < complex.tets.size(); ++i) {
-    if (seen[i] || !complex.tets[i].alive() || !carries_zero(complex.labels(TetId(i)))) continue;
+    if (seen[i] || !complex.tets[i].alive() || !carries_zero_set(complex.labels(TetId(i)))) continue;
     ++components;
     seen[i] = true;
     front.push_back(TetId(i));

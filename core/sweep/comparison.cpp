@@ -2,8 +2,10 @@
 #include "sweep/comparison.h"
 
 #include "base/numbers.h"
+#include "base/quantiles.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace isoscope::sweep {
 
@@ -53,13 +55,6 @@ void compare_results(const Row& before, const Row& now, Comparison& out) {
                         number(*now.covers) + " δ");
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 1;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 } // namespace
 
 Comparison compare(const std::vector<Row>& old_rows, const std::vector<Row>& new_rows) {
@@ -79,7 +74,7 @@ Comparison compare(const std::vector<Row>& old_rows, const std::vector<Row>& new
   for (const auto& [a, b] : pairs)
     if (a->exit == b->exit && a->seconds > least_seconds && b->seconds > 0)
       ratios.push_back(b->seconds / a->seconds);
-  out.speed = median(ratios);
+  out.speed = ratios.empty() ? 1 : upper_median(std::move(ratios));
   for (const auto& [a, b] : pairs) {
     compare_results(*a, *b, out);
     if (a->vertices.value_or(0) > 0 && b->vertices.value_or(0) > 0) {

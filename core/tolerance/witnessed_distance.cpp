@@ -2,6 +2,7 @@
 #include "tolerance/witnessed_distance.h"
 
 #include "base/parallel.h"
+#include "base/quantiles.h"
 #include "base/scramble.h"
 
 #include <nanoflann.hpp>
@@ -51,15 +52,9 @@ void for_neighbors(const Cloud& cloud, const Tree& tree, std::size_t k, const Ru
   });
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Finds spacing, area and the share of outlying points from the radii that hold `k` of them.
 void judge_density(const std::vector<double>& radii, std::size_t k, WitnessedDistance& result) {
-  const double typical = median(radii);
+  const double typical = upper_median(radii);
   const double by_point = std::numbers::pi / static_cast<double>(k);
   std::size_t outlying = 0;
   for (const double r : radii) {
