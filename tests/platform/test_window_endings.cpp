@@ -35,13 +35,22 @@ wait $window
   return exit_of("bash " + work + "/run.sh");
 }
 
+/// Without the line that is there as well where a machine has too little time for the program to end its
+/// computations within a second.
+std::string without_last_word(std::string error) {
+  const std::string word =
+      "isoscope: A computation did not end in time and is left behind; recordings are kept.\n";
+  if (const std::size_t at = error.find(word); at != std::string::npos) error.erase(at, word.size());
+  return error;
+}
+
 /// Settings are saved, the recording is closed and sound, and one line says so.
 void check_left(const TemporaryFolder& folder, const std::string& said) {
   CHECK(bytes_of(folder / "isoscope" / "settings.json").find("\"theme\": 2") != std::string::npos);
   CHECK(!std::filesystem::exists(folder / "run.isorun-wal"));
   const std::string replay = std::string(ISOSCOPE_RUN_PROGRAM) + " replay --quiet ";
   CHECK(exit_of(replay + (folder / "run.isorun").string()) == 4); // it ended without finishing
-  const std::string error = bytes_of(folder / "error");
+  const std::string error = without_last_word(bytes_of(folder / "error"));
   CAPTURE(error);
   CHECK(error.find(said) != std::string::npos);
   CHECK(error.find("run.isorun is closed") != std::string::npos);
