@@ -6,6 +6,7 @@
 #include "refine/simplices.h"
 #include "tolerance/contacts.h"
 #include "tolerance/regions.h"
+#include "tolerance/room_contacts.h"
 
 #include <algorithm>
 #include <optional>
@@ -265,30 +266,34 @@ std::vector<MisclassifiedPoint> misclassified_basins(const LiveTriangulation& li
 
 std::vector<MisclassifiedPoint> contact_points(const ToleranceVolume& volume, double spacing,
                                                const RunControl& control) {
-  std::vector<Vec3> places;
-  std::vector<Contact> contacts = find_contacts(volume.index(), control);
-  for (const Contact& near :
-       find_near_contacts(volume.index(), volume.sides(), volume.thresholds().delta, spacing, control))
-    contacts.push_back(near);
-  for (const auto& [a, b] : contacts) {
+  std::vector<RoomContact> contacts = room_contacts(volume, control);
+  if (!volume.has_rooms()) {
+    for (const Contact& contact : find_contacts(volume.index(), control)) contacts.push_back({contact});
+    for (const Contact& near :
+         find_near_contacts(volume.index(), volume.sides(), volume.thresholds().delta, spacing, control))
+      contacts.push_back({near});
+  }
+  std::vector<MisclassifiedPoint> points;
+  for (const auto& [edge, label] : contacts) {
+    const auto& [a, b] = edge;
     const double pieces = std::max(1.0, std::ceil(distance(a, b) / spacing));
-    for (double k = 0; k <= pieces; ++k) places.push_back(a + (k / pieces) * (b - a));
+    for (double k = 0; k <= pieces; ++k) {
+      MisclassifiedPoint& point = points.emplace_back();
+      point.point = point.summit = a + (k / pieces) * (b - a);
+      point.label = label;
+      point.height = volume.thresholds().boundary;
+    }
   }
   // One of those in a cube of half the spacing.
-  const auto cube = [&](Vec3 p) {
-    return std::array{std::floor(2 * p.x / spacing), std::floor(2 * p.y / spacing),
-                      std::floor(2 * p.z / spacing)};
+  const auto cube = [&](const MisclassifiedPoint& m) {
+    return std::array{std::floor(2 * m.point.x / spacing), std::floor(2 * m.point.y / spacing),
+                      std::floor(2 * m.point.z / spacing)};
   };
-  std::stable_sort(places.begin(), places.end(), [&](Vec3 a, Vec3 b) { return cube(a) < cube(b); });
-  places.erase(std::unique(places.begin(), places.end(), [&](Vec3 a, Vec3 b) { return cube(a) == cube(b); }),
-               places.end());
-  std::vector<MisclassifiedPoint> points;
-  for (const Vec3 p : places) {
-    MisclassifiedPoint& point = points.emplace_back();
-    point.point = point.summit = p;
-    point.label = -1;
-    point.height = volume.thresholds().boundary;
-  }
+  std::stable_sort(points.begin(), points.end(),
+                   [&](const auto& m, const auto& n) { return cube(m) < cube(n); });
+  points.erase(std::unique(points.begin(), points.end(),
+                           [&](const auto& m, const auto& n) { return cube(m) == cube(n); }),
+               points.end());
   return points;
 }
 

@@ -60,7 +60,8 @@ std::vector<MisclassifiedPoint> misclassified_basins(const LiveTriangulation& li
                                                      const RunControl& control);
 
 /// Points along the contacts of the input, at most about `spacing` apart: inside where parts are to be
-/// joined. All of the same height; `tet` stays invalid.
+/// joined; between rooms of one that keeps another from joining itself. All of the same height; `tet` stays
+/// invalid.
 std::vector<MisclassifiedPoint> contact_points(const ToleranceVolume& volume, double spacing,
                                                const RunControl& control);
 

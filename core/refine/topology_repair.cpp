@@ -249,6 +249,7 @@ void TopologyCondition::leave_contacts() {
     contacts_.reset();
     return;
   }
+  if (context_.volume().has_rooms()) return enter(Phase::basins);
   enter(context_.volume().held() > 0 ? Phase::edges : Phase::offset);
 }
 

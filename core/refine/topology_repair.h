@@ -59,7 +59,7 @@ class TopologyCondition {
   std::optional<std::vector<MisclassifiedPoint>> summits_;
   bool mending_ = false;
   double level_ = 0; ///< summits lower than this wait
-  /// Where parts are to be joined; found when they are needed.
+  /// Where parts are to be joined, or rooms touch themselves; found when they are needed.
   std::optional<std::vector<MisclassifiedPoint>> contacts_;
   MisclassifiedSearch<2> edge_search_;
   MisclassifiedSearch<3> facet_search_;
@@ -79,6 +79,7 @@ class TopologyCondition {
   void enter(Phase phase);
   /// The first phase that looks for points.
   Phase first_search() const {
+    if (context_.volume().has_rooms()) return Phase::contacts;
     if (!sides_known() && !trial_) return Phase::basins;
     return expected_.joined ? Phase::contacts : Phase::edges;
   }

@@ -90,10 +90,40 @@ void measure(const ToleranceVolume& volume, DisjointSets& connected, ThinPart& p
   }
 }
 
-double least_thickness(std::span<const ThinPart> parts) {
+/// Where there are rooms the region that is too shallow tells, where the octree sees it, else walls that face
+/// each other.
+void measure_room(const ToleranceVolume& volume, ThinPart& part) {
+  const auto take = [&](Vec3 p, double depth) {
+    if (2 * depth > part.thickness) part.thickness = 2 * depth, part.place = p;
+  };
+  part.place = part.box.center();
+  for (const BoundaryComponent& c : volume.boundary_components()) {
+    const Region& region = volume.regions()[c.region.index()];
+    if (c.volume_component == part.volume_component && region.shallow) take(region.deepest, region.depth);
+  }
+  const double enough = deep_enough * volume.thresholds().delta;
+  if (part.thickness == 0)
+    for (const ThicknessProbe& probe : probe_thickness(volume, part.volume_component)) {
+      if (!(probe.distance > 0) || probe.distance > enough) continue;
+      // What comes out in a wider place was not in this one.
+      const ThicknessProbe top = climb(volume.index(), probe, 2 * volume.thresholds().delta);
+      if (top.distance <= enough) take(top.middle, top.distance);
+    }
+  part.least_thickness = part.thickness;
+}
+
+/// The largest tolerance that keeps all of them, by their thickness.
+double keeping_by_thickness(std::span<const ThinPart> parts) {
   double least = std::numeric_limits<double>::infinity();
-  for (const ThinPart& part : parts) least = std::min(least, part.least_thickness);
+  for (const ThinPart& part : parts)
+    least = std::min(least, keeping_share * part.least_thickness / part.thinnest_kept());
   return least;
+}
+
+/// "thinner than twice the tolerance"
+std::string thinner_words(const ThinPart& part) {
+  return "thinner than " + (part.room ? general(part.thinnest_kept(), 2) + " times" : std::string("twice")) +
+         " the tolerance";
 }
 
 } // namespace
@@ -110,6 +140,7 @@ std::vector<ThinPart> find_thin_parts(const ToleranceVolume& volume) {
     if (volume.open_sides() != nullptr && volume.open_sides()->is_open_component(c)) continue;
     parts.emplace_back().volume_component = c;
     parts.back().lost = has[c][0] ? +1 : -1;
+    parts.back().room = volume.has_rooms();
     part_of[c] = static_cast<std::uint32_t>(parts.size());
   }
   if (parts.empty()) return parts;
@@ -118,6 +149,10 @@ std::vector<ThinPart> find_thin_parts(const ToleranceVolume& volume) {
     if (part == 0) continue;
     ++parts[part - 1].triangles;
     for (const Vec3 p : volume.index().triangle(TriangleId(t))) parts[part - 1].box.add(p);
+  }
+  if (volume.has_rooms()) {
+    for (ThinPart& part : parts) measure_room(volume, part);
+    return parts;
   }
   DisjointSets connected = connected_triangles(volume.index());
   for (ThinPart& part : parts) measure(volume, connected, part);
@@ -131,20 +166,19 @@ Result<KeepingTolerance> find_keeping_tolerance(const ToleranceVolume& volume,
   const ToleranceThresholds& t = volume.thresholds();
   const double ratio = t.boundary / t.delta, surface = volume.field().area();
   const auto cells = [&](double delta) { return cells_by_area * surface / (ratio * ratio * delta * delta); };
-  KeepingTolerance keeping{two_digits_below(0.5 * keeping_share * least_thickness(parts)), true};
+  KeepingTolerance keeping{two_digits_below(keeping_by_thickness(parts)), true};
   for (int tries = 0; tries < most_tries && keeping.value > 0; ++tries) {
     keeping.fits = cells(keeping.value) <= most_main_cells;
     // A single closed part keeps what is deep enough; several may come apart at a smaller tolerance, and then
     // each must have an inside of its own.
     if (cells(keeping.value) > most_tried_cells || volume.input().components == 1) break;
     const auto smaller =
-        ToleranceVolume::build(volume.shared_index(), volume.input(), {keeping.value, ratio}, control);
+        ToleranceVolume::build(volume.shared_index(), volume.given_input(), {keeping.value, ratio}, control);
     if (control.cancelled()) return Error{ErrorCode::cancelled, "Stopped while looking for a tolerance.", ""};
     if (!smaller) break;
     const std::vector<ThinPart> left = find_thin_parts(*smaller);
     if (left.empty()) break;
-    keeping.value =
-        two_digits_below(std::min(next_try * keeping.value, 0.5 * keeping_share * least_thickness(left)));
+    keeping.value = two_digits_below(std::min(next_try * keeping.value, keeping_by_thickness(left)));
   }
   return keeping;
 }
@@ -161,16 +195,20 @@ Error thin_parts_error(const ToleranceVolume& volume, std::span<const ThinPart> 
   const std::string where = place(thinnest->place, place_digits);
   const std::string width =
       general(thinnest->thickness, 3) + " (" + general(thinnest->thickness / delta, 3) + " δ)";
-  if (one) {
-    error.message = gap   ? "A gap inside of the input is thinner than twice the tolerance everywhere around "
-                    : all ? "The input is thinner than twice the tolerance everywhere around "
-                          : "A part of the input is thinner than twice the tolerance everywhere around ";
-    error.message += where + ", at most " + width + ": nothing is left " + (gap ? "of it." : "inside of it.");
-  } else {
+  const std::string thinner = thinner_words(*thinnest) + " everywhere";
+  if (thinnest->room) {
     error.message =
-        std::to_string(parts.size()) +
-        " parts of the input are thinner than twice the tolerance everywhere, the thinnest one, of " + width +
-        " at most, around " + where + ": nothing is left inside of them.";
+        (one ? "A room of the input is " + thinner
+             : std::to_string(parts.size()) + " rooms of the input are " + thinner + ", the thinnest one") +
+        " around " + where + ", at most " + width + ": what is around takes " + (one ? "it." : "them.");
+  } else if (one) {
+    error.message = gap ? "A gap inside of the input is " : all ? "The input is " : "A part of the input is ";
+    error.message += thinner + " around " + where + ", at most " + width + ": nothing is left " +
+                     (gap ? "of it." : "inside of it.");
+  } else {
+    error.message = std::to_string(parts.size()) + " parts of the input are " + thinner +
+                    ", the thinnest one, of " + width + " at most, around " + where +
+                    ": nothing is left inside of them.";
   }
   if (keeping.value > 0) {
     const std::string value = general(keeping.value, 2) + " (" +
@@ -196,10 +234,10 @@ std::string left_out_words(std::span<const ThinPart> parts) {
   std::stable_sort(largest.begin(), largest.end(), [](const ThinPart* a, const ThinPart* b) {
     return a->box.longest_edge() > b->box.longest_edge();
   });
-  std::string words = std::to_string(parts.size()) +
-                      (parts.size() == 1 ? " part of the input, thinner" : " parts of the input, thinner") +
-                      " than twice the tolerance everywhere, " + (parts.size() == 1 ? "is" : "are") +
-                      " left out (" + std::to_string(triangles) +
+  const std::string what = parts.front().room ? " room" : " part";
+  std::string words = std::to_string(parts.size()) + what + (parts.size() == 1 ? "" : "s") +
+                      " of the input, " + thinner_words(parts.front()) + " everywhere, " +
+                      (parts.size() == 1 ? "is" : "are") + " left out (" + std::to_string(triangles) +
                       (triangles == 1 ? " triangle)" : " triangles)");
   for (std::size_t i = 0; i < std::min(largest.size(), most_named); ++i) {
     words += (i == 0 ? ": " : "; ") + general(largest[i]->box.longest_edge(), 3) + " long and " +

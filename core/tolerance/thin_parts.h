@@ -4,6 +4,7 @@
 
 #include "base/run_control.h"
 #include "base/status.h"
+#include "tolerance/delta_study.h"
 #include "tolerance/tolerance_volume.h"
 
 #include <cstddef>
@@ -14,7 +15,8 @@
 
 namespace isoscope {
 
-/// A component of Ω' that has a region of one side only: Z has nothing to enclose there.
+/// A component of Ω' that has a region of one side only: Z has nothing to enclose there. Between rooms it has
+/// regions of one label only, as one that is no deeper than 1.3 δ goes with what is around it.
 struct ThinPart {
   std::uint32_t volume_component = 0;
   int lost = -1;              ///< the label that no region has: -1 nothing is inside, +1 the gap closes
@@ -23,6 +25,10 @@ struct ThinPart {
   double least_thickness = 0; ///< the same of the thinnest of the closed parts of the input in it
   std::size_t triangles = 0;  ///< of the input
   Box3 box;                   ///< their bounds
+  bool room = false;          ///< where there are rooms
+
+  /// What is no thicker than this is lost, in δ.
+  double thinnest_kept() const { return room ? 2 * deep_enough : 2; }
 };
 
 /// The thin parts of a labelled volume, by component.

@@ -51,6 +51,7 @@ ToleranceVolume ToleranceVolume::without_octree() const {
   ToleranceVolume copy;
   copy.field_ = field_;
   copy.input_ = input_;
+  copy.given_rule_ = given_rule_;
   copy.sides_ = sides_;
   copy.open_sides_ = open_sides_;
   copy.open_sides_found_ = open_sides_found_;
@@ -122,6 +123,7 @@ Result<ToleranceVolume> ToleranceVolume::build(std::shared_ptr<const ToleranceFi
   ToleranceVolume v;
   v.field_ = std::move(field);
   v.input_ = input;
+  v.given_rule_ = input.side_rule;
   v.sides_ = v.has_surface() ? InputSides(v.shared_index(), input.side_rule, input.turns)
                              : InputSides(v.field_, input.side_rule);
   const double delta = options.delta, boundary = options.boundary_ratio * delta;

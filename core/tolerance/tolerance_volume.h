@@ -134,6 +134,12 @@ class ToleranceVolume {
   const ClosestPointIndex& index() const { return *field_->surface(); }
   std::shared_ptr<const ClosestPointIndex> shared_index() const { return {field_, field_->surface()}; }
   const InputTopology& input() const { return input_; }
+  /// The same as build() was given it: before Ω decided what tells the sides.
+  InputTopology given_input() const {
+    InputTopology given = input_;
+    given.side_rule = given_rule_;
+    return given;
+  }
   /// Which side of the input a point is on.
   const InputSides& sides() const { return sides_; }
   /// The sides of its open surfaces; null where there are none.
@@ -263,6 +269,7 @@ class ToleranceVolume {
 
   std::shared_ptr<const ToleranceField> field_;
   InputTopology input_;
+  SideRule given_rule_ = SideRule::colouring;
   InputSides sides_;
   std::shared_ptr<const OpenSides> open_sides_, open_sides_found_;
   ToleranceThresholds thresholds_;

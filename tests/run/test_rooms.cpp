@@ -97,6 +97,34 @@ ScalarGrid two_halves(std::size_t n) {
   return grid;
 }
 
+/// A block of a segmentation, and the label of its voxels.
+struct Block {
+  std::array<std::size_t, 3> at;
+  int label;
+};
+
+/// The walls of such blocks, each of so many voxels along an axis.
+TriangleSoup walls_of(const std::vector<Block>& blocks, std::size_t voxels) {
+  std::map<std::array<std::size_t, 3>, int> labels;
+  std::array<std::size_t, 3> most{};
+  for (const Block& b : blocks) {
+    labels[b.at] = b.label;
+    for (std::size_t k = 0; k < 3; ++k) most[k] = std::max(most[k], b.at[k] + 1);
+  }
+  ScalarGrid grid;
+  grid.name = "blocks";
+  grid.size = {most[0] * voxels, most[1] * voxels, most[2] * voxels};
+  for (std::size_t z = 0; z < grid.size[2]; ++z)
+    for (std::size_t y = 0; y < grid.size[1]; ++y)
+      for (std::size_t x = 0; x < grid.size[0]; ++x) {
+        const auto found = labels.find({x / voxels, y / voxels, z / voxels});
+        grid.values.push_back(found == labels.end() ? 0.0F : static_cast<float>(found->second));
+      }
+  auto walls = walls_between_labels(grid);
+  REQUIRE(walls.ok());
+  return std::move(*walls);
+}
+
 } // namespace
 
 TEST_CASE("rooms have the Euler characteristic of their walls, and sheets meet in curves and points") {
@@ -228,6 +256,36 @@ TEST_CASE("a segmentation gives the walls between its labels") {
   REQUIRE(block.ok());
   CHECK(block->triangles.size() == 6 * 6 * 6 * 2);
   CHECK(block->bounds().lo == Vec3{-0.5, -0.5, -0.5});
+}
+
+TEST_CASE("rooms that touch along an edge share a wall there, and what is around does not join itself") {
+  // Two that touch, and a third on top of one of them.
+  const std::vector<Block> stairs{{{0, 0, 0}, 1}, {{1, 1, 0}, 2}, {{0, 0, 1}, 3}};
+  // Another one around two that touch.
+  const std::vector<Block> within{{{0, 0, 0}, 1}, {{1, 1, 0}, 2}, {{0, 1, 0}, 3}, {{1, 0, 0}, 3},
+                                  {{0, 0, 1}, 3}, {{1, 0, 1}, 3}, {{0, 1, 1}, 3}, {{1, 1, 1}, 3}};
+  // Two pairs, one above the other.
+  const std::vector<Block> pairs{{{0, 0, 0}, 1}, {{1, 1, 0}, 2}, {{0, 0, 1}, 3}, {{1, 1, 1}, 4}};
+  check_rooms(*run_rooms(walls_of(stairs, 4), 7.5, SidesMode::multi), 3, 4);
+  check_rooms(*run_rooms(walls_of(within, 4), 7.5, SidesMode::multi), 3, 4);
+  check_rooms(*run_rooms(walls_of(pairs, 4), 7.5, SidesMode::multi), 4, 5);
+}
+
+TEST_CASE("a room that Ω leaves nothing of is refused with the tolerance that keeps it") {
+  std::vector<Block> blocks;
+  for (std::size_t x = 0; x < 10; ++x)
+    for (std::size_t y = 0; y < 5; ++y)
+      for (std::size_t z = 0; z < 5; ++z) blocks.push_back({{x, y, z}, x < 5 ? 1 : 2});
+  blocks.push_back({{2, 2, 2}, 3}); // later ones count
+  const TriangleSoup walls = walls_of(blocks, 1);
+  const auto refused = run_rooms(walls, 5, SidesMode::multi, Stage::refinement);
+  REQUIRE(refused->error.has_value());
+  const std::string& message = refused->error->message;
+  CHECK_MESSAGE(message.starts_with("A room of the input is thinner than 2.6 times the tolerance"), message);
+  CHECK_MESSAGE(message.find(", at most 1 (2 δ): what is around takes it.") != std::string::npos, message);
+  const std::string& remedy = refused->error->remedy;
+  CHECK_MESSAGE(remedy.starts_with("Choose a tolerance of at most 0.34 "), remedy);
+  CHECK(run_rooms(walls, 3.4, SidesMode::multi, Stage::refinement)->result.has_value());
 }
 
 TEST_CASE("all labels of a grid are asked for, or one") {
